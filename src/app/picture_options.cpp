@@ -60,9 +60,15 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
   w.viewport = scene::viewport_of(w.split, w.viewport, 0);
 }
 
-// A session has its own camera, which another look replaces.
+// A session has its own camera, which that of another one or another look replaces.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   viewer.frame(0);  // places the viewport that framing needs
+  if (!options.camera.empty()) {
+    const auto camera = scene::read_session(options.camera).camera;
+    if (!camera)
+      throw base::Error(options.camera.string(), "this session has no camera", "choose another one");
+    return viewer.workspace().camera.set_pose(*camera);
+  }
   const bool keeps_look = has_camera && !options.look_given;
   if (keeps_look && options.compare.empty()) return;
   scene::Workspace& workspace = viewer.workspace();
@@ -103,6 +109,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   add_binding_option(command, options.viewer.bindings.named);
   auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
+  add_file_option(command, "--camera", options.camera, "Seen as that session is");
   auto* shading = command.add_option("--shading", options.shading,
                                      "clay, porcelain, jade, file (as it says), checker, normals or zebra");
   one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");

@@ -20,6 +20,7 @@ struct PictureOptions {
   bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
   std::string look = "home", shading, map;
   std::vector<std::string> compare;             ///< ways or methods, a view each
+  std::filesystem::path camera;                 ///< a session whose camera is taken; empty: none
   bool panels_of_session = true;                ///< are shown where its window had them
   bool size_given = false, look_given = false;  ///< after parsing, see take_given()
 };

@@ -45,6 +45,7 @@ void add_render_command(CLI::App& app, Action& action) {
   add_file_option(*command, "-o,--output", o->output, "PNG file to write")->required();
   add_force_option(*command, o->force);
   add_picture_options(*command, o->picture);
+  command->add_flag("--transparent", o->picture.viewer.transparent, "Without a background");
   command->callback([o, command, &action] {
     check_usage(o->inputs);
     take_given(*command, o->picture);

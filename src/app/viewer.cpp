@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <ctime>
 #include <utility>
 
@@ -380,6 +382,24 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
   const bool goes_on = last_frame_ - last_motion_ < still_seconds;
   return options_.may_be_coarse && goes_on && scene::draws_coarsely(workspace_) ? Fineness::coarse
                                                                                 : Fineness::plain;
+}
+
+ViewDrawing Viewer::drawing() const {
+  ViewDrawing wanted = renderer_.drawing(workspace_, device_size(), options_.scale);
+  wanted.transparent = options_.transparent;
+  return wanted;
+}
+
+// What is drawn over nothing has its colour by its opacity; files have it whole.
+render::Image Viewer::picture() {
+  render::Image image = framebuffer_.read();
+  for (std::size_t i = 0; options_.transparent && i + 3 < image.rgba.size(); i += 4) {
+    const int opacity = std::max<int>(1, image.rgba[i + 3]);
+    for (std::size_t k = 0; k < 3; ++k)
+      image.rgba[i + k] =
+          static_cast<std::uint8_t>(std::min(255, (255 * image.rgba[i + k] + opacity / 2) / opacity));
+  }
+  return image;
 }
 
 void Viewer::draw(scene::FrameTimes& times) {

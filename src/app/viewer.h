@@ -31,6 +31,7 @@ struct ViewerOptions {
   int samples = 0;             ///< multisampling; 0 none
   int still_samples = 0;  ///< of one more picture once the view has rested for a quarter of a second; 0 none
   bool may_be_coarse = false;  ///< what moves is drawn at half the resolution, as the workspace says
+  bool transparent = false;    ///< pictures have no background
   bool builtin_font = false;   ///< the same text on every machine, for picture tests
   bool probe = true;           ///< measure the methods aside
   std::filesystem::path
@@ -99,7 +100,7 @@ public:
   void finish_views();
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
-  render::Image picture() { return framebuffer_.read(); }
+  render::Image picture();
   /// The deformer of the open document; null while there is none.
   const deform::Deformer* deformer() const { return model_.deformer(); }
 
@@ -125,7 +126,7 @@ private:
   void share_ranges();
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);
-  ViewDrawing drawing() const { return renderer_.drawing(workspace_, device_size(), options_.scale); }
+  ViewDrawing drawing() const;
   Fineness fineness(const ViewDrawing& wanted);
   void draw_whole();
   void panels(scene::FrameTimes& times);

@@ -242,7 +242,12 @@ ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 siz
 
 void WorkspaceRenderer::draw(const ViewDrawing& d) {
   const render::Theme theme = d.dark ? render::dark_theme() : render::light_theme();
-  backdrop_.draw(theme);
+  if (d.transparent) {
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+  } else {
+    backdrop_.draw(theme);
+  }
   for (std::size_t view = 0; view < d.parts.size(); ++view) {
     const ViewDrawing::Part& part = d.parts[view];
     if (d.parts.size() > 1) clip_to(part, d.size);

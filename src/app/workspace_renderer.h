@@ -36,7 +36,7 @@ struct ViewDrawing {
   std::vector<Part> parts;  ///< none: there is no model, and only the backdrop is drawn
   glm::ivec2 size{1, 1};    ///< of the window, device pixels
   float scale = 1;          ///< device pixels per logical pixel
-  bool dark = true;
+  bool dark = true, transparent = false;
   bool model = false, grid = false, cage = false, ghost = false;  ///< are shown
   render::ShadowStyle shadow;
   render::GridStyle ground;

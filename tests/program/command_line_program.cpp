@@ -115,6 +115,38 @@ TEST_CASE("render_writes_a_picture_of_the_asked_size") {
   CHECK(image.pixel(5, 5) != image.pixel(320, 200));
 }
 
+TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_asked_for") {
+  const TemporaryFolder scratch;
+  const auto picture = [&](const std::string& options) {
+    const fs::path out = scratch / "out.png";
+    const auto outcome = run("render " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
+                             " --size 640x320 --no-grid --force -o " + quoted(out) + ' ' + options);
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    return read_png(out);
+  };
+  const auto plain = picture("");
+  CHECK(difference(plain, picture("--map turn"), 12) > 0.02);
+  CHECK(difference(plain, picture("--compare smooth,rigid"), 12) > 0.05);
+  CHECK(difference(picture("--compare diag,fast"), picture("--compare diag,sd,fast"), 12) > 0.05);
+  // Nothing in the corner, the model in the middle, and between them edges that are neither.
+  const auto clear = picture("--transparent --no-cage");
+  CHECK(clear.rgba[3] == 0);
+  std::size_t whole = 0, partly = 0;
+  for (std::size_t i = 3; i < clear.rgba.size(); i += 4) {
+    whole += clear.rgba[i] == 255;
+    partly += clear.rgba[i] > 0 && clear.rgba[i] < 255;
+  }
+  CHECK(whole > 5000);
+  CHECK(partly > 200);
+  for (const char* wrong : {"--compare smooth", "--compare smooth,none", "--map blue", "--camera none.viete",
+                            "--compare smooth,rigid,arap,local,paper"}) {
+    const auto outcome = run("render " + quoted(dragon) + " -o " + quoted(scratch / "no.png") + ' ' + wrong);
+    CHECK_MESSAGE(outcome.code != 0, wrong);
+    CHECK_MESSAGE(mentions(outcome.text, std::string(wrong).substr(0, 6)), outcome.text);
+    CHECK_FALSE(fs::exists(scratch / "no.png"));
+  }
+}
+
 TEST_CASE("bind_saves_what_render_then_takes_instead_of_binding") {
   const TemporaryFolder scratch;
   const fs::path file = scratch.path() / "dragon.binding", out = scratch.path() / "out.png",

@@ -10,6 +10,7 @@ _viete_value() {
     --pose | --cage | --rest | --examples) _filedir "$_viete_meshes" ;;
     --binding | --keys) _filedir ;;
     --published) _filedir -d ;;
+    --camera) _filedir viete ;;
     --json) _filedir json ;;
     --plot) _filedir svg ;;
     -o | --output)
@@ -55,13 +56,13 @@ _viete_options() {
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --shading --map --compare --panels --light --wireframe
-        --error-map --no-cage --no-grid'
+      options+=' --output --force --pose --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
+        --transparent --error-map --no-cage --no-grid'
       ;;
     deform) options+=' --output --digits --force --pose --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
       options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
-        --size --scale --binding --look --shading --map --compare --panels --light --wireframe --error-map --no-cage --no-grid'
+        --size --scale --binding --look --camera --shading --map --compare --panels --light --wireframe --error-map --no-cage --no-grid'
       ;;
     between) options+=' --output --frames --at --rest --loop --linear --straight --rate --digits --force' ;;
     mix) options+=' --output --shape --straight --digits --force' ;;

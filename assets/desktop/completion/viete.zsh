@@ -26,6 +26,7 @@ local -a scale=('--scale=[device pixels per logical pixel]:scale:')
 local -a picture=($binding $scale
   '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
   '--look=[from where]:view:(home front back left right top bottom)'
+  '--camera=[seen as that session is]:session:_files -g "*.viete"'
   '--shading=[what the mesh is coloured by]:shading:(clay porcelain jade file checker normals zebra)'
   '--map=[what the mesh is coloured by, as in the Lab]:map:(none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence opening difference signed-difference)'
   '--compare=[ways or methods side by side]:words:(smooth,paper smooth,rigid smooth,arap diag,sd,improved_sd,fast log,straight)'
@@ -44,7 +45,7 @@ local command=$words[2]
 [[ $command == bench ]] && command="bench $words[3]"
 case $command in
   render)
-    specs+=($files $output $pose $method $weighting $blend $way $reach $limits $amounts $stitched $picture)
+    specs+=($files $output $pose $method $weighting $blend $way $reach $limits $amounts $stitched $picture '--transparent[without a background]')
     ;;
   deform) specs+=($files $output $digits $pose $method $weighting $blend $way $reach $limits $amounts $stitched) ;;
   animate)
