@@ -392,7 +392,7 @@ ViewDrawing Viewer::drawing() const {
 
 // What is drawn over nothing has its colour by its opacity; files have it whole.
 render::Image Viewer::picture() {
-  render::Image image = framebuffer_.read();
+  render::Image image = framebuffer_.read(!options_.transparent);
   for (std::size_t i = 0; options_.transparent && i + 3 < image.rgba.size(); i += 4) {
     const int opacity = std::max<int>(1, image.rgba[i + 3]);
     for (std::size_t k = 0; k < 3; ++k)

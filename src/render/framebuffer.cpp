@@ -119,7 +119,7 @@ void Framebuffer::blit_to_window(glm::ivec2 window_size) {
   blit_to(0, window_size);
 }
 
-Image Framebuffer::read() {
+Image Framebuffer::read(bool opaque) {
   const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
   std::vector<std::uint8_t> bottom_up(row * size_.y);
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
@@ -131,7 +131,7 @@ Image Framebuffer::read() {
   for (int y = 0; y < size_.y; ++y) {
     std::memcpy(&image.rgba[row * y], &bottom_up[row * (size_.y - 1 - y)], row);
   }
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  for (std::size_t i = 3; opaque && i < image.rgba.size(); i += 4) image.rgba[i] = 255;
   return image;
 }
 

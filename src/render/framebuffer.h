@@ -28,7 +28,8 @@ public:
   /// Copies the resolved picture to the default framebuffer of the current context and leaves that bound.
   void blit_to_window(glm::ivec2 window_size);
   /// The resolved picture, top row first, alpha 255.
-  Image read();
+  /// Without `opaque` with the opacity that was drawn, by which colours are multiplied.
+  Image read(bool opaque = true);
 
   glm::ivec2 size() const { return size_; }
   int samples() const { return samples_; }  ///< 0 without multisampling
