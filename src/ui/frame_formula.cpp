@@ -223,6 +223,12 @@ private:
   std::optional<std::size_t> under_cursor_;
 };
 
+// Its terms, at a vertex: the one that is picked, or what is in the middle of the view.
+void show_sum(scene::Workspace& w) {
+  w.remembered.layout.sections["Vertex"] = true;
+  if (!w.vertex.vertex) w.vertex.vertex = scene::pointed_vertex(w, w.viewport.middle());
+}
+
 }  // namespace
 
 std::optional<std::size_t> frame_formula(const Context& ui) {
@@ -233,6 +239,10 @@ std::optional<std::size_t> frame_formula(const Context& ui) {
   setting.set(Formula(fused, scheme.stitched()).of(scheme.blend));
   ImGui::Dummy({width, setting.height()});
   record(ui, "formula");
+  if (setting.under_cursor()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsMouseClicked(0)) show_sum(ui.workspace);
+  }
   return setting.under_cursor();
 }
 

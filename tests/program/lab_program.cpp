@@ -280,6 +280,12 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.settle();
   CHECK_FALSE(d.workspace().vertex.vertex);
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
+  // A term of the formula leads there, too.
+  if (!d.viewer().recorder().find("formula")) d.click("section/Timings");
+  const auto formula = d.viewer().recorder().find("formula");
+  d.click(d.place_of("formula") - glm::vec2(0.5f * (formula->x1 - formula->x0) - 6, 0));
+  d.settle();
+  CHECK(d.workspace().vertex.vertex);
   // By the key, under the cursor; it goes with the pose.
   d.move(d.workspace().viewport.middle());
   d.press_key('Y', false, false, true);

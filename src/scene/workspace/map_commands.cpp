@@ -19,11 +19,9 @@ constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.h
                                "Pick a vertex first."};
 
 void pick_vertex(Workspace& w) {
-  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.middle());
-  const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
-  if (!hit) return w.messages.info("Point at the model to pick a vertex of it.");
-  const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
-  w.vertex.vertex = w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
+  const auto vertex = pointed_vertex(w, w.interaction.cursor.value_or(w.viewport.middle()));
+  if (!vertex) return w.messages.info("Point at the model to pick a vertex of it.");
+  w.vertex.vertex = vertex;
 }
 
 void choose_field(Workspace& w, Field field) {
@@ -31,6 +29,13 @@ void choose_field(Workspace& w, Field field) {
 }
 
 }  // namespace
+
+std::optional<std::uint32_t> pointed_vertex(const Workspace& w, const glm::vec2& at) {
+  const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
+  if (!hit) return std::nullopt;
+  const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
+  return w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
+}
 
 void add_map_commands(CommandTable& table) {
   table.heading("Map");

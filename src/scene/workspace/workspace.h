@@ -304,6 +304,8 @@ void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
 /// The vertex that is the worst of the map.
 void frame_worst(Workspace& workspace);
+/// Of the model, nearest to what is drawn at this place of the window; nothing where it is not.
+std::optional<std::uint32_t> pointed_vertex(const Workspace& workspace, const glm::vec2& at);
 
 /// What the deformer had to decide in the frame of this pose: its turns become the pose's, and its notes are
 /// shown.
