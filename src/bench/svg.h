@@ -7,6 +7,9 @@
 
 namespace viete::bench {
 
+/// `&`, `<`, `>` and `"` written out, for text and attributes of XML.
+std::string escaped(std::string_view text);
+
 struct SvgPoint {
   double x, y;
 };

@@ -1,0 +1,80 @@
+#include "bench/report/figures.h"
+
+#include <functional>
+#include <utility>
+
+#include "bench/exp.h"
+#include "bench/frame.h"
+#include "bench/models.h"
+#include "bench/modes.h"
+#include "bench/modes_table.h"
+#include "bench/published_shapes.h"
+
+namespace viete::bench {
+
+namespace {
+
+constexpr std::size_t moments = 21;  // of a way from shape to shape
+
+std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base::Progress& progress) {
+  FrameOptions options;
+  options.model = figures.files.model;
+  if (in_own_cage) options.cage = figures.files.cage;
+  options.faces = figures.sizes.faces;
+  options.rounds = figures.sizes.rounds;
+  return measure_frames(options, progress);
+}
+
+void measure_ways(Figures& figures, base::Progress& progress) {
+  const scene::Document opened = open_model(figures.files.model, figures.files.cage);
+  std::vector<std::string> warnings;
+  figures.poses = read_poses(figures.files.poses, *opened.cage, warnings);
+  if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});
+  const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
+  figures.ways = measure_modes(*opened.model.surface, opened.cage, figures.poses, settings, progress);
+}
+
+}  // namespace
+
+ReportSizes quick_sizes() {
+  return {400'000, 256, {50, 300}, 3};
+}
+
+Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
+  Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  const struct {
+    double seconds;  // about, of all matrices
+    std::function<void()> measure;
+  } works[] = {{10, [&] { figures.eigen = measure_eigen(sizes.matrices, progress); }},
+               {25, [&] { figures.exp = measure_exp(sizes.matrices, false, progress); }},
+               {18, [&] { figures.exp_in_float = measure_exp(sizes.matrices, true, progress); }},
+               {25, [&] { figures.accuracy = measure_accuracy(sizes.samples, false, progress); }},
+               {25, [&] { figures.accuracy_in_float = measure_accuracy(sizes.samples, true, progress); }},
+               {7, [&] { figures.deformation = frames_of(figures, true, progress); }},
+               {28, [&] { figures.frames = frames_of(figures, false, progress); }},
+               {25, [&] { measure_ways(figures, progress); }},
+               {5, [&] {
+                  figures.shapes =
+                      measure_halfway(read_shapes_of_model(files.rest, files.shapes), progress, moments);
+                }}};
+  double all = 0, done = 0;
+  for (const auto& work : works) all += work.seconds;
+  for (const auto& work : works) {
+    progress.part(done / all, (done + work.seconds) / all);
+    done += work.seconds;
+    work.measure();
+  }
+  return figures;
+}
+
+nlohmann::json to_json(const Figures& f) {
+  return {{"eigenvalues", to_json(f.eigen)},
+          {"exponentials", {{"double", to_json(f.exp)}, {"float", to_json(f.exp_in_float)}}},
+          {"accuracy", {{"double", to_json(f.accuracy)}, {"float", to_json(f.accuracy_in_float)}}},
+          {"deformation", to_json(f.deformation)},
+          {"frames", to_json(f.frames)},
+          {"ways", to_json(f.ways, f.poses)},
+          {"shapes", f.shapes}};
+}
+
+}  // namespace viete::bench
