@@ -32,8 +32,8 @@ void print(const ExpBench& bench) {
       "| layout | matrices |  fast ns |  copy ns | x copy | diag / it | improved_sd / it |\n"
       "|--------|---------:|---------:|---------:|-------:|----------:|-----------------:|\n");
   for (const LayoutResult& r : bench.layouts) {
-    std::printf("| %-6s | %8zu | %8.2f | %8.2f | %6.2f | %9.1f | %16.1f |\n", layout_name(r.layout), r.count, r.fast,
-                r.copy, r.fast / r.copy, r.diag / r.fast, r.improved_sd / r.fast);
+    std::printf("| %-6s | %8zu | %8.2f | %8.2f | %6.2f | %9.1f | %16.1f |\n", layout_name(r.layout), r.count,
+                r.fast, r.copy, r.fast / r.copy, r.diag / r.fast, r.improved_sd / r.fast);
   }
 }
 

@@ -17,7 +17,7 @@ constexpr const char *paper = "#ffffff", *ink = "#1f2933", *faint = "#6b7785", *
 
 std::string count_text(double count) {
   char text[32];
-  if (count > 0 && count < 1e-3) {  // 10^-5, raised
+  if (count > 0 && count < 5e-3) {  // 10^-5, raised
     constexpr const char* raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                       "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
     std::string power = "10\u207b";
@@ -126,9 +126,7 @@ void draw_grid(Svg& svg, const Plot& plot, const Scale& x, const Scale& y, const
 }
 
 std::string value_text(double value) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.1e", value);
-  return value < 1e-3 ? text : base::few_digits(value);
+  return value < 1e-3 ? error_text(value) : base::few_digits(value);
 }
 
 /// Names at the ends of the curves, moved apart so that none covers another.
@@ -178,6 +176,14 @@ void add_curves(Svg& svg, const Plot& plot, const Area& area, double end) {
 
 }  // namespace
 
+std::string error_text(double error) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", error);
+  std::string result = text;
+  if (const auto zero = result.find("e-0"); zero != result.npos) result.erase(zero + 2, 1);
+  return result;
+}
+
 const char* color_of_method(const std::string& name) {
   using sym3::label, sym3::Method;
   if (name == label(Method::fast)) return plot_color::ours[0];
@@ -207,10 +213,13 @@ std::string draw_bars(const Plot& plot) {
 }
 
 std::string draw_curves(const Plot& plot) {
-  constexpr double height = 270, letter = 6.7, value = 48;
-  std::size_t longest = 0;
-  for (const PlotCurve& curve : plot.curves) longest = std::max(longest, curve.name.size());
-  const double right = small_width - 16 - value - letter * static_cast<double>(longest);
+  constexpr double height = 270, letter = 7.3;
+  std::size_t name = 0, value = 0;
+  for (const PlotCurve& curve : plot.curves) {
+    name = std::max(name, curve.name.size());
+    value = std::max(value, value_text(curve.points.back().ns).size());
+  }
+  const double right = small_width - 16 - letter * static_cast<double>(name + value + 1);
   Svg svg(small_width, height, paper);
   add_curves(svg, plot, {40, 8, right, height - 48}, small_width);
   return svg.document();

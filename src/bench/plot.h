@@ -48,6 +48,9 @@ inline constexpr const char* ours[] = {"#0072b2", "#009e73", "#b3589a", "#3a3f9e
 /// The same for a method in every plot; of others that of what ours is compared with.
 const char* color_of_method(const std::string& name);
 
+/// "4.3e-16".
+std::string error_text(double error);
+
 /// An SVG document, 1000 pixels wide.
 std::string draw_plot(const Plot& plot);
 /// The bars, or the curves, by themselves, 400 pixels wide and without titles.

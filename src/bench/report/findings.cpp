@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/quantity.h"
 #include "bench/methods.h"
@@ -15,12 +14,6 @@ double percent_less(double time, double than) {
 
 std::string percent(double value) {
   return std::to_string(std::lround(value)) + " %";
-}
-
-std::string error_text(double error) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1e", error);
-  return text;
 }
 
 const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces) {
@@ -52,6 +45,11 @@ const nlohmann::json* most_lost(const Figures& figures) {
     if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
   }
   return most;
+}
+
+std::string name_of_shape(const nlohmann::json& row) {
+  const std::string name = row["name"], prefix = "shape_";
+  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
 std::string shell_word(const std::filesystem::path& path) {

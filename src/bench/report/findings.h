@@ -15,8 +15,6 @@ inline constexpr std::size_t usual_faces = 300;
 double percent_less(double time, double than);
 /// "76 %".
 std::string percent(double value);
-/// "4.3e-16".
-std::string error_text(double error);
 /// Null where there is none; of one thread.
 const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces);
 /// The frame by links, with exp by that method.
@@ -26,6 +24,8 @@ double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::st
 /// The shape that straight lines lose most volume on the way to, a row of Figures::shapes; null if there is
 /// none.
 const nlohmann::json* most_lost(const Figures& figures);
+/// By its file: "shape_coiled.pc2" is coiled.
+std::string name_of_shape(const nlohmann::json& row);
 /// A path as a shell takes it.
 std::string shell_word(const std::filesystem::path& path);
 

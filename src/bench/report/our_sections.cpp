@@ -8,6 +8,7 @@
 #include "bench/report/findings.h"
 #include "bench/report/html.h"
 #include "bench/report/sections.h"
+#include "bench/svg.h"
 
 namespace viete::bench {
 
@@ -57,18 +58,16 @@ struct ErrorsOf {
 };
 
 std::string error_plots(const Figures& figures) {
-  constexpr ErrorsOf plots[] = {{"two eigenvalues so close", 1},
-                                {"three eigenvalues so close", 2},
-                                {"by spread: largest less smallest eigenvalue", 3},
-                                {"by scale of the entries", 4}};
+  constexpr ErrorsOf plots[] = {{"Two eigenvalues close to each other", 1},
+                                {"Three eigenvalues close to each other", 2},
+                                {"By spread, the largest less the smallest eigenvalue", 3},
+                                {"By scale of the entries", 4}};
   std::string text;
   for (const auto& [what, table] : plots) {
-    text += "<div class=\"plots\">";
-    for (const auto& [precision, tables] :
-         {std::pair{"double", &figures.accuracy}, {"float", &figures.accuracy_in_float}})
-      text += figure("Largest relative error, " + std::string(precision) + ", " + what,
-                     errors_plot((*tables)[table]));
-    text += "</div>\n";
+    text += "<h3>" + escaped(what) + "</h3>\n<div class=\"plots\">";
+    text += figure("largest relative error, double", errors_plot(figures.accuracy[table]));
+    text +=
+        figure("largest relative error, float", errors_plot(figures.accuracy_in_float[table])) + "</div>\n";
   }
   return text;
 }
@@ -88,6 +87,7 @@ Section accuracy_section(const Figures& figures) {
   };
   const std::string count = "viete bench accuracy --count " + std::to_string(figures.sizes.samples);
   return {"errors",
+          "Of ours",
           "How exact",
           "Where eigenvalues come close, SD is off by up to " + worst(Method::sd) + " and Improved SD by " +
               worst(Method::improved_sd) + ", in double; Diag by " + worst(Method::diag) + " and Fast by " +
@@ -152,6 +152,7 @@ Section frames_section(const Figures& figures) {
   const std::string command = "viete bench frame " + shell_word(figures.files.model) + " --faces " + sizes +
                               " --rounds " + std::to_string(figures.sizes.rounds);
   return {"frames",
+          "Of ours",
           "Frames by cage",
           seen,
           "Plain is a rebuild of published tools: matrices blended in double, one vertex after the other. "

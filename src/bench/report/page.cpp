@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/quantity.h"
+#include "bench/plot.h"
 #include "bench/report/findings.h"
 #include "bench/report/html.h"
 #include "bench/report/sections.h"
@@ -34,7 +35,7 @@ Glance glance_of(const Figures& figures) {
                           base::milliseconds(plain->cpu_ms)});
   if (const auto* most = most_lost(figures))
     glance.push_back({percent(100 * double((*most)["log_space"]["volume"])),
-                      "of the volume halfway to " + std::string((*most)["name"]) +
+                      "of the volume halfway to " + name_of_shape(*most) +
                           " in log space; on straight lines " +
                           percent(100 * double((*most)["straight"]["volume"]))});
   return glance;
@@ -64,7 +65,8 @@ std::string header(const Figures& figures, const Made& made, const std::vector<S
 }
 
 std::string html(const Section& section) {
-  std::string text = "<section id=\"" + section.id + "\">\n<h2>" + escaped(section.title) + "</h2>\n";
+  std::string text = "<section id=\"" + section.id + "\">\n" + paragraph(section.origin, "origin") + "<h2>" +
+                     escaped(section.title) + "</h2>\n";
   if (!section.seen.empty()) text += paragraph(section.seen, "seen");
   if (!section.why.empty()) text += paragraph(section.why, "why");
   text += section.body;

@@ -66,6 +66,7 @@ Section eigenvalues_section(const Figures& figures) {
   const Plot plot = plot_of(bench);
   return {
       "eigenvalues",
+      "Figure 1 of the paper",
       "Eigenvalues",
       "Viete\u2019s formula takes " + percent(percent_less(ns("Viete"), ns("QR"))) +
           " less time than QR, ours " + percent(percent_less(ns("Fast"), ns("QR"))) + " less.",
@@ -84,6 +85,7 @@ Section exponentials_section(const Figures& figures) {
   const std::string saved = std::abs(sd) < 4 ? "next to nothing" : percent(sd);
   return {
       "exponentials",
+      "Figure 2 of the paper",
       "Exponentials",
       "Against Diag, SD saves " + saved + ", Improved SD " + percent(improved) + ", and Fast is " +
           few_digits(diag / ns_of(bench, Method::fast)) + " times faster: " +
@@ -113,7 +115,7 @@ Section deformation_section(const Figures& figures) {
                           percent(100 * exp / t->links.total()), few_digits(blend),
                           few_digits(t->links.total() - exp - blend)});
   }
-  Section section{"deformation", "Deformation", "", "", "", {}};
+  Section section{"deformation", "Figure 3 of the paper", "Deformation", "", "", "", {}};
   section.commands = {"viete bench frame " + shell_word(figures.files.model) + " " +
                       shell_word(figures.files.cage) + " --rounds " + std::to_string(figures.sizes.rounds)};
   if (plot.bars.size() < 4) {
@@ -152,6 +154,7 @@ Section paper_section(const Figures& figures) {
                           percent(percent_less(improved->cpu_ms, diag->cpu_ms))});
   return {
       "paper",
+      "Of the paper and here",
       "Beside the paper",
       "What the paper claims holds here, too: the formula makes eigenvalues, and with them exponentials, "
       "several "

@@ -110,7 +110,7 @@ Section ways_section(const Figures& figures) {
     else
       problems += paragraph(label_of(mode) + ": " + mode.problem, "note");
   }
-  Section section{"ways", "Ways of blending", "", "", "", {}};
+  Section section{"ways", "Of ours", "Ways of blending", "", "", "", {}};
   section.commands = {"viete bench modes " + shell_word(figures.files.model) + " " +
                       shell_word(figures.files.cage)};
   for (const auto& pose : figures.files.poses) section.commands[0] += " " + shell_word(pose);
@@ -143,7 +143,7 @@ Section ways_section(const Figures& figures) {
 }
 
 Section shapes_section(const Figures& figures) {
-  Section section{"shapes", "Between shapes", "", "", "<div class=\"plots\">", {}};
+  Section section{"shapes", "Of ours", "Between shapes", "", "", "<div class=\"plots\">", {}};
   HtmlTable table{
       {"halfway to", "volume, logs", "volume, straight", "edges off, logs", "edges off, straight"}, {}};
   for (const auto& row : figures.shapes) {
@@ -158,7 +158,7 @@ Section shapes_section(const Figures& figures) {
             {static_cast<double>(i) / static_cast<double>(volumes.size() - 1), double(volumes[i])});
       plot.curves.push_back(std::move(curve));
     }
-    const std::string name = row["name"];
+    const std::string name = name_of_shape(row);
     section.body += figure("volume on the way to " + name, draw_curves(plot));
     const auto cell = [&](const char* way, const char* what) {
       return percent(100 * double(row[way][what]));
@@ -173,7 +173,7 @@ Section shapes_section(const Figures& figures) {
                       "square of logarithms. Shapes of the dragon that comes with the program.",
                       "note");
   if (const auto* most = most_lost(figures))
-    section.seen = "Halfway to " + std::string((*most)["name"]) + ", straight lines keep " +
+    section.seen = "Halfway to " + name_of_shape(*most) + ", straight lines keep " +
                    percent(100 * double((*most)["straight"]["volume"])) + " of the volume, log space " +
                    percent(100 * double((*most)["log_space"]["volume"])) + ".";
   section.why =

@@ -22,6 +22,7 @@ h2{font-size:1.5rem;line-height:1.25;letter-spacing:-.01em;font-weight:650;margi
 h3{font-size:1rem;font-weight:650;margin:2rem 0 .5rem}
 p{max-width:42rem;margin:0 0 1rem}
 p.seen{font-size:1.125rem;line-height:1.55}
+p.origin{font-size:.8125rem;color:var(--faint);margin:0 0 .25rem}
 p.why,p.note{color:var(--faint)}
 p.note{font-size:.875rem}
 a{color:var(--ours);text-underline-offset:.15em;text-decoration-thickness:1px}
