@@ -12,7 +12,7 @@ namespace viete::bench {
 
 namespace {
 
-constexpr double width = 1000, top = 116, small_width = 400;
+constexpr double width = 1000, top = 116, small_width = 400, letter = 7.7;  // letter: wider than most
 constexpr const char *paper = "#ffffff", *ink = "#1f2933", *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
@@ -38,8 +38,8 @@ struct Area {
   double left, top, right, bottom;
 };
 
-void add_bars(Svg& svg, const Plot& plot, const Area& area) {
-  const double label = 118, room = 104;
+void add_bars(Svg& svg, const Plot& plot, const Area& area, double label) {
+  constexpr double room = 104;
   double longest = 0;
   for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.ns);
   const double step = (area.bottom - area.top) / static_cast<double>(plot.bars.size());
@@ -130,14 +130,13 @@ std::string value_text(double value) {
 }
 
 /// Names at the ends of the curves, moved apart so that none covers another.
-void draw_names(Svg& svg, const std::vector<PlotCurve>& curves, const Scale& y, const Area& area,
-                double end) {
+void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area, double end) {
   struct Name {
     const PlotCurve* curve;
     double at, value;
   };
   std::vector<Name> names;
-  for (const PlotCurve& curve : curves) {
+  for (const PlotCurve& curve : plot.curves) {
     const double value = curve.points.back().ns;
     names.push_back({&curve, y.shows(value) ? y(value) : area.bottom, value});
   }
@@ -154,7 +153,7 @@ void draw_names(Svg& svg, const std::vector<PlotCurve>& curves, const Scale& y, 
     SvgText right = style;
     right.anchor = "end";
     svg.text({area.right + 12, name.at + 4}, name.curve->name, style);
-    svg.text({end, name.at + 4}, value_text(name.value), right);
+    if (!plot.linear) svg.text({end, name.at + 4}, value_text(name.value), right);
   }
 }
 
@@ -168,10 +167,10 @@ void add_curves(Svg& svg, const Plot& plot, const Area& area, double end) {
       if (x.shows(p.count) && y.shows(p.ns)) points.push_back({x(p.count), y(p.ns)});
     }
     svg.curve(points, curve.color, curve.dashed ? 2 : 2.5, curve.dashed);
-    if (curve.dashed) continue;
+    if (curve.dashed || plot.linear) continue;
     for (const SvgPoint& p : points) svg.disc(p, 3.5, curve.color);
   }
-  draw_names(svg, plot.curves, y, area, end);
+  draw_names(svg, plot, y, area, end);
 }
 
 }  // namespace
@@ -197,7 +196,7 @@ std::string draw_plot(const Plot& plot) {
   svg.text({32, 42}, plot.title, {.color = ink, .size = 20, .strong = true});
   svg.text({32, 64}, plot.subtitle, {.color = faint, .size = 12.5});
   svg.text({32, top - 22}, plot.bars_title, {.size = 13, .strong = true});
-  add_bars(svg, plot, {32, top, plot.curves.empty() ? width - 32 : 452, bottom});
+  add_bars(svg, plot, {32, top, plot.curves.empty() ? width - 32 : 452, bottom}, 118);
   if (!plot.curves.empty()) {
     svg.text({494, top - 22}, plot.curves_title, {.size = 13, .strong = true});
     add_curves(svg, plot, {528, top, 838, bottom}, width - 32);
@@ -208,16 +207,18 @@ std::string draw_plot(const Plot& plot) {
 std::string draw_bars(const Plot& plot) {
   const double height = 30 * static_cast<double>(plot.bars.size());
   Svg svg(small_width, height, paper);
-  add_bars(svg, plot, {0, 0, small_width, height});
+  std::size_t longest = 0;
+  for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.name.size());
+  add_bars(svg, plot, {0, 0, small_width, height}, 16 + letter * static_cast<double>(longest));
   return svg.document();
 }
 
 std::string draw_curves(const Plot& plot) {
-  constexpr double height = 270, letter = 7.3;
+  constexpr double height = 270;
   std::size_t name = 0, value = 0;
   for (const PlotCurve& curve : plot.curves) {
     name = std::max(name, curve.name.size());
-    value = std::max(value, value_text(curve.points.back().ns).size());
+    if (!plot.linear) value = std::max(value, value_text(curve.points.back().ns).size());
   }
   const double right = small_width - 16 - letter * static_cast<double>(name + value + 1);
   Svg svg(small_width, height, paper);

@@ -32,8 +32,8 @@ struct Plot {
   std::string unit = " ns";  ///< of bars; curves are of the same, or of what their title says
   bool compared = true;      ///< bars with the first one
   std::string across = "matrices in a batch";
-  bool linear =
-      false;  ///< curves, from 0; else both axes are logarithmic, and what is not above 0 is not drawn
+  bool linear = false;  ///< curves from 0 to 1, without values at their ends; else both axes are logarithmic,
+                        ///< and what is not above 0 is not drawn
 };
 
 /// Colours that stay apart for colour-blind eyes and in grey (Okabe and Ito's, darkened for white paper).

@@ -13,7 +13,7 @@ double percent_less(double time, double than) {
 }
 
 std::string percent(double value) {
-  return std::to_string(std::lround(value)) + " %";
+  return std::to_string(std::lround(value)) + "\u00a0%";
 }
 
 const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces) {
@@ -45,6 +45,11 @@ const nlohmann::json* most_lost(const Figures& figures) {
     if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
   }
   return most;
+}
+
+std::string lost_volume(const nlohmann::json& way) {
+  const double lost = 100 * (1 - double(way["volume"]));
+  return lost < 0.5 ? "nothing" : percent(lost);
 }
 
 std::string name_of_shape(const nlohmann::json& row) {

@@ -13,7 +13,7 @@ inline constexpr std::size_t usual_faces = 300;
 
 /// How much less time than `than`: 76 of 0.24 and 1.
 double percent_less(double time, double than);
-/// "76 %".
+/// "76 %", which no line parts.
 std::string percent(double value);
 /// Null where there is none; of one thread.
 const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces);
@@ -24,6 +24,8 @@ double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::st
 /// The shape that straight lines lose most volume on the way to, a row of Figures::shapes; null if there is
 /// none.
 const nlohmann::json* most_lost(const Figures& figures);
+/// Of a way of such a row, halfway: "27 %", "nothing".
+std::string lost_volume(const nlohmann::json& way);
 /// By its file: "shape_coiled.pc2" is coiled.
 std::string name_of_shape(const nlohmann::json& row);
 /// A path as a shell takes it.

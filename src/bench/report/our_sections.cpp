@@ -87,7 +87,7 @@ Section accuracy_section(const Figures& figures) {
   };
   const std::string count = "viete bench accuracy --count " + std::to_string(figures.sizes.samples);
   return {"errors",
-          "Of ours",
+          "Ours",
           "How exact",
           "Where eigenvalues come close, SD is off by up to " + worst(Method::sd) + " and Improved SD by " +
               worst(Method::improved_sd) + ", in double; Diag by " + worst(Method::diag) + " and Fast by " +
@@ -148,11 +148,11 @@ Section frames_section(const Figures& figures) {
            base::with_thousands(ours->vertices) + " vertices takes " + base::milliseconds(ours->cpu_ms) +
            ", " + few_digits(plain->cpu_ms / ours->cpu_ms) +
            " times less than the plain one. While one vertex is dragged it takes " +
-           base::milliseconds(dragged->cpu_ms) + ", whatever the cage.";
+           base::milliseconds(dragged->cpu_ms) + ".";
   const std::string command = "viete bench frame " + shell_word(figures.files.model) + " --faces " + sizes +
                               " --rounds " + std::to_string(figures.sizes.rounds);
   return {"frames",
-          "Of ours",
+          "Ours",
           "Frames by cage",
           seen,
           "Plain is a rebuild of published tools: matrices blended in double, one vertex after the other. "

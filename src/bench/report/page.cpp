@@ -34,10 +34,9 @@ Glance glance_of(const Figures& figures) {
                           std::to_string(usual_faces) + " triangles; plainly built " +
                           base::milliseconds(plain->cpu_ms)});
   if (const auto* most = most_lost(figures))
-    glance.push_back({percent(100 * double((*most)["log_space"]["volume"])),
-                      "of the volume halfway to " + name_of_shape(*most) +
-                          " in log space; on straight lines " +
-                          percent(100 * double((*most)["straight"]["volume"]))});
+    glance.push_back({lost_volume((*most)["straight"]),
+                      "of the volume is lost halfway to " + name_of_shape(*most) +
+                          " on straight lines; in log space " + lost_volume((*most)["log_space"])});
   return glance;
 }
 

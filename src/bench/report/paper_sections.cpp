@@ -154,7 +154,7 @@ Section paper_section(const Figures& figures) {
                           percent(percent_less(improved->cpu_ms, diag->cpu_ms))});
   return {
       "paper",
-      "Of the paper and here",
+      "All three figures",
       "Beside the paper",
       "What the paper claims holds here, too: the formula makes eigenvalues, and with them exponentials, "
       "several "

@@ -85,18 +85,24 @@ HtmlTable meaning_of_ways(const Modes& modes) {
   return table;
 }
 
+std::string frame_text(const Mode& mode) {
+  return base::milliseconds(mode.frame_ms) + " a frame";
+}
+
 std::string seen_of(const Modes& modes, std::size_t poses) {
-  const Mode &stiff = least(modes, energy), &smooth_bent = least(modes, bending), &fast = least(modes, frame);
-  std::string text = label_of(stiff) + " distorts least, " + number(energy(stiff)) +
+  const Mode &undistorted = least(modes, energy), &unbent = least(modes, bending),
+             &fast = least(modes, frame);
+  std::string text = label_of(undistorted) + " distorts least: " + number(energy(undistorted)) +
                      " times as much as mean value coordinates" +
-                     (poses > 1 ? " at the median of " + std::to_string(poses) + " poses" : "");
-  text += &stiff == &smooth_bent ? ", and bends least. " : "; " + label_of(smooth_bent) + " bends least. ";
-  text += "The fastest frame is that of " + label_of(fast) + ", " + base::milliseconds(fast.frame_ms) + ". ";
+                     (poses > 1 ? ", at the median of " + std::to_string(poses) + " poses" : "") + ", at " +
+                     frame_text(undistorted) + ". ";
+  text += &undistorted == &unbent ? "It bends least, too. " : label_of(unbent) + " bends least. ";
   for (const Mode* m : modes)
-    if (deform::way_of(m->scheme) == deform::Way::smooth)
-      text += "Smooth, which the program takes by itself, has " + number(energy(*m)) + " and " +
-              base::milliseconds(m->frame_ms) + ".";
-  return text;
+    if (m != &undistorted && deform::way_of(m->scheme) == deform::Way::smooth)
+      text += "Smooth, which the program takes by itself, distorts " + number(energy(*m)) +
+              " times as much, at " + frame_text(*m) + ". ";
+  return text + "The fastest is " + label_of(fast) +
+         (&fast == &undistorted ? "." : ", at " + frame_text(fast) + ".");
 }
 
 }  // namespace
@@ -110,7 +116,7 @@ Section ways_section(const Figures& figures) {
     else
       problems += paragraph(label_of(mode) + ": " + mode.problem, "note");
   }
-  Section section{"ways", "Of ours", "Ways of blending", "", "", "", {}};
+  Section section{"ways", "Ours", "Ways of blending", "", "", "", {}};
   section.commands = {"viete bench modes " + shell_word(figures.files.model) + " " +
                       shell_word(figures.files.cage)};
   for (const auto& pose : figures.files.poses) section.commands[0] += " " + shell_word(pose);
@@ -143,7 +149,7 @@ Section ways_section(const Figures& figures) {
 }
 
 Section shapes_section(const Figures& figures) {
-  Section section{"shapes", "Of ours", "Between shapes", "", "", "<div class=\"plots\">", {}};
+  Section section{"shapes", "Ours", "Between shapes", "", "", "<div class=\"plots small\">", {}};
   HtmlTable table{
       {"halfway to", "volume, logs", "volume, straight", "edges off, logs", "edges off, straight"}, {}};
   for (const auto& row : figures.shapes) {
@@ -172,10 +178,13 @@ Section shapes_section(const Figures& figures) {
                       "at both ends, root mean "
                       "square of logarithms. Shapes of the dragon that comes with the program.",
                       "note");
-  if (const auto* most = most_lost(figures))
-    section.seen = "Halfway to " + name_of_shape(*most) + ", straight lines keep " +
-                   percent(100 * double((*most)["straight"]["volume"])) + " of the volume, log space " +
-                   percent(100 * double((*most)["log_space"]["volume"])) + ".";
+  if (const auto* most = most_lost(figures)) {
+    const auto &straight = (*most)["straight"], &logs = (*most)["log_space"];
+    section.seen = "Halfway to " + name_of_shape(*most) + ", straight lines lose " + lost_volume(straight) +
+                   " of the volume, and edges are " + percent(100 * double(straight["edges"])) +
+                   " off. In log space " + lost_volume(logs) + " is lost, and edges are " +
+                   percent(100 * double(logs["edges"])) + " off.";
+  }
   section.why =
       "On a straight line each point goes the shortest way. Where a part turns by half a turn, that way "
       "leads "

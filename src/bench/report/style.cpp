@@ -20,7 +20,7 @@ header{padding-top:4rem}
 h1{font-size:2.25rem;line-height:1.15;letter-spacing:-.02em;font-weight:650;margin:0 0 .75rem}
 h2{font-size:1.5rem;line-height:1.25;letter-spacing:-.01em;font-weight:650;margin:0 0 .75rem}
 h3{font-size:1rem;font-weight:650;margin:2rem 0 .5rem}
-p{max-width:42rem;margin:0 0 1rem}
+p{max-width:42rem;text-wrap:pretty;margin:0 0 1rem}
 p.seen{font-size:1.125rem;line-height:1.55}
 p.origin{font-size:.8125rem;color:var(--faint);margin:0 0 .25rem}
 p.why,p.note{color:var(--faint)}
@@ -36,6 +36,7 @@ dl.glance dd{margin:0;font-size:1.875rem;line-height:1.2;font-weight:650;letter-
 figure{margin:0;max-width:30rem}
 figcaption{font-size:.875rem;font-weight:600;margin:0 0 .75rem}
 svg{display:block;width:100%;height:auto;font-family:inherit;font-variant-numeric:tabular-nums;overflow:visible}
+.plots.small{grid-template-columns:repeat(auto-fit,minmax(min(100%,17rem),1fr));gap:2rem}
 .wide{overflow-x:auto;margin:1.5rem 0}
 table{border-collapse:collapse;font-size:.875rem;line-height:1.4;font-variant-numeric:tabular-nums}
 th,td{padding:.4rem 1.5rem .4rem 0;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}
