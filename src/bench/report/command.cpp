@@ -92,6 +92,13 @@ void write(const ReportOptions& options, const Figures& figures, const Made& mad
   files.replace();
 }
 
+Figures measured(const ReportOptions& options, const ReportSizes& sizes) try {
+  app::TerminalProgress work("Measuring");
+  return measure_figures(options.files, sizes, work.progress());
+} catch (const base::Cancelled&) {
+  throw base::Error(options.folder.string(), "stopped", "no file was changed");
+}
+
 int run_report(ReportOptions options) {
   const std::string command = typed(options, options.files);
   const ReportFolder folder(options.folder);
@@ -101,10 +108,7 @@ int run_report(ReportOptions options) {
   base::require_memory(
       {160.0 * static_cast<double>(sizes.matrices), "a report takes", "add --quick", "--output"});
   const double begun = base::wall_seconds();
-  const Figures figures = [&] {
-    app::TerminalProgress work("Measuring");
-    return measure_figures(options.files, sizes, work.progress());
-  }();
+  const Figures figures = measured(options, sizes);
   write(options, figures, made_here(command, base::wall_seconds() - begun));
   std::printf("%s: the report; its numbers are in report.json\n", options.page().string().c_str());
   return app::exit_ok;

@@ -25,13 +25,9 @@ std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base:
   return measure_frames(options, progress);
 }
 
-void measure_ways(Figures& figures, base::Progress& progress) {
-  const scene::Document opened = open_model(figures.files.model, figures.files.cage);
-  std::vector<std::string> warnings;
-  figures.poses = read_poses(figures.files.poses, *opened.cage, warnings);
-  if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});
+ModeComparison ways_of(const Figures& figures, const scene::Document& opened, base::Progress& progress) {
   const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
-  figures.ways = measure_modes(*opened.model.surface, opened.cage, figures.poses, settings, progress);
+  return measure_modes(*opened.model.surface, opened.cage, figures.poses, settings, progress);
 }
 
 }  // namespace
@@ -42,6 +38,12 @@ ReportSizes quick_sizes() {
 
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
   Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  // First what may be wrong with files.
+  const scene::Document opened = open_model(files.model, files.cage);
+  std::vector<std::string> warnings;
+  figures.poses = read_poses(files.poses, *opened.cage, warnings);
+  if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});
+  const ShapesOfModel shapes = read_shapes_of_model(files.rest, files.shapes);
   const struct {
     double seconds;  // about, of all matrices
     std::function<void()> measure;
@@ -52,11 +54,8 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
                {25, [&] { figures.accuracy_in_float = measure_accuracy(sizes.samples, true, progress); }},
                {7, [&] { figures.deformation = frames_of(figures, true, progress); }},
                {28, [&] { figures.frames = frames_of(figures, false, progress); }},
-               {25, [&] { measure_ways(figures, progress); }},
-               {5, [&] {
-                  figures.shapes =
-                      measure_halfway(read_shapes_of_model(files.rest, files.shapes), progress, moments);
-                }}};
+               {25, [&] { figures.ways = ways_of(figures, opened, progress); }},
+               {5, [&] { figures.shapes = measure_halfway(shapes, progress, moments); }}};
   double all = 0, done = 0;
   for (const auto& work : works) all += work.seconds;
   for (const auto& work : works) {
