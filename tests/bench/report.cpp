@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <regex>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "base/quantity.h"
 #include "bench/plot.h"
@@ -13,6 +16,7 @@
 #include "bench/report/style.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
+#include "support/data.h"
 #include "support/folder.h"
 #include "support/text.h"
 #include "support/xml.h"
@@ -109,4 +113,96 @@ TEST_CASE("planted_faults_of_a_page_are_found") {
   for (const char* bad :
        {"<img src=\"a.png\"/>", "<a href=\"http://a\">", "<script>", "p{background:url(a)}"})
     CHECK_MESSAGE(!outside_of(bad).empty(), bad);
+}
+
+namespace {
+
+using Cells = std::vector<std::string>;
+
+// The cells of each row, without what makes them bold.
+std::vector<Cells> rows_of(const char* file) {
+  std::ifstream in(test::source_dir() / file);
+  REQUIRE(in);
+  std::vector<Cells> rows;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("|")) continue;
+    std::istringstream row(line.substr(1));
+    rows.emplace_back();
+    for (std::string cell; std::getline(row, cell, '|');)
+      rows.back().push_back(std::regex_replace(cell, std::regex("^[ *]+|[ *]+$"), ""));
+  }
+  return rows;
+}
+
+nlohmann::json recorded_report() {
+  std::ifstream in(test::source_dir() / "assets/report/figures.json");
+  REQUIRE(in);
+  return nlohmann::json::parse(in);
+}
+
+// Two digits are written of errors, and mostly three of times: what is left out is the noise that they may
+// have.
+constexpr double of_errors = 0.05, of_times = 0.015;
+
+void check_number(const std::string& written, double recorded, double noise) {
+  CHECK_MESSAGE(std::stod(written) == doctest::Approx(recorded).epsilon(noise), written);
+}
+
+double worst_recorded(const nlohmann::json& tables, const std::string& by, const std::string& method) {
+  double worst = 0;
+  for (const auto& table : tables)
+    for (const auto& r : table["rows"])
+      if (table["by"] == by || r["name"] == by)
+        worst = std::max(worst, double(r["methods"][method]["worst"]));
+  return worst;
+}
+
+void check_exponentials(const std::vector<Cells>& rows, const nlohmann::json& report) {
+  const auto& results = report["exponentials"]["double"]["results"];
+  for (const auto& result : results) {
+    const auto method = sym3::method_from_name(std::string(result["name"]));
+    const std::string name = method ? std::string(sym3::label(*method)) : "copy of the same bytes";
+    const auto row = std::ranges::find_if(rows, [&](const Cells& c) { return c[0] == name && c.size() > 3; });
+    REQUIRE_MESSAGE(row != rows.end(), name);
+    INFO(name);
+    check_number((*row)[2], result["ns"], of_times);
+    if (!method) continue;
+    check_number((*row)[3], double(results[0]["ns"]) / double(result["ns"]), of_times);
+    check_number(row->back(), worst_recorded(report["accuracy"]["double"], "gap", name), of_errors);
+    if (row->size() > 5)
+      check_number((*row)[4], worst_recorded(report["accuracy"]["double"], "paper: M M^T", name), of_errors);
+  }
+}
+
+void check_frames(Cells cells, const nlohmann::json& report, std::size_t faces) {
+  constexpr const char* names[] = {frame_names::reference, frame_names::dense, frame_names::compressed,
+                                   frame_names::dragged};
+  for (const auto& t : report["frames"]) {
+    const auto at =
+        std::ranges::find(names, std::string(t["name"]), [](const char* n) { return std::string(n); });
+    if (t["faces"] != faces || t["threads"] != 1 || at == std::end(names)) continue;
+    const std::size_t column = static_cast<std::size_t>(at - std::begin(names));
+    check_number(cells[column], t["cpu_ms"], of_times);
+    if (cells.size() > 4 && (column == 1 || column == 2))
+      check_number(cells[column + 3], t["error"], of_errors);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("numbers_of_the_readme_and_the_manual_are_those_of_the_report_that_is_recorded") {
+  const nlohmann::json report = recorded_report();
+  CHECK(report["exponentials"]["double"]["count"] == 10'000'000);
+  const auto readme = rows_of("README.md"), manual = rows_of("assets/manual/figures.md");
+  check_exponentials(readme, report);
+  check_exponentials(manual, report);
+  const auto head = [](const Cells& c) { return c[0] == "plain rebuild of published tools"; };
+  const auto frames = std::ranges::find_if(readme, head);
+  REQUIRE(frames != readme.end());
+  check_frames(*(frames + 2), report, 300);
+  for (const std::size_t faces : {50, 100, 300, 600}) {
+    const auto row = std::ranges::find(manual, std::to_string(faces), [](const Cells& c) { return c[0]; });
+    REQUIRE(row != manual.end());
+    check_frames({row->begin() + 1, row->end()}, report, faces);
+  }
 }
