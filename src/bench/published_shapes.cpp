@@ -220,6 +220,13 @@ nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progr
   return rows;
 }
 
+HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape) {
+  base::WorkerPool pool(1);
+  const deform::ShapeSpace space(model.rest, pool);
+  Between between(space, model.shapes[shape]);
+  return {between.straight(0.5), between.in_log_space(0.5)};
+}
+
 void print_halfway(const nlohmann::json& halfway) {
   std::printf("  %-20s %32s %32s\n", "halfway from rest", "log space: edges, 99 %, volume",
               "straight: edges, 99 %, volume");

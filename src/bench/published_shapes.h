@@ -29,6 +29,11 @@ ShapesOfModel read_lion(const std::filesystem::path& folder);
 /// those of both ends. The volume is over the smaller end's, NaN where the model encloses none; so are those
 /// of `moments` even ones from rest (the first) to the shape (the last one). Throws base::Cancelled.
 nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress, std::size_t moments = 0);
+/// Positions there: on straight lines, and in log space.
+struct HalfwayShapes {
+  std::vector<mesh::Point> straight, in_log_space;
+};
+HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape);
 void print_halfway(const nlohmann::json& halfway);
 
 /// The lion's, compared with their bars.

@@ -1,6 +1,7 @@
 // What a report measures: the paper's three figures and five of ours, in one go.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,12 @@ struct ReportFiles {
   std::vector<std::filesystem::path> shapes;
 };
 
+/// Dots of a model as it is seen, about 0, y up; lengths in diagonals of the model at rest.
+struct ShapePicture {
+  std::string name;
+  std::vector<std::array<double, 2>> dots;
+};
+
 struct Figures {
   ReportSizes sizes;
   ReportFiles files;
@@ -42,8 +49,9 @@ struct Figures {
   std::vector<FrameTime> deformation;  ///< of the model in its cage
   std::vector<FrameTime> frames;       ///< in cages that are made, by number of triangles
   std::vector<NamedPose> poses;
-  ModeComparison ways;    ///< that have names
-  nlohmann::json shapes;  ///< see measure_halfway()
+  ModeComparison ways;                 ///< that have names
+  nlohmann::json shapes;               ///< see measure_halfway()
+  std::vector<ShapePicture> pictures;  ///< from rest to the shape that straight lines lose most volume to
 };
 
 /// One after the other, so that none disturbs another. Throws base::Error, base::Cancelled.

@@ -10,7 +10,7 @@ namespace viete::bench {
 
 struct Section {
   std::string id, origin, title;  ///< origin: whose figure it is
-  std::string seen;  ///< in a sentence or two, of what was measured
+  std::string seen;               ///< in a sentence or two, of what was measured
   std::string why;
   std::string body;  ///< HTML: drawings and tables
   std::vector<std::string> commands;

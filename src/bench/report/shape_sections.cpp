@@ -9,6 +9,7 @@
 #include "bench/report/findings.h"
 #include "bench/report/html.h"
 #include "bench/report/sections.h"
+#include "bench/svg.h"
 
 namespace viete::bench {
 
@@ -105,6 +106,25 @@ std::string seen_of(const Modes& modes, std::size_t poses) {
          (&fast == &undistorted ? "." : ", at " + frame_text(fast) + ".");
 }
 
+// All as large as each other.
+std::string drawn(const std::vector<ShapePicture>& pictures) {
+  constexpr double width = 200, height = 170, margin = 6;
+  double reach_x = 1e-9, reach_y = 1e-9;
+  for (const ShapePicture& picture : pictures)
+    for (const auto& [x, y] : picture.dots)
+      reach_x = std::max(reach_x, std::abs(x)), reach_y = std::max(reach_y, std::abs(y));
+  const double scale = std::min((width / 2 - margin) / reach_x, (height / 2 - margin) / reach_y);
+  std::string text;
+  for (const ShapePicture& picture : pictures) {
+    std::vector<SvgPoint> dots;
+    for (const auto& [x, y] : picture.dots) dots.push_back({width / 2 + scale * x, height / 2 - scale * y});
+    Svg svg(width, height, "#ffffff");
+    svg.dots(dots, "#1f2933", 0.9);
+    text += figure(picture.name, svg.document());
+  }
+  return text.empty() ? "" : "<div class=\"plots small\">" + text + "</div>\n";
+}
+
 }  // namespace
 
 Section ways_section(const Figures& figures) {
@@ -149,9 +169,12 @@ Section ways_section(const Figures& figures) {
 }
 
 Section shapes_section(const Figures& figures) {
-  Section section{"shapes", "Ours", "Between shapes", "", "", "<div class=\"plots small\">", {}};
+  Section section{
+      "shapes", "Ours", "Between shapes", "", "", drawn(figures.pictures) + "<div class=\"plots\">", {}};
   HtmlTable table{
       {"halfway to", "volume, logs", "volume, straight", "edges off, logs", "edges off, straight"}, {}};
+  Plot edges;
+  edges.unit = " %", edges.compared = false;
   for (const auto& row : figures.shapes) {
     Plot plot;
     plot.linear = true, plot.across = "share of the way";
@@ -166,13 +189,15 @@ Section shapes_section(const Figures& figures) {
     }
     const std::string name = name_of_shape(row);
     section.body += figure("volume on the way to " + name, draw_curves(plot));
+    edges.bars.push_back({name + ", straight", 100 * double(row["straight"]["edges"]), plot_color::rival});
+    edges.bars.push_back({name + ", logs", 100 * double(row["log_space"]["edges"]), plot_color::ours[0]});
     const auto cell = [&](const char* way, const char* what) {
       return percent(100 * double(row[way][what]));
     };
     table.rows.push_back({name, cell("log_space", "volume"), cell("straight", "volume"),
                           cell("log_space", "edges"), cell("straight", "edges")});
   }
-  section.body += "</div>\n" + html(table) +
+  section.body += figure("edges off halfway, %", draw_bars(edges)) + "</div>\n" + html(table) +
                   paragraph(
                       "Volume over that of the smaller end. Edges: off the geometric mean of their lengths "
                       "at both ends, root mean "

@@ -36,7 +36,7 @@ dl.glance dd{margin:0;font-size:1.875rem;line-height:1.2;font-weight:650;letter-
 figure{margin:0;max-width:30rem}
 figcaption{font-size:.875rem;font-weight:600;margin:0 0 .75rem}
 svg{display:block;width:100%;height:auto;font-family:inherit;font-variant-numeric:tabular-nums;overflow:visible}
-.plots.small{grid-template-columns:repeat(auto-fit,minmax(min(100%,17rem),1fr));gap:2rem}
+.plots.small{grid-template-columns:repeat(auto-fit,minmax(9rem,1fr));gap:1.5rem 2rem}
 .wide{overflow-x:auto;margin:1.5rem 0}
 table{border-collapse:collapse;font-size:.875rem;line-height:1.4;font-variant-numeric:tabular-nums}
 th,td{padding:.4rem 1.5rem .4rem 0;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}
@@ -47,6 +47,7 @@ th.n,td.n{text-align:right}
 td.n{white-space:nowrap}
 pre,code{font:.8125rem/1.5 ui-monospace,monospace}
 pre{background:var(--wash);border-radius:.375rem;padding:.6rem .9rem;margin:0 0 .5rem;overflow-x:auto}
+pre.command{white-space:pre-wrap;overflow-wrap:anywhere}
 pre.command::before{content:"$ ";color:var(--faint)}
 pre.raw{max-height:24rem;overflow:auto}
 summary{cursor:pointer;color:var(--faint);font-size:.9375rem;margin:1rem 0}
