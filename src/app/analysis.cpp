@@ -1,7 +1,9 @@
 #include "app/analysis.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "app/aside.h"
 #include "base/clock.h"
 
 namespace viete::app {
@@ -27,7 +29,11 @@ void Analysis::follow_document(scene::Workspace& workspace) {
   if (std::exchange(workspace.requests.run_benchmark, false))
     bench_.start(
         [](base::Progress& progress) { return bench::measure_exp(benchmark_count, false, progress); });
-  if (std::exchange(workspace.requests.stop_benchmark, false)) bench_.cancel();
+  if (std::exchange(workspace.requests.show_report, false))
+    report_.start([program = program_, state = state_](base::Progress& progress) {
+      return show_report_aside(program, state, progress);
+    });
+  if (std::exchange(workspace.requests.stop_benchmark, false)) bench_.cancel(), report_.cancel();
   follow_benchmark(workspace);
   if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface)
     start_checks(document);
@@ -41,7 +47,8 @@ void Analysis::follow_frame(scene::Workspace& workspace, const LiveModel& model)
 }
 
 bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& model) const {
-  return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() || bench_.has_result();
+  return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() ||
+         bench_.has_result() || report_.has_result();
 }
 
 // What was measured of another path says nothing of this one. How far cage parts turn is no matter of the
@@ -72,8 +79,13 @@ void Analysis::follow_benchmark(scene::Workspace& workspace) {
     if (!result->problem.empty()) workspace.messages.error("The benchmark failed: " + result->problem);
     shows_news_ = true;
   }
-  shown.running = bench_.running();
-  shown.done = bench_.done();
+  if (const auto result = report_.poll()) {
+    if (result->value) workspace.messages.info(*result->value);
+    if (!result->problem.empty()) workspace.messages.error("There is no report: " + result->problem);
+    shows_news_ = true;
+  }
+  shown.running = bench_.running() || report_.running();
+  shown.done = std::max(bench_.done(), report_.done());
 }
 
 // Of the surfaces as they were read: poses do not matter, nor what they are bound by.

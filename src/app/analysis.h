@@ -2,8 +2,11 @@
 // the benchmark.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "app/live_model.h"
 #include "app/method_probe.h"
@@ -18,8 +21,9 @@ namespace viete::app {
 /// thread.
 class Analysis {
 public:
-  /// probe: measure the methods.
-  explicit Analysis(bool probe) : probe_wanted_(probe) {}
+  /// probe: measure the methods. program, state: see show_report_aside().
+  Analysis(bool probe, std::filesystem::path program, std::filesystem::path state)
+      : probe_wanted_(probe), program_(std::move(program)), state_(std::move(state)) {}
 
   /// Before the frame: requests, defects and the benchmark.
   void follow_document(scene::Workspace& workspace);
@@ -29,7 +33,7 @@ public:
   /// True if follow_document() or follow_frame() would do something now.
   bool has_news(const scene::Workspace& workspace, const LiveModel& model) const;
   /// True while something is computed that shows how far it is.
-  bool reports() const { return checks_.running() || bench_.running(); }
+  bool reports() const { return checks_.running() || bench_.running() || report_.running(); }
   /// True if the last call has put something into the workspace that is to be seen.
   bool shows_news() const { return shows_news_; }
   bool measuring() const { return probe_.busy(); }
@@ -45,8 +49,10 @@ private:
   void follow_probe(scene::Workspace& workspace, const LiveModel& model);
 
   bool probe_wanted_, shows_news_ = false;
+  std::filesystem::path program_, state_;
   MethodProbe probe_;
   base::BackgroundJob<bench::ExpBench> bench_;
+  base::BackgroundJob<std::string> report_;
   base::BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
   unsigned long probed_ = 0;  // which frame of the model

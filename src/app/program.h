@@ -8,8 +8,9 @@
 
 namespace viete::app {
 
-/// Said of `viete bench` by both.
+/// Said of `viete bench` and `viete report` by both.
 inline constexpr const char* bench_text = "Measure speed and accuracy on this machine";
+inline constexpr const char* report_text = "Write a page of figures, measured on this machine";
 
 struct Program {
   void (*add_commands)(CLI::App& app, Action& action);
@@ -17,7 +18,7 @@ struct Program {
   std::vector<std::string> (*words)(std::vector<std::string> typed, const CLI::App& app);
 };
 
-/// That of `viete`, which becomes another program for `viete bench`.
+/// That of `viete`, which becomes another program for these two.
 Program viete_program();
 
 /// Parses the command line and runs its command. Returns the exit code; what is wrong is on stderr.

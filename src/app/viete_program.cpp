@@ -55,6 +55,7 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
   }
   const std::string first = words.empty() ? "" : words.front();
   if (first == "bench") become_bench({words.begin() + 1, words.end()});
+  if (first == "report") become_bench(words);
   if (first == "-h" || first == "--help" || first == "--version" || is_command(first, app)) return words;
   if (!first.empty() && first[0] != '-') check_first_word(first, app);
   words.insert(words.begin(), "view");
@@ -73,6 +74,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_bind_command(app, action);
   add_info_command(app, action);
   app.add_subcommand("bench", bench_text);
+  app.add_subcommand("report", report_text);
 }
 
 }  // namespace

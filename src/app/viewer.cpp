@@ -45,7 +45,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
       options_(options),
       files_(options.state, options.bindings, workspace_, options.program),
       model_(files_),
-      analysis_(options.probe),
+      analysis_(options.probe, options.program, options.state),
       imgui_renderer_(gl),
       framebuffer_(gl),
       renderer_(gl),

@@ -17,7 +17,8 @@ class Progress {
 public:
   /// Called by the work, often: done in [0, 1]. Throws Cancelled when the watcher asked for it.
   void report(double done) {
-    done_.store(from_ + (to_ - from_) * done, std::memory_order_relaxed);
+    const double of_part = from_ + (to_ - from_) * done;
+    done_.store(part_from_ + (part_to_ - part_from_) * of_part, std::memory_order_relaxed);
     if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
   }
 
@@ -28,13 +29,21 @@ public:
     report(0);
   }
 
+  /// Called by work made of works that have sections: these are of the part [from, to] of the whole from now
+  /// on.
+  void part(double from, double to) {
+    part_from_ = from;
+    part_to_ = to;
+    section(0, 1);
+  }
+
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   double done() const { return done_.load(std::memory_order_relaxed); }
 
 private:
   std::atomic<double> done_{0.0};
   std::atomic<bool> cancelled_{false};
-  double from_ = 0, to_ = 1;
+  double from_ = 0, to_ = 1, part_from_ = 0, part_to_ = 1;
 };
 
 }  // namespace viete::base

@@ -8,6 +8,9 @@
 
 namespace viete::bench {
 
+/// "planes".
+const char* layout_name(sym3::Layout layout);
+
 void print(const ExpBench& bench);
 nlohmann::json to_json(const ExpBench& bench);
 Plot plot_of(const ExpBench& bench);

@@ -138,11 +138,14 @@ public:
     add_floors();
   }
 
-  void run(std::size_t rounds) {
+  void run(std::size_t rounds, base::Progress& progress) {
+    const auto all = static_cast<double>(rounds * cases_.size());
+    double done = 0;
     for (std::size_t round = 0; round < rounds; ++round) {
       for (Case& c : cases_) {
         warm_up(c);
         time_once(c);
+        progress.report(++done / all);
       }
     }
   }
@@ -326,33 +329,57 @@ Cages cages_around(const mesh::Surface& model, const scene::Document& opened,
   return cages;
 }
 
+// show(runs, times) after each.
+template <class Show>
+std::vector<FrameTime> measured(const FrameOptions& options, const scene::Document& opened, const Show& show,
+                                base::Progress& progress) {
+  std::vector<FrameTime> all;
+  const std::size_t each = opened.has_cage() ? 1 : options.faces.size();
+  const auto total = static_cast<double>(options.counts.size() * each);
+  double done = 0;
+  for (const std::size_t count : options.counts) {
+    const mesh::Surface model = of_size(*opened.model.surface, count);
+    const auto share =
+        std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
+    for (const auto& cage : cages_around(model, opened, options.faces)) {
+      progress.section(done / total, (done + 1) / total);
+      ++done;
+      FrameRuns runs(model, cage, options.tolerance, options.reach);
+      runs.run(std::max<std::size_t>(3, options.rounds / share), progress);
+      const auto times = runs.times();
+      show(runs, times);
+      all.insert(all.end(), times.begin(), times.end());
+    }
+  }
+  return all;
+}
+
 }  // namespace
+
+std::vector<FrameTime> measure_frames(const FrameOptions& options, base::Progress& progress) {
+  const auto silent = [](const auto&...) {};
+  return measured(options, open_model(options.model, options.cage), silent, progress);
+}
+
+nlohmann::json to_json(std::span<const FrameTime> times) {
+  nlohmann::json results = nlohmann::json::array();
+  for (const FrameTime& t : times) results.push_back(to_json(t));
+  return results;
+}
 
 void bench_frame(const FrameOptions& options) {
   if (options.reach < deform::whole_cage)
     std::printf("reach %s; ", deform::text_of_reach(options.reach).c_str());
   std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
   const scene::Document opened = open_model(options.model, options.cage);
-  std::vector<FrameTime> all;
-  for (const std::size_t count : options.counts) {
-    const mesh::Surface model = of_size(*opened.model.surface, count);
-    const auto share =
-        std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
-    for (const auto& cage : cages_around(model, opened, options.faces)) {
-      FrameRuns runs(model, cage, options.tolerance, options.reach);
-      runs.run(std::max<std::size_t>(3, options.rounds / share));
-      const auto times = runs.times();
-      runs.print(times);
-      all.insert(all.end(), times.begin(), times.end());
-    }
-  }
+  base::Progress progress;
+  const auto show = [](const FrameRuns& runs, const std::vector<FrameTime>& times) { runs.print(times); };
+  const std::vector<FrameTime> all = measured(options, opened, show, progress);
   std::printf("\n");
   Bars bars;
   // They are of 1/d^2 without an end, in cages that are made.
   if (options.reach == deform::whole_cage && !opened.has_cage()) check_frame(all, bars);
-  nlohmann::json results = nlohmann::json::array();
-  for (const auto& t : all) results.push_back(to_json(t));
-  write_json(options.json, {{"figure", "frame"}, {"results", results}, {"bars", bars.rows}});
+  write_json(options.json, {{"figure", "frame"}, {"results", to_json(all)}, {"bars", bars.rows}});
 }
 
 }  // namespace viete::bench

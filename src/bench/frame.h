@@ -3,8 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
 #include <vector>
 
+#include "base/progress.h"
+#include "bench/frame_bars.h"
 #include "deform/scheme.h"
 #include "deform/tiled_binding.h"
 
@@ -20,6 +24,10 @@ struct FrameOptions {
   double reach = deform::whole_cage;
   std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
 };
+
+/// Each number of vertices in each cage, all paths interleaved. Throws base::Error, base::Cancelled.
+std::vector<FrameTime> measure_frames(const FrameOptions& options, base::Progress& progress);
+nlohmann::json to_json(std::span<const FrameTime> times);
 
 /// Prints the tables. Throws base::Error.
 void bench_frame(const FrameOptions& options);

@@ -91,7 +91,7 @@ public:
   }
 
   // Of each a few frames in a row, as under a hand.
-  void time_frames(std::size_t rounds) {
+  void time_frames(std::size_t rounds, base::Progress& progress) {
     constexpr std::size_t in_a_row = 4;
     std::vector<RoundCase> cases;
     for (const auto& [mode, frame] : frames_) {
@@ -99,7 +99,6 @@ public:
                          for (std::size_t n = 0; n < in_a_row; ++n) f->deform(poses_[0].pose, method_);
                        }});
     }
-    base::Progress progress;
     const auto results = measure_rounds(cases, rounds, progress);
     for (std::size_t f = 0; f < frames_.size(); ++f)
       frames_[f].mode->frame_ms = 1e-6 * results[f].ns_per_item;
@@ -176,7 +175,9 @@ private:
 std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   std::vector<deform::Scheme> all, schemes;
   for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
-  const auto& others = settings.choice.any() ? deform::valid_schemes() : deform::offered_schemes();
+  const auto& others = settings.named_only     ? std::vector<deform::Scheme>()
+                       : settings.choice.any() ? deform::valid_schemes()
+                                               : deform::offered_schemes();
   all.insert(all.end(), others.begin(), others.end());
   for (deform::Scheme scheme : all) {
     if (way_of(scheme) != deform::Way::mean_value && !fits(settings.choice, scheme)) continue;
@@ -247,18 +248,38 @@ std::string name_of_pose(const std::filesystem::path& file) {
 }  // namespace
 
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
-                             std::span<const NamedPose> poses, const ModeSettings& settings) {
+                             std::span<const NamedPose> poses, const ModeSettings& settings,
+                             base::Progress& progress) {
   ModeRuns runs(model, std::move(cage), poses, settings.method);
   const std::vector<deform::Scheme> schemes = measured_schemes(settings);
   std::vector<Mode> modes = modes_by_weights(schemes);
-  for (Mode& mode : modes) attempt(mode, [&](Mode& m) { runs.measure_shapes(m); });
+  // As long as they take, about.
+  constexpr double shapes = 0.6, bound = 0.7;
+  const auto each = [&](double from, double to, const auto& measure) {
+    const auto count = static_cast<double>(modes.size());
+    progress.section(from, to);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      attempt(modes[i], measure);
+      progress.report(static_cast<double>(i + 1) / count);
+    }
+  };
+  each(0, shapes, [&](Mode& m) { runs.measure_shapes(m); });
   runs.forget_shapes();
-  for (Mode& mode : modes) attempt(mode, [&](Mode& m) { runs.add_frame(m); });
-  runs.time_frames(settings.rounds);
+  each(shapes, bound, [&](Mode& m) { runs.add_frame(m); });
+  progress.section(bound, 1);
+  runs.time_frames(settings.rounds, progress);
   compare_with_mean_values(modes);
   sort(modes, schemes);
   return {std::move(modes), runs.model().encloses(), runs.model().without_area(), runs.rest_gap(),
           runs.warnings()};
+}
+
+std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
+                                  std::vector<std::string>& warnings) {
+  std::vector<NamedPose> poses;
+  for (const auto& file : files)
+    poses.push_back({name_of_pose(file), deform::read_pose(file, cage, warnings)});
+  return poses;
 }
 
 namespace {
@@ -277,17 +298,16 @@ std::string settings_text(const deform::AskedWeighting& asked) {
 void bench_modes(const ModesOptions& options) {
   const scene::Document opened = open_model(options.model, options.cage);
   const mesh::Surface& model = *opened.model.surface;
-  std::vector<NamedPose> poses;
   std::vector<std::string> warnings = opened.cage->warnings;
-  for (const auto& file : options.poses)
-    poses.push_back({name_of_pose(file), deform::read_pose(file, *opened.cage, warnings)});
+  const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);
   std::printf("modes: %s vertices, %zu cage triangles, method %s, %s, kernel %s, %s\n%s",
               base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
               std::string(sym3::name(options.settings.method)).c_str(),
               settings_text(options.settings.weighting).c_str(), std::string(sym3::kernel_name()).c_str(),
               processor_name().c_str(), modes_legend);
   for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
-  const ModeComparison compared = measure_modes(model, opened.cage, poses, options.settings);
+  base::Progress progress;
+  const ModeComparison compared = measure_modes(model, opened.cage, poses, options.settings, progress);
   print(compared, poses);
   write_json(options.json, to_json(compared, poses));
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "bench/mode_comparison.h"
 #include "bench/rest_model.h"
 #include "deform/cage.h"
@@ -24,6 +25,7 @@ struct ModeSettings {
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< of stitching, where a way of blending can be stitched
   deform::Holding holding{};
+  bool named_only = false;  ///< only ways that have names
 };
 
 struct ModesOptions {
@@ -36,9 +38,14 @@ struct ModesOptions {
 /// The ways that have names and the other schemes that are offered, or all valid ones that have what is
 /// chosen, measured in double, link by link, stitched ones as they run; frames as the program would run them,
 /// one after the other, in interleaved rounds, of the first pose. poses must not be empty. Throws
-/// base::Error.
+/// base::Error, base::Cancelled.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
-                             std::span<const NamedPose> poses, const ModeSettings& settings);
+                             std::span<const NamedPose> poses, const ModeSettings& settings,
+                             base::Progress& progress);
+
+/// Named by their files: "pose_alert.obj" is alert. Throws base::Error.
+std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
+                                  std::vector<std::string>& warnings);
 
 /// Prints the tables. Throws base::Error.
 void bench_modes(const ModesOptions& options);

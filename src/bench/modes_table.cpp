@@ -83,33 +83,21 @@ void print_pose(std::span<const Mode> modes, const std::string& name, std::size_
              });
 }
 
-// Numbers of all poses that have one, ascending; one that is none if there is no such pose.
-template <class Value>
-std::vector<double> sorted_values(const Mode& mode, const Value& value) {
-  std::vector<double> values;
-  for (const ShapeQuality& q : mode.qualities) values.push_back(value(q));
-  std::erase_if(values, [](double v) { return std::isnan(v); });
-  std::sort(values.begin(), values.end());
-  return values.empty() ? std::vector{std::nan("")} : values;
-}
-
 void print_all_poses(std::span<const Mode> modes, std::size_t poses) {
-  const auto middle = [](const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; };
   print_rows("all " + std::to_string(poses) + " poses",
              {"volume", "to", "energy", "worst", "bending", "worst", "gap", "torn", "x mvc"}, modes,
              [&](const Mode& mode) {
-               const auto volumes = sorted_values(mode, [](const auto& q) { return q.volume; });
-               const auto energies = sorted_values(mode, [](const auto& q) { return q.energy_ratio; });
-               const auto bendings = sorted_values(mode, [](const auto& q) { return q.bending_ratio; });
-               print_cell(volumes.front(), "%.4f");
-               print_cell(volumes.back(), "%.4f");
-               for (const auto& ratios : {energies, bendings}) {
-                 print_cell(middle(ratios), "%.3f");
-                 print_cell(ratios.back(), "%.3f");
+               const auto volumes = over_poses(mode, [](const auto& q) { return q.volume; });
+               print_cell(volumes.least, "%.4f");
+               print_cell(volumes.most, "%.4f");
+               for (const auto& ratios : {over_poses(mode, [](const auto& q) { return q.energy_ratio; }),
+                                          over_poses(mode, [](const auto& q) { return q.bending_ratio; })}) {
+                 print_cell(ratios.middle, "%.3f");
+                 print_cell(ratios.most, "%.3f");
                }
-               print_cell(middle(sorted_values(mode, [](const auto& q) { return q.gap; })), "%.4f");
-               print_cell(sorted_values(mode, [](const auto& q) { return q.torn; }).back(), "%.2e");
-               print_cell(sorted_values(mode, [](const auto& q) { return q.torn_ratio; }).back(), "%.2f");
+               print_cell(over_poses(mode, [](const auto& q) { return q.gap; }).middle, "%.4f");
+               print_cell(over_poses(mode, [](const auto& q) { return q.torn; }).most, "%.2e");
+               print_cell(over_poses(mode, [](const auto& q) { return q.torn_ratio; }).most, "%.2f");
              });
   std::printf("  (energy and bending x mvc: median and worst; gap: median; torn: worst)\n");
 }
@@ -170,6 +158,15 @@ nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
 }
 
 }  // namespace
+
+OverPoses over_poses(const Mode& mode, const std::function<double(const ShapeQuality&)>& value) {
+  std::vector<double> values;
+  for (const ShapeQuality& q : mode.qualities) values.push_back(value(q));
+  std::erase_if(values, [](double v) { return std::isnan(v); });
+  if (values.empty()) return {std::nan(""), std::nan(""), std::nan("")};
+  std::sort(values.begin(), values.end());
+  return {values.front(), values[values.size() / 2], values.back()};
+}
 
 void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
   const std::vector<Mode>& modes = compared.modes;

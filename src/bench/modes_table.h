@@ -1,6 +1,7 @@
 // What was measured of all ways of blending, as tables and as JSON.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -24,6 +25,12 @@ inline constexpr const char* modes_legend =
   torn: largest change of distance of vertices within 1 % of the diagonal that are of different parts, or
     within 0.1 % and joined by no short path of edges, in diagonals
 )";
+
+/// Of those poses that have a number; NaN where none has.
+struct OverPoses {
+  double least, middle, most;
+};
+OverPoses over_poses(const Mode& mode, const std::function<double(const ShapeQuality&)>& value);
 
 /// A table of the modes by themselves, one a pose, and one over all poses where there are several.
 void print(const ModeComparison& compared, std::span<const NamedPose> poses);

@@ -6,16 +6,24 @@
 
 #include "base/quantity.h"
 #include "bench/svg.h"
+#include "sym3/exp.h"
 
 namespace viete::bench {
 
 namespace {
 
-constexpr double width = 1000, top = 116;
+constexpr double width = 1000, top = 116, small_width = 400, letter = 7.7;  // letter: wider than most
 constexpr const char *paper = "#ffffff", *ink = "#1f2933", *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
   char text[32];
+  if (count > 0 && count < 5e-3) {  // 10^-5, raised
+    constexpr const char* raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                      "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    std::string power = "10\u207b";
+    for (const char digit : std::to_string(std::lround(-std::log10(count)))) power += raised[digit - '0'];
+    return power;
+  }
   if (count >= 1e6) {
     std::snprintf(text, sizeof text, "%g M", count / 1e6);
   } else if (count >= 1e3) {
@@ -30,9 +38,8 @@ struct Area {
   double left, top, right, bottom;
 };
 
-void draw_bars(Svg& svg, const Plot& plot, const Area& area) {
-  svg.text({area.left, area.top - 22}, plot.bars_title, {.size = 13, .strong = true});
-  const double label = 118, room = 104;
+void add_bars(Svg& svg, const Plot& plot, const Area& area, double label) {
+  constexpr double room = 104;
   double longest = 0;
   for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.ns);
   const double step = (area.bottom - area.top) / static_cast<double>(plot.bars.size());
@@ -41,11 +48,13 @@ void draw_bars(Svg& svg, const Plot& plot, const Area& area) {
   svg.line({area.left + label, area.top}, {area.left + label, area.bottom}, rule, 1);
   for (const PlotBar& bar : plot.bars) {
     const double length = std::max(1.5, full * bar.ns / longest), start = area.left + label;
+    const double share = bar.part > 0 ? bar.part / bar.ns : 1;
     svg.text({start - 10, middle + 4}, bar.name, {.anchor = "end"});
-    svg.bar({start, middle - 0.5 * height}, length, height, bar.color);
+    if (share < 1) svg.bar({start, middle - 0.5 * height}, length, height, plot_color::rest);
+    svg.bar({start, middle - 0.5 * height}, std::max(1.5, share * length), height, bar.color);
     const std::string value = base::few_digits(bar.ns);
-    svg.text({start + length + 8, middle + 4}, value + " ns", {.strong = true});
-    if (&bar != plot.bars.data()) {
+    svg.text({start + length + 8, middle + 4}, value + plot.unit, {.strong = true});
+    if (plot.compared && &bar != plot.bars.data()) {
       const double x = start + length + 26 + 7.5 * static_cast<double>(value.size()) + 16;
       svg.text({x, middle + 4}, base::few_digits(plot.bars.front().ns / bar.ns) + " x", {.color = faint});
     }
@@ -53,93 +62,167 @@ void draw_bars(Svg& svg, const Plot& plot, const Area& area) {
   }
 }
 
-/// From a value on a logarithmic scale to a place.
-struct LogScale {
-  double low, high, from, to;  ///< decades, pixels
+/// From a value to a place.
+struct Scale {
+  bool logarithmic;
+  double low, high, from, to;  ///< values, or their logarithms; pixels
 
-  double operator()(double value) const {
-    return from + (to - from) * (std::log10(value) - low) / (high - low);
-  }
+  double at(double value) const { return logarithmic ? std::log10(value) : value; }
+  double operator()(double value) const { return from + (to - from) * (at(value) - low) / (high - low); }
+  bool shows(double value) const { return !logarithmic || value > 0; }
 };
 
-LogScale scale_of(const std::vector<PlotCurve>& curves, double PlotCurve::Point::*value, double from,
-                  double to) {
+Scale scale_of(const Plot& plot, double PlotCurve::Point::*value, double from, double to) {
   double low = 1e300, high = 0;
-  for (const PlotCurve& curve : curves) {
-    for (const auto& p : curve.points) low = std::min(low, p.*value), high = std::max(high, p.*value);
-  }
-  return {std::log10(low) - 0.06, std::log10(high) + 0.06, from, to};
-}
-
-void draw_grid(Svg& svg, const LogScale& x, const LogScale& y, const Area& area) {
-  for (double decade = std::floor(y.low); decade <= y.high; ++decade) {
-    for (const double times : {1.0, 2.0, 5.0}) {
-      const double value = times * std::pow(10, decade);
-      if (std::log10(value) < y.low || std::log10(value) > y.high) continue;
-      svg.line({area.left, y(value)}, {area.right, y(value)}, rule, times == 1 ? 1.5 : 0.75);
-      svg.text({area.left - 8, y(value) + 4}, count_text(value),
-               {.color = faint, .size = 11, .anchor = "end"});
+  for (const PlotCurve& curve : plot.curves) {
+    for (const auto& p : curve.points) {
+      if (p.ns > 0 || plot.linear) low = std::min(low, p.*value), high = std::max(high, p.*value);
     }
   }
-  for (double decade = std::ceil(x.low); decade <= x.high; ++decade) {
-    const double value = std::pow(10, decade);
-    svg.line({x(value), area.bottom}, {x(value), area.bottom + 5}, faint, 1);
-    svg.text({x(value), area.bottom + 20}, count_text(value),
+  if (plot.linear) return {false, 0, 1.04 * high, from, to};
+  return {true, std::log10(low) - 0.06, std::log10(high) + 0.06, from, to};
+}
+
+struct Tick {
+  double value;
+  bool strong;
+};
+
+// Few enough to be read: of many decades some, of few also what is between them.
+std::vector<Tick> ticks(const Scale& scale, bool between) {
+  std::vector<Tick> found;
+  const double length = scale.high - scale.low;
+  if (!scale.logarithmic) {
+    for (int i = 0; i * 0.25 <= scale.high; ++i) found.push_back({i * 0.25, i % 4 == 0});
+    return found;
+  }
+  const double step = std::ceil(length / 6.5);
+  for (double decade = step * std::floor(scale.low / step); decade <= scale.high; decade += step) {
+    for (const double times : {1.0, 2.0, 5.0}) {
+      const double value = times * std::pow(10, decade);
+      if ((times != 1 && (!between || length > 4)) || std::log10(value) < scale.low ||
+          std::log10(value) > scale.high)
+        continue;
+      found.push_back({value, times == 1});
+    }
+  }
+  return found;
+}
+
+void draw_grid(Svg& svg, const Plot& plot, const Scale& x, const Scale& y, const Area& area) {
+  for (const Tick& tick : ticks(y, true)) {
+    svg.line({area.left, y(tick.value)}, {area.right, y(tick.value)}, rule, tick.strong ? 1.5 : 0.75);
+    svg.text({area.left - 8, y(tick.value) + 4}, count_text(tick.value),
+             {.color = faint, .size = 11, .anchor = "end"});
+  }
+  for (const Tick& tick : ticks(x, x.high - x.low < 2)) {
+    svg.line({x(tick.value), area.bottom}, {x(tick.value), area.bottom + 5}, faint, 1);
+    svg.text({x(tick.value), area.bottom + 20}, count_text(tick.value),
              {.color = faint, .size = 11, .anchor = "middle"});
   }
   svg.line({area.left, area.bottom}, {area.right, area.bottom}, faint, 1);
-  svg.text({0.5 * (area.left + area.right), area.bottom + 40}, "matrices in a batch",
+  svg.text({0.5 * (area.left + area.right), area.bottom + 40}, plot.across,
            {.color = faint, .anchor = "middle"});
 }
 
+std::string value_text(double value) {
+  return value < 1e-3 ? error_text(value) : base::few_digits(value);
+}
+
 /// Names at the ends of the curves, moved apart so that none covers another.
-void draw_names(Svg& svg, const std::vector<PlotCurve>& curves, const LogScale& y, double x, double bottom) {
+void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area, double end) {
   struct Name {
     const PlotCurve* curve;
-    double at;
+    double at, value;
   };
   std::vector<Name> names;
-  for (const PlotCurve& curve : curves) names.push_back({&curve, y(curve.points.back().ns)});
+  for (const PlotCurve& curve : plot.curves) {
+    const double value = curve.points.back().ns;
+    names.push_back({&curve, y.shows(value) ? y(value) : area.bottom, value});
+  }
   std::sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.at < b.at; });
   constexpr double line = 16;
   for (std::size_t i = 1; i < names.size(); ++i) names[i].at = std::max(names[i].at, names[i - 1].at + line);
-  double limit = bottom;
+  double limit = area.bottom;
   for (auto name = names.rbegin(); name != names.rend(); ++name) {
     name->at = std::min(name->at, limit);
     limit = name->at - line;
   }
   for (const Name& name : names) {
-    const std::string value = base::few_digits(name.curve->points.back().ns);
-    svg.text({x, name.at + 4}, name.curve->name, {.color = name.curve->color, .strong = !name.curve->dashed});
-    svg.text({width - 32, name.at + 4}, value,
-             {.color = name.curve->color, .anchor = "end", .strong = !name.curve->dashed});
+    const SvgText style{.color = name.curve->color, .strong = !name.curve->dashed};
+    SvgText right = style;
+    right.anchor = "end";
+    svg.text({area.right + 12, name.at + 4}, name.curve->name, style);
+    if (!plot.linear) svg.text({end, name.at + 4}, value_text(name.value), right);
   }
 }
 
-void draw_curves(Svg& svg, const Plot& plot, const Area& area) {
-  svg.text({area.left - 34, area.top - 22}, plot.curves_title, {.size = 13, .strong = true});
-  const LogScale x = scale_of(plot.curves, &PlotCurve::Point::count, area.left, area.right);
-  const LogScale y = scale_of(plot.curves, &PlotCurve::Point::ns, area.bottom, area.top);
-  draw_grid(svg, x, y, area);
+void add_curves(Svg& svg, const Plot& plot, const Area& area, double end) {
+  const Scale x = scale_of(plot, &PlotCurve::Point::count, area.left, area.right);
+  const Scale y = scale_of(plot, &PlotCurve::Point::ns, area.bottom, area.top);
+  draw_grid(svg, plot, x, y, area);
   for (const PlotCurve& curve : plot.curves) {
     std::vector<SvgPoint> points;
-    for (const auto& p : curve.points) points.push_back({x(p.count), y(p.ns)});
+    for (const auto& p : curve.points) {
+      if (x.shows(p.count) && y.shows(p.ns)) points.push_back({x(p.count), y(p.ns)});
+    }
     svg.curve(points, curve.color, curve.dashed ? 2 : 2.5, curve.dashed);
-    if (curve.dashed) continue;
+    if (curve.dashed || plot.linear) continue;
     for (const SvgPoint& p : points) svg.disc(p, 3.5, curve.color);
   }
-  draw_names(svg, plot.curves, y, area.right + 12, area.bottom);
+  draw_names(svg, plot, y, area, end);
 }
 
 }  // namespace
+
+std::string error_text(double error) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", error);
+  std::string result = text;
+  if (const auto zero = result.find("e-0"); zero != result.npos) result.erase(zero + 2, 1);
+  return result;
+}
+
+const char* color_of_method(const std::string& name) {
+  using sym3::label, sym3::Method;
+  if (name == label(Method::fast)) return plot_color::ours[0];
+  if (name == label(Method::improved_sd)) return plot_color::rival;
+  return name == label(Method::sd) ? plot_color::ours[2] : plot_color::reference;
+}
 
 std::string draw_plot(const Plot& plot) {
   const double bottom = top + std::max(330.0, 36.0 * static_cast<double>(plot.bars.size()));
   Svg svg(width, bottom + 64, paper);
   svg.text({32, 42}, plot.title, {.color = ink, .size = 20, .strong = true});
   svg.text({32, 64}, plot.subtitle, {.color = faint, .size = 12.5});
-  draw_bars(svg, plot, {32, top, plot.curves.empty() ? width - 32 : 452, bottom});
-  if (!plot.curves.empty()) draw_curves(svg, plot, {528, top, 838, bottom});
+  svg.text({32, top - 22}, plot.bars_title, {.size = 13, .strong = true});
+  add_bars(svg, plot, {32, top, plot.curves.empty() ? width - 32 : 452, bottom}, 118);
+  if (!plot.curves.empty()) {
+    svg.text({494, top - 22}, plot.curves_title, {.size = 13, .strong = true});
+    add_curves(svg, plot, {528, top, 838, bottom}, width - 32);
+  }
+  return svg.document();
+}
+
+std::string draw_bars(const Plot& plot) {
+  const double height = 30 * static_cast<double>(plot.bars.size());
+  Svg svg(small_width, height, paper);
+  std::size_t longest = 0;
+  for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.name.size());
+  add_bars(svg, plot, {0, 0, small_width, height}, 16 + letter * static_cast<double>(longest));
+  return svg.document();
+}
+
+std::string draw_curves(const Plot& plot) {
+  constexpr double height = 270;
+  std::size_t name = 0, value = 0;
+  for (const PlotCurve& curve : plot.curves) {
+    name = std::max(name, curve.name.size());
+    if (!plot.linear) value = std::max(value, value_text(curve.points.back().ns).size());
+  }
+  const double right = small_width - 16 - letter * static_cast<double>(name + value + 1);
+  Svg svg(small_width, height, paper);
+  add_curves(svg, plot, {40, 8, right, height - 48}, small_width);
   return svg.document();
 }
 

@@ -27,21 +27,36 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-Points straight_halfway(const Points& a, const Points& b) {
-  Points line;
-  for (std::size_t v = 0; v < a.size(); ++v) line.push_back(0.5 * (a[v] + b[v]));
-  return line;
-}
+/// What lies between rest and a shape.
+class Between {
+public:
+  Between(const deform::ShapeSpace& space, const Points& shape)
+      : logs_(space.logs()),
+        shape_(shape),
+        vector_(space.vector(shape, pool_)),
+        held_(logs_.held_between(logs_.at_rest(), vector_)) {}
 
-Points halfway_from_rest(const deform::ShapeSpace& space, const Points& shape, base::WorkerPool& pool) {
-  const deform::LogSpace& logs = space.logs();
-  const deform::LogVector vector = space.vector(shape, pool);
-  const deform::LogTerm half{&vector, 0.5};
-  Points positions(shape.size());
-  deform::LogSpace::Work work;
-  logs.shape({&half, 1}, logs.held_between(logs.at_rest(), vector), pool, work, positions);
-  return positions;
-}
+  Points straight(double share) const {
+    Points line;
+    for (std::size_t v = 0; v < shape_.size(); ++v)
+      line.push_back((1 - share) * logs_.rest()[v] + share * shape_[v]);
+    return line;
+  }
+  Points in_log_space(double share) {
+    const deform::LogTerm term{&vector_, share};
+    Points positions(shape_.size());
+    logs_.shape({&term, 1}, held_, pool_, work_, positions);
+    return positions;
+  }
+
+private:
+  base::WorkerPool pool_{1};
+  const deform::LogSpace& logs_;
+  const Points& shape_;
+  deform::LogVector vector_;
+  deform::Held held_;
+  deform::LogSpace::Work work_;
+};
 
 /// The gallop, frame by frame; it is closed.
 class Gallop {
@@ -174,32 +189,53 @@ ShapesOfModel read_lion(const std::filesystem::path& folder) {
   return read_shapes_of_model(folder / "lion/rest.obj", {folder / "lion/pose_##.obj"});
 }
 
-nlohmann::json measure_halfway(const ShapesOfModel& model) {
+nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress, std::size_t moments) {
   base::WorkerPool pool(1);
   const deform::ShapeSpace space(model.rest, pool);
   const ShapeErrors errors(model.rest);
   const RestModel rest(model.rest);
   const Points& from = rest.positions();
-  std::printf("  %-20s %32s %32s\n", "halfway from rest", "log space: edges, 99 %, volume",
-              "straight: edges, 99 %, volume");
   nlohmann::json rows = nlohmann::json::array();
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     const Points& to = model.shapes[i];
     const double smaller = std::min(1.0, rest.volume(to));
+    const auto volume = [&](const Points& at) {
+      return rest.encloses() ? rest.volume(at) / smaller : std::nan("");
+    };
     const auto measured = [&](const Points& half) {
       const EdgeErrors e = errors.edges(from, to, half);
-      const double volume = rest.encloses() ? rest.volume(half) / smaller : std::nan("");
-      return nlohmann::json{{"edges", e.root_mean_square}, {"edges_99", e.share_99}, {"volume", volume}};
+      return nlohmann::json{
+          {"edges", e.root_mean_square}, {"edges_99", e.share_99}, {"volume", volume(half)}};
     };
-    const auto log = measured(halfway_from_rest(space, to, pool)),
-               line = measured(straight_halfway(from, to));
-    std::printf("  %-20s", model.names[i].c_str());
-    for (const auto& m : {log, line})
-      std::printf("  %13.3f %7.3f %9.3f", double(m["edges"]), double(m["edges_99"]), double(m["volume"]));
-    std::printf("\n");
+    Between between(space, to);
+    nlohmann::json log = measured(between.in_log_space(0.5)), line = measured(between.straight(0.5));
+    for (std::size_t m = 0; m < moments; ++m) {
+      const double share = static_cast<double>(m) / static_cast<double>(moments - 1);
+      log["volumes"].push_back(volume(between.in_log_space(share)));
+      line["volumes"].push_back(volume(between.straight(share)));
+      progress.report((static_cast<double>(i) + share) / static_cast<double>(model.shapes.size()));
+    }
     rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
   }
   return rows;
+}
+
+HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape) {
+  base::WorkerPool pool(1);
+  const deform::ShapeSpace space(model.rest, pool);
+  Between between(space, model.shapes[shape]);
+  return {between.straight(0.5), between.in_log_space(0.5)};
+}
+
+void print_halfway(const nlohmann::json& halfway) {
+  std::printf("  %-20s %32s %32s\n", "halfway from rest", "log space: edges, 99 %, volume",
+              "straight: edges, 99 %, volume");
+  for (const auto& row : halfway) {
+    std::printf("  %-20s", std::string(row["name"]).c_str());
+    for (const auto& m : {row["log_space"], row["straight"]})
+      std::printf("  %13.3f %7.3f %9.3f", double(m["edges"]), double(m["edges_99"]), double(m["volume"]));
+    std::printf("\n");
+  }
 }
 
 void check_halfway(const nlohmann::json& halfway, Bars& bars) {

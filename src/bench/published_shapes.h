@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "bench/bars.h"
 #include "mesh/surface.h"
 
@@ -24,9 +25,16 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
 /// Of a folder that holds lion/rest.obj and lion/pose_##.obj. Throws base::Error.
 ShapesOfModel read_lion(const std::filesystem::path& folder);
 
-/// Halfway from rest to each shape, in log space and on straight lines: prints how far edges and volume are
-/// from those of both ends. The volume is over the smaller end's, null where the model encloses none.
-nlohmann::json measure_halfway(const ShapesOfModel& model);
+/// Halfway from rest to each shape, in log space and on straight lines: how far edges and volume are from
+/// those of both ends. The volume is over the smaller end's, NaN where the model encloses none; so are those
+/// of `moments` even ones from rest (the first) to the shape (the last one). Throws base::Cancelled.
+nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress, std::size_t moments = 0);
+/// Positions there: on straight lines, and in log space.
+struct HalfwayShapes {
+  std::vector<mesh::Point> straight, in_log_space;
+};
+HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape);
+void print_halfway(const nlohmann::json& halfway);
 
 /// The lion's, compared with their bars.
 void check_halfway(const nlohmann::json& halfway, Bars& bars);

@@ -290,7 +290,9 @@ void check_times(const ShapeRuns& runs, const ShapeTimes& ms, Bars& bars) {
 
 void check_published(const ShapesOptions& options, Bars& bars, nlohmann::json& json) {
   const ShapesOfModel lion = read_lion(options.published);
-  json["lion"] = measure_halfway(lion);
+  base::Progress progress;
+  json["lion"] = measure_halfway(lion, progress);
+  print_halfway(json["lion"]);
   std::printf("\n");
   check_halfway(json["lion"], bars);
   json["gallop"] = check_gallop(options.published, bars);
@@ -305,7 +307,9 @@ void bench_shapes(const ShapesOptions& options) {
   std::printf("shapes: %s vertices, %s, kernel %s\n",
               base::with_thousands(model.rest.positions.size()).c_str(),
               base::counted(model.shapes.size(), "shape").c_str(), std::string(sym3::kernel_name()).c_str());
-  nlohmann::json json{{"figure", "shapes"}, {"halfway", measure_halfway(model)}};
+  base::Progress progress;
+  nlohmann::json json{{"figure", "shapes"}, {"halfway", measure_halfway(model, progress)}};
+  print_halfway(json["halfway"]);
   ShapeRuns runs(model);
   const ShapeTimes times(runs.run(options.rounds), runs.size());
   print(runs, times);

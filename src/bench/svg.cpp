@@ -16,21 +16,21 @@ namespace {
   return text;
 }
 
+}  // namespace
+
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
     }
   }
   return result;
 }
-
-}  // namespace
 
 Svg::Svg(double width, double height, const char* background) {
   body_ = formatted(
@@ -68,6 +68,13 @@ void Svg::curve(std::span<const SvgPoint> points, const char* color, double widt
 void Svg::disc(SvgPoint center, double radius, const char* color) {
   body_ += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%g\" fill=\"%s\"/>\n", center.x, center.y, radius,
                      color);
+}
+
+void Svg::dots(std::span<const SvgPoint> centers, const char* color, double size) {
+  body_ += formatted("<path fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-linecap=\"round\" d=\"",
+                     color, size);
+  for (const SvgPoint& p : centers) body_ += formatted("M%.1f %.1fh0", p.x, p.y);
+  body_ += "\"/>\n";
 }
 
 void Svg::bar(SvgPoint corner, double width, double height, const char* color) {

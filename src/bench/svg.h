@@ -7,6 +7,9 @@
 
 namespace viete::bench {
 
+/// `&`, `<`, `>` and `"` written out, for text and attributes of XML.
+std::string escaped(std::string_view text);
+
 struct SvgPoint {
   double x, y;
 };
@@ -28,6 +31,8 @@ public:
   void line(SvgPoint from, SvgPoint to, const char* color, double width);
   void curve(std::span<const SvgPoint> points, const char* color, double width, bool dashed);
   void disc(SvgPoint center, double radius, const char* color);
+  /// Many small round ones, each as wide as `size`.
+  void dots(std::span<const SvgPoint> centers, const char* color, double size);
   void bar(SvgPoint corner, double width, double height, const char* color);
 
   /// The whole document so far.

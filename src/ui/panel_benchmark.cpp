@@ -43,7 +43,11 @@ void panel_benchmark(const Context& ui) {
          "aside.");
   }
   if (bench.running) progress_bar(ui, ImGui::GetContentRegionAvail().x, bench.done);
-  command_row(ui, {bench.running ? "stop_benchmark" : "run_benchmark"});
+  if (bench.running) {
+    command_row(ui, {"stop_benchmark"});
+  } else {
+    command_row(ui, {"run_benchmark", "show_report"});
+  }
 }
 
 }  // namespace viete::ui

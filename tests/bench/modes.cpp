@@ -26,7 +26,8 @@ ModeComparison compare(const mesh::Surface& model, const ModeSettings& settings 
   const auto cage = tube_cage();
   const std::vector<NamedPose> poses = {{"rest", deform::rest_pose(*cage)},
                                         {"moderate", moderate_pose(*cage)}};
-  return measure_modes(model, cage, poses, settings);
+  base::Progress progress;
+  return measure_modes(model, cage, poses, settings, progress);
 }
 
 }  // namespace

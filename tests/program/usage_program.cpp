@@ -12,7 +12,7 @@ using namespace viete::test;
 namespace {
 
 const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",
-                                           "pose", "bind",   "cage",   "info",    "bench"},
+                                           "pose", "bind",   "cage",   "info",    "bench", "report"},
                                benches = {"exp",  "eigen", "accuracy", "sym3", "frame",
                                           "bind", "files", "cage",     "modes"};
 

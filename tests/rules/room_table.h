@@ -58,6 +58,11 @@ inline const std::map<std::string, Room>& rooms() {
          "scene/hand", "scene/files", "scene/pictures", "scene/workspace", "app", "bench/timing"},
         {"cli11", "json"},
         {"eigen", "highway", "openmesh"}}},
+      {"bench/report",
+       {{"base", "sym3", "mesh", "mesh/formats", "deform", "scene/document", "scene/files", "app",
+         "bench/timing", "bench"},
+        {"cli11", "json"},
+        {}}},
   };
   return table;
 }

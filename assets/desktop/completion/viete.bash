@@ -16,6 +16,7 @@ _viete_value() {
     -o | --output)
       case $1 in
         render) _filedir png ;;
+        report) _filedir -d ;;
         animate) _filedir '@(pc2|mdd|glb|gltf|obj|ply|off|stl|png|mp4|webm|mkv|gif)' ;;
         between) _filedir "$_viete_caches" ;;
         deform | mix | pose | cage) _filedir "$_viete_meshes" ;;
@@ -70,6 +71,7 @@ _viete_options() {
     bind) options+=' --output --force --way --elements --weights --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
+    report) options+=' --output --quick --force' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
     'bench eigen') options+=' --force --count --json --plot' ;;
     'bench accuracy') options+=' --force --count --json --float' ;;
@@ -89,7 +91,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform animate between mix pose bind cage info bench help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
+  local commands='view render deform animate between mix pose bind cage info bench report help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -103,7 +105,7 @@ _viete() {
     *:bench\ time) _filedir viete ;;
     *:bench\ *) ;;
     *:between) _filedir "$_viete_caches" ;;
-    *:info | *:cage | *:mix | *:pose) _filedir "$_viete_meshes" ;;
+    *:info | *:cage | *:mix | *:pose | *:report) _filedir "$_viete_meshes" ;;
     *)
       _filedir '@(obj|ply|off|stl|glb|gltf|viete)'
       [[ $cword -gt 1 ]] || COMPREPLY+=($(compgen -W "$commands" -- "$cur"))

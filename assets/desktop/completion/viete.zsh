@@ -73,6 +73,7 @@ case $command in
       '--quads[pair triangles to quads]' '--cells=[of boxes, along each axis]:cells:(1x1x1 2x2x2 3x3x3)'
       '--own-axes[of boxes, along the extents of the mesh]') ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
+  report) specs+=($meshes "*:pose:$mesh" $force '(-o --output)'{-o+,--output=}'[folder to write]:folder:_files -/' '--quick[fewer matrices, cages and rounds]') ;;
   'bench exp') specs+=($count $json $plot $float) ;;
   'bench eigen') specs+=($count $json $plot) ;;
   'bench accuracy') specs+=($count $json $float) ;;
@@ -96,6 +97,7 @@ if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
   local -a commands=('view:open the viewer' 'render:render a picture' 'deform:deform a mesh by a posed cage'
     'animate:write the frames of a timeline' 'between:what lies between shapes of a model' 'mix:mix shapes of a model' 'pose:pose a model by its vertices and by examples'
     'bind:bind a model to its cage' 'cage:make a cage around a mesh' 'info:what mesh files hold' 'bench:measure speed and accuracy'
+    'report:write a page of figures, measured here'
     'help:what a command can do')
   _describe command commands
   eval "$any"
@@ -104,7 +106,7 @@ fi
 
 # The words of the command are no files.
 local -i skip=0
-[[ $command == (view|render|deform|animate|between|mix|pose|bind|cage|info|bench\ *) ]] && skip=1
+[[ $command == (view|render|deform|animate|between|mix|pose|bind|cage|info|report|bench\ *) ]] && skip=1
 [[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched|time|shapes) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))

@@ -36,14 +36,16 @@ bool holds_content(const fs::path& file, Content content) {
     case Content::json: return mesh::extension_of(file) == "json";
     case Content::session:
       return mesh::FileBytes(file, nullptr).view().find(R"("viete session")") != std::string_view::npos;
+    case Content::page: return bytes.find(R"(content="viete report")") != std::string::npos;
     case Content::svg: break;
   }
   return bytes.find("<svg") != std::string::npos;
 }
 
 const char* name_of_content(Content content) {
-  constexpr const char* names[] = {"a surface",      "a saved binding", "a PNG picture", "a JSON file",
-                                   "an SVG picture", "an animation",    "a session"};
+  constexpr const char* names[] = {"a surface",   "a saved binding",   "a PNG picture",
+                                   "a JSON file", "an SVG picture",    "an animation",
+                                   "a session",   "a page of a report"};
   return names[static_cast<std::size_t>(content)];
 }
 

@@ -72,6 +72,10 @@ void add_blend_commands(CommandTable& table) {
   table.add("run_benchmark", {"Measure every method", "Measure"},
             "Measure every method on random matrices, beside the view.", is_not_measuring,
             [](Workspace& w) { w.requests.run_benchmark = true; });
+  table.add("show_report", {"Measure a report and open it", "Report"},
+            "Measure the figures of the paper and more, of the dragon, for half a minute, and open them as a "
+            "page in the browser.",
+            is_not_measuring, [](Workspace& w) { w.requests.show_report = true; });
   table.add("stop_benchmark", {"Stop measuring", "Cancel"}, "Stop measuring; what was measured before stays.",
             is_measuring, passing([](Workspace& w) { w.requests.stop_benchmark = true; }));
 }

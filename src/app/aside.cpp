@@ -1,0 +1,84 @@
+#include "app/aside.h"
+
+#include <charconv>
+#include <chrono>
+#include <sstream>
+#include <thread>
+
+#include "base/child_program.h"
+#include "base/error.h"
+
+namespace viete::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// "37 %" is how far it is; whatever else is a sentence.
+struct Said {
+  double done = 0;
+  std::vector<std::string> sentences;
+};
+
+Said said_by(const base::ChildProgram& child) {
+  Said said;
+  std::istringstream lines(child.said());
+  for (std::string line; std::getline(lines, line);) {
+    int percent = 0;
+    const auto [end, problem] = std::from_chars(line.data(), line.data() + line.size(), percent);
+    if (problem == std::errc() && std::string_view(end) == " %") {
+      said.done = 0.01 * percent;
+    } else if (!line.empty()) {
+      said.sentences.push_back(line.starts_with("viete: ") ? line.substr(7) : line);
+    }
+  }
+  return said;
+}
+
+// It goes on by itself, however long the browser runs. The first run says whether there is one.
+void open_in_browser(const fs::path& page) {
+  const std::string advice = "open the page by hand";
+  base::ChildProgram({"xdg-open", "--version"}, advice).finish();
+  base::ChildProgram({"setsid", "--fork", "xdg-open", page.string()}, advice).finish();
+}
+
+}  // namespace
+
+std::vector<std::string> run_aside(const std::vector<std::string>& words, base::Progress& progress) {
+  constexpr auto look_again = std::chrono::milliseconds(50);
+  base::ChildProgram child(words, "start this program again", {"VIETE_PROGRESS=1"});
+  try {
+    while (child.running()) {
+      std::this_thread::sleep_for(look_again);
+      progress.report(said_by(child).done);
+    }
+  } catch (const base::Cancelled&) {
+    child.stop();
+    while (child.running()) std::this_thread::sleep_for(look_again);
+    throw;
+  }
+  std::vector<std::string> sentences = said_by(child).sentences;
+  try {
+    child.finish();
+  } catch (const base::Error&) {
+    if (sentences.empty()) throw;
+    throw base::Error("", sentences.back());
+  }
+  return sentences;
+}
+
+std::string show_report_aside(const fs::path& program, const fs::path& state, base::Progress& progress) {
+  const fs::path folder = (state.empty() ? fs::temp_directory_path() : state) / "report";
+  std::error_code told_by_the_report;
+  fs::create_directories(folder.parent_path(), told_by_the_report);
+  run_aside({program.string(), "report", "--quick", "--force", "-o", folder.string()}, progress);
+  const fs::path page = folder / "index.html";
+  try {
+    open_in_browser(page);
+  } catch (const base::Error& error) {
+    return "The report is " + page.string() + ". No browser was opened: " + error.what();
+  }
+  return "The report is open in the browser: " + page.string();
+}
+
+}  // namespace viete::app

@@ -1,0 +1,139 @@
+// viete report [MODEL CAGE [POSE...]] -o FOLDER: the figures, measured here, as one page.
+#include "bench/report/command.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/assets.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/program.h"
+#include "app/terminal_progress.h"
+#include "base/atomic_file.h"
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "bench/report/findings.h"
+#include "bench/report/page.h"
+#include "mesh/formats/format_table.h"
+
+namespace viete::bench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  ReportFiles files;
+  fs::path folder;
+  bool quick = false, force = false;
+
+  fs::path page() const { return folder / "index.html"; }
+  fs::path numbers() const { return folder / "report.json"; }
+};
+
+/// The folder, made where it is not there; taken away again where nothing was written to it.
+class ReportFolder {
+public:
+  explicit ReportFolder(const fs::path& folder) : folder_(folder) {
+    std::error_code code;
+    if (fs::is_directory(folder, code)) return;
+    if (fs::exists(folder, code)) throw base::Error(folder.string(), "this is no folder", "name another one");
+    if (!fs::create_directory(folder, code))
+      throw base::Error(folder.string(), "the folder cannot be made: " + code.message(), "name another one");
+    made_ = true;
+  }
+  ~ReportFolder() {
+    std::error_code not_empty;
+    if (made_) fs::remove(folder_, not_empty);
+  }
+  ReportFolder(const ReportFolder&) = delete;
+  ReportFolder& operator=(const ReportFolder&) = delete;
+
+private:
+  fs::path folder_;
+  bool made_ = false;
+};
+
+// The bundled dragon where no model is named; its shapes always.
+void complete(ReportFiles& files) {
+  const app::BundledModel bundled = app::bundled_model();
+  if (files.model.empty())
+    files.model = bundled.model, files.cage = bundled.cage, files.poses = bundled.poses;
+  files.rest = bundled.model;
+  for (const char* shape : {"folded", "coiled", "sitting"})
+    files.shapes.push_back(bundled.model.parent_path() / ("shape_" + std::string(shape) + ".pc2"));
+}
+
+void check_outputs(const ReportOptions& options) {
+  app::FilesInUse inputs{options.files.model, options.files.cage};
+  for (const auto& pose : options.files.poses) inputs.add(pose, scene::the_pose);
+  app::check_output(options.page(), app::Content::page, inputs, options.force);
+  app::check_output(options.numbers(), app::Content::json, inputs, options.force);
+}
+
+std::string typed(const ReportOptions& options, const ReportFiles& named) {
+  std::string command = "viete report";
+  for (const fs::path& file : {named.model, named.cage})
+    if (!file.empty()) command += " " + shell_word(file);
+  for (const fs::path& pose : named.poses) command += " " + shell_word(pose);
+  return command + " -o " + shell_word(options.folder) + (options.quick ? " --quick" : "");
+}
+
+void write(const ReportOptions& options, const Figures& figures, const Made& made) {
+  base::FilesTogether files;
+  const auto put = [&](const fs::path& file, const std::string& text) {
+    files.put(file, [&](const base::ByteSink& sink) { sink(text); });
+  };
+  put(options.page(), report_page(figures, made));
+  put(options.numbers(), report_json(figures, made).dump(1) + '\n');
+  files.replace();
+}
+
+Figures measured(const ReportOptions& options, const ReportSizes& sizes) try {
+  app::TerminalProgress work("Measuring");
+  return measure_figures(options.files, sizes, work.progress());
+} catch (const base::Cancelled&) {
+  throw base::Error(options.folder.string(), "stopped", "no file was changed");
+}
+
+int run_report(ReportOptions options) {
+  const std::string command = typed(options, options.files);
+  const ReportFolder folder(options.folder);
+  check_outputs(options);
+  complete(options.files);
+  const ReportSizes sizes = options.quick ? quick_sizes() : ReportSizes();
+  base::require_memory(
+      {160.0 * static_cast<double>(sizes.matrices), "a report takes", "add --quick", "--output"});
+  const double begun = base::wall_seconds();
+  const Figures figures = measured(options, sizes);
+  write(options, figures, made_here(command, base::wall_seconds() - begun));
+  std::printf("%s: the report; its numbers are in report.json\n", options.page().string().c_str());
+  return app::exit_ok;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, app::Action& action) {
+  auto* command = app.add_subcommand("report", app::report_text);
+  auto options = std::make_shared<ReportOptions>();
+  auto& files = options->files;
+  app::add_file_option(*command, "MODEL", files.model, mesh::a_mesh())->default_str("the bundled dragon");
+  app::add_file_option(*command, "CAGE", files.cage, "Cage around it, at rest")
+      ->default_str("that of the dragon");
+  command->add_option("POSE", files.poses, "Posed cages, same vertices in the same order")
+      ->default_str("those of the dragon, or one that is made");
+  app::add_file_option(*command, "-o,--output", options->folder, "Folder for index.html and report.json")
+      ->option_text("FOLDER")
+      ->required();
+  command->add_flag("--quick", options->quick, "Fewer matrices, cages and rounds: seconds, not minutes");
+  app::add_force_option(*command, options->force);
+  command->callback([options, &action] {
+    if (!options->files.model.empty() && options->files.cage.empty()) throw CLI::RequiredError("CAGE");
+    action = [options] { return run_report(*options); };
+  });
+}
+
+}  // namespace viete::bench

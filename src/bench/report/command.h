@@ -1,0 +1,10 @@
+// `viete report`: its command line.
+#pragma once
+
+#include "app/command_line.h"
+
+namespace viete::bench {
+
+void add_report_command(CLI::App& app, app::Action& action);
+
+}  // namespace viete::bench

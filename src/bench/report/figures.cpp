@@ -1,0 +1,120 @@
+#include "bench/report/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "bench/exp.h"
+#include "bench/frame.h"
+#include "bench/models.h"
+#include "bench/modes.h"
+#include "bench/modes_table.h"
+#include "bench/published_shapes.h"
+#include "bench/report/findings.h"
+#include "mesh/normals.h"
+
+namespace viete::bench {
+
+namespace {
+
+constexpr std::size_t moments = 21;  // of a way from shape to shape
+
+std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base::Progress& progress) {
+  FrameOptions options;
+  options.model = figures.files.model;
+  if (in_own_cage) options.cage = figures.files.cage;
+  options.faces = figures.sizes.faces;
+  options.rounds = figures.sizes.rounds;
+  return measure_frames(options, progress);
+}
+
+ModeComparison ways_of(const Figures& figures, const scene::Document& opened, base::Progress& progress) {
+  const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
+  return measure_modes(*opened.model.surface, opened.cage, figures.poses, settings, progress);
+}
+
+// From above and aside, without what faces away.
+ShapePicture picture_of(std::string name, const mesh::Surface& rest,
+                        const std::vector<mesh::Point>& positions) {
+  constexpr std::size_t most_dots = 3000;
+  constexpr double aside = 0.5, above = 0.6;  // radians
+  const mesh::Point right{std::cos(aside), 0, -std::sin(aside)},
+      toward{std::sin(aside) * std::cos(above), std::sin(above), std::cos(aside) * std::cos(above)};
+  const mesh::Point up = mesh::cross(toward, right);
+  const auto around = mesh::vertex_triangles(positions.size(), rest.triangles);
+  std::vector<mesh::Point> normals(positions.size());
+  mesh::vertex_normals(positions, rest.triangles, around, 0, positions.size(), normals);
+  const mesh::Point middle = mesh::bounds(positions).center();
+  const double diagonal = mesh::bounds(rest.positions).diagonal();
+  ShapePicture picture{std::move(name), {}};
+  for (std::size_t v = 0; v < positions.size();
+       v += std::max<std::size_t>(1, positions.size() / (2 * most_dots))) {
+    const mesh::Point p = positions[v] - middle;
+    if (mesh::dot(normals[v], toward) > 0)
+      picture.dots.push_back({mesh::dot(p, right) / diagonal, mesh::dot(p, up) / diagonal});
+  }
+  return picture;
+}
+
+std::vector<ShapePicture> pictures_of(const Figures& figures, const ShapesOfModel& model) {
+  const nlohmann::json* most = most_lost(figures);
+  if (!most) return {};
+  const auto i = static_cast<std::size_t>(most - &figures.shapes[0]);
+  const HalfwayShapes halfway = halfway_to(model, i);
+  return {picture_of("at rest", model.rest, model.rest.positions),
+          picture_of("halfway, straight", model.rest, halfway.straight),
+          picture_of("halfway, logs", model.rest, halfway.in_log_space),
+          picture_of(name_of_shape(*most), model.rest, model.shapes[i])};
+}
+
+}  // namespace
+
+ReportSizes quick_sizes() {
+  return {400'000, 256, {50, 300}, 3};
+}
+
+Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
+  Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  // First what may be wrong with files.
+  const scene::Document opened = open_model(files.model, files.cage);
+  std::vector<std::string> warnings;
+  figures.poses = read_poses(files.poses, *opened.cage, warnings);
+  if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});
+  const ShapesOfModel shapes = read_shapes_of_model(files.rest, files.shapes);
+  const struct {
+    double seconds;  // about, of all matrices
+    std::function<void()> measure;
+  } works[] = {{10, [&] { figures.eigen = measure_eigen(sizes.matrices, progress); }},
+               {25, [&] { figures.exp = measure_exp(sizes.matrices, false, progress); }},
+               {18, [&] { figures.exp_in_float = measure_exp(sizes.matrices, true, progress); }},
+               {25, [&] { figures.accuracy = measure_accuracy(sizes.samples, false, progress); }},
+               {25, [&] { figures.accuracy_in_float = measure_accuracy(sizes.samples, true, progress); }},
+               {7, [&] { figures.deformation = frames_of(figures, true, progress); }},
+               {28, [&] { figures.frames = frames_of(figures, false, progress); }},
+               {25, [&] { figures.ways = ways_of(figures, opened, progress); }},
+               {5, [&] {
+                  figures.shapes = measure_halfway(shapes, progress, moments);
+                  figures.pictures = pictures_of(figures, shapes);
+                }}};
+  double all = 0, done = 0;
+  for (const auto& work : works) all += work.seconds;
+  for (const auto& work : works) {
+    progress.part(done / all, (done + work.seconds) / all);
+    done += work.seconds;
+    work.measure();
+  }
+  return figures;
+}
+
+nlohmann::json to_json(const Figures& f) {
+  return {{"eigenvalues", to_json(f.eigen)},
+          {"exponentials", {{"double", to_json(f.exp)}, {"float", to_json(f.exp_in_float)}}},
+          {"accuracy", {{"double", to_json(f.accuracy)}, {"float", to_json(f.accuracy_in_float)}}},
+          {"deformation", to_json(f.deformation)},
+          {"frames", to_json(f.frames)},
+          {"ways", to_json(f.ways, f.poses)},
+          {"shapes", f.shapes}};
+}
+
+}  // namespace viete::bench

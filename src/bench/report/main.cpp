@@ -1,0 +1,26 @@
+// viete-bench: what `viete bench` and `viete report` become.
+#include <string>
+#include <vector>
+
+#include "app/program.h"
+#include "bench/command.h"
+#include "bench/report/command.h"
+
+namespace {
+
+void add_commands(CLI::App& app, viete::app::Action& action) {
+  viete::bench::add_bench_command(app, action);
+  viete::bench::add_report_command(app, action);
+}
+
+// A benchmark may be named by itself.
+std::vector<std::string> with_command(std::vector<std::string> typed, const CLI::App&) {
+  if (typed.empty() || typed.front() != "report") typed.insert(typed.begin(), "bench");
+  return typed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return viete::app::run_program(argc, argv, {add_commands, with_command});
+}

@@ -1,0 +1,30 @@
+// The parts of the page: of each what is seen, why, drawings, numbers and the command that repeats it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/report/figures.h"
+
+namespace viete::bench {
+
+struct Section {
+  std::string id, origin, title;  ///< origin: whose figure it is
+  std::string seen;               ///< in a sentence or two, of what was measured
+  std::string why;
+  std::string body;  ///< HTML: drawings and tables
+  std::vector<std::string> commands;
+};
+
+/// The paper's three figures and what it says of them; then ours.
+std::vector<Section> sections_of(const Figures& figures);
+Section eigenvalues_section(const Figures& figures);
+Section exponentials_section(const Figures& figures);
+Section deformation_section(const Figures& figures);
+Section paper_section(const Figures& figures);
+Section accuracy_section(const Figures& figures);
+Section frames_section(const Figures& figures);
+Section ways_section(const Figures& figures);
+Section shapes_section(const Figures& figures);
+
+}  // namespace viete::bench

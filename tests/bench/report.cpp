@@ -1,0 +1,208 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/quantity.h"
+#include "bench/plot.h"
+#include "bench/report/findings.h"
+#include "bench/report/page.h"
+#include "bench/report/style.h"
+#include "mesh/formats/write.h"
+#include "mesh/shapes.h"
+#include "support/data.h"
+#include "support/folder.h"
+#include "support/text.h"
+#include "support/xml.h"
+
+using namespace viete;
+using namespace viete::bench;
+
+namespace {
+
+/// Of a ball in a box, next to nothing of each.
+Figures small_figures() {
+  const test::TemporaryFolder scratch;
+  mesh::Surface ball = test::sphere(2);
+  mesh::write(scratch / "a & b.obj", ball);
+  mesh::write(scratch / "box.obj", test::moved(test::cube(), 1.5));
+  for (auto& p : ball.positions) p[2] *= 2;
+  mesh::write(scratch / "shape_tall.obj", ball);
+  const std::filesystem::path rest = scratch / "a & b.obj";
+  base::Progress progress;
+  Figures figures = measure_figures({rest, scratch / "box.obj", {}, rest, {scratch / "shape_tall.obj"}},
+                                    {2000, 4, {8, 300}, 1}, progress);
+  CHECK(progress.done() == doctest::Approx(1));
+  return figures;
+}
+
+std::string row(const std::string& name, const std::string& value) {
+  return "<th scope=\"row\">" + name + "</th><td class=\"n\">" + value + "</td>";
+}
+
+}  // namespace
+
+TEST_CASE("the_page_of_a_report_is_xml_needs_nothing_and_has_the_numbers_of_its_file") {
+  const Figures figures = small_figures();
+  const Made made = made_here("viete report -o <here>", 12);
+  const std::string page = report_page(figures, made);
+  CHECK(test::xml_problem(page) == "");
+  CHECK(test::outside_of(page) == "");
+  const std::string above = page.substr(0, page.find("<footer"));  // there errors have shares of NaN
+  std::smatch number;
+  CHECK_FALSE(std::regex_search(above, number, std::regex("[^a-z]-?(nan|inf)[^a-z]")));
+  const auto json = report_json(figures, made);
+  for (const auto& r : json["eigenvalues"]["results"])
+    CHECK(test::mentions(page, row(r["name"], base::few_digits(r["ns"]))));
+  for (const char* precision : {"double", "float"}) {
+    for (const auto& r : json["exponentials"][precision]["results"]) {
+      const auto method = sym3::method_from_name(std::string(r["name"]));
+      const std::string name = method ? std::string(sym3::label(*method)) : std::string(r["name"]);
+      CHECK(test::mentions(page, row(name, base::few_digits(r["ns"]))));
+    }
+    for (const auto& table : json["accuracy"][precision])
+      for (const auto& r : table["rows"])
+        CHECK(test::mentions(page, ">" + error_text(r["methods"]["Fast"]["worst"]) + "<"));
+  }
+  for (const auto& t : json["frames"])
+    if (t["threads"] == 1 && t["name"] == "fused, dense")
+      CHECK(test::mentions(page, ">" + base::few_digits(t["cpu_ms"]) + "<"));
+  for (const auto& way : json["ways"]["results"])
+    CHECK(test::mentions(page, ">" + base::few_digits(way["frame_ms"]) + "<"));
+  const auto& tall = json["shapes"][0];
+  CHECK(tall["straight"]["volumes"].size() == 21);
+  CHECK(double(tall["straight"]["volumes"][20]) == doctest::Approx(2));
+  CHECK(test::mentions(page, row("tall", percent(100 * double(tall["log_space"]["volume"])))));
+}
+
+TEST_CASE("every_colour_of_a_plot_has_another_one_by_night") {
+  const std::string style = page_style();
+  for (const char* color :
+       {plot_color::reference, plot_color::rival, plot_color::copy, plot_color::rest, plot_color::ours[0],
+        plot_color::ours[1], plot_color::ours[2], plot_color::ours[3]})
+    CHECK_MESSAGE(test::mentions(style, "svg [fill=\"" + std::string(color) + "\"]"), color);
+}
+
+TEST_CASE("plots_leave_out_what_a_logarithm_has_no_place_for") {
+  Plot plot;
+  plot.curves = {{"Fast", "#0072b2", false, {{1e-16, 0}, {1e-8, 1e-16}, {1, 2e-16}}},
+                 {"Diag", "#6b7785", false, {{1e-16, 1e-16}, {1, 0}}}};
+  const std::string drawn = draw_curves(plot);
+  CHECK(test::xml_problem(drawn) == "");
+  CHECK(drawn.find("nan") == drawn.npos);
+  CHECK(drawn.find("inf") == drawn.npos);
+}
+
+TEST_CASE("paths_are_words_of_a_shell") {
+  CHECK(shell_word("/a/b.obj") == "/a/b.obj");
+  CHECK(shell_word("a b's.obj") == "'a b'\\''s.obj'");
+}
+
+TEST_CASE("planted_faults_of_a_page_are_found") {
+  using test::xml_problem, test::outside_of;
+  CHECK(xml_problem("<p>a &amp; b<br/></p>").empty());
+  for (const char* bad : {"<p>", "<p></b>", "<p>a & b</p>", "<p class=a></p>", "</p>", "<p>1 < 2</p>"})
+    CHECK_MESSAGE(!xml_problem(bad).empty(), bad);
+  CHECK(outside_of("<a href=\"#here\">http://words</a>").empty());
+  for (const char* bad :
+       {"<img src=\"a.png\"/>", "<a href=\"http://a\">", "<script>", "p{background:url(a)}"})
+    CHECK_MESSAGE(!outside_of(bad).empty(), bad);
+}
+
+namespace {
+
+using Cells = std::vector<std::string>;
+
+// The cells of each row, without what makes them bold.
+std::vector<Cells> rows_of(const char* file) {
+  std::ifstream in(test::source_dir() / file);
+  REQUIRE(in);
+  std::vector<Cells> rows;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("|")) continue;
+    std::istringstream row(line.substr(1));
+    rows.emplace_back();
+    for (std::string cell; std::getline(row, cell, '|');)
+      rows.back().push_back(std::regex_replace(cell, std::regex("^[ *]+|[ *]+$"), ""));
+  }
+  return rows;
+}
+
+nlohmann::json recorded_report() {
+  std::ifstream in(test::source_dir() / "assets/report/figures.json");
+  REQUIRE(in);
+  return nlohmann::json::parse(in);
+}
+
+// Two digits are written of errors, and mostly three of times: what is left out is the noise that they may
+// have.
+constexpr double of_errors = 0.05, of_times = 0.015;
+
+void check_number(const std::string& written, double recorded, double noise) {
+  CHECK_MESSAGE(std::stod(written) == doctest::Approx(recorded).epsilon(noise), written);
+}
+
+double worst_recorded(const nlohmann::json& tables, const std::string& by, const std::string& method) {
+  double worst = 0;
+  for (const auto& table : tables)
+    for (const auto& r : table["rows"])
+      if (table["by"] == by || r["name"] == by)
+        worst = std::max(worst, double(r["methods"][method]["worst"]));
+  return worst;
+}
+
+void check_exponentials(const std::vector<Cells>& rows, const nlohmann::json& report) {
+  const auto& results = report["exponentials"]["double"]["results"];
+  for (const auto& result : results) {
+    const auto method = sym3::method_from_name(std::string(result["name"]));
+    const std::string name = method ? std::string(sym3::label(*method)) : "copy of the same bytes";
+    const auto row = std::ranges::find_if(rows, [&](const Cells& c) { return c[0] == name && c.size() > 3; });
+    REQUIRE_MESSAGE(row != rows.end(), name);
+    INFO(name);
+    check_number((*row)[2], result["ns"], of_times);
+    if (!method) continue;
+    check_number((*row)[3], double(results[0]["ns"]) / double(result["ns"]), of_times);
+    check_number(row->back(), worst_recorded(report["accuracy"]["double"], "gap", name), of_errors);
+    if (row->size() > 5)
+      check_number((*row)[4], worst_recorded(report["accuracy"]["double"], "paper: M M^T", name), of_errors);
+  }
+}
+
+void check_frames(Cells cells, const nlohmann::json& report, std::size_t faces) {
+  constexpr const char* names[] = {frame_names::reference, frame_names::dense, frame_names::compressed,
+                                   frame_names::dragged};
+  for (const auto& t : report["frames"]) {
+    const auto at =
+        std::ranges::find(names, std::string(t["name"]), [](const char* n) { return std::string(n); });
+    if (t["faces"] != faces || t["threads"] != 1 || at == std::end(names)) continue;
+    const std::size_t column = static_cast<std::size_t>(at - std::begin(names));
+    check_number(cells[column], t["cpu_ms"], of_times);
+    if (cells.size() > 4 && (column == 1 || column == 2))
+      check_number(cells[column + 3], t["error"], of_errors);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("numbers_of_the_readme_and_the_manual_are_those_of_the_report_that_is_recorded") {
+  const nlohmann::json report = recorded_report();
+  CHECK(report["exponentials"]["double"]["count"] == 10'000'000);
+  const auto readme = rows_of("README.md"), manual = rows_of("assets/manual/figures.md");
+  check_exponentials(readme, report);
+  check_exponentials(manual, report);
+  const auto head = [](const Cells& c) { return c[0] == "plain rebuild of published tools"; };
+  const auto frames = std::ranges::find_if(readme, head);
+  REQUIRE(frames != readme.end());
+  check_frames(*(frames + 2), report, 300);
+  for (const std::size_t faces : {50, 100, 300, 600}) {
+    const auto row = std::ranges::find(manual, std::to_string(faces), [](const Cells& c) { return c[0]; });
+    REQUIRE(row != manual.end());
+    check_frames({row->begin() + 1, row->end()}, report, faces);
+  }
+}

@@ -1,0 +1,83 @@
+// viete report: a page of figures, through the real program.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "mesh/formats/write.h"
+#include "mesh/shapes.h"
+#include "program/command_line.h"
+#include "support/xml.h"
+
+using namespace viete;
+using namespace viete::test;
+
+namespace {
+
+/// A small model in a cage that is posed.
+struct SmallModel {
+  explicit SmallModel(const TemporaryFolder& scratch) {
+    auto cube = test::moved(test::cube(), 1.5);
+    mesh::write(scratch / "ball.obj", test::sphere(3));
+    mesh::write(scratch / "box.obj", cube);
+    for (auto& p : cube.positions) p[2] *= 2;
+    mesh::write(scratch / "pose_tall.obj", cube);
+    files = quoted(scratch / "ball.obj") + " " + quoted(scratch / "box.obj") + " " +
+            quoted(scratch / "pose_tall.obj");
+  }
+  std::string files;
+};
+
+}  // namespace
+
+TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_beside_it") {
+  const TemporaryFolder scratch;
+  const SmallModel model(scratch);
+  const fs::path folder = scratch / "out";
+  const std::string command = "report --quick " + model.files + " -o " + quoted(folder);
+  const auto outcome = run(command);
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(mentions(outcome, "index.html: the report"));
+  const std::string page = file_bytes(folder / "index.html");
+  CHECK(xml_problem(page) == "");
+  for (const char* part : {"Figure 3 of the paper", "tall", "viete report ", "$", "Ways of blending"})
+    CHECK_MESSAGE(page.find(part) != std::string::npos, part);
+  const auto json = nlohmann::json::parse(file_bytes(folder / "report.json"));
+  CHECK(json["figure"] == "report");
+  CHECK(json["deformation"][0]["vertices"] == 258);
+  CHECK(json["shapes"].size() == 3);
+  // Again over itself, but not over a page of someone else's.
+  put_file(folder / "index.html", "<html>mine</html>");
+  put_file(folder / "notes.txt", "mine");
+  const auto refused = run(command);
+  CHECK(refused.code == 1);
+  CHECK(mentions(refused, "not a page of a report"));
+  CHECK(file_bytes(folder / "index.html") == "<html>mine</html>");
+  CHECK(file_bytes(folder / "notes.txt") == "mine");
+}
+
+TEST_CASE("a_report_that_is_stopped_leaves_nothing") {
+  const TemporaryFolder scratch;
+  const fs::path folder = scratch / "out";
+  put_file(scratch / "run.sh", "'" + build_dir().string() + "/viete' report -o " + quoted(folder) +
+                                   " 2>&1 &\np=$!\nwhile ! [ -d " + quoted(folder) +
+                                   " ]; do sleep 0.01; done\nsleep 0.5\nkill -INT $p\nwait $p\n");
+  const auto ended = run("--version >/dev/null; sh " + quoted(scratch / "run.sh"));
+  CHECK(ended.code == 1);
+  CHECK_MESSAGE(mentions(ended, "stopped; no file was changed"), ended.text);
+  CHECK_FALSE(fs::exists(folder));
+}
+
+TEST_CASE("what_is_wrong_with_a_report_is_said_before_it_is_measured") {
+  const TemporaryFolder scratch;
+  const SmallModel model(scratch);
+  put_file(scratch / "file", "mine");
+  CHECK(mentions(run("report"), "--output is required"));
+  const auto no_cage = run("report " + quoted(dragon) + " -o " + quoted(scratch / "out"));
+  CHECK(no_cage.code == 2);
+  CHECK(mentions(no_cage, "CAGE is required"));
+  CHECK(mentions(run("report -o " + quoted(scratch / "file")), "this is no folder"));
+  CHECK(mentions(run("report -o " + quoted(scratch / "none/out")), "the folder cannot be made"));
+  const auto other = run("report --quick " + model.files + " none.obj -o " + quoted(scratch / "out"));
+  CHECK(other.code == 1);
+  CHECK(mentions(other, "none.obj"));
+  CHECK_FALSE(fs::exists(scratch / "out"));
+}

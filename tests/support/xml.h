@@ -1,0 +1,43 @@
+// What tests ask of a page: that it is well-formed, and that it needs nothing from elsewhere.
+#pragma once
+
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace viete::test {
+
+/// What is wrong with the text as XML (elements that are not closed, marks that are not written out); empty:
+/// nothing.
+inline std::string xml_problem(const std::string& text) {
+  static const std::regex tag(R"(^<(/?)([a-zA-Z][\w:-]*)((\s+[\w:-]+="[^"<]*")*)\s*(/?)>)");
+  static const std::regex entity(R"(^&(amp|lt|gt|quot);)");
+  std::vector<std::string> open;
+  for (std::size_t at = text.find_first_of("<&"); at != text.npos; at = text.find_first_of("<&", at + 1)) {
+    const std::string here = text.substr(at, text.find('>', at) + 1 - at);
+    std::smatch found;
+    if (here.starts_with("<!DOCTYPE")) continue;
+    if (text[at] == '&') {
+      if (!std::regex_search(text.substr(at, 8), entity)) return "an & that is not written out: " + here;
+    } else if (!std::regex_search(here, found, tag)) {
+      return "no tag: " + here;
+    } else if (found[1].length() && (open.empty() || open.back() != found[2])) {
+      return "closes what is not open: " + here;
+    } else if (found[1].length()) {
+      open.pop_back();
+    } else if (!found[5].length()) {
+      open.push_back(found[2]);
+    }
+  }
+  return open.empty() ? "" : "not closed: " + open.back();
+}
+
+/// What of the page leads elsewhere or runs; empty: nothing.
+inline std::string outside_of(const std::string& page) {
+  static const std::regex outside(
+      R"((\s(src|href|srcset|action|data)="(?!#|data:,)[^"]*")|url\(|@import|<(script|iframe|object|embed|form)\b)");
+  std::smatch found;
+  return std::regex_search(page, found, outside) ? found.str() : "";
+}
+
+}  // namespace viete::test
