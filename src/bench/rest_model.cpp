@@ -56,13 +56,12 @@ RestModel::RestModel(const mesh::Surface& model) : positions_(model.positions), 
 void RestModel::add_faces(const mesh::Surface& model) {
   shares_.resize(positions_.size());
   for (const mesh::Triangle& t : model.triangles) {
-    if (!has_area(positions_, t)) {
+    const auto face = lab::flat_face(positions_, t);
+    if (!face) {
       ++without_area_;
       continue;
     }
-    const Point u = positions_[t[1]] - positions_[t[0]], v = positions_[t[2]] - positions_[t[0]];
-    const double length = norm(u);
-    faces_.push_back({t, length, dot(u, v) / length, norm(cross(u, v)) / length});
+    faces_.push_back(*face);
     area_ += faces_.back().area();
     for (const auto corner : t) shares_[corner] += faces_.back().area();
   }
@@ -90,10 +89,8 @@ Distortion RestModel::distortion(std::span<const Point> positions) const {
   Distortion result;
   std::vector<double> shears;
   shears.reserve(faces_.size());
-  for (const Face& f : faces_) {
-    const auto& [a, b, c] = f.corners;
-    const Point x = (1 / f.length) * (positions[b] - positions[a]);  // columns of J, in space
-    const Point y = (1 / f.across) * (positions[c] - positions[a] - f.along * x);
+  for (const lab::FlatFace& f : faces_) {
+    const auto [x, y] = lab::plane_map(f, positions);  // columns of J, in space
     const double xx = squared_norm(x), yy = squared_norm(y);
     const bool lost = !has_area(positions, f.corners);
     const double stretch = lost ? 0 : norm(cross(x, y));                       // of area: det J

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "lab/flat_face.h"
 #include "mesh/surface.h"
 
 namespace viete::bench {
@@ -45,12 +46,6 @@ public:
   double volume(std::span<const mesh::Point> positions) const;
 
 private:
-  /// A triangle, and its edges u, v at rest in axes of its plane: u = (length, 0), v = (along, across).
-  struct Face {
-    mesh::Triangle corners;
-    double length, along, across;
-    double area() const { return length * across / 2; }
-  };
   /// Two triangles at an edge: its ends, and the corners opposite.
   struct Hinge {
     std::array<std::uint32_t, 4> corners;
@@ -62,7 +57,7 @@ private:
 
   std::vector<mesh::Point> positions_;
   std::vector<mesh::Triangle> triangles_;  // all of them
-  std::vector<Face> faces_;
+  std::vector<lab::FlatFace> faces_;
   std::vector<Hinge> hinges_;
   std::vector<double> shares_;
   std::size_t without_area_ = 0;
