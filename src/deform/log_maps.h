@@ -39,7 +39,10 @@ struct LogReport {
 };
 
 /// Geometric mean of the largest stretches of what is not skipped: what size a pose has as a whole.
-double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits);
+double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const double> largest);
+
+/// Whether stretches, the least and the largest one of a map, are above the floors below. False for NaN.
+bool is_ordinary(double least, double largest, double mean_stretch);
 
 /// The split of a map that mirrors, collapses or is not finite, by SVD, its singular values raised to the
 /// floors below; that of others stays. True if one was below, or the map is not finite.

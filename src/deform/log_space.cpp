@@ -385,11 +385,11 @@ void LogSpace::complete(std::span<const mesh::Point> positions, base::WorkerPool
                         LogVector& vector) const {
   const LogTerm term{&vector, 1};
   Work work;
-  vector.ways.clear(), vector.leftovers.clear();
+  vector.ways.resize(rest_.size()), vector.leftovers.resize(rest_.size());
   follow({&term, 1}, pool, work);
   for (std::size_t v = 0; v < rest_.size(); ++v) {
-    vector.ways.push_back(positions[v] - rest_[v]);
-    vector.leftovers.push_back(vector.ways[v] - work.ways[v]);
+    vector.ways[v] = positions[v] - rest_[v];
+    vector.leftovers[v] = vector.ways[v] - work.ways[v];
   }
   center(parts_, vector.leftovers);  // where a part is, is told by the point that is held
 }

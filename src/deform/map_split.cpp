@@ -42,11 +42,12 @@ void split_portion(std::span<const AffineMap> maps, std::span<const std::uint32_
   const std::size_t count = elements.size();
   Planes<9> m, r;
   Planes<6> s, x;
-  Planes<3> values;
+  Planes<3> turns, values;
   for (std::size_t n = 0; n < count; ++n) {
     for (int k = 0; k < 9; ++k) m.at[k][n] = maps[elements[n]].linear[k];
   }
   sym3::polar(std::as_const(m).view(), r.view(), count);
+  sym3::log_rotation(std::as_const(r).view(), turns.view(), count);
   stretches(r, m, count, s);
   sym3::log(std::as_const(s).view(), x.view(), count);
   sym3::eigenvalues(std::as_const(s).view(), values.view(), count);
@@ -54,7 +55,7 @@ void split_portion(std::span<const AffineMap> maps, std::span<const std::uint32_
     MapSplit& out = splits[elements[n]];
     for (int k = 0; k < 9; ++k) out.rotation[k] = r.at[k][n];
     out.stretch = {x.at[0][n], x.at[1][n], x.at[2][n], x.at[3][n], x.at[4][n], x.at[5][n]};
-    out.turn = sym3::log_rotation(out.rotation);
+    out.turn = {turns.at[0][n], turns.at[1][n], turns.at[2][n]};
     out.least = values.at[0][n], out.largest = values.at[2][n];
   }
 }

@@ -20,7 +20,7 @@ namespace {
 
 using Mat = sym3::Mat3<double>;
 
-constexpr std::size_t triangles_at_once = 256;
+constexpr std::size_t triangles_at_once = 64;
 // Of the mean map's largest singular value: where the two smallest sum to less, no rotation is the nearest.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
@@ -51,13 +51,13 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
 // Where triangles turn against all that are around them, or collapsed, the neighbours tell.
 class ShapeSpace::Folds {
 public:
-  Folds(const WeightedPairs& neighbours, std::span<const MapSplit> splits, std::vector<std::uint8_t> bad)
+  Folds(const WeightedPairs& neighbours, std::span<const Mat> rotations, std::vector<std::uint8_t> bad)
       : neighbours_(neighbours), bad_(std::move(bad)) {
     for (std::uint32_t t = 0; t < bad_.size(); ++t) {
       const auto around = neighbours.around.of(t);
       const auto against = [&](std::uint32_t n) {
         const auto& [a, b] = neighbours.pairs[n];
-        return alignment(splits[a].rotation, splits[b].rotation) < 0;
+        return alignment(rotations[a], rotations[b]) < 0;
       };
       if (around.size() > 1 && std::ranges::all_of(around, against)) bad_[t] = 1;
     }
@@ -121,26 +121,15 @@ LogSpace ShapeSpace::logs_of(const mesh::Surface& rest, const Triangles& triangl
   return LogSpace({rest.positions, rest.triangles, triangles.flat, one_part, 1}, pool, progress);
 }
 
-std::vector<AffineMap> ShapeSpace::maps_to(std::span<const mesh::Point> positions,
-                                           base::WorkerPool& pool) const {
-  std::vector<AffineMap> maps(triangles_.corners.size());
-  pool.for_blocks(maps.size(), triangles_at_once, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      maps[t] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
-      if (triangles_.flat[t]) continue;
-      const RestBasis& rest = triangles_.bases[t];
-      const auto [u, v, n] = triangle_basis(positions, triangles_.corners[t], rest.corner);
-      maps[t].linear = linear_map(rest, u, v, n);
-    }
-  });
-  return maps;
+AffineMap ShapeSpace::map_to(std::span<const mesh::Point> positions, std::size_t t) const {
+  if (triangles_.flat[t]) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+  const RestBasis& rest = triangles_.bases[t];
+  const auto [u, v, n] = triangle_basis(positions, triangles_.corners[t], rest.corner);
+  return {linear_map(rest, u, v, n), {0, 0, 0}};
 }
 
-// The rotation nearest to the mean of the maps, by area.
-Vec3 ShapeSpace::mean_turn(std::span<const AffineMap> maps) const {
-  Mat sum{};
-  for (std::size_t t = 0; t < maps.size(); ++t)
-    for (std::size_t k = 0; k < 9; ++k) sum[k] += triangles_.areas[t] * maps[t].linear[k];
+// The rotation nearest to the mean of the maps, whose sum by area is given.
+Vec3 ShapeSpace::mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);
   const auto singular = sym3::eigenvalues(stretch);  // ascending, the sign of the determinant in the first
   if (!(singular[0] + singular[1] > tells_turn * singular[2])) return {0, 0, 0};
@@ -160,48 +149,78 @@ void ShapeSpace::doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt
 }
 
 // Logs of the rotations without that of the whole.
-std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const MapSplit> splits,
-                                       const LogVector* before) const {
+std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> rotations,
+                                       const LogVector* before, base::WorkerPool& pool) const {
   const Mat back = transposed(sym3::exp_rotation(whole));
-  std::vector<Mat> rotations;
-  std::vector<Vec3> logs(splits.size());
-  for (const MapSplit& split : splits) rotations.push_back(times(back, split.rotation));
-  sym3::log_rotation(sym3::MatView<const double>{sym3::Layout::packed, rotations[0].data()},
-                     sym3::VecView<double>{sym3::Layout::packed, logs[0].data()}, splits.size());
-  for (std::size_t t = 0; before && t < splits.size(); ++t) {
-    const auto& log = before->logs[t];
-    logs[t] = nearest_branch(logs[t], {log[6], log[7], log[8]});
-  }
+  std::vector<Vec3> logs(rotations.size());
+  pool.for_blocks(logs.size(), triangles_at_once, [&](std::size_t begin, std::size_t end) {
+    Mat turned[triangles_at_once];
+    for (std::size_t t = begin; t < end; ++t) turned[t - begin] = times(back, rotations[t]);
+    sym3::log_rotation(sym3::MatView<const double>{sym3::Layout::packed, turned[0].data()},
+                       sym3::VecView<double>{sym3::Layout::packed, logs[begin].data()}, end - begin);
+    for (std::size_t t = begin; before && t < end; ++t) {
+      const auto& log = before->logs[t];
+      logs[t] = nearest_branch(logs[t], {log[6], log[7], log[8]});
+    }
+  });
   make_coherent(triangles_.neighbours, rotations, logs);
   return logs;
 }
 
-std::vector<MapSplit> ShapeSpace::splits_of(std::span<const AffineMap> maps, base::WorkerPool& pool) const {
-  std::vector<std::uint32_t> all(maps.size());
-  std::iota(all.begin(), all.end(), 0u);
-  std::vector<MapSplit> splits(maps.size());
-  pool.for_blocks(maps.size(), triangles_at_once, [&](std::size_t begin, std::size_t end) {
-    split_maps(maps, std::span(all).subspan(begin, end - begin), splits);
+// With the logs of the stretches.
+ShapeSpace::Splits ShapeSpace::split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
+                                     std::vector<std::array<double, 9>>& logs) const {
+  const std::size_t count = triangles_.corners.size();
+  Splits all{std::vector<Mat>(count), std::vector<double>(count), std::vector<double>(count)};
+  std::vector<Mat> sums(count / triangles_at_once + 1);
+  std::array<std::uint32_t, triangles_at_once> places;
+  std::iota(places.begin(), places.end(), 0u);
+  logs.resize(count);
+  pool.for_blocks(count, triangles_at_once, [&](std::size_t begin, std::size_t end) {
+    AffineMap maps[triangles_at_once];
+    MapSplit splits[triangles_at_once];
+    Mat& sum = sums[begin / triangles_at_once];
+    for (std::size_t t = begin; t < end; ++t) {
+      maps[t - begin] = map_to(positions, t);
+      for (std::size_t k = 0; k < 9; ++k) sum[k] += triangles_.areas[t] * maps[t - begin].linear[k];
+    }
+    split_maps(maps, std::span(places).first(end - begin), splits);
+    for (std::size_t t = begin; t < end; ++t) {
+      const MapSplit& split = splits[t - begin];
+      all.rotations[t] = split.rotation, all.least[t] = split.least, all.largest[t] = split.largest;
+      logs[t] = numbers({split.stretch, {0, 0, 0}, {0, 0, 0}});
+    }
   });
-  return splits;
+  for (const Mat& sum : sums)
+    for (std::size_t k = 0; k < 9; ++k) all.sum[k] += sum[k];
+  return all;
+}
+
+// Which triangles collapsed; their splits become those of what is raised.
+std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positions, Splits& splits,
+                                            std::vector<std::array<double, 9>>& logs) const {
+  const double mean = mean_stretch(triangles_.flat, splits.largest);
+  std::vector<std::uint8_t> collapsed(logs.size());
+  for (std::size_t t = 0; t < logs.size(); ++t) {
+    if (triangles_.flat[t] || is_ordinary(splits.least[t], splits.largest[t], mean)) continue;
+    const auto& x = logs[t];
+    MapSplit split{
+        splits.rotations[t], {x[0], x[1], x[2], x[3], x[4], x[5]}, {}, splits.least[t], splits.largest[t]};
+    collapsed[t] = raise_to_floor(map_to(positions, t), mean, split);
+    splits.rotations[t] = split.rotation, logs[t] = numbers({split.stretch, {0, 0, 0}, {0, 0, 0}});
+  }
+  return collapsed;
 }
 
 LogVector ShapeSpace::vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                              const LogVector* before, ShapeReport* report) const {
   refuse_positions(positions, logs_.rest().size());
-  const std::vector<AffineMap> maps = maps_to(positions, pool);
-  std::vector<MapSplit> splits = splits_of(maps, pool);
-  const double mean = mean_stretch(triangles_.flat, splits);
-  std::vector<std::uint8_t> collapsed(maps.size());
-  for (std::size_t t = 0; t < maps.size(); ++t)
-    collapsed[t] = triangles_.flat[t] ? 0 : raise_to_floor(maps[t], mean, splits[t]);
-  Folds folds(triangles_.neighbours, splits, std::move(collapsed));
-
   LogVector vector;
-  vector.wholes = {nearest_branch(mean_turn(maps), before ? before->wholes[0] : Vec3{0, 0, 0})};
-  const std::vector<Vec3> turns = turns_of(vector.wholes[0], splits, before);
-  for (std::size_t t = 0; t < maps.size(); ++t)
-    vector.logs.push_back(numbers({splits[t].stretch, turns[t], {0, 0, 0}}));
+  Splits splits = split(positions, pool, vector.logs);
+  Folds folds(triangles_.neighbours, splits.rotations, raise(positions, splits, vector.logs));
+  vector.wholes = {nearest_branch(mean_turn(splits.sum), before ? before->wholes[0] : Vec3{0, 0, 0})};
+  const std::vector<Vec3> turns = turns_of(vector.wholes[0], splits.rotations, before, pool);
+  for (std::size_t t = 0; t < turns.size(); ++t) std::ranges::copy(turns[t], vector.logs[t].begin() + 6);
   if (report)
     *report = {static_cast<std::size_t>(std::ranges::count(triangles_.flat, 1)), folds.count(),
                torn_pairs(triangles_.neighbours, turns)};

@@ -53,17 +53,26 @@ private:
     std::vector<std::uint8_t> flat;
     WeightedPairs neighbours;  ///< those of flat ones are joined
   };
+  /// Of the maps to a shape.
+  struct Splits {
+    std::vector<sym3::Mat3<double>> rotations;
+    std::vector<double> least, largest;  ///< stretches
+    sym3::Mat3<double> sum{};            ///< of the maps, by area
+  };
   class Folds;
 
   static Triangles triangles_of(const mesh::Surface& rest);
   static LogSpace logs_of(const mesh::Surface& rest, const Triangles& triangles, base::WorkerPool& pool,
                           base::Progress* progress);
-  std::vector<AffineMap> maps_to(std::span<const mesh::Point> positions, base::WorkerPool& pool) const;
+  AffineMap map_to(std::span<const mesh::Point> positions, std::size_t t) const;
+  static Vec3 mean_turn(const sym3::Mat3<double>& sum);
+  Splits split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
+               std::vector<std::array<double, 9>>& logs) const;
+  std::vector<std::uint8_t> raise(std::span<const mesh::Point> positions, Splits& splits,
+                                  std::vector<std::array<double, 9>>& logs) const;
+  std::vector<Vec3> turns_of(const Vec3& whole, std::span<const sym3::Mat3<double>> rotations,
+                             const LogVector* before, base::WorkerPool& pool) const;
   void doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt>& doubts) const;
-  std::vector<MapSplit> splits_of(std::span<const AffineMap> maps, base::WorkerPool& pool) const;
-  std::vector<Vec3> turns_of(const Vec3& whole, std::span<const MapSplit> splits,
-                             const LogVector* before) const;
-  Vec3 mean_turn(std::span<const AffineMap> maps) const;
 
   Triangles triangles_;
   LogSpace logs_;
