@@ -6,8 +6,14 @@
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "program/command_line.h"
+#include "scene/document/pose_edit.h"
 #include "scene/files.h"
 #include "scene/posed_cube.h"
+#include "scene/workspace/command.h"
+#include "scene/workspace/playing.h"
+#include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -272,4 +278,31 @@ TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
   f.refused("pose rest.obj --pin 1=1,2,3 -o rest.obj", 1, "rest.obj");
   f.refused("pose rest.obj --pin 1=1e60,2,3 --pin 2=0,0,0 -o p.obj", 1, "larger than can be drawn");
   CHECK(!fs::exists(f / "p.obj"));
+}
+
+TEST_CASE("a_session_with_shapes_is_deformed_animated_and_drawn_as_the_window_has_it") {
+  const ShapeFiles f;
+  scene::Workspace w;
+  REQUIRE(scene::open_now(w, {scene::OpenRequest::What::model, {f / "rest.obj"}}));
+  scene::add_shapes(w.document, {{"a", std::make_shared<const Points>(f.shape(100))}});
+  REQUIRE(scene::set_weight(w.document, w.playback.vectors, 0, 0.5));
+  REQUIRE(scene::save_session(w, f / "mixed.viete"));
+  f.done("deform mixed.viete -o d.ply");
+  CHECK(distance(f.read("d.ply"), f.shape(50)) < 1e-6);
+  REQUIRE(scene::set_weight(w.document, w.playback.vectors, 0, 0));
+  scene::find_command("set_key")->run(w);
+  scene::apply_pose(w, 0);
+  w.document.frame = 11;
+  scene::find_command("set_key")->run(w);
+  REQUIRE(w.document.timeline.keys.size() == 2);
+  REQUIRE(scene::save_session(w, f / "keyed.viete"));
+  f.done("animate keyed.viete -o 'k_##.obj' --frames 1-11");
+  CHECK(f.read("k_01.obj") == f.cube.positions);
+  CHECK(distance(f.read("k_06.obj"), f.shape(50)) < 1e-5);
+  CHECK(distance(f.read("k_11.obj"), f.shape(100)) < 1e-5);
+  f.done("animate keyed.viete -o 's_##.obj' --frames 6-6 --straight");
+  CHECK(distance(f.read("s_06.obj"), f.shape(50)) > 0.1);
+  f.done("render mixed.viete --size 200x150 -o mixed.png");
+  f.done("render rest.obj --size 200x150 -o rest.png");
+  CHECK(difference(read_png(f / "mixed.png"), read_png(f / "rest.png"), 8) > 0.01);
 }
