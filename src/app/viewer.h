@@ -36,7 +36,8 @@ struct ViewerOptions {
   bool probe = true;           ///< measure the methods aside
   std::filesystem::path
       state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
-  std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which draws animations and makes reports aside
+  std::filesystem::path program =
+      "/proc/self/exe";      ///< `viete`, which draws animations and makes reports aside
   SavedBindings bindings{};  ///< where to find bindings, and to keep those that took long
 };
 

@@ -238,6 +238,19 @@ void print_halfway(const nlohmann::json& halfway) {
   }
 }
 
+const nlohmann::json* most_lost(const nlohmann::json& halfway) {
+  const nlohmann::json* most = nullptr;
+  for (const auto& row : halfway) {
+    if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
+  }
+  return most;
+}
+
+std::string name_of_shape(const nlohmann::json& row) {
+  const std::string name = row["name"], prefix = "shape_";
+  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+}
+
 void check_halfway(const nlohmann::json& halfway, Bars& bars) {
   double edges = 0, edges_99 = 0, volume = std::numeric_limits<double>::infinity();
   std::vector<double> logs, lines;

@@ -36,6 +36,11 @@ struct HalfwayShapes {
 HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape);
 void print_halfway(const nlohmann::json& halfway);
 
+/// The row of the shape that straight lines lose most volume on the way to; null if there is none.
+const nlohmann::json* most_lost(const nlohmann::json& halfway);
+/// By its file: "shape_coiled.pc2" is coiled.
+std::string name_of_shape(const nlohmann::json& row);
+
 /// The lion's, compared with their bars.
 void check_halfway(const nlohmann::json& halfway, Bars& bars);
 

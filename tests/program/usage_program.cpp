@@ -11,8 +11,8 @@ using namespace viete::test;
 
 namespace {
 
-const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",
-                                           "pose", "bind",   "cage",   "info",    "bench", "report"},
+const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",   "pose",
+                                           "bind", "cage",   "info",   "bench",   "report"},
                                benches = {"exp",  "eigen", "accuracy", "sym3", "frame",
                                           "bind", "files", "cage",     "modes"};
 

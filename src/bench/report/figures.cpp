@@ -11,7 +11,6 @@
 #include "bench/modes.h"
 #include "bench/modes_table.h"
 #include "bench/published_shapes.h"
-#include "bench/report/findings.h"
 #include "mesh/normals.h"
 
 namespace viete::bench {
@@ -58,7 +57,7 @@ ShapePicture picture_of(std::string name, const mesh::Surface& rest,
 }
 
 std::vector<ShapePicture> pictures_of(const Figures& figures, const ShapesOfModel& model) {
-  const nlohmann::json* most = most_lost(figures);
+  const nlohmann::json* most = most_lost(figures.shapes);
   if (!most) return {};
   const auto i = static_cast<std::size_t>(most - &figures.shapes[0]);
   const HalfwayShapes halfway = halfway_to(model, i);

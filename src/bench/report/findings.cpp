@@ -39,22 +39,9 @@ double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::st
   return worst;
 }
 
-const nlohmann::json* most_lost(const Figures& figures) {
-  const nlohmann::json* most = nullptr;
-  for (const auto& row : figures.shapes) {
-    if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
-  }
-  return most;
-}
-
 std::string lost_volume(const nlohmann::json& way) {
   const double lost = 100 * (1 - double(way["volume"]));
   return lost < 0.5 ? "nothing" : percent(lost);
-}
-
-std::string name_of_shape(const nlohmann::json& row) {
-  const std::string name = row["name"], prefix = "shape_";
-  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
 std::string shell_word(const std::filesystem::path& path) {

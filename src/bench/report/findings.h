@@ -21,13 +21,8 @@ const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& n
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method);
 /// Over all gaps of two and of three eigenvalues; by the method of this label.
 double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method);
-/// The shape that straight lines lose most volume on the way to, a row of Figures::shapes; null if there is
-/// none.
-const nlohmann::json* most_lost(const Figures& figures);
-/// Of a way of such a row, halfway: "27 %", "nothing".
+/// Of a way in a row of measure_halfway(): "27 %", "nothing".
 std::string lost_volume(const nlohmann::json& way);
-/// By its file: "shape_coiled.pc2" is coiled.
-std::string name_of_shape(const nlohmann::json& row);
 /// A path as a shell takes it.
 std::string shell_word(const std::filesystem::path& path);
 

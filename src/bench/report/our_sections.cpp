@@ -79,6 +79,21 @@ std::string error_tables(const char* precision, const std::vector<AccuracyTable>
   return text + "</details>\n";
 }
 
+std::string frames_seen(const Figures& figures) {
+  std::string seen = "There is not enough memory for the plain frame.";
+  const FrameTime* plain = frame_of(figures.frames, frame_names::reference, usual_faces);
+  const FrameTime* ours = frame_of(figures.frames, frame_names::compressed, usual_faces);
+  const FrameTime* dragged = frame_of(figures.frames, frame_names::dragged, usual_faces);
+  if (!ours) ours = frame_of(figures.frames, frame_names::dense, usual_faces);
+  if (plain && ours && dragged)
+    seen = "In a cage of " + std::to_string(usual_faces) + " triangles a frame of " +
+           base::with_thousands(ours->vertices) + " vertices takes " + base::milliseconds(ours->cpu_ms) +
+           ", " + few_digits(plain->cpu_ms / ours->cpu_ms) +
+           " times less than the plain one. While one vertex is dragged it takes " +
+           base::milliseconds(dragged->cpu_ms) + ".";
+  return seen;
+}
+
 }  // namespace
 
 Section accuracy_section(const Figures& figures) {
@@ -136,25 +151,15 @@ Section frames_section(const Figures& figures) {
       table.rows.back().push_back(t && !std::isnan(t->error) ? error_text(t->error) : "");
     }
   }
-  std::string seen = "There is not enough memory for the plain frame.", sizes;
+  std::string sizes;
   for (const std::size_t faces : figures.sizes.faces)
     sizes += (sizes.empty() ? "" : ",") + std::to_string(faces);
-  const FrameTime* plain = frame_of(figures.frames, frame_names::reference, usual_faces);
-  const FrameTime* ours = frame_of(figures.frames, frame_names::compressed, usual_faces);
-  const FrameTime* dragged = frame_of(figures.frames, frame_names::dragged, usual_faces);
-  if (!ours) ours = frame_of(figures.frames, frame_names::dense, usual_faces);
-  if (plain && ours && dragged)
-    seen = "In a cage of " + std::to_string(usual_faces) + " triangles a frame of " +
-           base::with_thousands(ours->vertices) + " vertices takes " + base::milliseconds(ours->cpu_ms) +
-           ", " + few_digits(plain->cpu_ms / ours->cpu_ms) +
-           " times less than the plain one. While one vertex is dragged it takes " +
-           base::milliseconds(dragged->cpu_ms) + ".";
   const std::string command = "viete bench frame " + shell_word(figures.files.model) + " --faces " + sizes +
                               " --rounds " + std::to_string(figures.sizes.rounds);
   return {"frames",
           "Ours",
           "Frames by cage",
-          seen,
+          frames_seen(figures),
           "Plain is a rebuild of published tools: matrices blended in double, one vertex after the other. "
           "Dense blends "
           "all weights in one pass in float. Compressed blends a few vertices of each leaf exactly and "

@@ -4,6 +4,7 @@
 
 #include "base/quantity.h"
 #include "bench/plot.h"
+#include "bench/published_shapes.h"
 #include "bench/report/findings.h"
 #include "bench/report/html.h"
 #include "bench/report/sections.h"
@@ -33,7 +34,7 @@ Glance glance_of(const Figures& figures) {
                       "a frame of " + base::with_thousands(ours->vertices) + " vertices in a cage of " +
                           std::to_string(usual_faces) + " triangles; plainly built " +
                           base::milliseconds(plain->cpu_ms)});
-  if (const auto* most = most_lost(figures))
+  if (const auto* most = most_lost(figures.shapes))
     glance.push_back({lost_volume((*most)["straight"]),
                       "of the volume is lost halfway to " + name_of_shape(*most) +
                           " on straight lines; in log space " + lost_volume((*most)["log_space"])});

@@ -6,6 +6,7 @@
 #include "base/quantity.h"
 #include "bench/modes_table.h"
 #include "bench/plot.h"
+#include "bench/published_shapes.h"
 #include "bench/report/findings.h"
 #include "bench/report/html.h"
 #include "bench/report/sections.h"
@@ -106,6 +107,21 @@ std::string seen_of(const Modes& modes, std::size_t poses) {
          (&fast == &undistorted ? "." : ", at " + frame_text(fast) + ".");
 }
 
+Plot volumes_of(const nlohmann::json& row) {
+  Plot plot;
+  plot.linear = true, plot.across = "share of the way";
+  for (const auto& [name, key, color] :
+       {std::tuple{"straight", "straight", plot_color::rival}, {"logs", "log_space", plot_color::ours[0]}}) {
+    PlotCurve curve{name, color, false, {}};
+    const auto& volumes = row[key]["volumes"];
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      curve.points.push_back(
+          {static_cast<double>(i) / static_cast<double>(volumes.size() - 1), double(volumes[i])});
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
 // All as large as each other.
 std::string drawn(const std::vector<ShapePicture>& pictures) {
   constexpr double width = 200, height = 170, margin = 6;
@@ -176,19 +192,8 @@ Section shapes_section(const Figures& figures) {
   Plot edges;
   edges.unit = " %", edges.compared = false;
   for (const auto& row : figures.shapes) {
-    Plot plot;
-    plot.linear = true, plot.across = "share of the way";
-    for (const auto& [name, key, color] : {std::tuple{"straight", "straight", plot_color::rival},
-                                           {"logs", "log_space", plot_color::ours[0]}}) {
-      PlotCurve curve{name, color, false, {}};
-      const auto& volumes = row[key]["volumes"];
-      for (std::size_t i = 0; i < volumes.size(); ++i)
-        curve.points.push_back(
-            {static_cast<double>(i) / static_cast<double>(volumes.size() - 1), double(volumes[i])});
-      plot.curves.push_back(std::move(curve));
-    }
     const std::string name = name_of_shape(row);
-    section.body += figure("volume on the way to " + name, draw_curves(plot));
+    section.body += figure("volume on the way to " + name, draw_curves(volumes_of(row)));
     edges.bars.push_back({name + ", straight", 100 * double(row["straight"]["edges"]), plot_color::rival});
     edges.bars.push_back({name + ", logs", 100 * double(row["log_space"]["edges"]), plot_color::ours[0]});
     const auto cell = [&](const char* way, const char* what) {
@@ -203,7 +208,7 @@ Section shapes_section(const Figures& figures) {
                       "at both ends, root mean "
                       "square of logarithms. Shapes of the dragon that comes with the program.",
                       "note");
-  if (const auto* most = most_lost(figures)) {
+  if (const auto* most = most_lost(figures.shapes)) {
     const auto &straight = (*most)["straight"], &logs = (*most)["log_space"];
     section.seen = "Halfway to " + name_of_shape(*most) + ", straight lines lose " + lost_volume(straight) +
                    " of the volume, and edges are " + percent(100 * double(straight["edges"])) +

@@ -54,8 +54,8 @@ summary{cursor:pointer;color:var(--faint);font-size:.9375rem;margin:1rem 0}
 footer{padding-top:3.5rem;padding-bottom:4rem}
 @media(max-width:30rem){header{padding-top:2rem}h1{font-size:1.75rem}section{padding-top:2.5rem}th,td{padding-right:1rem}}
 @media print{body{font-size:10pt}header{padding-top:0}nav,details.raw{display:none}section{padding-top:1.5rem}
-.plots{grid-template-columns:1fr 1fr;gap:1rem 2rem}.wide{overflow:visible}figure,tr,h2,h3,p.seen{break-inside:avoid}
-h2,h3,p.seen{break-after:avoid}pre{background:none;padding:0;white-space:pre-wrap}a{color:inherit;text-decoration:none}
+.plots{grid-template-columns:1fr 1fr;gap:1rem 2rem}.wide{overflow:visible}figure,.wide,h2,h3,p.seen{break-inside:avoid}
+h2,h3,p.origin,p.seen{break-after:avoid}dl.glance{grid-template-columns:repeat(4,1fr);gap:1rem}details .wide{break-inside:auto}pre{background:none;padding:0;white-space:pre-wrap}a{color:inherit;text-decoration:none}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
 )";
 
