@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/document/brush.h"
+#include "scene/workspace/splitting.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -13,7 +14,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float inset = 12, thickness = 10, bars = 34;
+constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
 // With bars over the colours, or, where several views share the room, without.
 struct Size {
@@ -28,7 +29,7 @@ struct Legend {
   ImVec2 at;  // the upper left of the colours
   Size size;
 
-  float length() const { return size.width - 2 * inset; }
+  float length() const { return size.width - 2 * legend_margin; }
   float x_of(double value) const {
     const double share = std::clamp((value - stats.low) / (stats.high - stats.low), 0.0, 1.0);
     return at.x + static_cast<float>(share) * length();
@@ -122,11 +123,12 @@ void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   draw.AddRectFilled(low, {low.x + size.width, low.y + size.height}, faded(ui.colors.card, 0.92f), 8);
   ImGui::PushFont(ui.fonts.text);
-  draw.AddText({low.x + inset, low.y + 8}, ui.colors.text, title(shown, field, method).c_str());
-  draw.AddText({low.x + inset, low.y + 27}, ui.colors.faint, extent(shown, size.width - 2 * inset).c_str());
+  draw.AddText({low.x + legend_margin, low.y + 8}, ui.colors.text, title(shown, field, method).c_str());
+  draw.AddText({low.x + legend_margin, low.y + 27}, ui.colors.faint,
+               extent(shown, size.width - 2 * legend_margin).c_str());
   ImGui::PopFont();
   const Legend made{
-      ui, draw, shown.stats, {low.x + inset, low.y + 52 + size.bars + (size.bars > 0 ? 4 : 0)}, size};
+      ui, draw, shown.stats, {low.x + legend_margin, low.y + 52 + size.bars + (size.bars > 0 ? 4 : 0)}, size};
   colors(made, lab::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
   if (!shown.values) return;
   if (size.bars > 0) counts(made);

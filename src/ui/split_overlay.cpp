@@ -29,7 +29,7 @@ std::string joined(std::initializer_list<std::string> words) {
   return all;
 }
 
-struct Shown {
+struct Caption {
   std::string title, numbers;
 };
 
@@ -54,15 +54,15 @@ std::string title_of(const scene::Workspace& w, const scene::Scheme& scheme, sce
                  lines_words(w, other_lines)});
 }
 
-Shown shown_in(const scene::Workspace& w, std::size_t view) {
+Caption shown_in(const scene::Workspace& w, std::size_t view) {
   if (view == 0) {
     const scene::MethodSample* sample = running_sample(w);
     return {title_of(w, w.document.scheme, w.document.method, false),
             numbers(w.stats, sample ? std::optional(sample->worst_error) : std::nullopt, w.fused_error)};
   }
   const scene::SideView& side = w.split.sides[view - 1];
-  Shown shown{title_of(w, side.scheme, side.method, side.other_lines),
-              numbers(side.stats, side.exp_error, side.fused_error)};
+  Caption shown{title_of(w, side.scheme, side.method, side.other_lines),
+                numbers(side.stats, side.exp_error, side.fused_error)};
   if (side.binding) shown.numbers = "binding";
   if (!side.problem.empty()) shown.numbers = side.problem;
   return shown;
@@ -70,7 +70,7 @@ Shown shown_in(const scene::Workspace& w, std::size_t view) {
 
 // At the upper left of its part.
 void caption(const Context& ui, std::size_t view, glm::vec2 at, float room) {
-  const Shown shown = shown_in(ui.workspace, view);
+  const Caption shown = shown_in(ui.workspace, view);
   if (shown.title.empty() && shown.numbers.empty()) return;
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   ImGui::PushFont(ui.fonts.strong);

@@ -34,7 +34,7 @@ _viete_value() {
     --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
     --map) words='none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence opening difference signed-difference' ;;
-    --compare) words='smooth,paper smooth,rigid smooth,arap diag,sd,improved_sd,fast log,straight' ;;
+    --compare) words='smooth paper mean-value rigid arap local diag sd improved_sd fast log straight' ;;
     --shading) words='clay porcelain jade file checker normals zebra' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
     --kind) words='automatic box hull' ;;

@@ -86,7 +86,7 @@ $c -n '__viete_in pose' -l restraint -x -d 'How near to 0 weights of examples st
 $c -n '__viete_in render animate' -l size -x -a '1280x800 1920x1080 3840x2160' -d 'Logical pixels'
 $c -n '__viete_in render animate' -l look -x -a 'home front back left right top bottom' -d 'From where'
 $c -n '__viete_in render animate' -l map -x -a 'none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence opening difference signed-difference' -d 'What the mesh is coloured by, as in the Lab'
-$c -n '__viete_in render animate' -l compare -x -a 'smooth,paper smooth,rigid smooth,arap diag,sd,improved_sd,fast log,straight' -d 'Ways or methods side by side'
+$c -n '__viete_in render animate' -l compare -x -a 'smooth paper mean-value rigid arap local diag sd improved_sd fast log straight' -d 'Ways or methods side by side'
 $c -n '__viete_in render animate' -l camera -r -d 'Seen as that session is'
 $c -n '__viete_in render animate' -l shading -x -a 'clay porcelain jade file checker normals zebra' -d 'What the mesh is coloured by'
 $c -n '__viete_in render animate' -l panels -d 'With the panels'

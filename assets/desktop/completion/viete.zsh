@@ -29,7 +29,7 @@ local -a picture=($binding $scale
   '--camera=[seen as that session is]:session:_files -g "*.viete"'
   '--shading=[what the mesh is coloured by]:shading:(clay porcelain jade file checker normals zebra)'
   '--map=[what the mesh is coloured by, as in the Lab]:map:(none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence opening difference signed-difference)'
-  '--compare=[ways or methods side by side]:words:(smooth,paper smooth,rigid smooth,arap diag,sd,improved_sd,fast log,straight)'
+  '--compare=[ways or methods side by side]:words:(smooth paper mean-value rigid arap local diag sd improved_sd fast log straight)'
   '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
   '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
 local -a digits=('--digits=[decimals of what moved in text files]:decimals:(all 4 6 9)')

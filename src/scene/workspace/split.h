@@ -55,14 +55,4 @@ SideWays ways_of(const Split& split);
 /// The same with these, and the hand in the first one.
 void put_ways(Split& split, const SideWays& ways);
 
-struct Workspace;
-/// So many views, 1 to 4. New ones are blended in ways that are not shown yet.
-void split_view(Workspace& workspace, std::size_t count);
-/// The hand works in that view from now on: the camera is its own.
-void enter_view(Workspace& workspace, std::size_t view);
-/// That of a view.
-CameraPose camera_of(const Workspace& workspace, std::size_t view);
-/// What a side view shows as colours on the mesh, or none.
-lab::Field shown_field(const Workspace& workspace, const SideView& side);
-
 }  // namespace viete::scene

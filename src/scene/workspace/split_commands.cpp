@@ -1,7 +1,7 @@
 // Commands of the view that is split in several.
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
-#include "scene/workspace/workspace.h"
+#include "scene/workspace/splitting.h"
 
 namespace viete::scene {
 
