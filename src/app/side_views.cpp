@@ -24,34 +24,53 @@ scene::SharedPose other_pose(scene::Workspace& w) {
 }  // namespace
 
 SideModel::Made SideModel::made_of(const scene::SideView& side, const scene::Workspace& w) {
-  return {w.document.revisions().pose,
-          w.document.has_cage() ? side.scheme : deform::no_motion(),
-          side.method,
-          w.document.mask,
-          w.view.same_path,
-          side.other_lines};
+  const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method, w.view.same_path};
+  return {need, w.document.revisions().pose, w.document.mask, side.other_lines};
 }
 
-bool SideModel::serves(const Made& made) const {
-  if (!deformer_ || deformer_->scheme() != made.scheme) return false;
-  return deformer_->all_staged() == made.staged && deformer_->engine(made.method).has_value();
+bool SideModel::serves(const Need& need) const {
+  if (!deformer_ || deformer_->scheme() != need.scheme) return false;
+  return deformer_->all_staged() == need.staged && deformer_->engine(need.method).has_value();
 }
 
-void SideModel::bind_for(const Made& made, const Bound& known) {
-  const sym3::Method method = made.staged ? sym3::Method::diag : made.method;
-  const bool own = bound_.binding && bound_.binding->weighting == made.scheme.weighting;
-  binder_.start([model = known.model, cage = known.cage, scheme = made.scheme, method,
+void SideModel::bind_for(const Need& need, const Bound& known) {
+  asked_ = need;
+  const sym3::Method method = need.staged ? sym3::Method::diag : need.method;
+  const bool own = bound_.binding && bound_.binding->weighting == need.scheme.weighting;
+  binder_.start([model = known.model, cage = known.cage, scheme = need.scheme, method,
                  known = own ? bound_ : known](base::Progress& progress) {
     return app::bind(model, cage, scheme, method, known, SavedBindings(), progress);
   });
 }
 
-void SideModel::install(const Made& made, base::WorkerPool& pool) {
-  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, made.scheme, pool,
-                                                 bound_.stitches(made.scheme) ? bound_.stitching : nullptr);
-  deformer_->set_all_staged(made.staged);
+void SideModel::install(const Need& need, base::WorkerPool& pool) {
+  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, need.scheme, pool,
+                                                 bound_.stitches(need.scheme) ? bound_.stitching : nullptr);
+  deformer_->set_all_staged(need.staged);
   made_.reset();
   drag_ = {};
+}
+
+// What is asked for may be another thing by now: then it is bound next.
+void SideModel::take_binding(scene::SideView& side, const Need& need, base::WorkerPool& pool, bool wait) {
+  auto result = binder_.poll(wait);
+  if (!result) return;
+  side.problem = result->problem;
+  if (result->value) {
+    bound_ = *std::move(result->value);
+    install(asked_, pool);
+  }
+  if (asked_ == need && !serves(need)) refused_ = need;
+}
+
+// True if a frame can be made at once; else it is being bound.
+bool SideModel::prepare(const Need& need, const Bound& known, base::WorkerPool& pool) {
+  if (serves(need)) return true;
+  if (bound_.binding->weighting == need.scheme.weighting) install(need, pool);
+  if (serves(need)) return true;
+  deformer_.reset();
+  bind_for(need, known);
+  return false;
 }
 
 void SideModel::forget() {
@@ -65,8 +84,8 @@ void SideModel::forget() {
 bool SideModel::is_due(const scene::SideView& side, const scene::Workspace& w, const LiveModel& first) const {
   if (!first.bound().binding) return false;
   const Made wanted = made_of(side, w);
-  return binder_.has_result() ||
-         (made_ != wanted && refused_ != wanted && !binder_.running() && first.deformer()->ran());
+  return binder_.has_result() || (made_ != wanted && refused_ != wanted.need && !binder_.running() &&
+                                  first.deformer() && first.deformer()->ran());
 }
 
 bool SideModel::follow(scene::SideView& side, scene::Workspace& w, const LiveModel& first,
@@ -78,25 +97,12 @@ bool SideModel::follow(scene::SideView& side, scene::Workspace& w, const LiveMod
     bound_ = known;
   }
   const Made wanted = made_of(side, w);
-  if (auto result = binder_.poll(wait)) {
-    side.problem = result->problem;
-    if (result->value) {
-      bound_ = *std::move(result->value);
-      install(wanted, pool);
-    }
-    if (!serves(wanted)) refused_ = wanted;
-  }
+  take_binding(side, wanted.need, pool, wait);
   side.binding = binder_.running();
-  if (made_ == wanted || refused_ == wanted || binder_.running() || !first.deformer()->ran()) return false;
-  if (!serves(wanted)) {
-    if (bound_.binding->weighting == wanted.scheme.weighting) install(wanted, pool);
-    if (!serves(wanted)) {
-      deformer_.reset();
-      bind_for(wanted, known);
-      side.binding = true;
-      return false;
-    }
-  }
+  const bool due = made_ != wanted && refused_ != wanted.need && !side.binding;
+  if (!due || !first.deformer() || !first.deformer()->ran()) return false;
+  side.binding = !prepare(wanted.need, known, pool);
+  if (side.binding) return false;
   const auto& drag = w.interaction.drag;
   drag_.before(*deformer_, drag);
   const scene::SharedPose other = side.other_lines ? other_pose(w) : nullptr;

@@ -34,24 +34,34 @@ public:
   scene::PosedModel posed() const;
 
 private:
-  struct Made {
-    scene::Revision pose = 0;
+  // What decides how it is bound.
+  struct Need {
     deform::Scheme scheme;
     sym3::Method method = sym3::Method::fast;
+    bool staged = false;
+    friend bool operator==(const Need&, const Need&) = default;
+  };
+  // What a frame is of.
+  struct Made {
+    Need need;
+    scene::Revision pose = 0;
     deform::Mask mask;
-    bool staged = false, other_lines = false;
+    bool other_lines = false;
     friend bool operator==(const Made&, const Made&) = default;
   };
   static Made made_of(const scene::SideView& side, const scene::Workspace& workspace);
-  bool serves(const Made& made) const;
-  void bind_for(const Made& made, const Bound& known);
-  void install(const Made& made, base::WorkerPool& pool);
+  bool serves(const Need& need) const;
+  bool prepare(const Need& need, const Bound& known, base::WorkerPool& pool);
+  void take_binding(scene::SideView& side, const Need& need, base::WorkerPool& pool, bool wait);
+  void bind_for(const Need& need, const Bound& known);
+  void install(const Need& need, base::WorkerPool& pool);
 
   base::BackgroundJob<Bound> binder_;
   Bound bound_;
   std::unique_ptr<deform::Deformer> deformer_;
   std::optional<Made> made_;     // of the last frame
-  std::optional<Made> refused_;  // what could not be bound
+  Need asked_;                   // what is being bound
+  std::optional<Need> refused_;  // what could not be
   DragFollower drag_;
   unsigned long frames_ = 0;
 };

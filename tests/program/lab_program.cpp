@@ -176,6 +176,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.button(0, false);
   d.settle();
   CHECK(d.document().history.undo_label() == "move a vertex");
+  d.move({1, 1});  // in none of them
   CHECK(d.drawn_error() < 2e-5);
   for (std::size_t i = 0; i < 3; ++i) {
     CAPTURE(i);
@@ -217,7 +218,7 @@ TEST_CASE("a_wipe_shows_on_either_side_what_the_view_would_show_alone") {
   CHECK(split.line == doctest::Approx(0.7).epsilon(0.02));
   d.move({1, 1});
   d.settle();
-  CHECK(differing(left, d.picture(), 0, 0.68) == 0);
+  CHECK(differing(left, d.picture(), 0, 0.66) == 0);
 }
 
 TEST_CASE("cameras_of_views_are_one_or_each_its_own") {
