@@ -112,16 +112,11 @@ bool SideModel::follow(scene::SideView& side, scene::Workspace& w, const LiveMod
   deformer_->set_shape(other ? other->shape : w.document.shape);
   base::Stopwatch watch;
   deformer_->deform(w.document.has_cage() ? pose : deform::rest_pose(*bound_.cage), side.method);
-  drag_.after(*deformer_, drag);
+  if (!side.other_lines) drag_.after(*deformer_, drag);  // another mix may move all of the cage
   side.stats.add({.when = base::wall_seconds(), .links = deformer_->times(), .frame = watch.lap_ms()});
   made_ = wanted;
   ++frames_;
   return true;
-}
-
-scene::PosedModel SideModel::posed() const {
-  if (!deformer_ || !deformer_->ran()) return {};
-  return {deformer_->vertices(), deformer_->origin(), frames_};
 }
 
 bool SideViews::follow(scene::Workspace& w, const LiveModel& first, bool wait) {

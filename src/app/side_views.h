@@ -30,8 +30,6 @@ public:
   const deform::Deformer* deformer() const { return deformer_.get(); }
   const Bound& bound() const { return bound_; }
   unsigned long frames() const { return frames_; }
-  /// The model as it is drawn here; nothing before the first frame.
-  scene::PosedModel posed() const;
 
 private:
   // What decides how it is bound.
