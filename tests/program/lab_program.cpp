@@ -314,7 +314,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   const auto coil =
       deform::read_pose(test::dragon.parent_path() / "pose_coil.obj", *d.document().cage, warnings);
   scene::add_poses(d.document(),
-                   {{"coil", std::make_shared<const scene::WholePose>(scene::WholePose{coil})}});
+                   {{"coil", std::make_shared<const scene::WholePose>(scene::WholePose{coil, {}, {}})}});
   d.settle();
   REQUIRE(scene::set_weight(d.document(), d.workspace().playback.vectors, 0, 0.5));
   d.settle();
