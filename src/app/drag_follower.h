@@ -5,8 +5,15 @@
 
 #include "deform/deformer.h"
 #include "scene/hand/transform_drag.h"
+#include "scene/workspace/workspace.h"
 
 namespace viete::app {
+
+/// The hand changes the cage itself: models stay as they are at rest.
+inline bool changes_rest(const scene::Workspace& w) {
+  const auto& drag = w.interaction.drag;
+  return drag && w.document.kept_pose && !drag->vertices().empty();
+}
 
 class DragFollower {
 public:

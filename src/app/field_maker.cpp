@@ -76,8 +76,8 @@ struct Influence {
   std::vector<double> shares(base::Progress& progress) const {
     std::vector<double> all(frame.model->positions.size());
     const bool of_probes = selection.kind() == scene::ElementKind::probe;
-    if (of_probes && is_of_pins()) return of_pins();
     if (of_probes ? selection.empty() : vertices.empty()) return all;
+    if (of_probes && is_of_pins()) return of_pins();
     constexpr double small = 1e-4;
     const double way = small * mesh::bounds(frame.model->positions).diagonal();
     FrameInDouble deformer(frame, progress);
@@ -159,8 +159,13 @@ bool FieldMaker::follow(std::size_t view, const FieldSubject& s, scene::FieldVie
   View& v = views_[view];
   const lab::FieldEntry& entry = lab::entry(s.field);
   bool news = false;
-  if (auto result = v.job.poll(wait); result && result->value && result->value->stats.field == s.field) {
-    take(*std::move(result->value), s.document, shown);
+  if (auto result = v.job.poll(wait); result && v.key.field == s.field) {
+    shown.problem = result->problem;
+    if (result->value) {
+      take(*std::move(result->value), s.document, shown);
+    } else {
+      shown.values.reset();
+    }
     news = true;
   }
   if (!is_due(view, s, shown)) return news;

@@ -195,8 +195,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   scene::Document& document = workspace.document;
   const auto& drag = workspace.interaction.drag;
   if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose alone
-  // While the hand changes the cage itself, the model stays as it is at rest.
-  const bool editing = drag && document.kept_pose && !drag->vertices().empty();
+  const bool editing = changes_rest(workspace);
   if (editing) derived_ = {document.revisions().pose, document.revisions().method};
   const bool deformed = !editing && deforms(document);
   if (deformed) {

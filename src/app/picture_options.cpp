@@ -77,6 +77,17 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   scene::frame_all(workspace, false);
 }
 
+// What was asked for and is not in the picture.
+void print_missing(const scene::Workspace& w) {
+  if (scene::shown_field(w) != w.view.field)
+    print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
+                 " here: it needs a cage and a blend in log space, or something that moves"});
+  if (!w.field.problem.empty()) throw base::Error("", w.field.problem);
+  for (const scene::SideView& side : w.split.sides)
+    for (const std::string& problem : {side.problem, side.shown.problem})
+      if (!problem.empty()) throw base::Error("", problem);
+}
+
 }  // namespace
 
 std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene::Opened&& opened) {
@@ -94,6 +105,7 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
 }
 
 void print_messages(const scene::Workspace& workspace) {
+  print_missing(workspace);
   if (const auto& cage = workspace.document.cage) print_notes(cage->warnings);
   for (const auto& message : workspace.messages.all()) {
     if (message.severity == scene::Severity::error) throw base::Error("", message.text);

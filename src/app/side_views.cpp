@@ -82,7 +82,7 @@ void SideModel::forget() {
 }
 
 bool SideModel::is_due(const scene::SideView& side, const scene::Workspace& w, const LiveModel& first) const {
-  if (!first.bound().binding) return false;
+  if (!first.bound().binding || changes_rest(w)) return false;
   const Made wanted = made_of(side, w);
   return binder_.has_result() || (made_ != wanted && refused_ != wanted.need && !binder_.running() &&
                                   first.deformer() && first.deformer()->ran());
@@ -99,7 +99,7 @@ bool SideModel::follow(scene::SideView& side, scene::Workspace& w, const LiveMod
   const Made wanted = made_of(side, w);
   take_binding(side, wanted.need, pool, wait);
   side.binding = binder_.running();
-  const bool due = made_ != wanted && refused_ != wanted.need && !side.binding;
+  const bool due = made_ != wanted && refused_ != wanted.need && !side.binding && !changes_rest(w);
   if (!due || !first.deformer() || !first.deformer()->ran()) return false;
   side.binding = !prepare(wanted.need, known, pool);
   if (side.binding) return false;

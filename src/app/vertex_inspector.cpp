@@ -89,7 +89,6 @@ bool VertexInspector::follow(scene::Workspace& w, const LiveModel& model) {
   const deform::VertexSum sum =
       deform::vertex_sum(weigher, *bound.binding, deformer->mask(), deformer->state().rows(), *vertex);
   w.vertex = view_of(*vertex, sum);
-  w.vertex.at = w.posed.at(surface, *vertex);
   return true;
 }
 

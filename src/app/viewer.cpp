@@ -312,7 +312,7 @@ void Viewer::share_ranges() {
     if (!shown.values) continue;
     for (std::size_t other = 0; other < workspace_.split.count(); ++other) {
       const scene::FieldView& beside = field_view(other);
-      if (!beside.values || beside.stats.field != stats.field) continue;
+      if (!beside.values || beside.stats.field != stats.field || shown.holds_range) continue;
       stats.low = std::min(stats.low, beside.stats.low), stats.high = std::max(stats.high, beside.stats.high);
     }
     lab::fit_counts(*shown.values, stats);

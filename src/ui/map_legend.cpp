@@ -109,6 +109,7 @@ std::string title(const scene::FieldView& shown, lab::Field field, scene::Method
 
 std::string extent(const scene::FieldView& shown, float room) {
   const lab::FieldStats& stats = shown.stats;
+  if (!shown.problem.empty()) return shortened(shown.problem, room);
   if (!shown.values) return "computing";
   if (stats.is_nan) return "some are not numbers";
   const std::string ends = lab::text(stats.field, stats.least) + " to " + lab::text(stats.field, stats.most);

@@ -138,6 +138,11 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   }
   CHECK(whole > 5000);
   CHECK(partly > 200);
+  // A map that does not exist there is not left out without a word.
+  const auto without =
+      run("render " + quoted(dragon) + " --size 200x100 --map volume -o " + quoted(scratch / "without.png"));
+  CHECK(without.code == 0);
+  CHECK_MESSAGE(mentions(without.text, "no map of volume here"), without.text);
   for (const auto& [wrong, said] : {std::pair{"--compare smooth", "--compare"},
                                     {"--compare smooth,none", "--compare"},
                                     {"--compare smooth,rigid,arap,local,paper", "--compare"},

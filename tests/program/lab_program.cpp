@@ -4,11 +4,13 @@
 
 #include "deform/pose_io.h"
 #include "deform/ways.h"
+#include "mesh/formats/write.h"
 #include "program/driver.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
 #include "scene/workspace/splitting.h"
+#include "support/folder.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -341,4 +343,45 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   apart = 0;
   for (std::size_t v = 0; v < now.size(); ++v) apart = std::max(apart, mesh::norm(now[v] - straight[v]));
   CHECK(apart < 1e-5 * d.document().model.bounds.diagonal());
+}
+
+TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why") {
+  Driver d;
+  d.open_dragon();
+  d.workspace().view.field = Field::influence;
+  d.document().selection = scene::Selection(scene::ElementKind::probe);
+  d.settle();
+  CHECK(d.workspace().field.stats.most == 0);
+  CHECK(d.workspace().field.problem.empty());
+  // A pin of a vertex that is not there cannot be reached from any triangle.
+  scene::Document& document = d.document();
+  mesh::Surface loose = *document.model.surface;
+  loose.positions.push_back({0, 0, 0});
+  const test::TemporaryFolder folder;
+  mesh::write(folder / "loose.ply", loose);
+  REQUIRE(d.open({folder / "loose.ply"}));
+  scene::add_pin(document, d.workspace().posed, {0, 0, 0});
+  document.changed_probes().all[0].pin = deform::Pin{static_cast<std::uint32_t>(loose.positions.size() - 1)};
+  d.settle();
+  CHECK_FALSE(d.workspace().field.problem.empty());
+  CHECK(d.workspace().field.values == nullptr);
+}
+
+TEST_CASE("while_the_cage_itself_is_changed_all_views_stay_at_rest") {
+  Driver d;
+  d.open_dragon();
+  scene::split_view(d.workspace(), 2);
+  d.settle();
+  scene::find_command("edit_cage")->run(d.workspace());
+  d.settle();
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.press_and_move(at, at + glm::vec2(30, 20));
+  scene::enter_view(d.workspace(), 1);
+  const auto& rest = *d.document().model.surface;
+  double apart = 0;
+  for (std::size_t v = 0; v < rest.positions.size(); ++v)
+    apart = std::max(apart, mesh::norm(d.workspace().posed.at(rest, v) - rest.positions[v]));
+  CHECK(apart < 1e-4 * d.document().model.bounds.diagonal());
+  d.button(0, false);
+  d.settle();
 }

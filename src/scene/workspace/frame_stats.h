@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "deform/links.h"
@@ -71,6 +72,7 @@ struct FieldView {
   std::shared_ptr<const std::vector<float>> values;  ///< as the stats say; null: none
   /// Pairs of ends, see lab::strokes(); null: the field has none.
   std::shared_ptr<const std::vector<mesh::Point>> strokes;
+  std::string problem{};  ///< why there are no values; empty: they are there, or being computed
   /// The colours keep their range, whatever comes.
   bool holds_range = false;
 };

@@ -35,7 +35,6 @@ struct VertexView {
   glm::dmat3 map{1};                    ///< of the whole sum
   double degrees = 0;                   ///< that its rotation turns by
   std::vector<Way> ways;
-  mesh::Point at{};  ///< the vertex as it is drawn
 };
 
 }  // namespace viete::scene
