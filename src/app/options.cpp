@@ -195,13 +195,13 @@ void add_size_option(CLI::App& app, glm::ivec2& size) {
            int w = 0, h = 0;
            char rest = 0;
            const bool whole = std::sscanf(text.c_str(), "%dx%d%c", &w, &h, &rest) == 2;
-           if (!whole || w < 16 || h < 16 || w > 8192 || h > 8192)
-             throw CLI::ValidationError("--size", "needs WIDTHxHEIGHT, each 16 to 8192, not " + text);
-           if (!scene::is_window(w, h))
-             throw CLI::ValidationError("--size", "needs at most as many pixels as 4096x4096, not " + text);
+           if (!whole || w < 16 || h < 16 || w > 32768 || h > 32768)
+             throw CLI::ValidationError("--size", "needs WIDTHxHEIGHT, each 16 to 32768, not " + text);
+           if (static_cast<std::int64_t>(w) * h > most_pixels)
+             throw CLI::ValidationError("--size", "needs at most as many pixels as 16384x16384, not " + text);
            size = {w, h};
          },
-         "Size of the picture in logical pixels, each 16 to 8192")
+         "Size of the picture in logical pixels, each 16 to 32768")
       ->option_text("WIDTHxHEIGHT")
       ->default_str("1280x800");
 }

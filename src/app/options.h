@@ -67,7 +67,9 @@ CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& 
 void add_binding_option(CLI::App& app, std::filesystem::path& file);
 /// --digits NUMBER|all, of coordinates in text files.
 void add_digits_option(CLI::App& app, mesh::Digits& digits);
-/// --size WxH in logical pixels, 16 to 8192 each.
+/// Of a picture; its sides are no longer than 131072.
+inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+/// --size WxH in logical pixels, 16 to 32768 each.
 void add_size_option(CLI::App& app, glm::ivec2& size);
 
 }  // namespace viete::app

@@ -94,6 +94,10 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   const std::optional<scene::Session> session = opened.session;
   ViewerOptions viewer = options.viewer;
   if (session && session->window && !options.size_given) viewer.size = *session->window;
+  const glm::dvec2 pixels = static_cast<double>(viewer.scale) * glm::dvec2(viewer.size);
+  if (pixels.x * pixels.y > static_cast<double>(most_pixels))
+    throw base::Error("picture", "it would have more than 268 million pixels",
+                      "ask for a smaller size or scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
   scene::Workspace& workspace = offscreen->viewer().workspace();
   scene::take(workspace, std::move(opened));
@@ -142,6 +146,14 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--error-map", options.error_map, "The same as --map exp-error");
   command.add_flag("--no-cage", options.no_cage, "Without the cage");
+  auto* width = command.add_option_function<double>(
+      "--line-width",
+      [&options](double points) {
+        constexpr double pixels_per_point = 96.0 / 72;
+        options.viewer.cage_width = options.viewer.wire_width = static_cast<float>(points * pixels_per_point);
+      },
+      "Of the cage and the edges of the mesh, in points: 72 are an inch, as 96 logical pixels are");
+  in_range(width, 0.05, 20)->default_str("0.94");
   command.add_flag("--no-grid", options.no_grid, "Without the ground grid");
 }
 

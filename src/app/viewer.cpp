@@ -10,6 +10,7 @@
 #include "app/build_facts.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
+#include "base/error.h"
 #include "render/palette.h"
 #include "scene/document/cage_editing.h"
 #include "scene/workspace/check_view.h"
@@ -28,6 +29,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double still_seconds = 0.25;
+
+int longest_side(const render::Gl& gl, const ViewerOptions& options) {
+  return options.longest_tile > 0 ? options.longest_tile : render::longest_side(gl);
+}
 
 }  // namespace
 
@@ -59,6 +64,9 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
     for (const glm::vec3& c : palette) colors->push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
   place_viewport();
+  input_.listen([this](platform::InputEvent& event) {
+    if (script_.on()) script_.take(event, workspace_, recorder_);
+  });
 }
 
 Viewer::~Viewer() = default;
@@ -68,8 +76,14 @@ glm::ivec2 Viewer::device_size() const {
 }
 
 void Viewer::resize(glm::ivec2 logical_size) {
+  if (script_.on() && options_.size != logical_size) script_.take_size(logical_size);
   options_.size = logical_size;
   place_viewport();
+}
+
+void Viewer::drop(std::vector<fs::path> files) {
+  if (script_.on()) script_.take_files(files);
+  workspace_.requests.open = scene::OpenRequest{scene::OpenRequest::What::dropped, std::move(files)};
 }
 
 void Viewer::place_viewport() {
@@ -80,6 +94,7 @@ void Viewer::place_viewport() {
 
 void Viewer::frame(float seconds) {
   base::Stopwatch whole;
+  if (script_.on()) seconds = script_.begin_frame(seconds);
   last_frame_ = base::wall_seconds();
   refines_ = !changing() && wants_refinement();
   scene::FrameTimes times;
@@ -101,11 +116,12 @@ void Viewer::frame(float seconds) {
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
   if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_)) workspace_.stats.add(times);
-  files_.keep(workspace_, !pointer_.active());
+  if (!workspace_.scripting.playing) files_.keep(workspace_, !pointer_.active());
   settle_notices();
   analysis_.follow_frame(workspace_, model_);
   if (analysis_.shows_news() | sides_.measure(workspace_)) settle(2);
   if (take_screenshot_) save_screenshot();
+  if (script_.on()) script_.end_frame(loading() || model_.binding() || cages_.running());
   if (settle_frames_ > 0) --settle_frames_;
 }
 
@@ -177,7 +193,41 @@ bool Viewer::changing() const {
          sides_.is_due(workspace_, model_) || field_is_due() || inspector_.is_due(workspace_, model_);
 }
 
+// A script does once more what was done, but for what it would do to files of a person who looks on.
+void Viewer::leave_out_writing() {
+  scene::Requests& r = workspace_.requests;
+  bool any = std::exchange(r.undo_discard, false) | std::exchange(r.screenshot, false) |
+             std::exchange(r.run_benchmark, false) | std::exchange(r.show_report, false);
+  for (auto* file : {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model,
+                     &r.save_animation, &r.discard})
+    any |= std::exchange(*file, std::nullopt).has_value();
+  if (any) workspace_.messages.info("Left out, while a script is replayed: what it would have written.");
+  r.quit = false;
+  if (r.script == scene::ScriptRequest::record) r.script = scene::ScriptRequest::none;
+}
+
+void Viewer::switch_recording() {
+  workspace_.scripting.recorded = script_.seconds();
+  if (workspace_.requests.script != scene::ScriptRequest::record) return;
+  workspace_.requests.script = scene::ScriptRequest::none;
+  const bool begins = !script_.on();
+  std::error_code ignored;
+  try {
+    if (begins) script_.begin(workspace_, fs::current_path(ignored));
+    const fs::path file = begins ? fs::path() : script_.end();
+    workspace_.messages.info(begins ? "Recording; the red button at the top ends it."
+                                    : "Recorded " + file.string() + "; viete replay does it again.");
+    workspace_.messages.succeeded("record");
+  } catch (const base::Error& error) {
+    workspace_.messages.error(error.what(), {"record"});
+  }
+  workspace_.scripting.recording = script_.on();
+  settle(3);
+}
+
 void Viewer::take_requests() {
+  if (workspace_.scripting.playing) leave_out_writing();
+  switch_recording();
   files_.take_requests(workspace_, !pointer_.active());
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
   if (workspace_.requests.stop_work && cages_.running()) {
@@ -388,23 +438,54 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
 ViewDrawing Viewer::drawing() const {
   ViewDrawing wanted = renderer_.drawing(workspace_, device_size(), options_.scale);
   wanted.transparent = options_.transparent;
+  wanted.cage_width = options_.cage_width;
+  for (ViewDrawing::Part& part : wanted.parts) part.surface.wire_width = options_.wire_width;
   return wanted;
 }
 
-// What is drawn over nothing has its colour by its opacity; files have it whole.
+bool Viewer::draws_in_tiles() const {
+  const int most = longest_side(gl_, options_);
+  return device_size().x > most || device_size().y > most;
+}
+
 render::Image Viewer::picture() {
-  render::Image image = framebuffer_.read(!options_.transparent);
-  for (std::size_t i = 0; options_.transparent && i + 3 < image.rgba.size(); i += 4) {
-    const int opacity = std::max<int>(1, image.rgba[i + 3]);
-    for (std::size_t k = 0; k < 3; ++k)
-      image.rgba[i + k] =
-          static_cast<std::uint8_t>(std::min(255, (255 * image.rgba[i + k] + opacity / 2) / opacity));
+  render::Image image =
+      draws_in_tiles() ? picture_in_tiles(drawing(), true) : framebuffer_.read(!options_.transparent);
+  if (options_.transparent) render::divide_by_opacity(image);
+  return image;
+}
+
+render::Image Viewer::picture(render::Pass pass) {
+  ViewDrawing wanted = drawing();
+  wanted.pass = pass;
+  render::Image image = picture_in_tiles(wanted, false);
+  render::divide_by_opacity(image);
+  return image;
+}
+
+render::Image Viewer::picture_in_tiles(const ViewDrawing& whole, bool panels) {
+  render::Image image = render::empty_image(whole.size);
+  const bool opaque = !whole.transparent && whole.pass == render::Pass::none;
+  const int samples = std::max(options_.samples, options_.still_samples), side = longest_side(gl_, options_);
+  for (int y = 0; y < whole.size.y; y += side) {
+    for (int x = 0; x < whole.size.x; x += side) {
+      ViewDrawing part = whole;
+      part.tile = glm::min(glm::ivec2(side), whole.size - glm::ivec2(x, y));
+      part.corner = {x, whole.size.y - y - part.tile.y};
+      framebuffer_.begin(part.tile, samples);
+      renderer_.draw(part);
+      framebuffer_.resolve();
+      if (panels) imgui_renderer_.draw(*ImGui::GetDrawData(), {x, y}, part.tile);
+      render::put(image, framebuffer_.read(opaque), {x, y});
+    }
   }
   return image;
 }
 
 void Viewer::draw(scene::FrameTimes& times) {
   base::Stopwatch watch;
+  has_drawn_ = false;
+  if (draws_in_tiles()) return;  // by picture() alone
   const ViewDrawing wanted = drawing();
   has_drawn_ =
       view_.draw(renderer_, wanted, fineness(wanted)) || !imgui_renderer_.has_drawn(*ImGui::GetDrawData());

@@ -13,6 +13,7 @@
 #include "app/kept_view.h"
 #include "app/live_model.h"
 #include "app/saved_bindings.h"
+#include "app/script_recorder.h"
 #include "app/side_views.h"
 #include "app/vertex_inspector.h"
 #include "platform/imgui_renderer.h"
@@ -32,8 +33,11 @@ struct ViewerOptions {
   int still_samples = 0;  ///< of one more picture once the view has rested for a quarter of a second; 0 none
   bool may_be_coarse = false;  ///< what moves is drawn at half the resolution, as the workspace says
   bool transparent = false;    ///< pictures have no background
-  bool builtin_font = false;   ///< the same text on every machine, for picture tests
-  bool probe = true;           ///< measure the methods aside
+  float cage_width = 1.25f;    ///< of the cage's lines, logical pixels
+  float wire_width = 1;        ///< of edges of the mesh
+  int longest_tile = 0;  ///< longest side of what is drawn at once, device pixels; 0: what the driver takes
+  bool builtin_font = false;  ///< the same text on every machine, for picture tests
+  bool probe = true;          ///< measure the methods aside
   std::filesystem::path
       state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
   std::filesystem::path program =
@@ -55,6 +59,8 @@ public:
   ui::Recorder& recorder() { return recorder_; }
 
   void resize(glm::ivec2 logical_size);
+  /// Opens files that were dropped on the window.
+  void drop(std::vector<std::filesystem::path> files);
   glm::ivec2 device_size() const;
 
   /// One frame: input, commands, deformation, drawing, panels, into the framebuffer. seconds since the last
@@ -87,6 +93,8 @@ public:
   bool working() const {
     return loading() || exporting() || model_.binding() || sides_.binding(workspace_) || cages_.running();
   }
+  /// True if a cage that is being made will be made once more, with all care.
+  bool will_refine_cage() const { return cages_.will_refine(); }
   /// Waits for the files that are being read.
   void finish_loading() { files_.finish_loading(workspace_); }
   /// Waits for the deformed models that are being written.
@@ -101,7 +109,12 @@ public:
   void finish_views();
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
+  /// Of any size: in tiles, where it is larger than the driver takes.
   render::Image picture();
+  /// What is told of the model instead, with opacity 0 where it is not.
+  render::Image picture(render::Pass pass);
+  /// As the view is drawn.
+  ViewDrawing drawing() const;
   /// The deformer of the open document; null while there is none.
   const deform::Deformer* deformer() const { return model_.deformer(); }
 
@@ -111,6 +124,8 @@ private:
   void settle(unsigned frames) { settle_frames_ = std::max(settle_frames_, frames); }
   void take_input(float seconds);
   void take_requests();
+  void switch_recording();
+  void leave_out_writing();
   void follow_document();
   void settle_cage_edit();
   void settle_messages();
@@ -127,7 +142,8 @@ private:
   void share_ranges();
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);
-  ViewDrawing drawing() const;
+  bool draws_in_tiles() const;
+  render::Image picture_in_tiles(const ViewDrawing& whole, bool panels);
   Fineness fineness(const ViewDrawing& wanted);
   void draw_whole();
   void panels(scene::FrameTimes& times);
@@ -151,6 +167,7 @@ private:
   scene::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
+  ScriptRecorder script_;
   ui::Fonts fonts_;
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;

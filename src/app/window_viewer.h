@@ -15,6 +15,7 @@ struct WindowOptions {
   float scale = 0;                   ///< device pixels per logical pixel; 0 asks the display
   int frames = 0;                    ///< stop after so many frames; 0 never
   std::filesystem::path first_pose;  ///< into which the model moves on the first start; empty: none
+  std::filesystem::path script;      ///< is replayed, in place of inputs; empty: none
   std::filesystem::path loop;        ///< a session whose poses and keys the model has; empty: none
 };
 

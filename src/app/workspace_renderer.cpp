@@ -74,7 +74,19 @@ std::vector<glm::vec4> ramp_of_ends(const std::vector<float>& shares, const rend
   return colors;
 }
 
+render::View seen(const ViewDrawing& d, const ViewDrawing::Part& part) {
+  const render::View whole{part.view, part.projection, d.size, d.scale};
+  return d.tile.x > 0 ? render::tile_of(whole, d.corner, d.tile) : whole;
+}
+
 }  // namespace
+
+// From the near plane of the projection to its far one.
+glm::vec2 depth_range(const ViewDrawing::Part& part) {
+  const glm::dmat4& p = part.projection;
+  if (p[3][3] == 0) return {p[3][2] / (p[2][2] - 1), p[3][2] / (p[2][2] + 1)};
+  return {(p[3][2] + 1) / p[2][2], (p[3][2] - 1) / p[2][2]};
+}
 
 WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
     : gl_(gl),
@@ -243,45 +255,53 @@ ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 siz
 
 void WorkspaceRenderer::draw(const ViewDrawing& d) {
   const render::Theme theme = d.dark ? render::dark_theme() : render::light_theme();
-  if (d.transparent) {
-    gl_.ClearColor(0, 0, 0, 0);
-    gl_.Clear(GL_COLOR_BUFFER_BIT);
-  } else {
-    backdrop_.draw(theme);
-  }
+  draw_background(d, theme);
   for (std::size_t view = 0; view < d.parts.size(); ++view) {
     const ViewDrawing::Part& part = d.parts[view];
-    if (d.parts.size() > 1) clip_to(part, d.size);
+    if (d.parts.size() > 1) clip_to(d, part);
     draw_part(d, view, theme);
     gl_.Disable(GL_SCISSOR_TEST);
   }
 }
 
 // Rows of pixels are counted from below.
-void WorkspaceRenderer::clip_to(const ViewDrawing::Part& part, const glm::ivec2& size) const {
-  const glm::ivec2 low(glm::round(part.low * glm::vec2(size))), high(glm::round(part.high * glm::vec2(size)));
+void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& part) const {
+  const glm::ivec2 low(glm::round(part.low * glm::vec2(d.size))),
+      high(glm::round(part.high * glm::vec2(d.size)));
   gl_.Enable(GL_SCISSOR_TEST);
-  gl_.Scissor(low.x, size.y - high.y, high.x - low.x, high.y - low.y);
+  gl_.Scissor(low.x - d.corner.x, d.size.y - high.y - d.corner.y, high.x - low.x, high.y - low.y);
+}
+
+void WorkspaceRenderer::draw_background(const ViewDrawing& d, const render::Theme& theme) const {
+  if (!d.transparent && d.pass == render::Pass::none) return backdrop_.draw(theme, seen(d, {}));
+  gl_.ClearColor(0, 0, 0, 0);
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 
 void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const render::Theme& theme) {
   const ViewDrawing::Part& part = d.parts[view];
-  const render::View seen{part.view, part.projection, d.size, d.scale};
+  const render::View view_of_it = seen(d, part);
   ModelLayer& model = *models_[view];
-  if (d.model) model.draw(seen, theme, part.surface);
-  if (d.grid) {
-    if (d.model) model.draw_shadow(seen, theme, d.shadow);
-    grid_.draw(seen, theme, d.ground);
+  if (d.pass != render::Pass::none) {
+    render::SurfaceStyle style = part.surface;
+    style.pass = d.pass;
+    style.depth = depth_range(part);
+    return model.draw(view_of_it, theme, style);
   }
-  if (d.cage && part.cage) draw_cage(d, seen, theme);
-  if (view == 0) findings_.draw(seen, theme);
+  if (d.model) model.draw(view_of_it, theme, part.surface);
+  if (d.grid) {
+    if (d.model) model.draw_shadow(view_of_it, theme, d.shadow);
+    grid_.draw(view_of_it, theme, d.ground);
+  }
+  if (d.cage && part.cage) draw_cage(d, view_of_it, theme);
+  if (view == 0) findings_.draw(view_of_it, theme);
 }
 
 void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view,
                                   const render::Theme& theme) const {
   if (d.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
   cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
-  cage_lines_.draw(view, {1.25f, 0.9f, 0.25f, theme.halo});
+  cage_lines_.draw(view, {d.cage_width, 0.9f, 0.25f, theme.halo});
   marks_.draw(view, theme);
   cage_vertices_.draw(view, {theme.outline, theme.hover, 1, 0.35f});
 }

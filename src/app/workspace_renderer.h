@@ -37,6 +37,9 @@ struct ViewDrawing {
   glm::ivec2 size{1, 1};    ///< of the window, device pixels
   float scale = 1;          ///< device pixels per logical pixel
   bool dark = true, transparent = false;
+  render::Pass pass = render::Pass::none;  ///< is all that is told, of the model alone, over nothing
+  glm::ivec2 corner{0, 0}, tile{0, 0};     ///< of the window from its lower left, what is drawn; 0: all of it
+  float cage_width = 1.25f;                ///< of its lines, logical pixels
   bool model = false, grid = false, cage = false, ghost = false;  ///< are shown
   render::ShadowStyle shadow;
   render::GridStyle ground;
@@ -44,6 +47,9 @@ struct ViewDrawing {
 
   friend bool operator==(const ViewDrawing&, const ViewDrawing&) = default;
 };
+
+/// What Pass::depth spans, in eye space: view units from the eye.
+glm::vec2 depth_range(const ViewDrawing::Part& part);
 
 class WorkspaceRenderer {
 public:
@@ -81,7 +87,8 @@ public:
 
 private:
   ViewDrawing::Part part(const scene::Workspace& workspace, std::size_t view) const;
-  void clip_to(const ViewDrawing::Part& part, const glm::ivec2& size) const;
+  void clip_to(const ViewDrawing& drawing, const ViewDrawing::Part& part) const;
+  void draw_background(const ViewDrawing& drawing, const render::Theme& theme) const;
   void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme);
   void set_shown_edges(const scene::Document& document);
   void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;

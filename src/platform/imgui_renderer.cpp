@@ -97,8 +97,8 @@ void ImGuiRenderer::draw(const ImDrawData& data) {
   remember(data);
   const float width = data.DisplaySize.x, height = data.DisplaySize.y;
   if (width <= 0 || height <= 0) return;  // a minimised window
-  gl_.Viewport(0, 0, static_cast<GLsizei>(width * data.FramebufferScale.x),
-               static_cast<GLsizei>(height * data.FramebufferScale.y));
+  gl_.Viewport(0, 0, static_cast<GLsizei>(width * data.FramebufferScale.x + 0.5F),
+               static_cast<GLsizei>(height * data.FramebufferScale.y + 0.5F));
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);
   gl_.Enable(GL_BLEND);
@@ -116,6 +116,14 @@ void ImGuiRenderer::draw(const ImDrawData& data) {
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Disable(GL_BLEND);
   render::debug_check_gl(gl_, "panels");
+}
+
+void ImGuiRenderer::draw(const ImDrawData& data, glm::ivec2 corner, glm::ivec2 size) {
+  const ImVec2 scale = data.FramebufferScale;
+  ImDrawData part = data;
+  part.DisplayPos = {static_cast<float>(corner.x) / scale.x, static_cast<float>(corner.y) / scale.y};
+  part.DisplaySize = {static_cast<float>(size.x) / scale.x, static_cast<float>(size.y) / scale.y};
+  draw(part);
 }
 
 void ImGuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data) {

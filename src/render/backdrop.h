@@ -11,7 +11,8 @@ namespace viete::render {
 class Backdrop {
 public:
   explicit Backdrop(const Gl& gl);
-  void draw(const Theme& theme) const;
+  /// view: for a tile.
+  void draw(const Theme& theme, const View& view = {}) const;
 
 private:
   const Gl& gl_;

@@ -15,8 +15,7 @@ std::string size_text(glm::ivec2 size) {
 }
 
 void require_supported(const Gl& gl, glm::ivec2 size) {
-  GLint limit = 0;
-  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  const int limit = longest_side(gl);
   if (size.x <= limit && size.y <= limit) return;
   throw base::Error(
       "picture", size_text(size) + " pixels is more than the driver's " + std::to_string(limit) + " a side",
@@ -24,6 +23,13 @@ void require_supported(const Gl& gl, glm::ivec2 size) {
 }
 
 }  // namespace
+
+int longest_side(const Gl& gl) {
+  GLint texture = 0, buffer = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
+  return std::min(texture, buffer);
+}
 
 Framebuffer::Framebuffer(const Gl& gl)
     : gl_(gl),

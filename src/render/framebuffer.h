@@ -11,6 +11,9 @@ namespace viete::render {
 
 /// Window, OSMesa and EGL all draw in here, which is what makes their pictures the same. Re-made only when
 /// size or samples change. Colour is RGBA8 as displayed (no sRGB conversion by GL), depth 24 bits.
+/// The longest side of a target that the driver takes, device pixels.
+int longest_side(const Gl& gl);
+
 class Framebuffer {
 public:
   explicit Framebuffer(const Gl& gl);

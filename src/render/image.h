@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,14 @@ struct Image {
   /// x in [0, width) from the left, y in [0, height) from the top.
   Rgba8 pixel(int x, int y) const;
 };
+
+/// Nothing anywhere. Throws base::Error if there is no memory for it.
+Image empty_image(glm::ivec2 size);
+/// A part of it, whose upper left pixel is at `corner`.
+void put(Image& image, const Image& part, glm::ivec2 corner);
+
+/// What is drawn over nothing has its colour times its opacity; files have it whole.
+void divide_by_opacity(Image& image);
 
 /// Writes beside the file, syncs and renames, so that the file is whole or untouched. Throws base::Error.
 void write_png(const std::filesystem::path& path, const Image& image);

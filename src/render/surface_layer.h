@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/choice.h"
 #include "render/gl_objects.h"
 #include "render/image.h"
 #include "render/program.h"
@@ -17,6 +18,13 @@ namespace viete::render {
 /// What the surface looks as if made of. `plain` is one colour for all; `zebra` mirrors stripes, whose bends
 /// show curvature; `file`, `checker` and `normals` colour it by what is known of its points.
 enum class Paint { plain, file, checker, normals, porcelain, jade, zebra };
+
+/// What is told of the surface instead of how it looks; `none`: it is drawn. `depth`: along the view, from
+/// SurfaceStyle::depth[0] to depth[1], in 24 bits: red, green, blue. `normals`: towards the eye's x, y and z,
+/// half a level each and a half. `triangles`: their numbers, from 1, in 24 bits. `occlusion`: how open it is,
+/// grey.
+enum class Pass { none, depth, normals, triangles, occlusion };
+std::span<const base::Choice> choices(Pass);
 
 /// Consecutive triangles that look alike.
 struct SurfaceRun {
@@ -48,6 +56,8 @@ struct SurfaceStyle {
   float occlusion = 1;   ///< how much of the baked darkening is used, 0 to 1
   bool scalars = false;  ///< colour by set_scalars() through set_palette() instead of theme.model
   float scalar_low = 0;  ///< the scalar at the first palette colour
+  Pass pass = Pass::none;
+  glm::vec2 depth{0, 1};  ///< of Pass::depth, in the caller's eye space
   float scalar_high = 1;  ///< the scalar at the last palette colour
 
   friend bool operator==(const SurfaceStyle&, const SurfaceStyle&) = default;
@@ -99,8 +109,8 @@ private:
 
   const Gl& gl_;
   // What is not asked for costs nothing: each has a wireframe or none, colours of vertices or none, and plain
-  // colour, scalars, looks, looks of flat faces, or a material.
-  mutable std::array<std::optional<Program>, 28> programs_;
+  // colour, scalars, looks, looks of flat faces, a material, or a pass.
+  mutable std::array<std::optional<Program>, 32> programs_;
   VertexArray vertex_array_;
   BufferTexture indices_;         // 3 vertex numbers per triangle
   BufferTexture vertices_;        // SurfaceVertex, two texels each

@@ -46,8 +46,8 @@ check_shell() {
 
 ! command -v bash >/dev/null || check_shell bash
 ! command -v fish >/dev/null || check_shell fish
-same bash "viete r" "$(printf '%s\n' 'files:@(obj|ply|off|stl|glb|gltf|viete)' render report)"
-same bash "viete render a.ply -o " "files:png"
+same bash "viete r" "$(printf '%s\n' 'files:@(obj|ply|off|stl|glb|gltf|viete)' render replay report)"
+same bash "viete render a.ply -o " "files:@(png|svg|pfm)"
 same bash "viete deform a.ply --pose " "files:@(obj|ply|off|stl|glb|gltf)"
 
 # zsh needs a terminal to complete: at least its text has them all.

@@ -84,7 +84,7 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
        "mean fast?"},
       {"render a b -o x.png --look up",
        "--look: needs home, front, back, left, right, top or bottom, not up"},
-      {"render a b -o x.png --size 12", "--size: needs WIDTHxHEIGHT, each 16 to 8192, not 12"}};
+      {"render a b -o x.png --size 12", "--size: needs WIDTHxHEIGHT, each 16 to 32768, not 12"}};
   const TemporaryFolder empty;
   for (const auto& [line, words] : cases) {
     const Outcome outcome = run(line, without_display(empty.path()));
@@ -95,10 +95,10 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
   CHECK(empty.entries() == 0);
 }
 
-TEST_CASE("a_picture_is_no_larger_than_that_of_a_session_may_be") {
-  const Outcome outcome = run("render a b -o x.png --size 8192x8192");
+TEST_CASE("a_picture_is_no_larger_than_fits_the_memory") {
+  const Outcome outcome = run("render a b -o x.png --size 32768x32768");
   CHECK(outcome.code == 2);
-  CHECK(mentions(outcome, "at most as many pixels as 4096x4096"));
+  CHECK(mentions(outcome, "at most as many pixels as 16384x16384"));
 }
 
 TEST_CASE("a_wrong_value_is_told_before_what_is_missing") {

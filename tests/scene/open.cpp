@@ -276,12 +276,12 @@ TEST_CASE(
 
 TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
   Document document;
-  put_settings(document, {.turn = 0.5, .stretch = 2});
+  put_settings(document, {{.turn = 0.5, .stretch = 2}});
   CHECK(document.scheme.amounts == deform::Amounts{0.5, 2});
-  put_settings(document, {.stretch = 0});
+  put_settings(document, {{.stretch = 0}});
   CHECK(document.scheme.amounts == deform::Amounts{0.5, 0});
   try {
-    put_settings(document, {.choice = {.weights = deform::Weights::mean_value}, .turn = 1});
+    put_settings(document, {{.choice = {.weights = deform::Weights::mean_value}, .turn = 1}});
     FAIL("points took a turn");
   } catch (const base::Error& error) {
     CHECK(error.place() == "--turn");

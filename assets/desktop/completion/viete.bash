@@ -15,7 +15,8 @@ _viete_value() {
     --plot) _filedir svg ;;
     -o | --output)
       case $1 in
-        render) _filedir png ;;
+        render) _filedir '@(png|svg|pfm)' ;;
+        replay) _filedir '@(viete|png)' ;;
         report) _filedir -d ;;
         animate) _filedir '@(pc2|mdd|glb|gltf|obj|ply|off|stl|png|mp4|webm|mkv|gif)' ;;
         between) _filedir "$_viete_caches" ;;
@@ -36,6 +37,7 @@ _viete_value() {
     --map) words='none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence opening difference signed-difference' ;;
     --compare) words='smooth paper mean-value rigid arap local diag sd improved_sd fast log straight' ;;
     --shading) words='clay porcelain jade file checker normals zebra' ;;
+    --pass) words='none depth normals triangles occlusion' ;;
     --size) words='1280x800 1920x1080 3840x2160' ;;
     --kind) words='automatic box hull' ;;
     --symmetry) words='auto none x y z' ;;
@@ -43,7 +45,7 @@ _viete_value() {
     --margin | --gap) words='0.15 0.5 2' ;;
     --cells) words='1x1x1 2x2x2 3x3x3' ;;
     --shape) _filedir "$_viete_caches" ;;
-    --scale | --frames | --at | --step | --rate | --iterations | --pins | --hold | --tolerance | --largest | --count | --faces | --rounds) ;;
+    --scale | --line-width | --frames | --at | --step | --rate | --iterations | --pins | --hold | --tolerance | --largest | --count | --faces | --rounds) ;;
     *) return 1 ;;
   esac
   [[ -z $words ]] || COMPREPLY=($(compgen -W "$words" -- "$cur"))
@@ -58,12 +60,12 @@ _viete_options() {
       ;;
     render)
       options+=' --output --force --pose --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
-        --transparent --error-map --no-cage --no-grid'
+        --transparent --pass --line-width --error-map --no-cage --no-grid'
       ;;
     deform) options+=' --output --digits --force --pose --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
       options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
-        --size --scale --binding --look --camera --shading --map --compare --panels --light --wireframe --error-map --no-cage --no-grid'
+        --size --scale --binding --line-width --look --camera --shading --map --compare --panels --light --wireframe --error-map --no-cage --no-grid'
       ;;
     between) options+=' --output --frames --at --rest --loop --linear --straight --rate --digits --force' ;;
     mix) options+=' --output --shape --straight --digits --force' ;;
@@ -71,6 +73,7 @@ _viete_options() {
     bind) options+=' --output --force --way --elements --weights --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
+    replay) options+=' --output --scale --force' ;;
     report) options+=' --output --quick --force' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
     'bench eigen') options+=' --force --count --json --plot' ;;
@@ -91,7 +94,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render deform animate between mix pose bind cage info bench report help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
+  local commands='view render replay deform animate between mix pose bind cage info bench report help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -104,6 +107,7 @@ _viete() {
     *:bench\ frame | *:bench\ bind | *:bench\ files | *:bench\ cage | *:bench\ modes | *:bench\ stitched | *:bench\ shapes) _filedir "$_viete_meshes" ;;
     *:bench\ time) _filedir viete ;;
     *:bench\ *) ;;
+    *:replay) _filedir script ;;
     *:between) _filedir "$_viete_caches" ;;
     *:info | *:cage | *:mix | *:pose | *:report) _filedir "$_viete_meshes" ;;
     *)

@@ -3,7 +3,7 @@
 # The command is one of these; "view" may be left out.
 function __viete_in
     set -l words (commandline -opc) view
-    contains -- "$words[2]" view render deform animate between mix pose bind cage info bench report; or set words[2] view
+    contains -- "$words[2]" view render replay deform animate between mix pose bind cage info bench report; or set words[2] view
     contains -- "$words[2]" $argv
 end
 
@@ -20,6 +20,7 @@ end
 set -l c complete -c viete
 $c -n '__viete_first 1' -a view -d 'Open the viewer'
 $c -n '__viete_first 1' -a render -d 'Render a picture'
+$c -n '__viete_first 1' -a replay -d 'Do again what was recorded'
 $c -n '__viete_first 1' -a deform -d 'Deform a mesh by a posed cage'
 $c -n '__viete_first 1' -a animate -d 'Write the frames of a timeline'
 $c -n '__viete_first 1' -a between -d 'What lies between shapes of a model'
@@ -36,8 +37,8 @@ $c -s h -l help -d 'What it can do'
 
 $c -n '__viete_in report' -s o -l output -r -a '(__fish_complete_directories)' -d 'Folder to write'
 $c -n '__viete_in report' -l quick -d 'Fewer matrices, cages and rounds'
-$c -n '__viete_in render deform animate between mix pose bind cage' -s o -l output -r -d 'File to write'
-$c -n '__viete_in render deform animate between mix pose bind cage report; or __viete_bench exp eigen accuracy sym3 frame bind files cage modes stitched time shapes' -l force -d 'Replace other files too'
+$c -n '__viete_in render replay deform animate between mix pose bind cage' -s o -l output -r -d 'File to write'
+$c -n '__viete_in render replay deform animate between mix pose bind cage report; or __viete_bench exp eigen accuracy sym3 frame bind files cage modes stitched time shapes' -l force -d 'Replace other files too'
 $c -n '__viete_in deform animate between mix pose' -l digits -x -a 'all 4 6 9' -d 'Decimals of what moved in text files'
 $c -n '__viete_in cage' -l kind -x -a 'automatic box hull' -d 'What cage'
 $c -n '__viete_in cage' -l triangles -x -a '60 200 600' -d 'Size of the cage'
@@ -70,7 +71,7 @@ $c -n '__viete_in view render deform animate; or __viete_bench modes' -l hold -x
 $c -n '__viete_in bind animate; or __viete_bench frame' -l tolerance -x -d 'Of compressed weights, or of morph targets'
 $c -n '__viete_in animate' -l no-normals -d 'Morph targets of positions alone'
 $c -n '__viete_in animate' -l largest -x -d 'Megabytes of morph targets'
-$c -n '__viete_in view render animate' -l scale -x -d 'Device pixels per logical pixel'
+$c -n '__viete_in view render replay animate' -l scale -x -d 'Device pixels per logical pixel'
 $c -n '__viete_in view animate between' -l frames -x -d 'First-last frame; of between how many; of view, close after so many'
 $c -n '__viete_in between' -l at -x -a '0.5 1 1.5' -d 'One moment: 1 is the second shape'
 $c -n '__viete_in between' -l rest -r -d 'The model at rest'
@@ -90,6 +91,8 @@ $c -n '__viete_in render animate' -l compare -x -a 'smooth paper mean-value rigi
 $c -n '__viete_in render animate' -l camera -r -d 'Seen as that session is'
 $c -n '__viete_in render animate' -l shading -x -a 'clay porcelain jade file checker normals zebra' -d 'What the mesh is coloured by'
 $c -n '__viete_in render animate' -l panels -d 'With the panels'
+$c -n '__viete_in render' -l pass -x -a 'none depth normals triangles occlusion' -d 'What is told of the model instead'
+$c -n '__viete_in render animate' -l line-width -x -d 'Of the cage and of edges, in points'
 $c -n '__viete_in render' -l transparent -d 'Without a background'
 $c -n '__viete_in render animate' -l light -d 'Light theme'
 $c -n '__viete_in render animate' -l wireframe -d 'With the edges of the mesh'

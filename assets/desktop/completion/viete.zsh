@@ -30,6 +30,7 @@ local -a picture=($binding $scale
   '--shading=[what the mesh is coloured by]:shading:(clay porcelain jade file checker normals zebra)'
   '--map=[what the mesh is coloured by, as in the Lab]:map:(none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence opening difference signed-difference)'
   '--compare=[ways or methods side by side]:words:(smooth paper mean-value rigid arap local diag sd improved_sd fast log straight)'
+  '--line-width=[of the cage and of edges, in points]:points:(0.5 0.75 1 2)'
   '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
   '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
 local -a digits=('--digits=[decimals of what moved in text files]:decimals:(all 4 6 9)')
@@ -45,7 +46,8 @@ local command=$words[2]
 [[ $command == bench ]] && command="bench $words[3]"
 case $command in
   render)
-    specs+=($files $output $pose $method $weighting $blend $way $reach $limits $amounts $stitched $picture '--transparent[without a background]')
+    specs+=($files $output $pose $method $weighting $blend $way $reach $limits $amounts $stitched $picture '--transparent[without a background]'
+      '--pass=[what is told of the model instead]:pass:(none depth normals triangles occlusion)')
     ;;
   deform) specs+=($files $output $digits $pose $method $weighting $blend $way $reach $limits $amounts $stitched) ;;
   animate)
@@ -73,6 +75,7 @@ case $command in
       '--quads[pair triangles to quads]' '--cells=[of boxes, along each axis]:cells:(1x1x1 2x2x2 3x3x3)'
       '--own-axes[of boxes, along the extents of the mesh]') ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
+  replay) specs+=('1:script:_files -g "*.script"' $output $scale) ;;
   report) specs+=($meshes "*:pose:$mesh" $force '(-o --output)'{-o+,--output=}'[folder to write]:folder:_files -/' '--quick[fewer matrices, cages and rounds]') ;;
   'bench exp') specs+=($count $json $plot $float) ;;
   'bench eigen') specs+=($count $json $plot) ;;
@@ -94,7 +97,7 @@ case $command in
 esac
 
 if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
-  local -a commands=('view:open the viewer' 'render:render a picture' 'deform:deform a mesh by a posed cage'
+  local -a commands=('view:open the viewer' 'render:render a picture' 'replay:do again what was recorded' 'deform:deform a mesh by a posed cage'
     'animate:write the frames of a timeline' 'between:what lies between shapes of a model' 'mix:mix shapes of a model' 'pose:pose a model by its vertices and by examples'
     'bind:bind a model to its cage' 'cage:make a cage around a mesh' 'info:what mesh files hold' 'bench:measure speed and accuracy'
     'report:write a page of figures, measured here'
@@ -106,7 +109,7 @@ fi
 
 # The words of the command are no files.
 local -i skip=0
-[[ $command == (view|render|deform|animate|between|mix|pose|bind|cage|info|report|bench\ *) ]] && skip=1
+[[ $command == (view|render|replay|deform|animate|between|mix|pose|bind|cage|info|report|bench\ *) ]] && skip=1
 [[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched|time|shapes) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))

@@ -37,15 +37,16 @@ bool holds_content(const fs::path& file, Content content) {
     case Content::session:
       return mesh::FileBytes(file, nullptr).view().find(R"("viete session")") != std::string_view::npos;
     case Content::page: return bytes.find(R"(content="viete report")") != std::string::npos;
+    case Content::distances: return bytes.starts_with("Pf\n");
     case Content::svg: break;
   }
   return bytes.find("<svg") != std::string::npos;
 }
 
 const char* name_of_content(Content content) {
-  constexpr const char* names[] = {"a surface",   "a saved binding",   "a PNG picture",
-                                   "a JSON file", "an SVG picture",    "an animation",
-                                   "a session",   "a page of a report"};
+  constexpr const char* names[] = {"a surface",    "a saved binding", "a PNG picture",
+                                   "a JSON file",  "an SVG picture",  "distances (PFM)",
+                                   "an animation", "a session",       "a page of a report"};
   return names[static_cast<std::size_t>(content)];
 }
 

@@ -87,6 +87,22 @@ ordered_json to_json(const Keymap& keymap) {
   return json;
 }
 
+void put_arrangement(ordered_json& json, const Remembered& remembered) {
+  json["hints"] = remembered.hints;
+  json["ask_keys"] = remembered.ask_keys;
+  json["dark"] = remembered.dark;
+  json["layout"] = to_json(remembered.layout);
+  json["keys"] = to_json(remembered.keymap);
+}
+
+void take_arrangement(Remembered& remembered, const JsonReader& json) {
+  if (const auto hints = json.find("hints")) remembered.hints = hints->boolean();
+  if (const auto ask = json.find("ask_keys")) remembered.ask_keys = ask->boolean();
+  if (const auto dark = json.find("dark")) remembered.dark = dark->boolean();
+  if (const auto layout = json.find("layout")) remembered.layout = layout_of(*layout);
+  if (const auto keys = json.find("keys")) remembered.keymap = keymap_of(*keys);
+}
+
 // What was there before comes behind, where it does not stand already.
 void append_missing(Remembered& to, const std::vector<RecentFile>& more) {
   for (const auto& file : more) {
@@ -105,6 +121,18 @@ std::vector<RecentFile> recent_in(const fs::path& file) {
 }
 
 }  // namespace
+
+std::string arrangement_of(const Remembered& remembered) {
+  ordered_json json;
+  put_arrangement(json, remembered);
+  return json.dump();
+}
+
+void arrange(Remembered& remembered, const std::string& arrangement, const std::string& place) {
+  const nlohmann::json json = nlohmann::json::parse(arrangement, nullptr, false);
+  if (json.is_discarded()) throw base::Error(place, "this is no JSON", "record the script again");
+  take_arrangement(remembered, JsonReader(json, place));
+}
 
 void Remembered::add(const RecentFile& file) {
   const RecentFile entry{from_root(file.file), from_root(file.cage)};
@@ -125,13 +153,9 @@ Remembered read_remembered(const fs::path& file) {
   }
   append_missing(remembered, recent);
   if (const auto folder = json.find("folder")) remembered.folder = folder->path();
-  if (const auto hints = json.find("hints")) remembered.hints = hints->boolean();
-  if (const auto ask = json.find("ask_keys")) remembered.ask_keys = ask->boolean();
-  if (const auto dark = json.find("dark")) remembered.dark = dark->boolean();
+  take_arrangement(remembered, json);
   if (const auto coarse = json.find("coarse_motion")) remembered.coarse_motion = coarse->boolean();
   if (const auto window = json.find("window")) remembered.window = size_of(*window);
-  if (const auto keys = json.find("keys")) remembered.keymap = keymap_of(*keys);
-  if (const auto layout = json.find("layout")) remembered.layout = layout_of(*layout);
   return remembered;
 }
 
@@ -142,13 +166,9 @@ void write_remembered(const fs::path& file, const Remembered& remembered) {
   json["recent"] = ordered_json::array();
   for (const auto& entry : all.recent) json["recent"].push_back(to_json(entry));
   json["folder"] = path_json(all.folder);
-  json["hints"] = all.hints;
-  json["ask_keys"] = all.ask_keys;
-  json["dark"] = all.dark;
   if (all.coarse_motion) json["coarse_motion"] = *all.coarse_motion;
   if (all.window) json["window"] = {all.window->x, all.window->y};
-  json["layout"] = to_json(all.layout);
-  if (all.keymap != Keymap{}) json["keys"] = to_json(all.keymap);
+  put_arrangement(json, all);
   base::replace_file(file, readable(json, file), base::Durability::process);
 }
 

@@ -41,6 +41,7 @@
 #include "scene/workspace/playback.h"
 #include "scene/workspace/question.h"
 #include "scene/workspace/remembered.h"
+#include "scene/workspace/scripting.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
 #include "scene/workspace/vertex_view.h"
@@ -103,6 +104,7 @@ struct Requests {
   bool stop_export = false;
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool run_benchmark = false, show_report = false, stop_benchmark = false;
+  ScriptRequest script = ScriptRequest::none;
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_named_pose, save_cage, save_model,
       save_animation;
@@ -229,6 +231,7 @@ struct Workspace {
   bool offer_cage = true;  ///< ways to get one are shown while the model has none
   CheckState checks;
   Benchmark benchmark;
+  Scripting scripting;
   Saved saved;
   Remembered remembered;
   std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
