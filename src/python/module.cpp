@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "python/affine.h"
+#include "python/deformation.h"
 #include "python/matrices.h"
 #include "sym3/derivative.h"
 #include "sym3/exp.h"
@@ -212,10 +213,62 @@ void define_pow_derivatives(py::module_& m) {
       py::arg("a"), py::arg("p"), tangent_text);
 }
 
+// The axis of an array of matrices that comes before theirs.
+py::ssize_t axis_before(const char* name, const py::array& a) {
+  const py::ssize_t of_matrix = symmetric_shape(name, a).layout == sym3::Layout::full ? 2 : 1;
+  if (a.ndim() <= of_matrix) wrong(name, "there is one matrix alone; this shape is " + shape_text(a));
+  return a.ndim() - of_matrix - 1;
+}
+
+// An array of numbers with as many axes of length 1 behind as matrices have.
+py::object spread(const py::object& numbers, py::ssize_t axes) {
+  py::object array = py::module_::import("numpy").attr("asarray")(numbers);
+  for (py::ssize_t i = 0; i < axes; ++i) array = py::module_::import("numpy").attr("expand_dims")(array, -1);
+  return array;
+}
+
+py::object exp_of(const py::object& logs) {
+  return apply("exp", logs, py::none(),
+               [](const auto& in, const auto& to, std::size_t count) { sym3::exp(in, to, count); });
+}
+
+py::array log_of(const char* name, const py::object& a) {
+  return apply(name, a, py::none(), [](const auto& in, const auto& to, std::size_t count) { sym3::log(in, to, count); });
+}
+
+// V. Arsigny et al., Log-Euclidean metrics for fast and simple calculus on diffusion tensors, 2006.
+py::object mean(const py::object& a, const py::object& weights) {
+  const py::array logs = log_of("mean", a);
+  const py::ssize_t axis = axis_before("mean", logs);
+  if (weights.is_none()) return exp_of(logs.attr("mean")(axis));
+  const py::object shares = py::module_::import("numpy").attr("asarray")(weights, logs.dtype());
+  const py::object sum = shares.attr("sum")(-1);
+  const py::ssize_t of_matrix = logs.ndim() - axis - 1;
+  const py::object weighted = (logs * spread(shares, of_matrix)).attr("sum")(axis);
+  return exp_of(weighted / spread(sum, of_matrix));
+}
+
+py::object interpolate(const py::object& a, const py::object& b, const py::object& t) {
+  const py::array from = log_of("interpolate", a), to = log_of("interpolate", b);
+  const py::ssize_t of_matrix = symmetric_shape("interpolate", from).layout == sym3::Layout::full ? 2 : 1;
+  const py::object share = spread(py::module_::import("numpy").attr("asarray")(t, from.dtype()), of_matrix);
+  return exp_of(from + share * (to - from));
+}
+
+void define_means(py::module_& m) {
+  m.def("mean", mean, py::arg("a"), py::arg("weights") = py::none(),
+        "The log-Euclidean mean: exp of the mean of logs, of (..., k, 3, 3) or (..., k, 6), positive definite.\n\n"
+        "weights: (k,) or (..., k), divided by their sum; None: all the same. It does not swell, as the plain mean does: "
+        "its determinant is the geometric mean of theirs.");
+  m.def("interpolate", interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
+        "From a at t = 0 to b at 1, in log space: exp((1 - t) log a + t log b), positive definite matrices.\n\n"
+        "t: a number or an array, one for each matrix; shapes are spread as numpy spreads them.");
+}
+
 }  // namespace
 
 PYBIND11_MODULE(viete, m) {
-  m.doc() = "Functions of many symmetric 3x3 matrices, fast and exact.";
+  m.doc() = "Deformation of models by cages, and functions of many symmetric 3x3 matrices, fast and exact.";
   m.attr("__version__") = VIETE_VERSION;
   m.def(
       "kernel", [] { return std::string(sym3::kernel_name()); },
@@ -256,7 +309,11 @@ PYBIND11_MODULE(viete, m) {
       "\n\nm: (..., 3, 3), float32 or float64 (integers are computed as float64).\nout: a pair (r, u) of "
       "arrays "
       "of the same shape and type for the answers; r may be m itself.\nOther Python threads run meanwhile.");
+  define_means(m);
   define_affine(m);
+#ifdef VIETE_HAS_DEFORMER
+  define_deformation(m);
+#endif
 }
 
 }  // namespace viete::python

@@ -130,7 +130,7 @@ TEST_CASE("what_a_hand_did_is_done_again_to_the_bit") {
     d.press_key(scene::Key::f2);
   }
   const auto mark = *d.viewer().recorder().find("recording");
-  d.click({0.5f * (mark.x0 + mark.x1), 0.5f * (mark.y0 + mark.y1)});
+  d.click(glm::vec2(0.5f * (mark.x0 + mark.x1), 0.5f * (mark.y0 + mark.y1)));
   d.settle();
   REQUIRE_FALSE(d.workspace().scripting.recording);
 

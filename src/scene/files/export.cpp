@@ -49,34 +49,36 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
 
 namespace {
 
-// Nothing but its shape moves the model: whatever way it is deformed by leaves it as it is, but for rounding.
-bool is_at_rest(const Export& what) {
-  const auto has_done_nothing = [](const deform::Probe& p) { return p.pin || p.pose == deform::ProbePose{}; };
-  const deform::Pose rest = deform::rest_pose(*what.cage);
-  return what.pose.positions == rest.positions && what.pose.turns == rest.turns &&
-         std::ranges::all_of(what.probes.all, has_done_nothing);
+bool writes_original(const Export& what) {
+  return mesh::writes_itself(what.original.get(), what.file);
 }
 
-// Where only rounding moves a coordinate, it is where the shape has it, and so it is written.
-void keep_at_rest(const std::vector<mesh::Point>& shape, const deform::Cage& cage,
-                  std::vector<mesh::Point>& positions) {
+}  // namespace
+
+// Nothing but its shape moves the model: whatever way it is deformed by leaves it as it is, but for rounding.
+void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
+                  const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions) {
+  const auto has_done_nothing = [](const deform::Probe& p) { return p.pin || p.pose == deform::ProbePose{}; };
+  const deform::Pose rest = deform::rest_pose(cage);
+  const bool turns = std::ranges::any_of(pose.turns, [](const mesh::Vec3& t) {
+    return t != mesh::Vec3{0, 0, 0};
+  });
+  if (pose.positions == rest.positions && (pose.turns == rest.turns || !turns) &&
+      std::ranges::all_of(probes.all, has_done_nothing)) {
+    positions = shape;
+    return;
+  }
   double size = 0;
   for (const mesh::Bounds& box : {mesh::bounds(shape), mesh::bounds(cage.surface.positions)})
     size = std::max({size, mesh::largest_abs(box.low), mesh::largest_abs(box.high)});
   const double rounding = 1e-14 * size;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const double rest = shape[v][i];
-      if (std::abs(positions[v][i] - rest) <= rounding) positions[v][i] = rest;
+      const double rest_place = shape[v][i];
+      if (std::abs(positions[v][i] - rest_place) <= rounding) positions[v][i] = rest_place;
     }
   }
 }
-
-bool writes_original(const Export& what) {
-  return mesh::writes_itself(what.original.get(), what.file);
-}
-
-}  // namespace
 
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
   if (!writes_original(what)) mesh::surface_format(what.file);
@@ -93,11 +95,7 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
 std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
                                      base::Progress* progress, std::vector<std::filesystem::path>* leads_to) {
   const std::vector<mesh::Point>& shape = what.shape ? *what.shape : what.model->positions;
-  if (is_at_rest(what)) {
-    deformed.positions = shape;
-  } else {
-    keep_at_rest(shape, *what.cage, deformed.positions);
-  }
+  keep_at_rest(*what.cage, what.pose, what.probes, shape, deformed.positions);
   const mesh::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
   std::vector<std::string> notes =
       mesh::write(what.file, content, what.original.get(), what.digits, progress, leads_to);

@@ -50,6 +50,11 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
                                      base::Progress* progress = nullptr,
                                      std::vector<std::filesystem::path>* leads_to = nullptr);
 
+/// What files have of a deformed model: where nothing has moved it, or only rounding has moved a coordinate, it is where
+/// the shape has it. `shape`: what the cage acts upon.
+void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
+                  const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions);
+
 /// A checksum of all that the file is made from but its pose, the probes' poses and its name. Reads the
 /// model's file again, which the exported one may be a copy of.
 std::uint64_t content_key(const Export& what);

@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/worker_pool.h"
+#include "deform/asked_scheme.h"
+#include "deform/bind.h"
+#include "deform/deformer.h"
+#include "deform/engine_for.h"
+#include "deform/exact.h"
+#include "library/surfaces.h"
+#include "mesh/normals.h"
+#include "scene/files/export.h"
+
+namespace viete {
+
+namespace {
+
+template <class Entry>
+auto named(std::span<const Entry> table, const std::string& name, const char* what) {
+  if (const auto value = deform::find_by_name(table, name)) return *value;
+  std::string names;
+  for (const Entry& entry : table) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  throw base::Error(what, "there is none called " + name, "choose one of " + names);
+}
+
+template <class Entry, class Value>
+void take(std::span<const Entry> table, const std::string& name, const char* what,
+          std::optional<Value>& value) {
+  if (!name.empty()) value = named(table, name, what);
+}
+
+void check(const char* what, std::optional<double> value, double low, double high) {
+  if (value && !(*value >= low && *value <= high))
+    throw base::Error(what, "this number is out of range", "see the header for how far it goes");
+}
+
+deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
+  deform::AskedScheme asked;
+  // Of points there is no surface along which weights could spread.
+  if (has_triangles || b.way != Blending{}.way) take(deform::all_ways(), b.way, "way", asked.way);
+  take(deform::all_elements(), b.elements, "elements", asked.choice.elements);
+  take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
+  take(deform::all_blends(), b.blend, "blend", asked.choice.blend);
+  check("reach", b.reach, deform::lowest_reach, deform::whole_cage);
+  check("radius", b.radius, deform::least_radius, deform::largest_radius);
+  check("exponent", b.exponent, 1, deform::most_exponent);
+  check("turn", b.turn, 0, deform::largest_amount), check("stretch", b.stretch, 0, deform::largest_amount);
+  check("stitched", b.stitched, 1, deform::most_iterations);
+  check("pins", b.pins, 0, deform::largest_pin_radius), check("hold", b.hold, 0, 1);
+  asked.weighting = {b.reach, b.radius, b.exponent, b.clamp, b.normalise};
+  asked.turn = b.turn, asked.stretch = b.stretch, asked.iterations = b.stitched;
+  asked.pins = b.pins, asked.hold = b.hold;
+  return deform::scheme_of(asked, deform::default_scheme(has_triangles));
+}
+
+sym3::Method method_of(const std::string& name) {
+  if (const auto method = sym3::method_from_name(name)) return *method;
+  throw base::Error("method", "there is none called " + name, "choose diag, sd, improved_sd or fast");
+}
+
+mesh::Vec3 vector_of(const Point3& p) {
+  return {p[0], p[1], p[2]};
+}
+
+template <class T>
+void check_size(std::span<T> numbers, std::size_t vertices, const char* what) {
+  if (numbers.size() != 3 * vertices)
+    throw base::Error(
+        what,
+        "it has " + std::to_string(numbers.size()) + " numbers for " + std::to_string(vertices) + " vertices",
+        "give three for each vertex");
+}
+
+}  // namespace
+
+struct Deformer::Impl {
+  Impl(const Mesh& m, const Mesh& c, const Blending& blending, int threads)
+      : model(library::surface_of(m, "the model")),
+        cage(std::make_shared<const deform::Cage>(deform::make_cage(library::surface_of(c, "the cage")))),
+        scheme(scheme_of(blending, !model.triangles.empty())),
+        method(method_of(blending.method)),
+        pool(threads),
+        notes(cage->warnings) {}
+
+  deform::Pose pose(std::span<const double> numbers, const std::vector<Point3>* turns) const {
+    deform::Pose pose{library::points_of(numbers, cage->surface.positions.size(), "the pose of the cage"),
+                      {}};
+    if (turns) pose.turns = library::inside(*turns);
+    return pose;
+  }
+  static void keep_turns(const deform::LogReport& report, std::vector<Point3>* turns) {
+    if (turns) *turns = library::outside(report.turns);
+  }
+
+  deform::ExactDeformer& exact() {
+    if (!exact_)
+      exact_ = std::make_unique<deform::ExactDeformer>(model, cage, scheme, method, pool,
+                                                       deform::ExactDeformer::Weights::kept, mask);
+    return *exact_;
+  }
+
+  deform::Deformer& live() {
+    if (live_) return *live_;
+    const bool staged = deform::engine_for(scheme, method) == deform::EngineKind::staged;
+    auto binding = std::make_shared<const deform::Binding>(
+        deform::bind(model, *cage, scheme.weighting, deform::EngineKind::fused, nullptr, pool));
+    if (staged)
+      binding = std::make_shared<const deform::Binding>(
+          deform::bind(model, *cage, scheme.weighting, deform::EngineKind::staged, binding.get(), pool));
+    std::shared_ptr<const deform::Stitching> stitching;
+    if (scheme.stitched())
+      stitching = std::make_shared<const deform::Stitching>(
+          deform::stitch(model, *cage, scheme.weighting.elements, pool, deform::settings_of(scheme)));
+    live_ = std::make_unique<deform::Deformer>(cage, std::move(binding), scheme, pool, std::move(stitching));
+    live_->set_mask(mask), live_->set_shape(shape), live_->set_probes(probes);
+    return *live_;
+  }
+
+  mesh::Surface model;
+  std::shared_ptr<const deform::Cage> cage;
+  deform::Scheme scheme;
+  sym3::Method method;
+  base::WorkerPool pool;
+  std::vector<std::string> notes;
+  std::optional<mesh::Adjacency> around;  // triangles of each vertex
+  deform::Mask mask;
+  deform::SharedShape shape;
+  deform::Probes probes;
+  std::unique_ptr<deform::ExactDeformer> exact_;  // each where it is asked for
+  std::unique_ptr<deform::Deformer> live_;
+};
+
+Deformer::Deformer(const Mesh& model, const Mesh& cage, const Blending& blending, int threads)
+    : impl_(std::make_unique<Impl>(model, cage, blending, threads)) {}
+Deformer::~Deformer() = default;
+Deformer::Deformer(Deformer&&) noexcept = default;
+Deformer& Deformer::operator=(Deformer&&) noexcept = default;
+
+std::size_t Deformer::vertex_count() const {
+  return impl_->model.positions.size();
+}
+std::size_t Deformer::cage_vertex_count() const {
+  return impl_->cage->surface.positions.size();
+}
+const std::vector<std::string>& Deformer::notes() const {
+  return impl_->notes;
+}
+
+void Deformer::deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals,
+                      std::vector<Point3>* turns) {
+  check_size(positions, vertex_count(), "positions");
+  if (!normals.empty()) check_size(normals, vertex_count(), "normals");
+  const deform::Pose pose = impl_->pose(cage, turns);
+  deform::ExactModel deformed = impl_->exact().deform(pose, impl_->probes, impl_->shape);
+  const auto& shape = impl_->shape ? *impl_->shape : impl_->model.positions;
+  scene::keep_at_rest(*impl_->cage, pose, impl_->probes, shape, deformed.positions);
+  Impl::keep_turns(deformed.report, turns);
+  for (std::size_t v = 0; v < deformed.positions.size(); ++v)
+    std::ranges::copy(deformed.positions[v], positions.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  if (normals.empty()) return;
+  if (!impl_->around) impl_->around = mesh::vertex_triangles(vertex_count(), impl_->model.triangles);
+  std::vector<mesh::Point> all(vertex_count());
+  mesh::vertex_normals(deformed.positions, impl_->model.triangles, *impl_->around, 0, all.size(), all);
+  for (std::size_t v = 0; v < all.size(); ++v)
+    std::ranges::copy(all[v], normals.begin() + static_cast<std::ptrdiff_t>(3 * v));
+}
+
+void Deformer::deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals,
+                      std::vector<Point3>* turns) {
+  check_size(positions, vertex_count(), "positions");
+  if (!normals.empty()) check_size(normals, vertex_count(), "normals");
+  const deform::Pose pose = impl_->pose(cage, turns);
+  deform::Deformer& live = impl_->live();
+  live.deform(pose, impl_->method);
+  Impl::keep_turns(live.state().report(), turns);
+  const auto vertices = live.vertices();
+  const mesh::Vec3 origin = live.origin();
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k)
+      positions[3 * v + k] = static_cast<float>(origin[k] + vertices[v].position[k]);
+    if (!normals.empty())
+      std::copy_n(vertices[v].normal, 3, normals.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  }
+}
+
+void Deformer::set_mask(std::span<const float> shares) {
+  if (!shares.empty() && shares.size() != vertex_count())
+    throw base::Error("the mask", "it has another number of shares than the model has vertices",
+                      "give one for each vertex");
+  for (const float share : shares)
+    if (!(share >= 0 && share <= 1))
+      throw base::Error("the mask", "a share is not between 0 and 1", "keep them there");
+  impl_->mask =
+      shares.empty() ? nullptr : std::make_shared<const std::vector<float>>(shares.begin(), shares.end());
+  impl_->exact_.reset();
+  if (impl_->live_) impl_->live_->set_mask(impl_->mask);
+}
+
+void Deformer::set_shape(std::span<const double> positions) {
+  impl_->shape = positions.empty() ? nullptr
+                                   : std::make_shared<const std::vector<mesh::Point>>(
+                                         library::points_of(positions, vertex_count(), "the shape"));
+  if (impl_->live_) impl_->live_->set_shape(impl_->shape);
+}
+
+void Deformer::set_probes(const std::vector<Probe>& probes) {
+  deform::Probes all;
+  for (const Probe& p : probes) {
+    if (!(p.radius > 0 && p.radius <= mesh::largest_coordinate))
+      throw base::Error("a probe", "its radius is no length", "give it one above 0");
+    const deform::Influence influence{named(deform::all_falloffs(), p.falloff, "falloff"), p.radius};
+    deform::Probe probe{
+        .place = vector_of(p.place), .turn = influence, .stretch = influence, .move = influence};
+    const auto& s = p.stretch;
+    probe.pose = {vector_of(p.turn), {s[0], s[1], s[2], s[3], s[4], s[5]}, vector_of(p.move)};
+    all.all.push_back(probe);
+  }
+  impl_->probes = std::move(all);
+  if (impl_->live_) impl_->live_->set_probes(impl_->probes);
+}
+
+}  // namespace viete

@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/worker_pool.h"
+#include "deform/example_posing.h"
+#include "library/surfaces.h"
+#include "scene/document/animation.h"
+#include "scene/document/shape_mix.h"
+
+namespace viete {
+
+namespace {
+
+// Keys a frame apart, from 0 on.
+scene::Timeline timeline_of(std::vector<scene::WholePose> poses, bool straight) {
+  scene::Timeline timeline;
+  timeline.first = 0, timeline.last = static_cast<int>(poses.size()) - 1;
+  timeline.straight = straight;
+  timeline.repeat = scene::Repeat::once;
+  const auto easing = poses.size() == 2 ? scene::Easing::linear : scene::Easing::smooth;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    timeline.keys.push_back(
+        {static_cast<int>(i), std::make_shared<const scene::WholePose>(std::move(poses[i])), easing});
+  return timeline;
+}
+
+void check_moment(double at, std::size_t count) {
+  if (!(at >= 0 && at <= static_cast<double>(count) - 1))
+    throw base::Error("at", "it is beyond the shapes that there are",
+                      "0 is the first one, " + std::to_string(count - 1) + " the last");
+}
+
+void check_weights(std::span<const double> weights, std::size_t count) {
+  if (weights.size() != count)
+    throw base::Error(
+        "weights",
+        "there are " + std::to_string(weights.size()) + " for " + std::to_string(count) + " shapes",
+        "give one for each");
+  for (const double w : weights)
+    if (!(std::abs(w) <= 1000))
+      throw base::Error("weights", "one is not finite, or beyond 1000", "leave it out");
+}
+
+// Of those that count; one of them alone is what it is, bit for bit.
+template <class Whole, class Make>
+auto sum_of(std::span<const double> weights, const std::vector<deform::LogVector>& vectors,
+            const Whole& whole, const Make& make) {
+  std::vector<deform::LogTerm> sum;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] != 0) sum.push_back({&vectors[i], weights[i]});
+  if (sum.size() == 1 && sum[0].factor == 1)
+    return whole(static_cast<std::size_t>(sum[0].vector - vectors.data()));
+  return make(sum);
+}
+
+}  // namespace
+
+struct ShapeSpace::Impl {
+  Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all, int threads)
+      : rest(std::make_shared<const mesh::Surface>(library::surface_of(mesh, "the mesh at rest"))),
+        pool(threads),
+        space(*rest, pool) {
+    if (all.empty()) throw base::Error("shapes", "there is none", "name one or more");
+    for (const auto& shape : all) {
+      const std::vector<mesh::Point> positions = library::inside(shape);
+      library::check_points(positions, rest->positions.size(), "a shape");
+      const deform::LogVector* before = vectors.empty() ? nullptr : &vectors.back();
+      deform::LogVector vector = space.vector(positions, pool, before);
+      vectors.push_back(std::move(vector));
+      shapes.push_back(std::make_shared<const std::vector<mesh::Point>>(positions));
+    }
+  }
+
+  const scene::Animation& way() {
+    if (animation) return *animation;
+    std::vector<scene::WholePose> poses(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) poses[i].shape = shapes[i];
+    known.follow_model(rest);
+    animation.emplace(timeline_of(std::move(poses), false), known);
+    return *animation;
+  }
+
+  std::shared_ptr<const mesh::Surface> rest;
+  base::WorkerPool pool;
+  deform::ShapeSpace space;
+  std::vector<scene::SharedShape> shapes;
+  std::vector<deform::LogVector> vectors;
+  scene::KnownVectors known;
+  std::optional<scene::Animation> animation;
+};
+
+ShapeSpace::ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads)
+    : impl_(std::make_unique<Impl>(rest, shapes, threads)) {}
+ShapeSpace::~ShapeSpace() = default;
+ShapeSpace::ShapeSpace(ShapeSpace&&) noexcept = default;
+ShapeSpace& ShapeSpace::operator=(ShapeSpace&&) noexcept = default;
+
+std::size_t ShapeSpace::shape_count() const {
+  return impl_->shapes.size();
+}
+
+std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
+  check_weights(weights, impl_->shapes.size());
+  const deform::LogSpace& logs = impl_->space.logs();
+  return library::outside(sum_of(
+      weights, impl_->vectors, [&](std::size_t i) { return *impl_->shapes[i]; },
+      [&](const std::vector<deform::LogTerm>& sum) {
+        if (sum.empty()) return logs.rest();
+        const deform::Held held = logs.held_from(logs.at_rest(), sum);
+        return *scene::blended(logs, sum, &held, impl_->pool);
+      }));
+}
+
+std::vector<Point3> ShapeSpace::between(double at, bool straight) const {
+  check_moment(at, impl_->shapes.size());
+  return library::outside(*impl_->way().at(at, straight).shape);
+}
+
+std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, std::span<const Point3> places,
+                                     double firmness, double freedom, std::vector<double>* weights) const {
+  constexpr int most_steps = 200;
+  const std::vector<mesh::Point> targets = library::inside(places);
+  library::check_points(targets, vertices.size(), "the places");
+  if (!(firmness > 0))
+    throw base::Error("firmness", "it is not above 0", "0.3 pulls as strongly as neighbours do");
+  if (!(freedom >= 0 && freedom <= 1))
+    throw base::Error("freedom", "it is not between 0 and 1", "choose 0 to 1");
+  std::vector<deform::PosingPin> pins;
+  for (const std::uint32_t v : vertices) {
+    if (v >= impl_->rest->positions.size())
+      throw base::Error("vertices", "there is no vertex " + std::to_string(v), "count them from 0");
+    pins.push_back({v, firmness > 1e9 ? deform::holding : firmness});
+  }
+  std::vector<const deform::LogVector*> examples;
+  for (const auto& vector : impl_->vectors) examples.push_back(&vector);
+  deform::ExamplePosing posing(impl_->space, std::move(examples), impl_->pool);
+  posing.set_pins(std::move(pins));
+  posing.solve(targets, {.freedom = freedom}, most_steps);
+  if (weights) *weights = posing.weights();
+  return library::outside(posing.positions());
+}
+
+struct PoseSpace::Impl {
+  Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all)
+      : cage(std::make_shared<const deform::Cage>(deform::make_cage(library::surface_of(mesh, "the cage")))),
+        space(cage) {
+    if (all.empty()) throw base::Error("poses", "there is none", "name one or more");
+    for (const auto& pose : all) {
+      const std::vector<mesh::Point> positions = library::inside(pose);
+      library::check_points(positions, cage->surface.positions.size(), "a pose");
+      vectors.push_back(space.vector({positions, {}}));
+      poses.push_back(positions);
+    }
+  }
+
+  const scene::Animation& way() {
+    if (animation) return *animation;
+    std::vector<scene::WholePose> keys(poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) keys[i].cage.positions = poses[i];
+    known.follow(cage);
+    animation.emplace(timeline_of(std::move(keys), false), known);
+    return *animation;
+  }
+
+  std::shared_ptr<const deform::Cage> cage;
+  deform::PoseSpace space;
+  std::vector<std::vector<mesh::Point>> poses;
+  std::vector<deform::LogVector> vectors;
+  scene::KnownVectors known;
+  std::optional<scene::Animation> animation;
+};
+
+PoseSpace::PoseSpace(const Mesh& cage, std::span<const std::vector<Point3>> poses)
+    : impl_(std::make_unique<Impl>(cage, poses)) {}
+PoseSpace::~PoseSpace() = default;
+PoseSpace::PoseSpace(PoseSpace&&) noexcept = default;
+PoseSpace& PoseSpace::operator=(PoseSpace&&) noexcept = default;
+
+std::size_t PoseSpace::pose_count() const {
+  return impl_->poses.size();
+}
+
+std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {
+  check_weights(weights, impl_->poses.size());
+  const deform::LogSpace& logs = impl_->space.logs();
+  return library::outside(sum_of(
+      weights, impl_->vectors, [&](std::size_t i) { return impl_->poses[i]; },
+      [&](const std::vector<deform::LogTerm>& sum) {
+        if (sum.empty()) return impl_->cage->surface.positions;
+        return impl_->space.pose(sum, logs.held_from(logs.at_rest(), sum)).positions;
+      }));
+}
+
+std::vector<Point3> PoseSpace::between(double at, bool straight) const {
+  check_moment(at, impl_->poses.size());
+  return library::outside(impl_->way().at(at, straight).cage.positions);
+}
+
+}  // namespace viete

@@ -1,0 +1,26 @@
+// Meshes of the public header as the rooms have them, checked.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "library/deform.h"
+#include "mesh/surface.h"
+
+namespace viete::library {
+
+/// As the rooms have them, and back.
+std::vector<mesh::Point> inside(std::span<const Point3> points);
+std::vector<Point3> outside(std::span<const mesh::Point> points);
+
+/// Throws base::Error that names `what` ("the model"): corners that are no vertices, faces of fewer than
+/// three, places that are not finite or farther out than files may be.
+mesh::Surface surface_of(const Mesh& mesh, const char* what);
+Mesh mesh_of(const mesh::Surface& surface);
+
+/// Places of so many vertices, three numbers each. Throws base::Error as above.
+std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what);
+void check_points(std::span<const mesh::Point> points, std::size_t vertices, const char* what);
+
+}  // namespace viete::library

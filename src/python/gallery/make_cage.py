@@ -1,0 +1,15 @@
+"""A cage is made around a model, bent, and takes the model along."""
+import numpy as np
+import viete
+
+dragon = viete.read("assets/dragon/dragon.ply")
+vertices, faces = viete.make_cage(dragon.vertices, dragon.faces, triangles=120)
+deformer = viete.Deformer(dragon.vertices, dragon.faces, vertices, faces)
+
+# About the vertical axis, the more the farther along x.
+angle = 0.5 * vertices[:, 0]
+bent = vertices.copy()
+bent[:, 0] = np.cos(angle) * vertices[:, 0] + np.sin(angle) * vertices[:, 2]
+bent[:, 2] = np.cos(angle) * vertices[:, 2] - np.sin(angle) * vertices[:, 0]
+viete.write("twisted.ply", dragon, vertices=deformer.deform(bent))
+print("a cage of %d triangles moves %d vertices" % (len(faces), len(dragon.vertices)))

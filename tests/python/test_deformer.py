@@ -1,0 +1,283 @@
+"""The deformer of the module `viete`: against the command line, to the bit, and against what must hold.
+
+test_deformer.py PROGRAM ASSETS: the program viete, and the folder of the bundled dragon.
+"""
+
+import gc
+import pathlib
+import resource
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+import viete
+
+PROGRAM, ASSETS = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]) / "dragon"
+CUBE = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+CUBE_FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+
+
+def ball(n=12):
+    """A sphere of triangles inside of the cube."""
+    u, v = np.meshgrid(np.linspace(0.2, np.pi - 0.2, n), np.linspace(0, 2 * np.pi, n, endpoint=False), indexing="ij")
+    places = 0.8 * np.stack([np.sin(u) * np.cos(v), np.sin(u) * np.sin(v), np.cos(u)], axis=-1).reshape(-1, 3)
+    at = lambda i, j: i * n + j % n
+    faces = [t for i in range(n - 1) for j in range(n)
+             for t in ([at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)])]
+    return places, np.array(faces, np.int32)
+
+
+def run(*words):
+    subprocess.run([str(PROGRAM), *map(str, words)], check=True, capture_output=True)
+
+
+def turned(points, angle):
+    c, s = np.cos(angle), np.sin(angle)
+    return points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+
+
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+
+class Dragon(WithFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.dragon, cls.cage = viete.read(ASSETS / "dragon.ply"), viete.read(ASSETS / "cage.obj")
+        cls.pose = viete.read(ASSETS / "pose_alert.obj").vertices
+
+    def bound(self, **words):
+        return viete.Deformer(self.dragon.vertices, self.dragon.faces, self.cage.vertices, self.cage.faces, **words)
+
+    def test_it_has_the_bits_of_the_command_line(self):
+        for words, options in [({}, []), ({"way": "mean-value"}, ["--way", "mean-value"]),
+                               ({"way": "paper", "method": "improved_sd", "turn": 0.5},
+                                ["--way", "paper", "--method", "improved_sd", "--turn", "50"])]:
+            out = self.folder / "out.ply"
+            run("deform", ASSETS / "dragon.ply", ASSETS / "cage.obj", "--pose", ASSETS / "pose_alert.obj", *options,
+                "-o", out, "--force")
+            asked = self.folder / "asked.ply"
+            viete.write(asked, self.dragon, vertices=self.bound(**words).deform(self.pose))
+            with self.subTest(words):
+                self.assertEqual(out.read_bytes(), asked.read_bytes())
+
+    def test_float_is_near_double_and_normals_are_of_length_1(self):
+        exact, exact_normals = self.bound().deform(self.pose, normals=True)
+        fast, normals = self.bound(dtype="float32").deform(self.pose, normals=True)
+        self.assertEqual(fast.dtype, np.float32)
+        self.assertLess(np.abs(fast - exact).max(), 1e-4)
+        for n in (exact_normals, normals):
+            self.assertLess(np.abs(np.linalg.norm(n, axis=1) - 1).max(), 1e-5)
+        self.assertLess(np.median(np.abs(normals - exact_normals)), 1e-3)
+
+    def test_sessions_are_what_animate_writes(self):
+        session = viete.Session(ASSETS / "loop.viete")
+        self.assertEqual(session.range, [1, 121])
+        run("animate", ASSETS / "loop.viete", "--frames", "12-13", "-o", self.folder / "f_###.ply")
+        for frame in (12, 13):
+            written = viete.read(self.folder / f"f_{frame:03}.ply").vertices
+            self.assertTrue(np.array_equal(session.frame(frame), written))
+        self.assertEqual(session.cage_vertices.shape, (76, 3))
+
+    def test_shapes_are_those_of_the_command_line(self):
+        run("between", ASSETS / "dragon.ply", ASSETS / "shape_coiled.pc2", "--at", "0.5", "-o", self.folder / "half.ply")
+        run("mix", ASSETS / "dragon.ply", "--shape", f"{ASSETS / 'shape_coiled.pc2'}=0.5", "-o", self.folder / "mix.ply")
+        rest = self.dragon.vertices
+        coiled = np.fromfile(ASSETS / "shape_coiled.pc2", "<f4", offset=32).reshape(-1, 3).astype(float)
+        between = viete.ShapeSpace(rest, self.dragon.faces, [rest, coiled]).between(0.5)
+        mixed = viete.ShapeSpace(rest, self.dragon.faces, [coiled]).mix([0.5])
+        size = np.ptp(rest, axis=0).max()
+        for ours, file in ((between, "half.ply"), (mixed, "mix.ply")):
+            self.assertLess(np.abs(ours - viete.read(self.folder / file).vertices).max(), 1e-9 * size)
+
+
+class Arrays(WithFolder):
+    def setUp(self):
+        super().setUp()
+        self.model, self.faces = ball()
+        self.pose = CUBE * [1.5, 1, 1] + [0, 0.25, 0]
+
+    def bound(self, **words):
+        return viete.Deformer(self.model, self.faces, CUBE, CUBE_FACES, **words)
+
+    def test_any_order_strides_and_types_of_input_give_the_same(self):
+        expected = self.bound().deform(self.pose)
+        wide = np.zeros((16, 6))
+        wide[::2, ::2] = self.pose
+        for pose in (np.asfortranarray(self.pose), wide[::2, ::2], self.pose.astype(np.float32), self.pose.tolist()):
+            self.assertTrue(np.array_equal(self.bound().deform(pose), expected))
+        same = viete.Deformer(np.asfortranarray(self.model), self.faces.astype(np.int64).tolist(), CUBE.tolist(),
+                              [np.array(f, np.uint8) for f in CUBE_FACES])
+        self.assertTrue(np.array_equal(same.deform(self.pose), expected))
+
+    def test_answers_go_where_out_is(self):
+        d = self.bound()
+        expected, expected_normals = d.deform(self.pose, normals=True)
+        count = len(self.model)
+        for out in (np.empty((count, 3)), np.empty((count, 3), order="F"), np.empty((2 * count, 6))[::2, ::2]):
+            normals = np.empty_like(out)
+            answer = d.deform(self.pose, out=out, normals=normals)
+            self.assertIs(answer[0], out)
+            self.assertIs(answer[1], normals)
+            self.assertTrue(np.array_equal(out, expected) and np.array_equal(normals, expected_normals))
+        single = np.empty((count, 3), np.float32)
+        self.assertIs(d.deform(self.pose, out=single), single)
+        self.assertLess(np.abs(single - expected).max(), 1e-5)
+
+    def test_nothing_is_kept_of_the_arrays(self):
+        model, pose = self.model.copy(), self.pose.copy()
+        d = viete.Deformer(model, self.faces, CUBE, CUBE_FACES)
+        expected = d.deform(pose)
+        model[:] = np.nan
+        self.assertTrue(np.array_equal(d.deform(pose), expected))
+        first = expected.copy()
+        d.deform(pose + 1)
+        self.assertTrue(np.array_equal(first, expected))
+
+    def test_a_moved_cage_moves_the_model_alike(self):
+        for way in ("smooth", "paper", "mean-value", "rigid", "arap"):
+            for dtype in ("float64", "float32"):
+                with self.subTest((way, dtype)):
+                    moved = self.bound(way=way, dtype=dtype).deform(turned(CUBE, 0.7) + 1)
+                    self.assertLess(np.abs(moved - (turned(self.model, 0.7) + 1)).max(), 1e-5)
+
+    def test_wrong_arrays_are_told(self):
+        d = self.bound()
+        count = len(self.model)
+        read_only = np.empty((count, 3))
+        read_only.flags.writeable = False
+        shared = np.empty((count + 1, 3))
+        nan = self.pose.copy()
+        nan[3, 1] = np.nan
+        for problem, error, words in [
+            (lambda: d.deform(self.pose[:-1]), viete.Error, "7 places for 8 vertices"),
+            (lambda: d.deform(nan), viete.Error, "vertex 3 is at no place"),
+            (lambda: d.deform(self.pose[:, :2]), ValueError, "(n, 3)"),
+            (lambda: d.deform(self.pose.astype(complex)), TypeError, "float32 or float64"),
+            (lambda: d.deform("pose"), TypeError, ""),
+            (lambda: d.deform(None), TypeError, ""),
+            (lambda: d.deform(self.pose, out=np.empty((count, 4))), ValueError, "out has shape"),
+            (lambda: d.deform(self.pose, out=np.empty((count, 3), int)), TypeError, "out is float32"),
+            (lambda: d.deform(self.pose, out=read_only), ValueError, "read-only"),
+            (lambda: d.deform(self.pose, out=shared[1:], normals=shared[:-1]), ValueError, "share memory"),
+            (lambda: d.deform(self.pose, out=np.empty((count, 3)), normals=np.empty((count, 3), np.float32)), TypeError, "same type"),
+            (lambda: viete.Deformer(self.model, [[0, 1, 99999]], CUBE, CUBE_FACES), viete.Error, "vertex 99999"),
+            (lambda: viete.Deformer(self.model, [[0, 1, -1]], CUBE, CUBE_FACES), ValueError, "counted from 0"),
+            (lambda: viete.Deformer(self.model, [[0, 1]], CUBE, CUBE_FACES), viete.Error, "fewer than three"),
+            (lambda: viete.Deformer(self.model, [[0.5, 1, 2]], CUBE, CUBE_FACES), TypeError, "whole numbers"),
+            (lambda: self.bound(way="smoth"), viete.Error, "choose one of smooth"),
+            (lambda: self.bound(radius=0.2), viete.Error, "radius"),
+            (lambda: self.bound(way="smooth", turn=3), viete.Error, "turn"),
+            (lambda: self.bound(method="fats"), viete.Error, "improved_sd"),
+            (lambda: self.bound(dtype="int32"), TypeError, "dtype"),
+            (lambda: viete.read(self.folder / "none.obj"), viete.Error, "none.obj"),
+            (lambda: viete.write(self.folder / "a.xyz", CUBE, CUBE_FACES), viete.Error, "a.xyz"),
+            (lambda: viete.make_cage(self.model, self.faces, triangles=3), viete.Error, "triangles"),
+            (lambda: viete.Session(self.folder / "a.obj"), viete.Error, "session"),
+        ]:
+            with self.subTest(words):
+                with self.assertRaisesRegex(error, words.replace("(", "\\(").replace(")", "\\)")):
+                    problem()
+        self.assertTrue(issubclass(viete.Error, ValueError))
+        self.assertEqual(d.deform(self.pose).shape, (count, 3))  # it is as it was
+
+    def test_masks_probes_and_shapes_act(self):
+        d = self.bound()
+        all_of_it = d.deform(self.pose)
+        d.set_mask(np.zeros(len(self.model)))
+        self.assertTrue(np.allclose(d.deform(self.pose), self.model))
+        d.set_mask(None)
+        self.assertTrue(np.array_equal(d.deform(self.pose), all_of_it))
+        d.set_probes([{"place": (0, 0, 0), "radius": 10, "falloff": "endless", "move": (0, 0, 2)}])
+        self.assertGreater((d.deform(CUBE) - self.model)[:, 2].min(), 1)
+        d.set_probes([])
+        d.set_shape(self.model * 0.5)
+        self.assertLess(np.abs(d.deform(CUBE) - 0.5 * self.model).max(), 1e-12)
+        with self.assertRaisesRegex(ValueError, "place, radius"):
+            d.set_probes([{"place": (0, 0, 0), "size": 1}])
+
+    def test_turns_go_on_where_they_are_kept(self):
+        space = viete.PoseSpace(CUBE, CUBE_FACES, [CUBE, turned(CUBE, 2.5)])
+        self.assertLess(np.abs(space.between(0.5) - turned(CUBE, 1.25)).max(), 1e-9)
+        self.assertLess(np.abs(space.between(0.5, straight=True) - 0.5 * (CUBE + turned(CUBE, 2.5))).max(), 1e-12)
+        self.assertTrue(np.array_equal(space.mix([0, 1]), turned(CUBE, 2.5)))
+        shapes = viete.ShapeSpace(self.model, self.faces, [turned(self.model, 1.0)])
+        self.assertLess(np.abs(shapes.mix([2]) - turned(self.model, 2.0)).max(), 1e-6)
+        places, weights = shapes.pose([0, 50, 100], turned(self.model, 1.0)[[0, 50, 100]])
+        self.assertEqual(len(weights), 1)
+        self.assertLess(np.abs(places[[0, 50, 100]] - turned(self.model, 1.0)[[0, 50, 100]]).max(), 1e-6)
+
+    def test_a_cage_that_is_made_is_around_the_model(self):
+        vertices, faces = viete.make_cage(self.model, self.faces, triangles=60)
+        self.assertLessEqual(len(faces), 90)
+        deformed = viete.Deformer(self.model, self.faces, vertices, faces).deform(vertices * 2)
+        self.assertLess(np.abs(deformed - 2 * self.model).max(), 1e-9)
+        box, quads = viete.make_cage(self.model, self.faces, kind="box", cells=(2, 1, 1))
+        self.assertTrue((box.min(axis=0) <= self.model.min(axis=0)).all())
+
+    def test_files_keep_what_they_had(self):
+        source = self.folder / "a.obj"
+        source.write_text("# mine\no box\n" + "".join("v %g %g %g\n" % tuple(v) for v in CUBE) +
+                          "vt 0 0\nvt 1 1\n" + "".join("f " + " ".join(f"{c + 1}/1" for c in f) + "\n" for f in CUBE_FACES))
+        surface = viete.read(source)
+        self.assertEqual(surface.faces.shape, (6, 4))
+        self.assertEqual(surface.triangles.shape, (12, 3))
+        viete.write(self.folder / "b.obj", surface, vertices=2 * CUBE)
+        text = (self.folder / "b.obj").read_text()
+        self.assertIn("# mine", text)
+        self.assertIn("vt 1 1", text)
+        self.assertTrue(np.array_equal(viete.read(self.folder / "b.obj").vertices, 2 * CUBE))
+        mixed = CUBE_FACES[:5] + [[1, 5, 7], [1, 7, 3]]
+        viete.write(self.folder / "c.ply", CUBE, mixed)
+        again = viete.read(self.folder / "c.ply").faces
+        self.assertEqual([list(f) for f in again], mixed)
+
+    def test_threads_work_beside_each_other(self):
+        mine, theirs = self.bound(), self.bound(way="paper")
+        expected = [mine.deform(self.pose), theirs.deform(self.pose)]
+        wrong = []
+
+        def work(d, answer):
+            for _ in range(50):
+                if not np.array_equal(d.deform(self.pose), answer):
+                    wrong.append(d)
+
+        threads = [threading.Thread(target=work, args=(d, a)) for d, a in zip((mine, theirs, mine), expected + expected[:1])]
+        for t in threads:
+            t.start()
+        for t in threads:
+            t.join()
+        self.assertEqual(wrong, [])
+
+    def test_memory_stays_where_it_is(self):
+        d = self.bound(dtype="float32")
+        out = np.empty((len(self.model), 3), np.float32)
+
+        def frames(count):
+            for i in range(count):
+                d.deform(CUBE * (1 + 1e-4 * i), out=out)
+            gc.collect()
+            return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+        before = frames(1000)
+        self.assertLess(frames(9000) - before, 2048)  # kB
+
+    def test_it_is_there_at_once(self):
+        code = "import time; t = time.perf_counter(); import viete; print(time.perf_counter() - t)"
+        times = [float(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True).stdout) for _ in range(5)]
+        self.assertLess(min(times), 0.05)
+
+    def test_everything_says_what_it_is(self):
+        for name in dir(viete):
+            if not name.startswith("_"):
+                self.assertTrue(getattr(viete, name).__doc__, name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
