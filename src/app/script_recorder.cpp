@@ -41,12 +41,13 @@ float area(const ui::WidgetRect& rect) {
   return (rect.x1 - rect.x0) * (rect.y1 - rect.y0);
 }
 
-// The smallest one: a button rather than its list. Empty: none.
+// The smallest one: a button rather than its list; what ends the recording is not there in a replay. Empty:
+// none.
 std::string widget_at(glm::vec2 at, const ui::Recorder& widgets) {
   std::string found;
   float smallest = 0;
   for (const auto& [name, rect] : widgets.all()) {
-    if (!contains(rect, at) || (!found.empty() && area(rect) >= smallest)) continue;
+    if (name == "recording" || !contains(rect, at) || (!found.empty() && area(rect) >= smallest)) continue;
     found = name, smallest = area(rect);
   }
   return found;
@@ -109,6 +110,9 @@ Place ScriptRecorder::place_of(glm::vec2 at, const scene::Workspace& w, const ui
   if (const auto rect = widgets.find(name))
     return {Place::Of::widget, name, 0,
             place - 0.5 * glm::dvec2(double(rect->x0) + rect->x1, double(rect->y0) + rect->y1)};
+  const glm::vec2 low = w.viewport.origin, high = low + w.viewport.size;
+  const bool in_view = glm::all(glm::greaterThanEqual(at, low)) && glm::all(glm::lessThan(at, high));
+  if (!held_in_ && !in_view) return {Place::Of::window, {}, 0, place};
   return {Place::Of::view, {}, 0, place - glm::dvec2(w.viewport.middle())};
 }
 

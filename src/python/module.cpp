@@ -233,7 +233,8 @@ py::object exp_of(const py::object& logs) {
 }
 
 py::array log_of(const char* name, const py::object& a) {
-  return apply(name, a, py::none(), [](const auto& in, const auto& to, std::size_t count) { sym3::log(in, to, count); });
+  return apply(name, a, py::none(),
+               [](const auto& in, const auto& to, std::size_t count) { sym3::log(in, to, count); });
 }
 
 // V. Arsigny et al., Log-Euclidean metrics for fast and simple calculus on diffusion tensors, 2006.
@@ -257,12 +258,15 @@ py::object interpolate(const py::object& a, const py::object& b, const py::objec
 
 void define_means(py::module_& m) {
   m.def("mean", mean, py::arg("a"), py::arg("weights") = py::none(),
-        "The log-Euclidean mean: exp of the mean of logs, of (..., k, 3, 3) or (..., k, 6), positive definite.\n\n"
-        "weights: (k,) or (..., k), divided by their sum; None: all the same. It does not swell, as the plain mean does: "
+        "The log-Euclidean mean: exp of the mean of logs, of (..., k, 3, 3) or (..., k, 6), positive "
+        "definite.\n\n"
+        "weights: (k,) or (..., k), divided by their sum; None: all the same. It does not swell, as the "
+        "plain mean does: "
         "its determinant is the geometric mean of theirs.");
-  m.def("interpolate", interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
-        "From a at t = 0 to b at 1, in log space: exp((1 - t) log a + t log b), positive definite matrices.\n\n"
-        "t: a number or an array, one for each matrix; shapes are spread as numpy spreads them.");
+  m.def(
+      "interpolate", interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
+      "From a at t = 0 to b at 1, in log space: exp((1 - t) log a + t log b), positive definite matrices.\n\n"
+      "t: a number or an array, one for each matrix; shapes are spread as numpy spreads them.");
 }
 
 }  // namespace

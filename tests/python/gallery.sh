@@ -1,7 +1,8 @@
 #!/bin/sh
-# gallery.sh PYTHON SOURCE FOLDER: every script of the gallery runs as its README says, in a folder of its own, is short, and says a number.
+# gallery.sh PYTHON SOURCE FOLDER EXAMPLE: every script of the gallery runs as its README says, in a folder of its own, is short, and says a number;
+# and the example of the README, a script too, gives the file that it promises.
 set -eu
-python=$1 source=$2 folder=$3
+python=$1 source=$2 folder=$3 example=$4
 rm -rf "$folder" && mkdir -p "$folder"
 ln -s "$source/assets" "$folder/assets"
 cd "$folder"
@@ -13,3 +14,6 @@ for script in "$source"/src/python/gallery/*.py; do
   echo "$said" | grep -q '[0-9]' || { echo "$script says no number"; exit 1; }
 done
 for file in alert twisted pulled; do [ -s $file.ply ]; done
+rm alert.ply
+"$python" "$example"
+[ -s alert.ply ]

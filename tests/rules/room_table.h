@@ -23,7 +23,9 @@ inline const std::map<std::string, Room>& rooms() {
   static const std::map<std::string, Room> table = {
       {"base", {{}, {}, {"stb"}}},
       {"sym3", {{}, {"eigen", "highway"}, {}}},
-      {"python", {{"sym3"}, {"pybind11"}, {}}},
+      {"library",
+       {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "scene/document", "scene/files"}, {}, {}}},
+      {"python", {{"base", "sym3", "mesh", "mesh/formats", "library"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {}, {"openmesh"}}},
       {"mesh/formats", {{"base", "mesh"}, {"json"}, {}}},
       {"cages", {{"base", "mesh"}, {"openmesh"}, {"eigen"}}},

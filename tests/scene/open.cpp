@@ -322,15 +322,15 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
     return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->scheme;
   };
   CHECK(opened({}, files.model) == deform::default_scheme());
-  const auto by_reach = opened({.weighting = {.reach = 3}}, files.model);
+  const auto by_reach = opened({{.weighting = {.reach = 3}}}, files.model);
   CHECK(text(by_reach) == "face, inverse, srl");
   CHECK(by_reach.weighting.reach == 3);
-  CHECK(text(opened({.weighting = {.radius = 0.2}}, files.model)) == "face, cutoff, srl");
-  CHECK(text(opened({.weighting = {.clamp = false}}, files.model)) == "face, biharmonic, srl");
-  CHECK(text(opened({.choice = {.elements = deform::Elements::patch}}, files.model)) ==
+  CHECK(text(opened({{.weighting = {.radius = 0.2}}}, files.model)) == "face, cutoff, srl");
+  CHECK(text(opened({{.weighting = {.clamp = false}}}, files.model)) == "face, biharmonic, srl");
+  CHECK(text(opened({{.choice = {.elements = deform::Elements::patch}}}, files.model)) ==
         "patch, biharmonic, srl");
   CHECK_THROWS_AS(
-      opened({.choice = {.weights = deform::Weights::mean_value}, .weighting = {.reach = 3}}, files.model),
+      opened({{.choice = {.weights = deform::Weights::mean_value}, .weighting = {.reach = 3}}}, files.model),
       base::Error);
   // Of a session they count as chosen.
   test::put_file(files / "a.viete",
@@ -341,7 +341,7 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
       files / "b.viete",
       R"({"format": "viete session", "version": 2, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
   CHECK_THROWS_AS(
-      open_files({OpenRequest::What::model, {files / "b.viete"}, {.weighting = {.reach = 3}}}, {}),
+      open_files({OpenRequest::What::model, {files / "b.viete"}, {{.weighting = {.reach = 3}}}}, {}),
       base::Error);
   // Points without triangles have no surface for weights to spread along.
   test::put_file(files / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");

@@ -1,0 +1,14 @@
+# The deformer for strangers, viete::deform: the archive of this room, and those of the rooms that it is a skin of, which nobody else
+# includes. What they link of packages is named; it is there where the package depends on it.
+set(rooms base mesh formats cages sparse deform lab document files)
+foreach(room IN LISTS rooms)
+  set_target_properties(viete_${room} PROPERTIES EXPORT_NAME room_${room})
+endforeach()
+set_target_properties(viete_library PROPERTIES EXPORT_NAME deform)
+set_property(TARGET viete_mesh APPEND PROPERTY INTERFACE_LINK_LIBRARIES $<INSTALL_INTERFACE:OpenMeshCore>)
+set_property(TARGET viete_base APPEND PROPERTY INTERFACE_LINK_LIBRARIES $<INSTALL_INTERFACE:stb>)
+list(TRANSFORM rooms PREPEND viete_)
+install(TARGETS viete_library ${rooms} EXPORT viete-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+  PUBLIC_HEADER DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/viete COMPONENT library
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
