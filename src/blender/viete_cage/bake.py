@@ -1,0 +1,112 @@
+"""What the cage makes of an object, without the cage: shape keys, a point cache, a mesh."""
+import struct
+
+import bpy
+import numpy as np
+
+from . import engine, follow
+from .operators import OnMesh
+
+
+def frames_of(context, obj):
+    """(frame, vertices) of every frame of the scene, which is then where it was."""
+    if not obj.viete.bound:
+        raise engine.Error("Bind the object first")
+    scene, now = context.scene, context.scene.frame_current
+    try:
+        for frame in range(scene.frame_start, scene.frame_end + 1):
+            scene.frame_set(frame)
+            yield frame, follow.deformed(obj, context.evaluated_depsgraph_get())
+    finally:
+        scene.frame_set(now)
+
+
+def chosen(frames, tolerance):
+    """Which frames to keep so that straight lines between them are nowhere farther off: by halves, at the worst one."""
+    def between(a, b):
+        if b - a < 2:
+            return []
+        shares = (np.arange(a + 1, b) - a) / (b - a)
+        off = [np.abs(frames[a] + t * (frames[b] - frames[a]) - frames[i]).max() for t, i in zip(shares, range(a + 1, b))]
+        worst = int(np.argmax(off))
+        if off[worst] <= tolerance:
+            return []
+        middle = a + 1 + worst
+        return between(a, middle) + [middle] + between(middle, b)
+    return [0] + between(0, len(frames) - 1) + ([len(frames) - 1] if len(frames) > 1 else [])
+
+
+class VIETE_OT_bake_keys(OnMesh):
+    """Shape keys over the frames of the scene, as many as keep the tolerance; the cage is let go"""
+
+    bl_idname, bl_label = "viete.bake_keys", "To shape keys"
+
+    def act(self, context, obj):
+        first = context.scene.frame_start
+        frames = [vertices for _, vertices in frames_of(context, obj)]
+        rest = follow.rest_of(obj)
+        kept = chosen(frames, 0.01 * obj.viete.tolerance * np.linalg.norm(np.ptp(rest, axis=0)))
+        follow.unbind(obj)
+        if not obj.data.shape_keys:
+            obj.shape_key_add(name="Basis")
+        for place, index in enumerate(kept):
+            key = obj.shape_key_add(name="Frame %d" % (first + index), from_mix=False)
+            key.data.foreach_set("co", frames[index].ravel())
+            for neighbour, value in ((place - 1, 0), (place, 1), (place + 1, 0)):
+                if 0 <= neighbour < len(kept):
+                    key.value = value
+                    key.keyframe_insert("value", frame=first + kept[neighbour])
+        for curve in obj.data.shape_keys.animation_data.action.fcurves:
+            for point in curve.keyframe_points:
+                point.interpolation = "LINEAR"
+        self.report({"INFO"}, "%d shape keys for %d frames" % (len(kept), len(frames)))
+
+
+class VIETE_OT_bake_mdd(OnMesh):
+    """A point cache over the frames of the scene (MDD), for the Mesh Cache modifier and other programs"""
+
+    bl_idname, bl_label = "viete.bake_mdd", "To a cache (MDD)"
+    filepath: bpy.props.StringProperty(subtype="FILE_PATH")
+    filter_glob: bpy.props.StringProperty(default="*.mdd", options={"HIDDEN"})
+
+    def invoke(self, context, _event):
+        self.filepath = bpy.path.ensure_ext(context.object.name, ".mdd")
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def act(self, context, obj):
+        scene = context.scene
+        rate = scene.render.fps / scene.render.fps_base
+        frames = [vertices for _, vertices in frames_of(context, obj)]
+        times = np.arange(len(frames)) / rate
+        try:
+            with open(bpy.path.abspath(self.filepath), "wb") as file:
+                file.write(struct.pack(">ii", len(frames), len(obj.data.vertices)))
+                file.write(times.astype(">f4").tobytes())
+                for vertices in frames:
+                    file.write(vertices.astype(">f4").tobytes())
+        except OSError as error:
+            raise engine.Error("%s: %s; choose another place" % (self.filepath, error.strerror)) from error
+        self.report({"INFO"}, "%d frames in %s" % (len(frames), self.filepath))
+
+
+class VIETE_OT_bake_mesh(OnMesh):
+    """Another object with the mesh as it is now"""
+
+    bl_idname, bl_label = "viete.bake_mesh", "To a mesh"
+
+    def act(self, context, obj):
+        if not obj.viete.bound:
+            raise engine.Error("Bind the object first")
+        vertices = follow.deformed(obj, context.evaluated_depsgraph_get())
+        copy = obj.copy()
+        copy.data = obj.data.copy()
+        copy.name = obj.name + " posed"
+        copy.shape_key_clear()
+        copy.viete.bound, copy.viete.cage = False, None
+        copy.data.vertices.foreach_set("co", vertices.ravel())
+        copy.data.update()
+        (obj.users_collection[0] if obj.users_collection else context.collection).objects.link(copy)
+
+
+classes = (VIETE_OT_bake_keys, VIETE_OT_bake_mdd, VIETE_OT_bake_mesh)

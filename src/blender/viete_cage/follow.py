@@ -1,0 +1,187 @@
+"""Objects follow their cages: after each change of the scene, and each frame."""
+import bmesh
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from . import engine
+
+KEY = "Viete cage"        # the shape key that holds what the cage makes
+REST, STAMP = "viete_rest", "viete_content"
+
+deformers = {}  # by what they are of: a binding that is found in a .blend is made once
+current = {}    # by object: its deformer
+followed = {}   # by object: the pose of the cage that it has now
+busy = False
+
+
+def rest_of(obj):
+    """The model without its cage: the basis of its shape keys, or its vertices."""
+    keys = obj.data.shape_keys
+    source = keys.reference_key.data if keys else obj.data.vertices
+    rest = np.empty((len(source), 3), np.float32)
+    source.foreach_get("co", rest.ravel())
+    return rest
+
+
+def coordinates(cage, depsgraph):
+    """Of the cage as it is now: as it is edited, or as shape keys, armatures and modifiers have it."""
+    if cage.mode == "EDIT":
+        return np.array([v.co for v in bmesh.from_edit_mesh(cage.data).verts], np.float32).reshape(-1, 3)
+    mesh = cage.evaluated_get(depsgraph).data
+    places = np.empty((len(mesh.vertices), 3), np.float32)
+    mesh.vertices.foreach_get("co", places.ravel())
+    return places
+
+
+def pose_of(obj, depsgraph):
+    """The cage's vertices, along the axes of the object: where both move as one, nothing deforms."""
+    cage = obj.viete.cage
+    places = coordinates(cage, depsgraph)
+    to_object = np.array(obj.matrix_world.inverted_safe() @ cage.matrix_world, np.float64)
+    return places @ to_object[:3, :3].T + to_object[:3, 3]
+
+
+def mask_of(obj):
+    group = obj.vertex_groups.get(obj.viete.mask)
+    if not obj.viete.mask:
+        return None
+    if not group:
+        raise engine.Error("There is no vertex group %s; choose another mask" % obj.viete.mask)
+    shares = np.zeros(len(obj.data.vertices), np.float32)
+    for v in obj.data.vertices:
+        for g in v.groups:
+            if g.group == group.index:
+                shares[v.index] = g.weight
+    return shares
+
+
+def deformer_of(obj):
+    """The one of this object, until its model or mask may be others."""
+    if obj.name not in current:
+        current[obj.name] = find_deformer(obj)
+    return current[obj.name]
+
+
+def find_deformer(obj):
+    """Made when it is asked for, and once for the same model, cage, way and mask."""
+    settings, rest, mask = obj.viete, rest_of(obj), mask_of(obj)
+    cage_rest = np.frombuffer(obj[REST], np.float64).reshape(-1, 3)
+    faces, cage_faces = engine.corners_of(obj.data), engine.corners_of(settings.cage.data)
+    content = (rest.tobytes(), cage_rest.tobytes(), settings.way, settings.stitched, None if mask is None else mask.tobytes())
+    content = hash(content)
+    if content not in deformers:
+        deformers[content] = engine.make(rest, faces, cage_rest, cage_faces, settings.way, settings.stitched, mask)
+    return deformers[content]
+
+
+def check(obj):
+    """Raises Error where the object cannot follow."""
+    cage = obj.viete.cage
+    if not cage:
+        raise engine.Error("Choose a cage first")
+    if cage == obj:
+        raise engine.Error("An object cannot be its own cage; choose another mesh")
+    if obj.data.users > 1:
+        raise engine.Error("Other objects share this mesh; make it a single user first (Object, Relations)")
+    if obj.mode == "EDIT":
+        raise engine.Error("Leave edit mode first")
+
+
+def let_go(obj):
+    """Of what is known of it."""
+    current.pop(obj.name, None)
+    followed.pop(obj.name, None)
+
+
+def bind(obj, depsgraph):
+    check(obj)
+    let_go(obj)
+    obj[REST] = pose_of(obj, depsgraph).tobytes()
+    deformer_of(obj)
+    if not obj.data.shape_keys:
+        obj.shape_key_add(name="Basis")
+    key = obj.data.shape_keys.key_blocks.get(KEY) or obj.shape_key_add(name=KEY, from_mix=False)
+    key.value = 1
+    obj.viete.bound, obj.viete.problem = True, ""
+
+
+def unbind(obj):
+    keys = obj.data.shape_keys
+    if keys and KEY in keys.key_blocks:
+        obj.shape_key_remove(keys.key_blocks[KEY])
+    obj.viete.bound, obj.viete.problem = False, ""
+    let_go(obj)
+    obj.pop(REST, None)
+
+
+def deformed(obj, depsgraph):
+    """The model's vertices, (n, 3) float32, for the cage as it is."""
+    pose = pose_of(obj, depsgraph)
+    bound = len(obj[REST]) // 24
+    if len(pose) != bound:
+        raise engine.Error("The cage has %d vertices and had %d when it was bound: a modifier or an edit changes them; bind again, or "
+                           "take the modifier away" % (len(pose), bound))
+    out = np.empty((len(obj.data.vertices), 3), np.float32)
+    deformer_of(obj).deform(pose, out)
+    return out
+
+
+def update(obj, depsgraph):
+    """Writes the shape key, where the cage has moved."""
+    settings = obj.viete
+    key = obj.data.shape_keys and obj.data.shape_keys.key_blocks.get(KEY)
+    if obj.mode != "OBJECT":  # its basis or its mask may change
+        let_go(obj)
+    if not settings.cage or not key or obj.mode == "EDIT":
+        return
+    try:
+        now = pose_of(obj, depsgraph).tobytes()
+        if followed.get(obj.name) == now:
+            return
+        followed[obj.name] = now
+        key.data.foreach_set("co", deformed(obj, depsgraph).ravel())
+        obj.data.update_tag()
+        if settings.problem:
+            settings.problem = ""
+    except engine.Error as error:
+        if settings.problem != str(error):
+            settings.problem = str(error)
+
+
+@persistent
+def follow(scene, depsgraph=None):
+    global busy
+    if busy:
+        return
+    busy = True
+    try:
+        depsgraph = depsgraph or bpy.context.evaluated_depsgraph_get()
+        for obj in scene.objects:
+            if obj.type == "MESH" and obj.viete.bound:
+                update(obj, depsgraph)
+    finally:
+        busy = False
+
+
+@persistent
+def forget(*_):
+    """Another file, or an undo: nothing is known of what objects have."""
+    current.clear()
+    followed.clear()
+
+
+HANDLERS = (("depsgraph_update_post", follow), ("frame_change_post", follow), ("load_post", forget), ("undo_post", forget),
+            ("redo_post", forget))
+
+
+def register():
+    for name, handler in HANDLERS:
+        getattr(bpy.app.handlers, name).append(handler)
+
+
+def unregister():
+    for name, handler in HANDLERS:
+        getattr(bpy.app.handlers, name).remove(handler)
+    deformers.clear()
+    forget()
