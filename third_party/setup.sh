@@ -21,11 +21,11 @@ TEXT
 # What the program cannot be built or drawn without.
 program="g++ cmake ninja-build pkg-config libglfw3-dev libglm-dev libeigen3-dev libhwy-dev libimgui-dev libopenmesh-dev
 libstb-dev libcli11-dev nlohmann-json3-dev libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri"
-# Nicer with: fonts, drawing without a display (gone from Mesa 25.1, where EGL takes over), title bars on Wayland.
-program_wish="fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-cairo"
+# Nicer with: the manual as pages, fonts, drawing without a display (gone from Mesa 25.1, where EGL takes over), title bars on Wayland.
+program_wish="cmark-gfm fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-cairo"
 tests="doctest-dev libtinygltf-dev pybind11-dev python3-dev python3-numpy"
 # A virtual display with a mouse, and what looks into packages.
-tests_wish="xvfb xdotool dpkg-dev file"
+tests_wish="xvfb xdotool dpkg-dev file mypy"
 # What finds the libraries that a package needs.
 packing="dpkg-dev file"
 

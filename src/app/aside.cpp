@@ -35,14 +35,14 @@ Said said_by(const base::ChildProgram& child) {
   return said;
 }
 
-// It goes on by itself, however long the browser runs. The first run says whether there is one.
+}  // namespace
+
+// The first run says whether there is one.
 void open_in_browser(const fs::path& page) {
   const std::string advice = "open the page by hand";
   base::ChildProgram({"xdg-open", "--version"}, advice).finish();
   base::ChildProgram({"setsid", "--fork", "xdg-open", page.string()}, advice).finish();
 }
-
-}  // namespace
 
 std::vector<std::string> run_aside(const std::vector<std::string>& words, base::Progress& progress) {
   constexpr auto look_again = std::chrono::milliseconds(50);

@@ -74,6 +74,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_cage_command(app, action);
   add_bind_command(app, action);
   add_info_command(app, action);
+  add_manual_command(app, action);
   app.add_subcommand("bench", bench_text);
   app.add_subcommand("report", report_text);
 }

@@ -7,7 +7,9 @@
 #include <ctime>
 #include <utility>
 
+#include "app/aside.h"
 #include "app/build_facts.h"
+#include "app/manual.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
@@ -197,7 +199,8 @@ bool Viewer::changing() const {
 void Viewer::leave_out_writing() {
   scene::Requests& r = workspace_.requests;
   bool any = std::exchange(r.undo_discard, false) | std::exchange(r.screenshot, false) |
-             std::exchange(r.run_benchmark, false) | std::exchange(r.show_report, false);
+             std::exchange(r.run_benchmark, false) | std::exchange(r.manual, false) |
+             std::exchange(r.show_report, false);
   for (auto* file : {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model,
                      &r.save_animation, &r.discard})
     any |= std::exchange(*file, std::nullopt).has_value();
@@ -225,9 +228,19 @@ void Viewer::switch_recording() {
   settle(3);
 }
 
+void Viewer::show_manual() {
+  try {
+    open_in_browser(manual_page(""));
+    workspace_.messages.succeeded("manual");
+  } catch (const base::Error& error) {
+    workspace_.messages.error(error.what(), {"manual"});
+  }
+}
+
 void Viewer::take_requests() {
   if (workspace_.scripting.playing) leave_out_writing();
   switch_recording();
+  if (std::exchange(workspace_.requests.manual, false)) show_manual();
   files_.take_requests(workspace_, !pointer_.active());
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
   if (workspace_.requests.stop_work && cages_.running()) {

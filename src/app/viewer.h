@@ -125,6 +125,7 @@ private:
   void take_input(float seconds);
   void take_requests();
   void switch_recording();
+  void show_manual();
   void leave_out_writing();
   void follow_document();
   void settle_cage_edit();

@@ -35,6 +35,14 @@ holds "$program" bin/viete bin/viete-bench share/viete/dragon/dragon.ply share/a
 holds "$library" include/viete/sym3/exp.h 'lib/.*libviete_sym3.a' 'lib/.*viete-config.cmake' 'lib/.*viete.pc' \
   share/doc/libviete-dev/copyright
 ! dpkg-deb -c "$library" | grep -q 'trigonometric.h$' || wrong "$library holds internal headers"
+module="$folder/python3-viete_${version}_$machine.deb" addon="$folder/blender-viete_${version}_all.deb"
+if [ -e "$module" ]; then
+  holds "$module" 'lib/python3/dist-packages/viete\..*\.so' lib/python3/dist-packages/viete-stubs/__init__.pyi share/doc/python3-viete/copyright
+  holds "$addon" share/blender/scripts/addons/viete_cage/__init__.py share/doc/blender-viete/copyright
+  dpkg-deb -f "$module" Depends | grep -q 'python3-numpy' || wrong "$module does not depend on numpy"
+  dpkg-deb -x "$module" "$folder/module"
+  PYTHONPATH="$folder/module/usr/lib/python3/dist-packages" /usr/bin/python3 -c 'import viete; viete.Deformer' || wrong "$module cannot be imported"
+fi
 both=$(for deb in "$program" "$library"; do dpkg-deb -c "$deb"; done | grep -v '/$' | awk '{ print $6 }' | sort | uniq -d)
 [ -z "$both" ] || wrong "both packages hold $both"
 

@@ -1,5 +1,5 @@
-# Packages for Debian and Ubuntu, by `cpack` in the build folder: `viete`, the program, and `libviete-dev`, the library with its headers.
-# The Python module is in neither.
+# Packages for Debian and Ubuntu, by `cpack` in the build folder: `viete`, the program; `libviete-dev`, the libraries with their headers;
+# where they are built, `python3-viete`, the module, and `blender-viete`, the add-on.
 
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_GENERATOR DEB)
@@ -53,6 +53,39 @@ if(VIETE_BUILD_VIEWER)
 A viewer: drag the cage, and the mesh follows in the same frame, while panels
 say what every step of the frame costs and how exact it is. From the command
 line too: pictures, deformed meshes, benchmarks.")
+endif()
+
+if(VIETE_BUILD_PYTHON AND VIETE_BUILD_VIEWER)
+  list(APPEND CPACK_COMPONENTS_ALL python_debian blender_debian)
+  set(CPACK_COMPONENT_PYTHON_DEBIAN_GROUP python)
+  set(CPACK_COMPONENT_BLENDER_DEBIAN_GROUP blender)
+  # Where Debian's own packages put modules; `cmake --install` puts it where those of the machine's owner are.
+  set(modules lib/python3/dist-packages)
+  install(TARGETS viete_python LIBRARY DESTINATION ${modules} COMPONENT python_debian EXCLUDE_FROM_ALL)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/python/viete-stubs DESTINATION ${modules} COMPONENT python_debian EXCLUDE_FROM_ALL)
+  install_debian(python_debian doc/python3-viete ${copyright} ${PROJECT_SOURCE_DIR}/src/python/README.md)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/python/gallery DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-viete COMPONENT python_debian
+    EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py" PATTERN "*.md")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-viete)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "viete")
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "deform meshes by cages, and functions of 3x3 matrices
+The deformer of the viewer viete on numpy arrays: cages, shapes and poses in
+log space, sessions; and exp, log, roots and derivatives of many symmetric 3x3
+matrices in vector code.")
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/blender/viete_cage DESTINATION ${CMAKE_INSTALL_DATADIR}/blender/scripts/addons
+    COMPONENT blender_debian EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py")
+  install_debian(blender_debian doc/blender-viete ${copyright} ${PROJECT_SOURCE_DIR}/src/blender/README.md)
+  set(CPACK_DEBIAN_BLENDER_PACKAGE_NAME blender-viete)
+  set(CPACK_DEBIAN_BLENDER_PACKAGE_ARCHITECTURE all)
+  set(CPACK_DEBIAN_BLENDER_PACKAGE_SECTION graphics)
+  set(CPACK_DEBIAN_BLENDER_PACKAGE_DEPENDS "blender (>= 3.4), python3-viete (>= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_BLENDER_DESCRIPTION "add-on for Blender: an object follows a cage
+Live while the cage is edited, and as shape keys, armatures and modifiers move
+it; baked to shape keys, a point cache or a mesh.")
 endif()
 
 include(CPack)

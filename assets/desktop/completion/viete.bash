@@ -94,7 +94,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render replay deform animate between mix pose bind cage info bench report help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
+  local commands='view render replay deform animate between mix pose bind cage info manual bench report help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -108,6 +108,7 @@ _viete() {
     *:bench\ time) _filedir viete ;;
     *:bench\ *) ;;
     *:replay) _filedir script ;;
+    *:manual) COMPREPLY=($(compgen -W 'window cages blending time shapes files command_line python blender cpp figures' -- "$cur")) ;;
     *:between) _filedir "$_viete_caches" ;;
     *:info | *:cage | *:mix | *:pose | *:report) _filedir "$_viete_meshes" ;;
     *)

@@ -3,7 +3,7 @@
 # The command is one of these; "view" may be left out.
 function __viete_in
     set -l words (commandline -opc) view
-    contains -- "$words[2]" view render replay deform animate between mix pose bind cage info bench report; or set words[2] view
+    contains -- "$words[2]" view render replay deform animate between mix pose bind cage info manual bench report; or set words[2] view
     contains -- "$words[2]" $argv
 end
 
@@ -29,12 +29,14 @@ $c -n '__viete_first 1' -a pose -d 'Pose a model by its vertices and by examples
 $c -n '__viete_first 1' -a bind -d 'Bind a model to its cage'
 $c -n '__viete_first 1' -a cage -d 'Make a cage around a mesh'
 $c -n '__viete_first 1' -a info -d 'What mesh files hold'
+$c -n '__viete_first 1' -a manual -d 'Show the manual'
 $c -n '__viete_first 1' -a bench -d 'Measure speed and accuracy'
 $c -n '__viete_first 1' -a report -d 'Write a page of figures, measured here'
 $c -n '__viete_first 1' -a help -d 'What a command can do'
 $c -n '__viete_first 1' -l version -d 'Version, compiler and kernel'
 $c -s h -l help -d 'What it can do'
 
+$c -n '__viete_in manual' -x -a 'window cages blending time shapes files command_line python blender cpp figures'
 $c -n '__viete_in report' -s o -l output -r -a '(__fish_complete_directories)' -d 'Folder to write'
 $c -n '__viete_in report' -l quick -d 'Fewer matrices, cages and rounds'
 $c -n '__viete_in render replay deform animate between mix pose bind cage' -s o -l output -r -d 'File to write'

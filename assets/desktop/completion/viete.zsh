@@ -75,6 +75,7 @@ case $command in
       '--quads[pair triangles to quads]' '--cells=[of boxes, along each axis]:cells:(1x1x1 2x2x2 3x3x3)'
       '--own-axes[of boxes, along the extents of the mesh]') ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
+  manual) specs+=('1:chapter:(window cages blending time shapes files command_line python blender cpp figures)') ;;
   replay) specs+=('1:script:_files -g "*.script"' $output $scale) ;;
   report) specs+=($meshes "*:pose:$mesh" $force '(-o --output)'{-o+,--output=}'[folder to write]:folder:_files -/' '--quick[fewer matrices, cages and rounds]') ;;
   'bench exp') specs+=($count $json $plot $float) ;;
@@ -99,7 +100,7 @@ esac
 if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
   local -a commands=('view:open the viewer' 'render:render a picture' 'replay:do again what was recorded' 'deform:deform a mesh by a posed cage'
     'animate:write the frames of a timeline' 'between:what lies between shapes of a model' 'mix:mix shapes of a model' 'pose:pose a model by its vertices and by examples'
-    'bind:bind a model to its cage' 'cage:make a cage around a mesh' 'info:what mesh files hold' 'bench:measure speed and accuracy'
+    'bind:bind a model to its cage' 'cage:make a cage around a mesh' 'info:what mesh files hold' 'manual:show the manual' 'bench:measure speed and accuracy'
     'report:write a page of figures, measured here'
     'help:what a command can do')
   _describe command commands
@@ -109,7 +110,7 @@ fi
 
 # The words of the command are no files.
 local -i skip=0
-[[ $command == (view|render|replay|deform|animate|between|mix|pose|bind|cage|info|report|bench\ *) ]] && skip=1
+[[ $command == (view|render|replay|deform|animate|between|mix|pose|bind|cage|info|manual|report|bench\ *) ]] && skip=1
 [[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched|time|shapes) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))

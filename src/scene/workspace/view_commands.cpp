@@ -183,6 +183,8 @@ void add_help_commands(CommandTable& table) {
   table.add("show_messages", {"Show all messages", "Messages"},
             "Show all that was said since the program was started, or hide it again.", always,
             [](Workspace& w) { w.show_messages = !w.show_messages; });
+  table.add("manual", {"Read the manual", "Manual"}, "Open the manual in the browser.", always,
+            [](Workspace& w) { w.requests.manual = true; });
   add_script_commands(table);
 }
 

@@ -104,6 +104,7 @@ struct Requests {
   bool stop_export = false;
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool run_benchmark = false, show_report = false, stop_benchmark = false;
+  bool manual = false;
   ScriptRequest script = ScriptRequest::none;
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_named_pose, save_cage, save_model,
