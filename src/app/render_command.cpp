@@ -34,7 +34,7 @@ Content content_of(const RenderOptions& options) {
   if (extension == "png") return Content::picture;
   if (extension == "svg" && !told) return Content::svg;
   if (extension == "pfm" && depth) return Content::distances;
-  throw base::Error(options.output.string(), "a picture is not written in this format",
+  throw base::Error(options.output.string(), "pictures are not written in this format",
                     depth  ? "give the file the extension .png, or .pfm for distances"
                     : told ? "give the file the extension .png"
                            : "give the file the extension .png, or .svg for a cage of lines");

@@ -23,7 +23,7 @@ using Do = Step::Kind;
 
 constexpr const char* first_line = "viete script 1";
 constexpr double most_pixels = 1e5, most_seconds = 3600;
-constexpr int most_frames = 1'000'000;
+constexpr int most_times = 1'000'000;
 constexpr std::size_t most_bytes = 256 << 20;
 
 struct KindWord {
@@ -207,7 +207,7 @@ Step read_step(const std::string& word, Line& line, const fs::path& folder) {
     case Do::try_command: step.text = read_command(line); break;
     case Do::frame:
       step.number = line.number(0, most_seconds);
-      step.code = line.at_end() ? 1 : line.whole(1, most_frames);
+      step.code = line.at_end() ? 1 : line.whole(1, most_times);
       break;
     case Do::pause: step.number = line.number(0, most_seconds); break;
     case Do::size: step.size = {line.whole(16, 16384), line.whole(16, 16384)}; break;

@@ -20,7 +20,7 @@ using Turn = ScriptPlayer::Turn;
 using After = Turn::What;
 
 constexpr float usual_frame = 1.0f / 64;  // of what has no frames of its own
-constexpr int patience = 8;               // frames until what has just opened has its size
+constexpr int looks_in_place = 8;               // frames until what has just opened has its size
 constexpr int most_looks = 120;           // frames until a widget is there, or in sight
 
 // The middle of the column that it is in, where the wheel scrolls.
@@ -118,7 +118,7 @@ std::optional<Turn> ScriptPlayer::reach(const Step& step) {
   if (++looked_ > most_looks)
     fail(step, "\"" + step.place.widget + "\" is not to be seen here",
          "record it again, or open its section first");
-  if (rect && looked_ > patience) {
+  if (rect && looked_ > looks_in_place) {
     move(column_of(*rect, v));
     push(platform::InputEvent::scroll(rect->y0 < v.origin.y ? 1.0f : -1.0f));
   }

@@ -94,7 +94,7 @@ public:
   const std::vector<std::string>& notes() const;
 
   /// Positions of the cage's vertices to those of the model: three numbers a vertex. In double, as files are
-  /// written (the bits of `viete deform`); in float as the window draws, some fifty times as fast. normals
+  /// written (the bits of `viete deform`); in float as the window draws, three to nine times as fast. normals
   /// may be empty, or get one of length 1 for each vertex. turns, if not null: whole turns of the cage's
   /// parts that the pose before had, one rotation vector each; this pose's come back. Without them each part
   /// turns the least.
@@ -125,6 +125,9 @@ public:
   ShapeSpace& operator=(ShapeSpace&&) noexcept;
 
   std::size_t shape_count() const;
+  /// Of a shape, by number: the log of each triangle's map, six numbers of the stretch (xx xy xz yy yz zz),
+  /// three of the rotation; after the whole turn of all.
+  std::vector<std::array<double, 9>> vector(std::size_t shape) const;
   /// The sum of shapes, each times its weight: 0 is rest, (1, 0, ...) the first of them.
   std::vector<Point3> mix(std::span<const double> weights) const;
   /// The way through all of them: 0 is the first one, 1 the second, 0.5 halfway; straight: vertices on
@@ -151,6 +154,7 @@ public:
   PoseSpace& operator=(PoseSpace&&) noexcept;
 
   std::size_t pose_count() const;
+  std::vector<std::array<double, 9>> vector(std::size_t pose) const;
   std::vector<Point3> mix(std::span<const double> weights) const;
   std::vector<Point3> between(double at, bool straight = false) const;
 

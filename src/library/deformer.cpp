@@ -177,12 +177,14 @@ void Deformer::deform(std::span<const double> cage, std::span<float> positions, 
   Impl::keep_turns(live.state().report(), turns);
   const auto vertices = live.vertices();
   const mesh::Vec3 origin = live.origin();
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    for (std::size_t k = 0; k < 3; ++k)
-      positions[3 * v + k] = static_cast<float>(origin[k] + vertices[v].position[k]);
-    if (!normals.empty())
-      std::copy_n(vertices[v].normal, 3, normals.begin() + static_cast<std::ptrdiff_t>(3 * v));
-  }
+  impl_->pool.for_blocks(vertices.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      for (std::size_t k = 0; k < 3; ++k)
+        positions[3 * v + k] = static_cast<float>(origin[k] + vertices[v].position[k]);
+      if (!normals.empty())
+        std::copy_n(vertices[v].normal, 3, normals.begin() + static_cast<std::ptrdiff_t>(3 * v));
+    }
+  });
 }
 
 void Deformer::set_mask(std::span<const float> shares) {

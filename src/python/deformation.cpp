@@ -110,7 +110,7 @@ py::object faces_of(const std::vector<std::uint32_t>& corners, const std::vector
   py::list all;
   for (std::size_t f = 0; f < count; ++f)
     all.append(array(starts[f], {static_cast<py::ssize_t>(starts[f + 1] - starts[f])}));
-  return std::move(all);
+  return all;
 }
 
 // --- files
@@ -168,7 +168,8 @@ public:
       wrong("Deformer.deform", std::string(what) + " has shape " + shape_text(result_) + " for " +
                                    std::to_string(vertices) + " vertices");
     if (!result_.writeable()) wrong("Deformer.deform", std::string(what) + " is read-only");
-    constexpr int direct = py::array::c_style | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
+    constexpr int direct =
+        static_cast<int>(py::array::c_style) | static_cast<int>(py::detail::npy_api::NPY_ARRAY_ALIGNED_);
     const bool lies = (result_.flags() & direct) == direct;
     work_ = lies ? py::reinterpret_borrow<py::array_t<T>>(out) : py::array_t<T>(shape_);
   }
@@ -333,6 +334,18 @@ using Sessions = Guarded<Session>;
 template <class Space>
 void define_sums(py::class_<Guarded<Space>>& space) {
   space.def(
+      "vector",
+      [](const Guarded<Space>& s, std::size_t number) {
+        const auto logs = s.with([&](const Space& space) { return space.vector(number); });
+        py::array_t<double> array({static_cast<py::ssize_t>(logs.size()), py::ssize_t{9}});
+        for (std::size_t t = 0; t < logs.size(); ++t)
+          std::copy_n(logs[t].begin(), 9, array.mutable_data() + 9 * t);
+        return array;
+      },
+      py::arg("number"),
+      "Of the one of that number, from 0: the log of each triangle's map, (t, 9): stretch xx xy xz yy yz zz, "
+      "rotation vector.");
+  space.def(
       "mix",
       [](const Guarded<Space>& s, const std::vector<double>& weights) {
         return array_of(s.with([&](const Space& space) { return space.mix(weights); }));
@@ -456,7 +469,7 @@ void define_deformer(py::module_& m) {
            "'diag', 'sd' or "
            "'improved_sd'. threads: 0 for all processors. dtype: of what deform() makes: float64 with the "
            "bits of viete deform, "
-           "or float32, some fifty times as fast. Raises Error.")
+           "or float32, three to nine times as fast. Raises Error.")
       .def("deform", &PythonDeformer::deform, py::arg("cage"), py::arg("out") = py::none(),
            py::arg("normals") = py::none(),
            "The model's vertices (n, 3) for the cage's, (k, 3), as they are posed.\n\n"

@@ -68,7 +68,7 @@ public:
 private:
   // Of an entry, in its matrix.
   std::size_t place(std::size_t k) const {
-    constexpr std::size_t upper[] = {0, 1, 2, 4, 5, 8};
+    constexpr std::size_t upper[9] = {0, 1, 2, 4, 5, 8};
     return is_full(layout_) ? upper[k] : k * layout_.entry_stride;
   }
 
@@ -134,12 +134,12 @@ int polar_of(const T* in, viete_layout from, T* rotations, viete_layout to, T* s
 
 using namespace viete;  // NOLINT(google-build-using-namespace): these have no namespace
 
-#define VIETE_FUNCTION(name, T, f)                                                             \
+#define VIETE_C_FUNCTION(name, T, f)                                                           \
   int name(const T* in, viete_layout from, T* out, viete_layout to, size_t count) {            \
     return sym3::apply(in, from, out, to, count,                                               \
                        [](const auto& a, const auto& b, std::size_t n) { sym3::f(a, b, n); }); \
   }
-#define VIETE_DERIVATIVE(name, f)                                                                 \
+#define VIETE_C_DERIVATIVE(name, f)                                                               \
   int name(const double* in, viete_layout from, const double* e, viete_layout along, double* out, \
            viete_layout to, size_t count) {                                                       \
     return sym3::derive(                                                                          \
@@ -147,17 +147,17 @@ using namespace viete;  // NOLINT(google-build-using-namespace): these have no n
         [](const auto& a, const auto& b, const auto& c, std::size_t n) { sym3::f(a, b, c, n); }); \
   }
 
-VIETE_FUNCTION(viete_exp, double, exp)
-VIETE_FUNCTION(viete_log, double, log)
-VIETE_FUNCTION(viete_sqrt, double, sqrt)
-VIETE_FUNCTION(viete_inv_sqrt, double, inv_sqrt)
-VIETE_FUNCTION(viete_exp_f, float, exp)
-VIETE_FUNCTION(viete_log_f, float, log)
-VIETE_FUNCTION(viete_sqrt_f, float, sqrt)
-VIETE_FUNCTION(viete_inv_sqrt_f, float, inv_sqrt)
-VIETE_DERIVATIVE(viete_exp_derivative, exp_derivative)
-VIETE_DERIVATIVE(viete_log_derivative, log_derivative)
-VIETE_DERIVATIVE(viete_sqrt_derivative, sqrt_derivative)
+VIETE_C_FUNCTION(viete_exp, double, exp)
+VIETE_C_FUNCTION(viete_log, double, log)
+VIETE_C_FUNCTION(viete_sqrt, double, sqrt)
+VIETE_C_FUNCTION(viete_inv_sqrt, double, inv_sqrt)
+VIETE_C_FUNCTION(viete_exp_f, float, exp)
+VIETE_C_FUNCTION(viete_log_f, float, log)
+VIETE_C_FUNCTION(viete_sqrt_f, float, sqrt)
+VIETE_C_FUNCTION(viete_inv_sqrt_f, float, inv_sqrt)
+VIETE_C_DERIVATIVE(viete_exp_derivative, exp_derivative)
+VIETE_C_DERIVATIVE(viete_log_derivative, log_derivative)
+VIETE_C_DERIVATIVE(viete_sqrt_derivative, sqrt_derivative)
 
 int viete_pow(const double* in, viete_layout from, double p, double* out, viete_layout to, size_t count) {
   return sym3::apply(in, from, out, to, count,
@@ -180,3 +180,6 @@ const char* viete_kernel(void) {
   static const std::string name(sym3::kernel_name());
   return name.c_str();
 }
+
+#undef VIETE_C_FUNCTION
+#undef VIETE_C_DERIVATIVE

@@ -58,7 +58,9 @@ constexpr Kernel compiled[] = {
 #if HWY_TARGETS & HWY_NEON
     {"neon", true, HWY_NEON, &N_NEON::table},
 #endif
+#if HWY_TARGETS & HWY_SCALAR  // not where another one is what all machines have
     {"scalar", false, HWY_SCALAR, &N_SCALAR::table},
+#endif
 };
 
 bool machine_can_run(const Kernel& k) {

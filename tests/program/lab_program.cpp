@@ -108,6 +108,17 @@ TEST_CASE("a_map_follows_the_hand_and_its_range_can_be_held") {
   d.settle();
   CHECK(d.workspace().field.stats.most < 1e-6);
   CHECK(d.workspace().field.stats.high == stats.high);
+  // It can be typed while it is held, the other way round not.
+  d.click("map/high");
+  d.type("0.25");
+  d.press_key(scene::Key::enter);
+  d.settle();
+  CHECK(d.workspace().field.stats.high == doctest::Approx(0.25));
+  d.click("map/low");
+  d.type("3");
+  d.press_key(scene::Key::enter);
+  d.settle();
+  CHECK(d.workspace().field.stats.low < 0.25);
   d.click("hold_map_range");
   d.press_key('Z', true, true);
   d.settle();

@@ -127,7 +127,7 @@ TEST_CASE("where_results_go_is_looked_at_before_the_work_starts") {
          "locked.obj: this file is write-pro"},
         {"bind none.obj cage.obj -o none/a", "none/a: cannot be written"},
         {"render none.obj -o none/a.png", "none/a.png: cannot be written"},
-        {"render none.obj -o a.jpg", "a.jpg: pictures are written as PNG only"},
+        {"render none.obj -o a.jpg", "a.jpg: pictures are not written in this format"},
         {"bench exp --json none/a", "none/a: cannot be written"},
         {"bench frame --json none/a", "none/a: cannot be written"},
         {"bench bind --json none/a", "none/a: cannot be written"}}) {

@@ -209,6 +209,12 @@ class Arrays(WithFolder):
         self.assertLess(np.abs(space.between(0.5) - turned(CUBE, 1.25)).max(), 1e-9)
         self.assertLess(np.abs(space.between(0.5, straight=True) - 0.5 * (CUBE + turned(CUBE, 2.5))).max(), 1e-12)
         self.assertTrue(np.array_equal(space.mix([0, 1]), turned(CUBE, 2.5)))
+        logs = space.vector(1)
+        self.assertEqual(logs.shape, (12, 9))
+        self.assertLess(np.abs(logs[:, :6]).max(), 1e-12)
+        self.assertLess(np.abs(logs[:, 6:] - [0, 0, 2.5]).max(), 1e-12)
+        with self.assertRaisesRegex(viete.Error, "number 2"):
+            space.vector(2)
         shapes = viete.ShapeSpace(self.model, self.faces, [turned(self.model, 1.0)])
         self.assertLess(np.abs(shapes.mix([2]) - turned(self.model, 2.0)).max(), 1e-6)
         places, weights = shapes.pose([0, 50, 100], turned(self.model, 1.0)[[0, 50, 100]])

@@ -214,6 +214,43 @@ DERIVATIVES = {
 }
 
 
+class Means(unittest.TestCase):
+    """In log space (V. Arsigny et al., 2006)."""
+
+    def test_the_determinant_of_a_mean_is_the_geometric_mean(self):
+        for a in (positive(np.float64, 5, 40), packed(positive(np.float64, 5, 40))):
+            mean = viete.mean(a)
+            six = a.shape[-1] == 6
+            self.assertEqual(mean.shape, (5, 6) if six else (5, 3, 3))
+            det = lambda s: np.linalg.det(full(s) if six else s)
+            self.assertTrue(np.allclose(np.log(det(mean)), np.log(det(a)).mean(axis=-1)))
+
+    def test_weights_count_by_their_share(self):
+        a = positive(np.float64, 4)
+        self.assertTrue(np.allclose(viete.mean(a, [0, 5, 0, 0]), a[1]))
+        self.assertTrue(np.allclose(viete.mean(a, [1, 1, 1, 1]), viete.mean(a)))
+        twice = np.stack([a, a[::-1]])
+        weights = np.array([[1, 2, 3, 4], [4, 3, 2, 1]])
+        means = viete.mean(twice, weights)
+        self.assertTrue(np.allclose(means[0], means[1]))
+        self.assertEqual(viete.mean(a.astype(np.float32)).dtype, np.float32)
+
+    def test_interpolation_goes_from_one_to_the_other(self):
+        a, b = positive(np.float64, 7), positive(np.float64, 7)[::-1].copy()
+        self.assertTrue(np.allclose(viete.interpolate(a, b, 0), a))
+        self.assertTrue(np.allclose(viete.interpolate(a, b, 1), b))
+        self.assertTrue(np.allclose(viete.interpolate(a, b, 0.5), viete.mean(np.stack([a, b], axis=1))))
+        t = np.linspace(0, 1, 7)
+        self.assertTrue(np.allclose(viete.interpolate(a, b, t)[3], viete.interpolate(a[3], b[3], t[3])))
+        way = viete.interpolate(a[0], b[0], t)
+        self.assertEqual(way.shape, (7, 3, 3))
+        self.assertTrue(np.allclose(np.diff(np.log(np.linalg.det(way)), 2), 0))
+
+    def test_one_matrix_has_no_mean(self):
+        with self.assertRaisesRegex(ValueError, "one matrix alone"):
+            viete.mean(np.eye(3))
+
+
 class Derivatives(unittest.TestCase):
     def assert_close(self, a, b, dtype):
         error = np.linalg.norm(a.astype(np.float64) - b, axis=(-1, -2)) / np.linalg.norm(b, axis=(-1, -2))

@@ -16,6 +16,7 @@ struct Room {
   std::set<std::string> knows;            ///< rooms whose headers it may include, besides its own
   std::set<std::string> packages;         ///< third-party packages it may include anywhere
   std::set<std::string> source_packages;  ///< and those that only its .cpp files may include
+  bool in_python = false;                 ///< it has no C++
 };
 
 /// By folder in src. A room in another one has its namespace.
@@ -24,7 +25,10 @@ inline const std::map<std::string, Room>& rooms() {
       {"base", {{}, {}, {"stb"}}},
       {"sym3", {{}, {"eigen", "highway"}, {}}},
       {"library",
-       {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "scene/document", "scene/files"}, {}, {}}},
+       {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "scene/document", "scene/files"},
+        {},
+        {}}},
+      {"blender", {{}, {}, {}, true}},
       {"python", {{"base", "sym3", "mesh", "mesh/formats", "library"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {}, {"openmesh"}}},
       {"mesh/formats", {{"base", "mesh"}, {"json"}, {}}},

@@ -43,9 +43,12 @@ TEST_CASE("sources_are_ascii") {
 TEST_CASE("headers_say_in_their_first_line_what_they_are_for") {
   for_each_source([](const fs::path& path, const std::string& text) {
     if (path.extension() != ".h") return;
-    CHECK_MESSAGE(text.rfind("// ", 0) == 0, path.string());
+    const bool is_c = text.find("extern \"C\"") != std::string::npos;  // for both languages
+    CHECK_MESSAGE(text.rfind(is_c ? "/* " : "// ", 0) == 0, path.string());
     const bool is_kernel_text = path.string().ends_with("-inl.h");  // included again for each instruction set
-    const char* guard = is_kernel_text ? "defined(HWY_TARGET_TOGGLE)" : "#pragma once";
+    const char* guard = is_c             ? "#ifndef VIETE_"
+                        : is_kernel_text ? "defined(HWY_TARGET_TOGGLE)"
+                                         : "#pragma once";
     CHECK_MESSAGE(text.find(guard) != std::string::npos, path.string());
   });
 }

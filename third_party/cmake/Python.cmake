@@ -5,7 +5,9 @@ if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
 endif()
 find_package(Python 3.8 QUIET COMPONENTS Interpreter Development.Module)
 set(PYBIND11_FINDPYTHON ON)
-find_package(pybind11 2.9 QUIET CONFIG)
+if(Python_Development.Module_FOUND)  # without, as for another machine's programs, pybind11 ends the configuration
+  find_package(pybind11 2.9 QUIET CONFIG)
+endif()
 
 set(VIETE_HAS_PYTHON OFF)
 if(Python_Interpreter_FOUND AND Python_Development.Module_FOUND AND pybind11_FOUND)

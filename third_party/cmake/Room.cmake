@@ -29,6 +29,12 @@ elseif(VIETE_SANITIZE MATCHES address)
   set(VIETE_KERNEL_OPTIONS -fno-sanitize-address-use-after-scope)
 endif()
 
+# Highway's NEON asks for AES, and GCC makes the constructors that a structure of its vectors has without being told: outside of the part of a
+# file that is compiled with it.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  list(APPEND VIETE_KERNEL_OPTIONS -march=armv8-a+crypto)
+endif()
+
 # All instruction sets are compiled and the best one is chosen at run time. `native` leaves out those that this machine
 # would not choose, which takes half the time and makes a program for machines like this one.
 set(VIETE_KERNELS all CACHE STRING "Instruction sets of the kernels: all or native")
