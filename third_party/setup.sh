@@ -237,7 +237,9 @@ build_tests() {
 
 build_package() {
   say "building the packages"
-  build package build-package -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all
+  # Libraries lie where Debian has those of this kind of machine.
+  build package build-package -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all \
+    "-DCMAKE_INSTALL_LIBDIR=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)"
   for made in "$here"/build-package/*.deb; do say "made $made"; done
 }
 

@@ -46,6 +46,12 @@ fi
 both=$(for deb in "$program" "$library"; do dpkg-deb -c "$deb"; done | grep -v '/$' | awk '{ print $6 }' | sort | uniq -d)
 [ -z "$both" ] || wrong "both packages hold $both"
 
+# What Debian's judge says of them, where it is installed. (Libraries of this build do not lie by the kind of machine; those of setup.sh do.)
+if command -v lintian >/dev/null; then
+  lintian --allow-root --fail-on error,warning --suppress-tags pkg-config-unavailable-for-cross-compilation "$folder"/*.deb ||
+    wrong "lintian is not content"
+fi
+
 depends=$(dpkg-deb -f "$program" Depends)
 for needed in libc6 libstdc++6 libglfw3 libgl1 libegl1; do
   echo "$depends" | grep -q "\(^\|, \)$needed\>" || wrong "$program does not depend on $needed: $depends"
