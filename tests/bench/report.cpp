@@ -190,6 +190,33 @@ void check_frames(Cells cells, const nlohmann::json& report, std::size_t faces) 
 
 }  // namespace
 
+// Of the dragon's poses, beside mean value coordinates: the median and the worst.
+std::pair<double, double> distortion(const nlohmann::json& report, const char* way) {
+  for (const auto& result : report["ways"]["results"]) {
+    if (result["way"] != way) continue;
+    std::vector<double> all;
+    for (const auto& pose : result["poses"]) all.push_back(pose["energy_to_mean_value"]);
+    std::ranges::sort(all);
+    return {all[all.size() / 2], all.back()};
+  }
+  FAIL("no way " << way);
+  return {};
+}
+
+TEST_CASE("what_the_readme_says_of_ways_is_of_the_report_that_is_recorded") {
+  const std::string readme = test::file_bytes(test::source_dir() / "README.md");
+  const auto said = [](const char* format, double a, double b) {
+    char text[200];
+    std::snprintf(text, sizeof text, format, a, b);
+    return std::string(text);
+  };
+  const auto smooth = distortion(recorded_report(), "smooth"), paper = distortion(recorded_report(), "paper");
+  CHECK(test::mentions(
+      readme, said("\n%.2f times as much as with mean value coordinates, in the median, %.2f times at worst",
+                   smooth.first, smooth.second)));
+  CHECK(test::mentions(readme, said("have %.1f and %.1f (`viete report`)", paper.first, paper.second)));
+}
+
 TEST_CASE("numbers_of_the_readme_and_the_manual_are_those_of_the_report_that_is_recorded") {
   const nlohmann::json report = recorded_report();
   CHECK(report["exponentials"]["double"]["count"] == 10'000'000);
