@@ -22,5 +22,5 @@ run() { qemu-aarch64-static -L /usr/aarch64-linux-gnu "$@"; }
 run "$folder/build/tests/sym3/test_sym3"
 cmake --install "$folder/build" --prefix "$folder/installed" --component library >/dev/null
 aarch64-linux-gnu-g++ -x c -std=c99 "$here/tests/consumer/c/example.c" -I"$folder/installed/include" -x none \
-  "$folder/installed/lib/libviete_sym3.a" -lm -o "$folder/example"
+  "$folder/installed/lib/libviete_sym3.a" -lstdc++ -lm -o "$folder/example"
 run "$folder/example"
