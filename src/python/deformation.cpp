@@ -456,20 +456,19 @@ void define_deformer(py::module_& m) {
            py::arg("turn") = py::none(), py::arg("stretch") = py::none(), py::arg("stitched") = py::none(),
            py::arg("pins") = py::none(), py::arg("hold") = py::none(), py::arg("method") = "fast",
            py::arg("threads") = 0, py::arg("dtype") = "float64",
-           "Binds the model, vertices (n, 3) and faces, to the cage at rest; fractions of a second to some "
-           "seconds. All is "
-           "copied.\n\n"
-           "way: 'smooth', 'paper', 'mean-value', 'rigid', 'arap' or 'local'; elements, weights, blend: "
-           "words of the "
-           "command line, in place of what the way has. reach (1.5 or more), radius (in sizes of the cage), "
-           "exponent, clamp, "
-           "normalise: of weights that have them. turn, stretch: how much of rotations and stretches acts, 0 "
-           "to 2. "
-           "stitched: how often a stitched model is solved for; pins, hold: of these. method: 'fast', "
-           "'diag', 'sd' or "
-           "'improved_sd'. threads: 0 for all processors. dtype: of what deform() makes: float64 with the "
-           "bits of viete deform, "
-           "or float32, three to nine times as fast. Raises Error.")
+           "Binds the model, vertices (n, 3) and faces (m, k), or a list of lists, to the cage at rest; "
+           "fractions of a second to "
+           "some seconds. All is copied. Raises Error.\n\n"
+           "way: 'smooth', 'paper', 'mean-value', 'rigid', 'arap' or 'local'.\n"
+           "elements, weights, blend: words of the command line, in place of what the way has.\n"
+           "reach (1.5 or more), radius (in sizes of the cage), exponent (1 to 8), clamp, normalise: of "
+           "weights that have them.\n"
+           "turn, stretch: how much of rotations and stretches acts, 0 to 2.\n"
+           "stitched: how often a stitched model is solved for, 1 to 20; pins, hold: what holds it, 0 to 1.\n"
+           "method: 'fast', 'diag', 'sd' or 'improved_sd'.\n"
+           "threads: 0 for all processors.\n"
+           "dtype: of what deform() makes: float64 with the bits of viete deform, or float32, three to nine "
+           "times as fast.")
       .def("deform", &PythonDeformer::deform, py::arg("cage"), py::arg("out") = py::none(),
            py::arg("normals") = py::none(),
            "The model's vertices (n, 3) for the cage's, (k, 3), as they are posed.\n\n"
