@@ -31,6 +31,9 @@ install_debian(library_debian doc/libviete-dev ${documents})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libviete-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "g++, cmake | pkgconf, libeigen3-dev, libhwy-dev")
+if(VIETE_BUILD_VIEWER)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "libopenmesh-dev, libstb-dev")  # what viete::deform links
+endif()
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "functions of symmetric 3x3 matrices, one or millions
 Exponential, logarithm, roots, powers and eigenvalues of symmetric 3x3
 matrices, rotations and polar decomposition, in vector code that is chosen at
