@@ -196,6 +196,27 @@ def several_objects_share_a_cage_and_masks_hold():
     assert follow.KEY not in cube.data.shape_keys.key_blocks
 
 
+def undo_takes_it_along():
+    ball, cage = new_scene()
+    key = bend(cage)
+    update()
+    rest = follow.rest_of(ball)
+    bpy.ops.ed.undo_push(message="before")
+    key.value = 1
+    update()
+    bpy.ops.ed.undo_push(message="bent")
+    assert np.abs(key_of(ball) - rest).max() > 0.2
+    bpy.ops.ed.undo()
+    ball = bpy.data.objects["Icosphere"]
+    update()
+    assert ball.viete.cage.data.shape_keys.key_blocks["bent"].value == 0
+    assert np.abs(key_of(ball) - rest).max() < 1e-5
+    bpy.ops.ed.redo()
+    ball = bpy.data.objects["Icosphere"]
+    update()
+    assert np.abs(key_of(ball) - expected(ball)).max() < 1e-5 and np.abs(key_of(ball) - rest).max() > 0.2
+
+
 def what_is_wrong_is_told():
     ball, cage = new_scene()
     cage.modifiers.new("Subdivision", "SUBSURF")
@@ -287,7 +308,7 @@ def an_edit_is_quick():
 
 
 TESTS = (it_follows_shape_keys_and_edits, both_may_move_as_one, an_armature_moves_the_cage_over_frames, it_is_baked, the_blend_keeps_it,
-         several_objects_share_a_cage_and_masks_hold, what_is_wrong_is_told, it_works_through_the_program_too, an_edit_is_quick)
+         several_objects_share_a_cage_and_masks_hold, undo_takes_it_along, what_is_wrong_is_told, it_works_through_the_program_too, an_edit_is_quick)
 failed = 0
 for test in TESTS:
     try:
