@@ -164,8 +164,8 @@ float ScriptRecorder::begin_frame(float seconds) {
 }
 
 // Where work has ended in this frame, a replay waits for it before.
-void ScriptRecorder::end_frame(bool working) {
-  if (frame_ == 0) return;  // it began before the recording
+bool ScriptRecorder::end_frame(bool working) {
+  if (frame_ == 0) return true;  // it began before the recording
   const double now = base::wall_seconds();
   const double idle = snapped(now - std::exchange(last_, now) - frame_, 1.0 / 16);
   if (idle >= shortest_pause) *out_ << text_of(Step{.kind = Step::Kind::pause, .number = idle}, {});
@@ -173,6 +173,7 @@ void ScriptRecorder::end_frame(bool working) {
   write({.kind = Step::Kind::frame, .code = 1, .number = frame_});
   *out_ << std::exchange(line_, {}) << std::flush;
   seconds_ += frame_ + std::max(0.0, idle >= shortest_pause ? idle : 0.0);
+  return out_->good();
 }
 
 }  // namespace viete::app

@@ -31,8 +31,9 @@ public:
   void take_size(glm::ivec2 size);
   /// The seconds of a frame that begins, as a script can say them.
   float begin_frame(float seconds);
-  /// working: something is being read, bound or made aside.
-  void end_frame(bool working);
+  /// working: something is being read, bound or made aside. False where the script could not be written: a
+  /// full disk.
+  [[nodiscard]] bool end_frame(bool working);
   /// That is in the script so far.
   double seconds() const { return seconds_; }
 

@@ -123,7 +123,10 @@ void Viewer::frame(float seconds) {
   analysis_.follow_frame(workspace_, model_);
   if (analysis_.shows_news() | sides_.measure(workspace_)) settle(2);
   if (take_screenshot_) save_screenshot();
-  if (script_.on()) script_.end_frame(loading() || model_.binding() || cages_.running());
+  if (script_.on() && !script_.end_frame(loading() || model_.binding() || cages_.running())) {
+    workspace_.requests.script = scene::ScriptRequest::record;  // which ends it, and says why
+    settle(2);
+  }
   if (settle_frames_ > 0) --settle_frames_;
 }
 

@@ -1,4 +1,5 @@
 """What the cage makes of an object, without the cage: shape keys, a point cache, a mesh."""
+import os
 import struct
 
 import bpy
@@ -79,13 +80,18 @@ class VIETE_OT_bake_mdd(OnMesh):
         rate = scene.render.fps / scene.render.fps_base
         frames = [vertices for _, vertices in frames_of(context, obj)]
         times = np.arange(len(frames)) / rate
+        whole = bpy.path.abspath(self.filepath)
+        part = whole + ".part"  # what is there stays until the new one is whole
         try:
-            with open(bpy.path.abspath(self.filepath), "wb") as file:
+            with open(part, "wb") as file:
                 file.write(struct.pack(">ii", len(frames), len(obj.data.vertices)))
                 file.write(times.astype(">f4").tobytes())
                 for vertices in frames:
                     file.write(vertices.astype(">f4").tobytes())
+            os.replace(part, whole)
         except OSError as error:
+            if os.path.exists(part):
+                os.remove(part)
             raise engine.Error("%s: %s; choose another place" % (self.filepath, error.strerror)) from error
         self.report({"INFO"}, "%d frames in %s" % (len(frames), self.filepath))
 
