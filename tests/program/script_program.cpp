@@ -1,4 +1,7 @@
 // What hands do, recorded as a script and replayed: the same document to the bit; and the tour.
+#include <sys/resource.h>
+
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -183,6 +186,26 @@ TEST_CASE("a_script_leads_up_to_whatever_ends_the_program") {
   Driver again;
   replay(again, folder.files(".script").front());
   CHECK(again.document().pose.positions == place);
+}
+
+TEST_CASE("a_recording_that_cannot_be_written_ends_and_says_so") {
+  const WorkingFolder folder;
+  Driver d;
+  d.open_dragon();
+  record_from_here(d);
+  const rlimit before = [] {
+    rlimit limit{};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    return limit;
+  }();
+  const rlimit full{fs::file_size(folder.files(".script").front()) + 64, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &full);
+  d.frame(30);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  CHECK_FALSE(d.workspace().scripting.recording);
+  CHECK(test::mentions(d.workspace().messages.all().back().text, "not all of it could be written"));
 }
 
 TEST_CASE("a_replay_writes_no_file_of_a_persons") {
