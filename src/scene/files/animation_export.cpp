@@ -204,7 +204,8 @@ public:
     motion.name = what_.model.file.stem().string();
     motion.normals = what_.normals;
     for (const double frame : plan.frames) motion.seconds.push_back((frame - what_.first) / what_.rate);
-    for (const auto& target : plan.targets) motion.targets.push_back(frame_name(target.frame));
+    for (const auto& target : plan.targets) motion.targets.push_back(frame_name(target.front().frame));
+    if (plan.steady) motion.targets.back() = "steady";
     motion.weights = plan.weights;
     motion.moves = plan.moves;
     motion.positions = [&](std::size_t t) {

@@ -22,7 +22,6 @@ using mesh::Point;
 // Of the tolerance: what straight lines between moments, and what targets that are left out, may take. The
 // rest is for floats, and for the engine.
 constexpr double share_of_lines = 0.45, share_of_targets = 0.35;
-constexpr float largest_weight = 8;  // Blender takes none above 10
 
 struct Off {
   double share = 0, distance = 0;  // of what is allowed there; in the file's unit
@@ -247,10 +246,12 @@ std::vector<std::size_t> from_coarse_to_fine(std::size_t count) {
   return order;
 }
 
-// What floats do to a sum of targets at most.
-double noise_of(std::span<const double> weights, std::span<const double> largest) {
+// What floats do to a sum of targets at most, with the steady one.
+double noise_of(std::span<const double> weights, std::span<const double> least, std::span<const double> most,
+                std::span<const double> largest) {
   double sum = 0;
-  for (std::size_t k = 0; k < weights.size(); ++k) sum += std::abs(weights[k]) * largest[k];
+  for (std::size_t k = 0; k < weights.size(); ++k)
+    sum += (weights[k] * (most[k] - least[k]) - least[k]) * largest[k];
   return sum * 0x1p-24;
 }
 
@@ -283,6 +284,7 @@ public:
     Targets targets(rest_, reach_, wish_.tolerance, pool_);
     choose(targets, frames, progress);
     take_weights(targets);
+    check_size(targets, plan_.targets.size());
     plan_.moves = std::move(targets.moves);
     plan_.farthest = *std::ranges::max_element(reach_);
     plan_.error += moments.off.distance + targets.off.distance;
@@ -298,7 +300,7 @@ private:
       if (weights_[moment]) return;
       const double frame = plan_.frames[moment];
       weights_[moment] = targets.weights_of(frame, at_(frame));
-      check_size(targets);
+      check_size(targets, targets.frames.size());
       if (progress) progress->report(static_cast<double>(++done) / static_cast<double>(weights_.size()));
     };
     for (const std::size_t i : from_coarse_to_fine(given.size()))
@@ -306,34 +308,47 @@ private:
     for (const std::size_t i : from_coarse_to_fine(plan_.frames.size())) show(i);
   }
 
-  void check_size(const Targets& targets) const {
+  void check_size(const Targets& targets, std::size_t count) const {
     const auto moving = static_cast<double>(std::ranges::count(targets.moves, 1));
-    const auto count = static_cast<double>(targets.frames.size());
-    const double bytes =
-        count * (wish_.bytes_of_vertex * moving + 4 * static_cast<double>(plan_.frames.size()));
+    const double bytes = static_cast<double>(count) *
+                         (wish_.bytes_of_vertex * moving + 4 * static_cast<double>(plan_.frames.size()));
     if (bytes <= wish_.most_bytes) return;
     throw base::Error("",
-                      "the motion needs more than " + base::counted(targets.frames.size(), "morph target") +
-                          " of " + base::with_thousands(static_cast<std::size_t>(moving)) +
+                      "the motion needs more than " + base::counted(count, "morph target") + " of " +
+                          base::with_thousands(static_cast<std::size_t>(moving)) +
                           " vertices: " + base::memory_size(bytes) + ", and no more than " +
                           base::memory_size(wish_.most_bytes) + " are allowed",
                       "allow a larger tolerance, or more megabytes (viete animate --largest), or write a "
                       "point cache (.pc2)");
   }
 
+  // A target whose weights leave 0 to 1 is stretched so that they do not, and its least one, where it is
+  // below 0, is a share of the steady target. Its own frame has the weight 1, so there always is something to
+  // stretch.
   void take_weights(const Targets& targets) {
     const std::size_t count = targets.frames.size();
-    std::vector<double> most(count, 0);
+    std::vector<double> least(count, 0), most(count, 1);
     for (auto& weights : weights_) {
       weights->resize(count, 0);
-      plan_.error = std::max(plan_.error, noise_of(*weights, targets.largest));
-      for (std::size_t k = 0; k < count; ++k) most[k] = std::max(most[k], std::abs((*weights)[k]));
+      for (std::size_t k = 0; k < count; ++k) {
+        least[k] = std::min(least[k], (*weights)[k]);
+        most[k] = std::max(most[k], (*weights)[k]);
+      }
     }
-    for (std::size_t k = 0; k < count; ++k)
-      plan_.targets.push_back({targets.frames[k], std::max(1.0, most[k] / largest_weight)});
-    for (const auto& weights : weights_)
+    MorphPlan::Target steady;
+    for (std::size_t k = 0; k < count; ++k) {
+      plan_.targets.push_back({{targets.frames[k], most[k] - least[k]}});
+      if (least[k] < 0) steady.push_back({targets.frames[k], least[k]});
+    }
+    for (auto& weights : weights_) {
       for (std::size_t k = 0; k < count; ++k)
-        plan_.weights.push_back(static_cast<float>((*weights)[k] / plan_.targets[k].scale));
+        (*weights)[k] = ((*weights)[k] - least[k]) / (most[k] - least[k]);
+      plan_.error = std::max(plan_.error, noise_of(*weights, least, most, targets.largest));
+      plan_.weights.insert(plan_.weights.end(), weights->begin(), weights->end());
+      if (!steady.empty()) plan_.weights.push_back(1);
+    }
+    plan_.steady = !steady.empty();
+    if (plan_.steady) plan_.targets.push_back(std::move(steady));
   }
 
   std::span<const Point> rest_;
@@ -355,12 +370,21 @@ double MorphPlan::bytes(double bytes_of_vertex) const {
 
 std::vector<Point> MorphPlan::positions(std::size_t t, std::span<const Point> rest,
                                         const MotionAt& at) const {
-  std::vector<Point> pose = at(targets[t].frame);
-  for (std::size_t v = 0; v < pose.size(); ++v) {
-    if (!moves[v]) pose[v] = rest[v];
-    if (targets[t].scale != 1) pose[v] = rest[v] + targets[t].scale * (pose[v] - rest[v]);
+  const Target& target = targets[t];
+  std::vector<Point> shown;
+  if (target.size() == 1 && target.front().times == 1) {  // the pose itself, to the bit
+    shown = at(target.front().frame);
+    for (std::size_t v = 0; v < shown.size(); ++v)
+      if (!moves[v]) shown[v] = rest[v];
+    return shown;
   }
-  return pose;
+  shown.assign(rest.begin(), rest.end());
+  for (const Share& share : target) {
+    const std::vector<Point> pose = at(share.frame);
+    for (std::size_t v = 0; v < shown.size(); ++v)
+      if (moves[v]) shown[v] = shown[v] + share.times * (pose[v] - rest[v]);
+  }
+  return shown;
 }
 
 MorphPlan plan_morphs(std::span<const Point> rest, const std::vector<double>& frames, const MotionAt& at,

@@ -24,19 +24,22 @@ struct MorphWish {
 };
 
 /// At each moment the differences of targets from rest are added, each times its weight; between moments
-/// weights go straight.
+/// weights go straight. Weights are 0 to 1, for there are programs that take no others: what else they would
+/// need is in the targets, and in one more whose weight is always 1.
 struct MorphPlan {
   std::vector<double> frames;  ///< the moments, ascending
   std::vector<float> weights;  ///< of each moment as many as there are targets
-  struct Target {
-    double frame;  ///< whose pose it is,
-    double scale;  ///< its difference from rest times this: no weight is larger than 8
+  struct Share {
+    double frame;  ///< the difference of its pose from rest,
+    double times;
   };
-  std::vector<Target> targets;  ///< those first that add most
-  std::vector<char> moves;      ///< vertices that do not stay at rest
-  double error = 0;             ///< the largest distance from the motion that was measured, with what floats
-                                ///< do to it
-  double farthest = 0;          ///< coordinate
+  using Target = std::vector<Share>;  ///< what it adds to rest
+  std::vector<Target> targets;        ///< those first that add most
+  bool steady = false;                ///< the last one's weight is always 1: it shows no frame
+  std::vector<char> moves;            ///< vertices that do not stay at rest
+  double error = 0;     ///< the largest distance from the motion that was measured, with what floats
+                        ///< do to it
+  double farthest = 0;  ///< coordinate
 
   double bytes(double bytes_of_vertex) const;
   /// Of target `t`, as the motion has it.
