@@ -169,24 +169,25 @@ Vec3<double> eigenvector(Mat3<double> m, double value) {
 // eigenvalue that no other one is near to. Nothing where they lead nowhere.
 std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
   constexpr int most_steps = 8;
-  const double size = norm(m);
-  double before = std::numeric_limits<double>::infinity();
+  const double rounding = 32 * u * norm(m), surely = rounding / 8;
+  double least = std::numeric_limits<double>::infinity();
+  Deflated best;
   Vec3<double> v = eigenvector(m, value);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_steps && least > surely; ++step) {
     Deflated d{reflection(v), {}};
     d.t = product(d.axes, product(m, d.axes));
-    Mat3<double>& t = d.t;
+    const Mat3<double>& t = d.t;
     const double left = std::hypot(t[3], t[6]);
-    if (!(left < before)) break;
-    if (left <= 4 * u * size || (left <= 32 * u * size && left > before / 2)) {
-      t[3] = t[6] = 0;
-      return d;
-    }
-    before = left;
+    if (!(left < least)) break;  // of what is rounding, steps may find more
+    const bool ends = left <= rounding && left > least / 2;
+    least = left, best = d;
+    if (ends) break;
     const double a = t[4] - t[0], b = t[5], c = t[7], e = t[8] - t[0], det = a * e - b * c;
     v = product(d.axes, Vec3<double>{1, (b * t[6] - e * t[3]) / det, (c * t[3] - a * t[6]) / det});
   }
-  return std::nullopt;
+  if (least > rounding) return std::nullopt;
+  best.t[3] = best.t[6] = 0;
+  return best;
 }
 
 // Eigenvalues of the block: middle +- sqrt(disc), of product det.
