@@ -1,5 +1,6 @@
 // A view that is split: lines between its parts, and what each of them shows.
 #include <algorithm>
+#include <cfloat>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -68,28 +69,29 @@ Caption shown_in(const scene::Workspace& w, std::size_t view) {
   return shown;
 }
 
-// At the upper left of its part.
+ImVec2 size_of(ImFont* font, const std::string& text, float wide) {
+  if (text.empty()) return {0, 0};
+  return font->CalcTextSizeA(font->FontSize * ImGui::GetIO().FontGlobalScale, FLT_MAX, wide, text.c_str());
+}
+
+// At the upper left of its part, on as many lines as it needs there.
 void caption(const Context& ui, std::size_t view, glm::vec2 at, float room) {
+  const ImVec2 padding{10, 6};
   const Caption shown = shown_in(ui.workspace, view);
   if (shown.title.empty() && shown.numbers.empty()) return;
+  const float most = std::max(room - 16 - 2 * padding.x, 1.0f), scale = ImGui::GetIO().FontGlobalScale;
+  ImFont *strong = ui.fonts.strong, *small = ui.fonts.numbers;
+  const ImVec2 title = size_of(strong, shown.title, most), below = size_of(small, shown.numbers, most);
+  const float gap = title.y > 0 && below.y > 0 ? 3 : 0;
+  const ImVec2 low{at.x + 8, at.y + 8}, text{low.x + padding.x, low.y + padding.y};
+  const ImVec2 high{text.x + std::min(std::max(title.x, below.x), most) + padding.x,
+                    text.y + title.y + gap + below.y + padding.y};
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  ImGui::PushFont(ui.fonts.strong);
-  const ImVec2 size = ImGui::CalcTextSize(shown.title.c_str());
-  ImGui::PopFont();
-  ImGui::PushFont(ui.fonts.numbers);
-  const float below = shown.numbers.empty() ? 0 : ImGui::CalcTextSize(shown.numbers.c_str()).x;
-  ImGui::PopFont();
-  const float wide = std::min(std::max(size.x, below) + 20, room - 16);
-  const float tall = shown.numbers.empty() ? 28.0f : 46.0f;
-  const ImVec2 low{at.x + 8, at.y + 8}, high{low.x + wide, low.y + tall};
   draw.AddRectFilled(low, high, faded(ui.colors.card, 0.85f), 6);
-  draw.PushClipRect(low, high, true);
-  ImGui::PushFont(ui.fonts.strong);
-  draw.AddText({low.x + 10, low.y + 6}, ui.colors.text, shown.title.c_str());
-  ImGui::PopFont();
-  ImGui::PushFont(ui.fonts.numbers);
-  draw.AddText({low.x + 10, low.y + 25}, ui.colors.faint, shown.numbers.c_str());
-  ImGui::PopFont();
+  draw.PushClipRect(low, high, true);  // a word may be wider than the room
+  draw.AddText(strong, strong->FontSize * scale, text, ui.colors.text, shown.title.c_str(), nullptr, most);
+  draw.AddText(small, small->FontSize * scale, {text.x, text.y + title.y + gap}, ui.colors.faint,
+               shown.numbers.c_str(), nullptr, most);
   draw.PopClipRect();
 }
 

@@ -17,6 +17,7 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
 #include "scene/workspace/saving.h"
+#include "scene/workspace/splitting.h"
 #include "scene/workspace/taking.h"
 #include "support/grips.h"
 #include "support/open.h"
@@ -54,7 +55,9 @@ Workspace worked(const test::CubeFiles& files) {
             .hints = false};
   put_ways(w.split, {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, lab::Field::area, true},
                       {deform::scheme_of(deform::Way::arap)}},
-                     false});
+                     false,
+                     0.5,
+                     {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
   return w;
 }
 
@@ -66,7 +69,8 @@ void check_same(const Workspace& a, const Workspace& b) {
   CHECK(a.document.scheme == b.document.scheme);
   CHECK(a.camera.pose() == b.camera.pose());
   CHECK(a.view == b.view);
-  CHECK(ways_of(a.split) == ways_of(b.split));
+  CHECK(ways_of(a) == ways_of(b));
+  for (std::size_t view = 0; view < a.split.count(); ++view) CHECK(camera_of(a, view) == camera_of(b, view));
   CHECK(a.document.model.surface->positions == b.document.model.surface->positions);
 }
 
@@ -94,6 +98,27 @@ TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
   CHECK_FALSE(has_unsaved_edits(back));
   back.viewport = w.viewport;
   CHECK(session_text(session_of(back), files / "a.viete") == test::file_bytes(files / "a.viete"));
+}
+
+TEST_CASE("cameras_of_views_are_kept_wherever_the_hand_is") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  const CameraPose first = w.camera.pose();
+  enter_view(w, 2);
+  w.camera.orbit({30, 10});
+  const CameraPose moved = w.camera.destination();
+  REQUIRE(save_session(w, files / "a.viete"));
+  Workspace back;
+  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+  CHECK(back.split.active == 0);
+  CHECK(camera_of(back, 0) == first);
+  CHECK(camera_of(back, 1) == camera_of(w, 1));
+  CHECK(camera_of(back, 2) == moved);
+  test::put_file(files / "a.viete", with("cameras", "[{}]"));
+  const Session session = read_session(files / "a.viete");
+  REQUIRE(session.warnings.size() == 1);
+  CHECK(mentions(session.warnings[0],
+                 "a.viete: cameras: there is not one of each view beside the first; all views"));
 }
 
 TEST_CASE("a_session_names_its_files_relative_to_itself_and_moves_with_them") {

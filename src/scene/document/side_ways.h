@@ -5,6 +5,7 @@
 
 #include "deform/scheme.h"
 #include "lab/field.h"
+#include "scene/document/camera.h"
 #include "sym3/exp.h"
 
 namespace viete::scene {
@@ -25,9 +26,10 @@ struct SideWays {
   static constexpr std::size_t most = 3;
   static constexpr double least_part = 0.05;
 
-  std::vector<SideWay> sides;  ///< none: the view is whole; `most` at most
-  bool wipe = false;           ///< two views in one place, on either side of a line
-  double line = 0.5;           ///< where that is, as a part of the width, least_part to 1 - least_part
+  std::vector<SideWay> sides;       ///< none: the view is whole; `most` at most
+  bool wipe = false;                ///< two views in one place, on either side of a line
+  double line = 0.5;                ///< where that is, as a part of the width, least_part to 1 - least_part
+  std::vector<CameraPose> cameras;  ///< of each of `sides`; none: all see what the first one does
 
   friend bool operator==(const SideWays&, const SideWays&) = default;
 };

@@ -126,6 +126,13 @@ std::vector<SideWay> sides_of(const JsonReader& json, std::vector<std::string>& 
   return sides;
 }
 
+std::vector<CameraPose> cameras_of(const JsonReader& json, std::size_t sides) {
+  if (json.size() != sides) json.fail("there is not one of each view beside the first");
+  std::vector<CameraPose> cameras;
+  for (std::size_t i = 0; i < sides; ++i) cameras.push_back(camera_of(json.item(i)));
+  return cameras;
+}
+
 // Keys are of bytes as the machine stores them: others than the common ones say nothing.
 constexpr bool keys_are_common = std::endian::native == std::endian::little;
 
@@ -272,6 +279,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   json["view"] = view_json(session.view);
   for (const SideWay& side : session.sides.sides) json["views"].push_back(side_json(side));
   if (session.sides.wipe) json["wipe"] = session.sides.line;
+  for (const CameraPose& camera : session.sides.cameras) json["cameras"].push_back(camera_json(camera));
   if (session.handling != Handling{}) json["hand"] = handling_json(session.handling);
   if (session.unit) json["unit"] = entry(*session.unit).symbol;
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -341,6 +349,8 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("views", s.sides.sides, read_sides, "there is one view instead");
   s.sides.wipe = json.find("wipe").has_value();
   take("wipe", s.sides.line, read_line, "it is in the middle instead");
+  const auto read_cameras = [&](const JsonReader& v) { return cameras_of(v, s.sides.sides.size()); };
+  take("cameras", s.sides.cameras, read_cameras, "all views have the first one's instead");
   take("hand", s.handling, read_hand, new_window);
   take("unit", s.unit, read_unit, "as the model's file says instead");
   take("window", s.window, window_of, "the usual size instead");

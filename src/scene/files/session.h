@@ -51,6 +51,7 @@ struct MaskRun {
 ///   "views"               those beside the first: [{"method", what says a scheme, "field": the map,
 ///                         "other_lines": straight where the first has logs}], 3 at most; missing: none
 ///   "wipe"                of two views, where the line between them is, 0.05 to 0.95; missing: side by side
+///   "cameras"             as "camera", one of each of "views", where they are not linked; missing: they are
 ///   "hand"                see handling_json.h; missing: as in a new window
 ///   "unit"                what one unit of the model's file measures: "mm", "cm", "m", "in", "ft" or "none";
 ///                         missing: as the file says

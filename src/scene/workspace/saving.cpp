@@ -13,6 +13,7 @@
 #include "scene/files/output.h"
 #include "scene/files/session.h"
 #include "scene/workspace/playing.h"
+#include "scene/workspace/splitting.h"
 
 namespace viete::scene {
 
@@ -165,9 +166,9 @@ Session session_of(const Workspace& w) {
   session.scheme = w.document.scheme;
   session.mask = runs_of(w.document.mask);
   session.probes = w.document.probes;
-  session.camera = w.camera.destination();
+  session.camera = last_camera_of(w, 0);
   session.view = w.view;
-  session.sides = ways_of(w.split);
+  session.sides = ways_of(w);
   session.handling = w.handling;
   session.unit = w.document.model.unit;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);

@@ -27,18 +27,14 @@ Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view
   return seen;
 }
 
-SideWays ways_of(const Split& split) {
-  SideWays ways{{}, split.wipe, static_cast<double>(split.line)};
-  for (const SideView& side : split.sides) ways.sides.push_back(side);
-  return ways;
-}
-
 void put_ways(Split& split, const SideWays& ways) {
   split.sides.clear();
   for (const SideWay& way : ways.sides) split.sides.push_back({way});
   split.wipe = ways.wipe, split.line = static_cast<float>(ways.line);
   split.active = 0;
-  split.cameras.clear();
+  if (split.on()) split.linked = ways.cameras.empty();
+  split.cameras = ways.cameras;
+  if (!split.linked) split.cameras.insert(split.cameras.begin(), CameraPose{});  // the active one's place
 }
 
 std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place) {

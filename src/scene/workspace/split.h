@@ -51,7 +51,6 @@ Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view
 /// The view under a place of the window.
 std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place);
 
-SideWays ways_of(const Split& split);
 /// The same with these, and the hand in the first one.
 void put_ways(Split& split, const SideWays& ways);
 

@@ -54,6 +54,19 @@ CameraPose camera_of(const Workspace& w, std::size_t view) {
   return own ? split.cameras[view] : w.camera.pose();
 }
 
+CameraPose last_camera_of(const Workspace& w, std::size_t view) {
+  return w.split.linked || view == w.split.active ? w.camera.destination() : camera_of(w, view);
+}
+
+SideWays ways_of(const Workspace& w) {
+  const Split& split = w.split;
+  SideWays ways{{}, split.wipe, static_cast<double>(split.line), {}};
+  for (const SideView& side : split.sides) ways.sides.push_back(side);
+  if (!split.linked)
+    for (std::size_t view = 1; view < split.count(); ++view) ways.cameras.push_back(last_camera_of(w, view));
+  return ways;
+}
+
 lab::Field shown_field(const Workspace& w, const SideView& side) {
   return shown_field(w, side.field, side.scheme);
 }

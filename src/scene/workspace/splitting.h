@@ -16,6 +16,10 @@ void split_view(Workspace& workspace, std::size_t count);
 void enter_view(Workspace& workspace, std::size_t view);
 /// That of a view.
 CameraPose camera_of(const Workspace& workspace, std::size_t view);
+/// The same where it comes to rest, if it is on its way.
+CameraPose last_camera_of(const Workspace& workspace, std::size_t view);
+/// What a session keeps of the split.
+SideWays ways_of(const Workspace& workspace);
 /// What a side view shows as colours on the mesh, or none.
 lab::Field shown_field(const Workspace& workspace, const SideView& side);
 
