@@ -17,13 +17,16 @@ ImVec4 rgba(unsigned hex, float alpha = 1) {
   return c;
 }
 
+// Where distributions keep fonts, and a Flatpak those that it comes with.
+constexpr const char* font_folders[] = {"/usr/share/fonts", "/app/share/fonts"};
+
 ImFont* add_first(std::initializer_list<const char*> files, float size) {
-  for (const char* file : files) {
-    std::error_code ignored;
-    if (std::filesystem::exists(file, ignored)) {
-      return ImGui::GetIO().Fonts->AddFontFromFileTTF(file, size);
+  for (const char* file : files)
+    for (const std::filesystem::path folder : font_folders) {
+      std::error_code ignored;
+      if (std::filesystem::exists(folder / file, ignored))
+        return ImGui::GetIO().Fonts->AddFontFromFileTTF((folder / file).c_str(), size);
     }
-  }
   return nullptr;
 }
 
@@ -57,17 +60,15 @@ Fonts add_fonts(float scale, bool builtin_only) {
   Fonts fonts;
   io.FontGlobalScale = 1 / scale;
   if (!builtin_only) {
-    fonts.text = add_first({"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
-                            "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
-                            "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
+    fonts.text = add_first({"opentype/inter/Inter-Regular.otf", "truetype/inter/Inter-Regular.ttf",
+                            "truetype/dejavu/DejaVuSans.ttf"},
                            15 * scale);
-    fonts.strong = add_first({"/usr/share/fonts/opentype/inter/Inter-SemiBold.otf",
-                              "/usr/share/fonts/truetype/inter/Inter-SemiBold.ttf",
-                              "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"},
+    fonts.strong = add_first({"opentype/inter/Inter-SemiBold.otf", "truetype/inter/Inter-SemiBold.ttf",
+                              "truetype/dejavu/DejaVuSans-Bold.ttf"},
                              15 * scale);
-    fonts.numbers = add_first({"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
-                               "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"},
-                              13.5f * scale);
+    fonts.numbers =
+        add_first({"truetype/jetbrains-mono/JetBrainsMono-Regular.ttf", "truetype/dejavu/DejaVuSansMono.ttf"},
+                  13.5f * scale);
   }
   if (!fonts.text) {
     ImFontConfig config;

@@ -15,5 +15,15 @@ assert values["version"] == version, "conanfile.py is of version " + values["ver
 addon = ast.parse(open("../../src/blender/viete_cage/__init__.py").read())
 info = next(ast.literal_eval(s.value) for s in addon.body if isinstance(s, ast.Assign) and s.targets[0].id == "bl_info")
 assert ".".join(map(str, info["version"])) == version, "the add-on is of version %s" % (info["version"],)
+flatpak = json.load(open("flatpak/invalid.viete.Viete.json"))
+for module in flatpak["modules"]:
+    for source in module["sources"]:
+        pinned = source["type"] == "dir" or len(source["sha256"]) == 64
+        assert pinned, "the manifest's module %s comes without a checksum" % module["name"]
+assert flatpak["modules"][-1]["name"] == flatpak["command"] == "viete"
 END
+if command -v flatpak-builder >/dev/null; then
+  said=$(flatpak-builder --show-manifest flatpak/invalid.viete.Viete.json 2>&1 >/dev/null || true)
+  [ -z "$said" ] || { echo "flatpak-builder: $said"; exit 1; }
+fi
 grep -q 'vcpkg_cmake_install()' vcpkg/viete/portfile.cmake
