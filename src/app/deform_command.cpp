@@ -1,11 +1,19 @@
-// viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: the deformed mesh as a file.
+// viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: the deformed mesh as a file; or
+// viete deform MODEL CAGE --stream: one after another, for another program.
+#include <unistd.h>
+
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/output.h"
+#include "app/pose_stream.h"
+#include "base/error.h"
+#include "base/quantity.h"
 #include "scene/files/export.h"
 
 namespace viete::app {
@@ -14,10 +22,49 @@ namespace {
 
 struct DeformOptions {
   Inputs inputs{Use::file};
-  std::filesystem::path output;
+  std::filesystem::path output, mask;
   mesh::Digits digits;
-  bool force = false;
+  bool force = false, stream = false;
 };
+
+// Numbers in the order of the vertices, spaces or lines between them.
+deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
+  std::ifstream in(file);
+  if (!in) throw base::Error(file.string(), "it cannot be read", "name a file of numbers");
+  std::vector<float> shares;
+  std::string word;
+  while (in >> word) {
+    char* end = nullptr;
+    shares.push_back(std::strtof(word.c_str(), &end));
+    if (*end != '\0' || !(shares.back() >= 0 && shares.back() <= 1))
+      throw base::Error(file.string(), "number " + std::to_string(shares.size()) + " is no share",
+                        "give numbers from 0 to 1");
+  }
+  if (shares.size() != vertices)
+    throw base::Error(file.string(),
+                      "it has " + base::counted(shares.size(), "share") + " for " +
+                          base::with_thousands(vertices) + " vertices",
+                      "give one for each vertex of the model");
+  return std::make_shared<const std::vector<float>>(std::move(shares));
+}
+
+void take_mask(const DeformOptions& options, scene::Export& what) {
+  if (!options.mask.empty()) what.mask = mask_of(options.mask, what.model->positions.size());
+}
+
+int stream(const DeformOptions& options) {
+  if (isatty(STDOUT_FILENO))
+    throw base::Error("--stream", "positions would go to the terminal",
+                      "send them to a program, or to a file");
+  const scene::Opened opened = open(options.inputs, scene::check_deformable);
+  print_notes(opened.warnings);
+  if (!opened.document->has_cage())
+    throw base::Error(options.inputs.model.string(), "the session has no cage", "open it and add one");
+  scene::Export what = scene::export_of(*opened.document, {});
+  take_mask(options, what);
+  stream_poses(what, stdin, stdout);
+  return exit_ok;
+}
 
 int deform_file(const DeformOptions& options) {
   const scene::Opened opened =
@@ -25,6 +72,7 @@ int deform_file(const DeformOptions& options) {
   print_notes(opened.warnings);
   scene::Export what = scene::export_of(*opened.document, options.output);
   what.digits = options.digits;
+  take_mask(options, what);
   if (opened.session && opened.session->camera) what.up = opened.session->camera->up;
   print_notes(scene::write_deformed(what));
   return exit_ok;
@@ -36,13 +84,27 @@ void add_deform_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("deform", "Deform a mesh by a posed cage and write it");
   auto o = std::make_shared<DeformOptions>();
   add_input_options(*command, o->inputs);
-  add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
-      ->required();
+  auto* output =
+      add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format");
+  add_file_option(
+      *command, "--mask", o->mask,
+      "How much of its motion each vertex makes: a file of numbers from 0 to 1, in the order of the "
+      "model's vertices");
+  auto* stream_option = command->add_flag(
+      "--stream", o->stream,
+      "In place of a pose and a file: poses come on standard input, three float64 a vertex of the cage, and "
+      "positions go to standard output, three float32 a vertex of the model, until the input ends. Bound "
+      "once; a "
+      "frame takes what it does in the window");
+  stream_option->excludes(output);
+  if (auto* pose = command->get_option_no_throw("--pose")) stream_option->excludes(pose);
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
   command->callback([o, &action] {
+    if (o->stream) o->inputs.use = Use::animation;  // poses come in place of one
+    if (!o->stream && o->output.empty()) throw CLI::RequiredError("--output");
     check_usage(o->inputs);
-    action = [o] { return deform_file(*o); };
+    action = [o] { return o->stream ? stream(*o) : deform_file(*o); };
   });
 }
 

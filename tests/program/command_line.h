@@ -22,11 +22,8 @@ struct Outcome {
   std::string text;  ///< stdout and stderr
 };
 
-/// The program of that folder.
-inline Outcome run_of(const fs::path& folder, const std::string& arguments,
-                      const std::string& environment = "") {
-  const std::string command =
-      environment + " '" + folder.string() + "/viete' " + arguments + " 2>&1 </dev/null";
+/// Of a line of the shell.
+inline Outcome outcome_of(const std::string& command) {
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);
@@ -36,6 +33,12 @@ inline Outcome run_of(const fs::path& folder, const std::string& arguments,
   const int status = pclose(pipe);
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
   return outcome;
+}
+
+/// The program of that folder.
+inline Outcome run_of(const fs::path& folder, const std::string& arguments,
+                      const std::string& environment = "") {
+  return outcome_of(environment + " '" + folder.string() + "/viete' " + arguments + " 2>&1 </dev/null");
 }
 
 inline Outcome run(const std::string& arguments, const std::string& environment = "") {

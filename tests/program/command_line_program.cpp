@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <vector>
 
 #include "mesh/formats/read.h"
@@ -28,6 +29,96 @@ TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {
   REQUIRE(deformed.positions.size() == rest.positions.size());
   CHECK(deformed.triangles == rest.triangles);
   CHECK(deformed.positions != rest.positions);
+}
+
+namespace {
+
+// What is in the folder's `poses`, to its `frames`.
+Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames") {
+  return outcome_of("cd " + quoted(scratch.path()) + " && " + quoted(build_dir() / "viete") + " deform " +
+                    quoted(dragon) + " " + quoted(cage) + " --stream < poses 2>&1 > " + out);
+}
+
+}  // namespace
+
+TEST_CASE("poses_that_are_streamed_give_the_frames_that_deform_writes") {
+  const TemporaryFolder scratch;
+  const auto in_folder = "cd " + quoted(scratch.path()) + " &&";
+  const auto rest = mesh::read(cage).surface.positions, posed = mesh::read(pose).surface.positions;
+  {
+    std::ofstream poses(scratch / "poses", std::ios::binary);
+    for (const auto* all : {&posed, &rest, &posed})
+      poses.write(reinterpret_cast<const char*>(all->data()),
+                  std::streamsize(all->size() * sizeof(mesh::Point)));
+  }
+  const auto outcome = streamed(scratch);
+  CHECK_MESSAGE(outcome.code == 0, outcome.text);
+  CHECK(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) + " -o out.ply",
+            in_folder)
+            .code == 0);
+  const auto exact = mesh::read(scratch / "out.ply").surface.positions,
+             model = mesh::read(dragon).surface.positions;
+  const std::string bytes = file_bytes(scratch / "frames");
+  REQUIRE(bytes.size() == 3 * 12 * model.size());
+  std::vector<float> floats(bytes.size() / 4);
+  std::memcpy(floats.data(), bytes.data(), bytes.size());
+  const double diagonal = mesh::bounds(rest).diagonal();
+  const auto off = [&](std::size_t frame, const std::vector<mesh::Point>& expected) {
+    double most = 0;
+    for (std::size_t i = 0; i < 3 * expected.size(); ++i)
+      most = std::max(most, std::abs(floats[frame * 3 * expected.size() + i] - expected[i / 3][i % 3]));
+    return most / diagonal;
+  };
+  CHECK(off(0, exact) < 1e-4);
+  CHECK(off(1, model) < 1e-4);
+  CHECK(off(2, exact) < 1e-4);
+}
+
+TEST_CASE("a_stream_that_is_none_says_which_pose_it_is") {
+  const TemporaryFolder scratch;
+  const auto rest = mesh::read(cage).surface.positions;
+  std::string poses(reinterpret_cast<const char*>(rest.data()), rest.size() * sizeof(mesh::Point));
+  put_file(scratch / "poses", "");
+  CHECK(streamed(scratch).code == 0);
+  CHECK(file_bytes(scratch / "frames").empty());
+  put_file(scratch / "poses", poses + poses.substr(0, 100));
+  const auto cut = streamed(scratch);
+  CHECK(cut.code == 1);
+  CHECK(mentions(cut, "pose 2: it ends after 100 of "));
+  CHECK(file_bytes(scratch / "frames").size() == 12 * mesh::read(dragon).surface.positions.size());
+  put_file(scratch / "poses", poses);
+  if (fs::exists("/dev/full"))
+    CHECK(mentions(streamed(scratch, "/dev/full"), "standard output: it takes no more"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::memcpy(poses.data() + 5 * sizeof(mesh::Point), &nan, sizeof nan);
+  put_file(scratch / "poses", poses);
+  CHECK(mentions(streamed(scratch), "pose 1: vertex 5 is at no place"));
+  CHECK(mentions(run("deform a b --stream -o a.ply"), "--stream"));
+  CHECK(run("deform a b --stream -o a.ply").code == 2);
+}
+
+TEST_CASE("a_mask_holds_vertices_and_is_checked") {
+  const TemporaryFolder scratch;
+  const auto in_folder = "cd " + quoted(scratch.path()) + " &&";
+  const auto model = mesh::read(dragon).surface.positions;
+  const auto deform = [&](const std::string& mask) {
+    put_file(scratch / "mask.txt", mask);
+    return run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
+                   " --mask mask.txt -o a.ply --force",
+               in_folder);
+  };
+  std::string zeros;
+  for (std::size_t v = 0; v < model.size(); ++v) zeros += v % 2 ? "0\n" : "0.0 ";
+  CHECK(deform(zeros).code == 0);
+  CHECK(mesh::read(scratch / "a.ply").surface.positions == model);
+  CHECK(mentions(deform("1 1 1"), "mask.txt: it has 3 shares for 50,000 vertices"));
+  CHECK(mentions(deform("1 0.5 2"), "mask.txt: number 3 is no share"));
+  CHECK(mentions(deform("1 nan"), "mask.txt: number 2 is no share"));
+  fs::remove(scratch / "mask.txt");
+  CHECK(mentions(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
+                         " --mask none.txt -o a.ply --force",
+                     in_folder),
+                 "none.txt: it cannot be read"));
 }
 
 TEST_CASE("deform_with_the_rest_cage_as_pose_gives_the_model") {

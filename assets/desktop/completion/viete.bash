@@ -62,7 +62,7 @@ _viete_options() {
       options+=' --output --force --pose --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
         --transparent --pass --line-width --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --digits --force --pose --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
+    deform) options+=' --output --digits --force --pose --mask --stream --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
       options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
         --size --scale --binding --line-width --look --camera --shading --map --compare --panels --light --wireframe --error-map --no-cage --no-grid'

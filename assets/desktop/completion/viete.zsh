@@ -49,7 +49,10 @@ case $command in
     specs+=($files $output $pose $method $weighting $blend $way $reach $limits $amounts $stitched $picture '--transparent[without a background]'
       '--pass=[what is told of the model instead]:pass:(none depth normals triangles occlusion)')
     ;;
-  deform) specs+=($files $output $digits $pose $method $weighting $blend $way $reach $limits $amounts $stitched) ;;
+  deform)
+    specs+=($files $output $digits $pose $method $weighting $blend $way $reach $limits $amounts $stitched
+      '--mask=[how much of its motion each vertex makes]:file:_files' '--stream[poses from standard input, positions to standard output]')
+    ;;
   animate)
     specs+=($files $output $method $weighting $blend $way $reach $limits $amounts $stitched $picture $digits
       '--keys=[keys of other files]:file:_files' '--frames=[first-last]:frames:' '--step=[every so many frames]:frames:' $rate $straight
