@@ -21,7 +21,7 @@ def how():
     if viete:
         return "Viete " + viete.__version__
     if shutil.which("viete"):
-        return "by the program viete, slower: this Python has no module viete"
+        return "by the program viete, somewhat slower: this Python has no module viete"
     raise Error("Neither the module viete nor the program is here: install python3-viete, or viete, or "
                 "pip install it for Blender's Python")
 
@@ -56,27 +56,50 @@ class ByModule:
 
 
 class ByProgram:
-    """Frames through files in memory (/dev/shm, where there is one)."""
+    """`viete deform --stream`, which goes on as long as this does: poses and models through pipes."""
 
     def __init__(self, vertices, faces, cage, cage_faces, way, stitched, mask):
+        self.folder = tempfile.TemporaryDirectory(prefix="viete-")
+        place = pathlib.Path(self.folder.name)
+        write_obj(place / "model.obj", vertices, faces)
+        write_obj(place / "cage.obj", cage, cage_faces)
+        words = ["viete", "deform", "model.obj", "cage.obj", "--stream", "--way", way]
+        if stitched:
+            words += ["--stitched", "--iterations", "3"]
         if mask is not None:
-            raise Error("Masks need the module viete in Blender's Python; leave the mask empty, or install python3-viete")
-        memory = pathlib.Path("/dev/shm")
-        self.folder = tempfile.TemporaryDirectory(prefix="viete-", dir=memory if memory.is_dir() else None)
-        self.place = pathlib.Path(self.folder.name)
-        self.faces = cage_faces
-        write_obj(self.place / "model.obj", vertices, faces)
-        write_obj(self.place / "cage.obj", cage, cage_faces)
-        self.words = ["--way", way] + (["--stitched"] if stitched else [])
+            (place / "mask.txt").write_text("\n".join("%.9g" % share for share in mask))
+            words += ["--mask", "mask.txt"]
+        self.errors = open(place / "errors.txt", "w+")
+        self.program = subprocess.Popen(words, cwd=place, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.errors)
+        self.deform(cage, np.empty((len(vertices), 3), np.float32))  # what is wrong shows now
 
     def deform(self, pose, out):
-        write_obj(self.place / "pose.obj", pose, self.faces)
-        words = ["viete", "deform", "model.obj", "cage.obj", "--pose", "pose.obj", "-o", "out.obj", "--force", *self.words]
-        done = subprocess.run(words, cwd=self.place, capture_output=True, text=True)
-        if done.returncode:
-            raise Error(done.stderr.strip().removeprefix("viete: "))
-        lines = (self.place / "out.obj").read_text().splitlines()
-        out[:] = [line.split()[1:4] for line in lines if line.startswith("v ")]
+        made = b""
+        try:
+            self.program.stdin.write(np.ascontiguousarray(pose, np.float64).tobytes())
+            self.program.stdin.flush()
+            made = self.program.stdout.read(12 * len(out))
+        except (BrokenPipeError, ValueError):  # it has ended
+            pass
+        if len(made) < 12 * len(out):
+            self.close()
+            self.errors.seek(0)
+            said = [line for line in self.errors.read().splitlines() if not line.startswith("viete: note: ")]
+            raise Error((said[-1] if said else "The program viete has ended; bind again").removeprefix("viete: "))
+        out[:] = np.frombuffer(made, np.float32).reshape(-1, 3)
+
+    def close(self):
+        if not self.program.stdin.closed:
+            try:
+                self.program.stdin.close()
+            except BrokenPipeError:
+                pass
+            self.program.stdout.close()
+            self.program.wait()
+
+    def __del__(self):
+        if hasattr(self, "program"):
+            self.close()
 
 
 def write_obj(file, vertices, faces):
