@@ -1,5 +1,7 @@
 #include "base/worker_pool.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <condition_variable>
 #include <cstdint>
@@ -13,6 +15,7 @@
 namespace viete::base {
 
 struct WorkerPool::State {
+  const pid_t process = getpid();
   std::vector<std::thread> threads;
   std::mutex mutex;
   std::condition_variable wake, finished;
@@ -72,6 +75,11 @@ WorkerPool::WorkerPool(int threads) : state_(std::make_unique<State>()) {
 }
 
 WorkerPool::~WorkerPool() {
+  if (state_->process != getpid()) {  // the threads are another process's, and would be waited for
+    for (auto& thread : state_->threads) thread.detach();
+    static_cast<void>(state_.release());
+    return;
+  }
   {
     const std::lock_guard lock(state_->mutex);
     state_->stop = true;
@@ -92,10 +100,15 @@ void WorkerPool::for_blocks(std::size_t count, std::size_t block,
                             const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
   State& s = *state_;
+  block = std::max<std::size_t>(1, block);
+  if (s.process != getpid()) {
+    for (std::size_t begin = 0; begin < count; begin += block) body(begin, std::min(count, begin + block));
+    return;
+  }
   {
     const std::lock_guard lock(s.mutex);
     s.count = count;
-    s.block = std::max<std::size_t>(1, block);
+    s.block = block;
     s.body = &body;
     s.error = nullptr;
     s.longest = 0;

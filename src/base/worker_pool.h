@@ -8,7 +8,8 @@
 namespace viete::base {
 
 /// A persistent pool for data-parallel loops. Blocks have a fixed size that does not depend on the number
-/// of threads, and each block is computed by one thread alone, so results are the same for any number.
+/// of threads, and each block is computed by one thread alone, so results are the same for any number. In a
+/// child of fork(), where there are no other threads, the caller does all of it.
 class WorkerPool {
 public:
   /// threads: how many share the work, the caller included; 0 means one for each processor.

@@ -2,6 +2,7 @@
 // places (R. W. Sumner, M. Zwicker, C. Gotsman, J. Popovic, Mesh-based inverse kinematics, 2005).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -25,6 +26,9 @@ struct PosingPin {
 /// What holds, and what pulls about as strongly as neighbours do.
 inline constexpr double holding = std::numeric_limits<double>::infinity(), usual_pull = 0.3;
 
+/// As many equations are solved at once, which takes minutes beyond.
+inline constexpr std::size_t most_pins = 1000;
+
 struct PosingSettings {
   /// Beside the elastic energy of a unit of the model's area: how near weights of examples stay to 0, or to
   /// those that it began with.
@@ -46,8 +50,9 @@ public:
   /// Vectors are of the space, without keys before; both outlive this, and so does the pool.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
-  /// Other ones; weights, turn and positions stay. Each vertex once. Some milliseconds a pin. Throws
-  /// base::Error, before anything changes, where a vertex is of no triangle with area, or memory is short.
+  /// Other ones, most_pins at most; weights, turn and positions stay. Each vertex once. Some milliseconds a
+  /// pin. Throws base::Error, before anything changes, where there are more, a vertex is of no triangle with
+  /// area, or memory is short.
   void set_pins(std::vector<PosingPin> pins);
 
   /// How far each vertex goes, over their way, when the targets of these pins (by number) go one small way

@@ -1,8 +1,11 @@
 #include "base/worker_pool.h"
 
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -35,6 +38,21 @@ TEST_CASE("an_exception_reaches_the_caller_and_the_pool_lives_on") {
   std::atomic<int> sum{0};
   pool.for_blocks(100, 3, [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
   CHECK(sum == 100);
+}
+
+TEST_CASE("in_a_child_of_fork_the_caller_does_all_of_it") {
+  auto pool = std::make_unique<WorkerPool>(3);
+  const pid_t child = fork();
+  if (child == 0) {
+    int sum = 0;
+    pool->for_blocks(100, 3,
+                     [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
+    pool.reset();
+    _exit(sum == 100 ? 0 : 1);
+  }
+  int status = -1;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(status == 0);
 }
 
 TEST_CASE("the_cost_of_loops_is_the_callers_and_the_longest") {

@@ -27,6 +27,8 @@ void check_written(const std::string& place, std::size_t vertex, const Point& p,
 }
 
 void check_written(const std::string& place, std::span<const Point> positions, double largest) {
+  if (positions.empty())
+    throw base::Error(place, "there are no vertices to write", "name a mesh that has some");
   for (std::size_t v = 0; v < positions.size(); ++v) check_written(place, v, positions[v], largest);
 }
 
