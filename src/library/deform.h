@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,10 @@
 namespace viete {
 
 using Point3 = std::array<double, 3>;
+
+/// Told some times a second, by the thread that called, how much of long work is done, 0 to 1. What it throws
+/// ends the work, and is thrown by it.
+using Watch = std::function<void(double done)>;
 
 /// Polygons, counter-clockwise from outside.
 struct Mesh {
@@ -49,7 +54,7 @@ struct CageWish {
   bool own_axes = false;                      ///< of boxes: along the model's extents
 };
 /// A closed surface around the model, free of self-intersection.
-Mesh make_cage(const Mesh& model, const CageWish& wish = {});
+Mesh make_cage(const Mesh& model, const CageWish& wish = {}, const Watch& watch = {});
 
 /// How the cage moves the model; the words and numbers of the command line. What is left open is as the way
 /// has it.
@@ -81,12 +86,15 @@ struct Probe {
 /// One model in one cage. For one thread at a time; several are independent.
 class Deformer {
 public:
-  /// Binds; fractions of a second to some seconds, and memory in proportion to vertices times triangles of
-  /// the cage. threads: 0 for all processors.
+  /// Checks and copies. threads: 0 for all processors.
   Deformer(const Mesh& model, const Mesh& cage, const Blending& blending = {}, int threads = 0);
   ~Deformer();
   Deformer(Deformer&&) noexcept;
   Deformer& operator=(Deformer&&) noexcept;
+
+  /// Binds for poses in float, or in double, which the first of them does otherwise: fractions of a second to
+  /// some seconds, and memory in proportion to vertices times triangles of the cage.
+  void bind(bool in_float, const Watch& watch = {});
 
   std::size_t vertex_count() const;
   std::size_t cage_vertex_count() const;
@@ -94,8 +102,9 @@ public:
   const std::vector<std::string>& notes() const;
 
   /// Positions of the cage's vertices to those of the model: three numbers a vertex. In double, as files are
-  /// written (the bits of `viete deform`); in float as the window draws, three to nine times as fast. normals
-  /// may be empty, or get one of length 1 for each vertex. turns, if not null: whole turns of the cage's
+  /// written (the bits of `viete deform`); in float as the window draws, three to nine times as fast: off by
+  /// some 1e-7 of the cage's diagonal, and for ways that spread along the model by up to 1e-4. normals may
+  /// be empty, or get one of length 1 for each vertex. turns, if not null: whole turns of the cage's
   /// parts that the pose before had, one rotation vector each; this pose's come back. Without them each part
   /// turns the least.
   void deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals = {},
@@ -119,7 +128,8 @@ private:
 class ShapeSpace {
 public:
   /// Shapes, positions of the vertices of the mesh at rest each, in the order of a motion: whole turns go on.
-  ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads = 0);
+  ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads = 0,
+             const Watch& watch = {});
   ~ShapeSpace();
   ShapeSpace(ShapeSpace&&) noexcept;
   ShapeSpace& operator=(ShapeSpace&&) noexcept;
@@ -138,7 +148,7 @@ public:
   /// weights, if not null, gets those of the shapes.
   std::vector<Point3> pose(std::span<const std::uint32_t> vertices, std::span<const Point3> places,
                            double firmness = 1e300, double freedom = 0.3,
-                           std::vector<double>* weights = nullptr) const;
+                           std::vector<double>* weights = nullptr, const Watch& watch = {}) const;
 
 private:
   struct Impl;

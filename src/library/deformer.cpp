@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -10,6 +13,8 @@
 #include "deform/engine_for.h"
 #include "deform/exact.h"
 #include "library/surfaces.h"
+#include "library/watched.h"
+#include "library/words.h"
 #include "mesh/normals.h"
 #include "scene/files/export.h"
 
@@ -17,23 +22,14 @@ namespace viete {
 
 namespace {
 
-template <class Entry>
-auto named(std::span<const Entry> table, const std::string& name, const char* what) {
-  if (const auto value = deform::find_by_name(table, name)) return *value;
-  std::string names;
-  for (const Entry& entry : table) names += (names.empty() ? "" : ", ") + std::string(entry.name);
-  throw base::Error(what, "there is none called " + name, "choose one of " + names);
-}
-
 template <class Entry, class Value>
 void take(std::span<const Entry> table, const std::string& name, const char* what,
           std::optional<Value>& value) {
-  if (!name.empty()) value = named(table, name, what);
+  if (!name.empty()) value = library::named(table, name, what);
 }
 
 void check(const char* what, std::optional<double> value, double low, double high) {
-  if (value && !(*value >= low && *value <= high))
-    throw base::Error(what, "this number is out of range", "see the header for how far it goes");
+  if (value) library::check_range(what, *value, low, high);
 }
 
 deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
@@ -64,6 +60,18 @@ mesh::Vec3 vector_of(const Point3& p) {
   return {p[0], p[1], p[2]};
 }
 
+void check_finite(const Probe& probe) {
+  const auto check = [](const char* what, std::span<const double> numbers) {
+    for (const double x : numbers)
+      if (!(std::abs(x) <= mesh::largest_coordinate))
+        throw base::Error("a probe",
+                          "its " + std::string(what) + " has a number that is not finite, or beyond 1e100",
+                          "leave such numbers out");
+  };
+  check("place", probe.place), check("turn", probe.turn), check("stretch", probe.stretch);
+  check("move", probe.move);
+}
+
 template <class T>
 void check_size(std::span<T> numbers, std::size_t vertices, const char* what) {
   if (numbers.size() != 3 * vertices)
@@ -81,7 +89,7 @@ struct Deformer::Impl {
         cage(std::make_shared<const deform::Cage>(deform::make_cage(library::surface_of(c, "the cage")))),
         scheme(scheme_of(blending, !model.triangles.empty())),
         method(method_of(blending.method)),
-        pool(threads),
+        pool(library::checked_threads(threads)),
         notes(cage->warnings) {}
 
   deform::Pose pose(std::span<const double> numbers, const std::vector<Point3>* turns) const {
@@ -94,25 +102,25 @@ struct Deformer::Impl {
     if (turns) *turns = library::outside(report.turns);
   }
 
-  deform::ExactDeformer& exact() {
+  deform::ExactDeformer& exact(base::Progress* progress = nullptr) {
     if (!exact_)
       exact_ = std::make_unique<deform::ExactDeformer>(model, cage, scheme, method, pool,
-                                                       deform::ExactDeformer::Weights::kept, mask);
+                                                       deform::ExactDeformer::Weights::kept, mask, progress);
     return *exact_;
   }
 
-  deform::Deformer& live() {
+  deform::Deformer& live(base::Progress* progress = nullptr) {
     if (live_) return *live_;
     const bool staged = deform::engine_for(scheme, method) == deform::EngineKind::staged;
     auto binding = std::make_shared<const deform::Binding>(
-        deform::bind(model, *cage, scheme.weighting, deform::EngineKind::fused, nullptr, pool));
+        deform::bind(model, *cage, scheme.weighting, deform::EngineKind::fused, nullptr, pool, progress));
     if (staged)
-      binding = std::make_shared<const deform::Binding>(
-          deform::bind(model, *cage, scheme.weighting, deform::EngineKind::staged, binding.get(), pool));
+      binding = std::make_shared<const deform::Binding>(deform::bind(
+          model, *cage, scheme.weighting, deform::EngineKind::staged, binding.get(), pool, progress));
     std::shared_ptr<const deform::Stitching> stitching;
     if (scheme.stitched())
-      stitching = std::make_shared<const deform::Stitching>(
-          deform::stitch(model, *cage, scheme.weighting.elements, pool, deform::settings_of(scheme)));
+      stitching = std::make_shared<const deform::Stitching>(deform::stitch(
+          model, *cage, scheme.weighting.elements, pool, deform::settings_of(scheme), progress));
     live_ = std::make_unique<deform::Deformer>(cage, std::move(binding), scheme, pool, std::move(stitching));
     live_->set_mask(mask), live_->set_shape(shape), live_->set_probes(probes);
     return *live_;
@@ -137,6 +145,15 @@ Deformer::Deformer(const Mesh& model, const Mesh& cage, const Blending& blending
 Deformer::~Deformer() = default;
 Deformer::Deformer(Deformer&&) noexcept = default;
 Deformer& Deformer::operator=(Deformer&&) noexcept = default;
+
+void Deformer::bind(bool in_float, const Watch& watch) {
+  library::watched(watch, [&](base::Progress* progress) {
+    if (in_float)
+      impl_->live(progress);
+    else
+      impl_->exact(progress);
+  });
+}
 
 std::size_t Deformer::vertex_count() const {
   return impl_->model.positions.size();
@@ -177,14 +194,24 @@ void Deformer::deform(std::span<const double> cage, std::span<float> positions, 
   Impl::keep_turns(live.state().report(), turns);
   const auto vertices = live.vertices();
   const mesh::Vec3 origin = live.origin();
+  std::atomic<bool> fits = true;
   impl_->pool.for_blocks(vertices.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    bool within = true;
     for (std::size_t v = begin; v < end; ++v) {
-      for (std::size_t k = 0; k < 3; ++k)
-        positions[3 * v + k] = static_cast<float>(origin[k] + vertices[v].position[k]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = origin[k] + vertices[v].position[k];
+        within &= std::abs(x) <= largest;  // false for NaN
+        positions[3 * v + k] = static_cast<float>(x);
+      }
       if (!normals.empty())
         std::copy_n(vertices[v].normal, 3, normals.begin() + static_cast<std::ptrdiff_t>(3 * v));
     }
+    if (!within) fits = false;
   });
+  if (!fits)
+    throw base::Error("positions", "one is beyond what floats hold",
+                      "deform in double, or scale the cage and the model");
 }
 
 void Deformer::set_mask(std::span<const float> shares) {
@@ -210,9 +237,10 @@ void Deformer::set_shape(std::span<const double> positions) {
 void Deformer::set_probes(const std::vector<Probe>& probes) {
   deform::Probes all;
   for (const Probe& p : probes) {
+    check_finite(p);
     if (!(p.radius > 0 && p.radius <= mesh::largest_coordinate))
       throw base::Error("a probe", "its radius is no length", "give it one above 0");
-    const deform::Influence influence{named(deform::all_falloffs(), p.falloff, "falloff"), p.radius};
+    const deform::Influence influence{library::named(deform::all_falloffs(), p.falloff, "falloff"), p.radius};
     deform::Probe probe{
         .place = vector_of(p.place), .turn = influence, .stretch = influence, .move = influence};
     const auto& s = p.stretch;

@@ -8,6 +8,8 @@
 #include "base/worker_pool.h"
 #include "cages/make.h"
 #include "library/surfaces.h"
+#include "library/watched.h"
+#include "library/words.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "mesh/triangulation.h"
@@ -104,31 +106,12 @@ void write_mesh(const std::filesystem::path& file, const Mesh& mesh) {
   mesh::write(file, library::surface_of(mesh, "the mesh"));
 }
 
-namespace {
-
-template <class Entry>
-auto value_of(std::span<const Entry> table, const std::string& name, const char* what) {
-  std::string names;
-  for (const Entry& entry : table) {
-    if (entry.name == name) return entry.value;
-    names += (names.empty() ? "" : ", ") + std::string(entry.name);
-  }
-  throw base::Error(what, "there is none called " + name, "choose one of " + names);
-}
-
-void check_range(const char* what, double value, double low, double high) {
-  if (!(value >= low && value <= high))
-    throw base::Error(what, base::few_digits(value) + " is out of range",
-                      "choose " + base::few_digits(low) + " to " + base::few_digits(high));
-}
-
-}  // namespace
-
-Mesh make_cage(const Mesh& model, const CageWish& asked) {
+Mesh make_cage(const Mesh& model, const CageWish& asked, const Watch& watch) {
   cages::Wish wish;
-  wish.kind = value_of(cages::all_kinds(), asked.kind, "kind");
-  wish.symmetry = value_of(cages::all_symmetries(), asked.symmetry, "symmetry");
+  wish.kind = library::named(cages::all_kinds(), asked.kind, "kind");
+  wish.symmetry = library::named(cages::all_symmetries(), asked.symmetry, "symmetry");
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
+  using library::check_range;
   check_range("triangles", count(asked.triangles), count(cages::least_triangles),
               count(cages::most_triangles));
   check_range("margin", asked.margin, cages::least_margin, cages::most_margin);
@@ -136,8 +119,11 @@ Mesh make_cage(const Mesh& model, const CageWish& asked) {
   for (const std::size_t cells : asked.cells) check_range("cells", count(cells), 1, count(cages::most_cells));
   wish.triangles = asked.triangles, wish.margin = asked.margin, wish.gap = asked.gap;
   wish.quads = asked.quads, wish.cells = asked.cells, wish.own_axes = asked.own_axes;
-  base::WorkerPool pool;
-  return library::mesh_of(cages::make(library::surface_of(model, "the model"), wish, pool).surface);
+  const mesh::Surface surface = library::surface_of(model, "the model");
+  return library::watched(watch, [&](base::Progress* progress) {
+    base::WorkerPool pool;
+    return library::mesh_of(cages::make(surface, wish, pool, progress).surface);
+  });
 }
 
 }  // namespace viete

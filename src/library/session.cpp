@@ -73,7 +73,7 @@ const std::vector<std::string>& Session::notes() const {
 }
 
 std::vector<Point3> Session::frame(double frame) const {
-  if (!(std::abs(frame) <= 1e6)) throw base::Error("frame", "this is no frame", "see range()");
+  if (!(std::abs(frame) <= 1e6)) throw base::Error("frame", "this is no frame", "choose one of its range");
   return library::outside(impl_->positions(frame));
 }
 

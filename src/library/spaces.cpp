@@ -8,6 +8,8 @@
 #include "base/worker_pool.h"
 #include "deform/example_posing.h"
 #include "library/surfaces.h"
+#include "library/watched.h"
+#include "library/words.h"
 #include "scene/document/animation.h"
 #include "scene/document/shape_mix.h"
 
@@ -65,12 +67,13 @@ auto sum_of(std::span<const double> weights, const std::vector<deform::LogVector
 }  // namespace
 
 struct ShapeSpace::Impl {
-  Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all, int threads)
+  Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all, int threads, base::Progress* progress)
       : rest(std::make_shared<const mesh::Surface>(library::surface_of(mesh, "the mesh at rest"))),
-        pool(threads),
-        space(*rest, pool) {
+        pool(library::checked_threads(threads)),
+        space(*rest, pool, progress) {
     if (all.empty()) throw base::Error("shapes", "there is none", "name one or more");
     for (const auto& shape : all) {
+      if (progress) progress->report(static_cast<double>(shapes.size()) / static_cast<double>(all.size()));
       const std::vector<mesh::Point> positions = library::inside(shape);
       library::check_points(positions, rest->positions.size(), "a shape");
       const deform::LogVector* before = vectors.empty() ? nullptr : &vectors.back();
@@ -98,8 +101,11 @@ struct ShapeSpace::Impl {
   std::optional<scene::Animation> animation;
 };
 
-ShapeSpace::ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads)
-    : impl_(std::make_unique<Impl>(rest, shapes, threads)) {}
+ShapeSpace::ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads,
+                       const Watch& watch)
+    : impl_(library::watched(watch, [&](base::Progress* progress) {
+        return std::make_unique<Impl>(rest, shapes, threads, progress);
+      })) {}
 ShapeSpace::~ShapeSpace() = default;
 ShapeSpace::ShapeSpace(ShapeSpace&&) noexcept = default;
 ShapeSpace& ShapeSpace::operator=(ShapeSpace&&) noexcept = default;
@@ -131,7 +137,8 @@ std::vector<Point3> ShapeSpace::between(double at, bool straight) const {
 }
 
 std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, std::span<const Point3> places,
-                                     double firmness, double freedom, std::vector<double>* weights) const {
+                                     double firmness, double freedom, std::vector<double>* weights,
+                                     const Watch& watch) const {
   constexpr int most_steps = 200;
   const std::vector<mesh::Point> targets = library::inside(places);
   library::check_points(targets, vertices.size(), "the places");
@@ -139,17 +146,23 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
     throw base::Error("firmness", "it is not above 0", "0.3 pulls as strongly as neighbours do");
   if (!(freedom >= 0 && freedom <= 1))
     throw base::Error("freedom", "it is not between 0 and 1", "choose 0 to 1");
+  if (vertices.empty()) throw base::Error("vertices", "there is none to bring anywhere", "name one or more");
+  std::vector<char> pinned(impl_->rest->positions.size(), 0);
   std::vector<deform::PosingPin> pins;
   for (const std::uint32_t v : vertices) {
     if (v >= impl_->rest->positions.size())
       throw base::Error("vertices", "there is no vertex " + std::to_string(v), "count them from 0");
+    if (std::exchange(pinned[v], 1))
+      throw base::Error("vertices", "vertex " + std::to_string(v) + " is there twice", "name each one once");
     pins.push_back({v, firmness > 1e9 ? deform::holding : firmness});
   }
   std::vector<const deform::LogVector*> examples;
   for (const auto& vector : impl_->vectors) examples.push_back(&vector);
   deform::ExamplePosing posing(impl_->space, std::move(examples), impl_->pool);
-  posing.set_pins(std::move(pins));
-  posing.solve(targets, {.freedom = freedom}, most_steps);
+  library::watched(watch, [&](base::Progress* progress) {
+    posing.set_pins(std::move(pins));
+    posing.solve(targets, {.freedom = freedom}, most_steps, progress);
+  });
   if (weights) *weights = posing.weights();
   return library::outside(posing.positions());
 }

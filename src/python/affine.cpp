@@ -122,6 +122,7 @@ py::array of_each(const Maps& a, const Axes& before, const F& f) {
 
 // Rotation vectors, one a map: the last axis is 3.
 Argument vectors_of(const char* function, const py::object& near) {
+  finite_numbers(function, "near", near);
   Argument vectors(function, near, 1);
   if (vectors.own()[0] != 3) {
     wrong(function, "near is (..., 3), rotation vectors; this shape is " + shape_text(vectors.numbers));
@@ -190,7 +191,8 @@ struct Weighted {
     const Axes own = maps.own();
     count = static_cast<std::size_t>(own[0]);
     if (count == 0) wrong(function, "there are no maps");
-    const Argument given(function, w.is_none() ? numpy("ones")(count) : w, 1);
+    const Argument given(
+        function, w.is_none() ? numpy("ones")(count) : py::object(finite_numbers(function, "weights", w)), 1);
     if (given.own()[0] != own[0]) {
       wrong(function,
             "there are " + std::to_string(count) + " maps; weights have shape " + shape_text(given.numbers));
@@ -217,6 +219,8 @@ py::array affine_combine(const py::object& m, const py::object& w) {
 
 py::tuple affine_mean(const py::object& m, const py::object& w) {
   const Weighted all("affine_mean", m, w);
+  if (numpy("any")(all.weights.attr("sum")(-1).attr("__eq__")(0)).cast<bool>())
+    wrong("affine_mean", "the weights sum to 0");
   py::array_t<bool> converged(all.before);
   bool* ends = converged.mutable_data();
   const py::array means = made(all.before, all.maps.rows, all.maps.single, [&](std::size_t i) {
@@ -240,6 +244,7 @@ std::string about(const char* text) {
 void define_affine(py::module_& m) {
   m.def("affine_log", affine_log, py::arg("m"), py::arg("near") = py::none(),
         about("The principal logarithm of each map; where there is none a bounded one: see affine_has_log.\n"
+              "One of a map that is flat (a stretch below 1e-11 of another) counts as none.\n"
               "near: (..., 3), rotation vectors: the logarithm on the branch nearest to them, bounded.")
             .c_str());
   m.def("affine_exp", affine_exp, py::arg("l"), about("The map that each logarithm is of.").c_str());

@@ -5,7 +5,16 @@
 
 namespace viete::python {
 
-/// read, write, make_cage, Deformer, ShapeSpace, PoseSpace, Session, and Error.
+/// All of the below, and Error.
 void define_deformation(pybind11::module_& m);
+
+/// Surface, read, write, make_cage.
+void define_files(pybind11::module_& m);
+/// Deformer.
+void define_deformer(pybind11::module_& m);
+/// ShapeSpace, PoseSpace.
+void define_spaces(pybind11::module_& m);
+/// Session.
+void define_session(pybind11::module_& m);
 
 }  // namespace viete::python

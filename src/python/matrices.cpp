@@ -1,6 +1,7 @@
 #include "python/matrices.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace viete::python {
@@ -33,6 +34,19 @@ std::string shape_text(const py::array& a) {
 
 void wrong(const char* function, const std::string& what) {
   throw py::value_error("viete." + std::string(function) + ": " + what);
+}
+
+py::array_t<double, py::array::c_style | py::array::forcecast> finite_numbers(const char* function,
+                                                                              const char* what,
+                                                                              const py::object& a) {
+  const py::array array = as_array(function, a);
+  is_single(function, array);
+  auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  if (!numbers) throw py::error_already_set();
+  for (py::ssize_t i = 0; i < numbers.size(); ++i)
+    if (!std::isfinite(numbers.data()[i]))
+      wrong(function, std::string(what) + " has a number that is not finite");
+  return numbers;
 }
 
 bool overlap(const py::array& a, const py::array& b) {
@@ -85,7 +99,7 @@ py::array_t<T> output(const char* function, const py::object& out, const Contigu
   }
   if (!array.writeable()) wrong(function, "out is read-only");
   if (!(array.flags() & py::array::c_style) || !(array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_)) {
-    wrong(function, "out is not contiguous");
+    wrong(function, "out is not contiguous and aligned");
   }
   if (array.data() != in.data() && overlap(array, in))
     wrong(function, "out overlaps the matrices; only in place is allowed");

@@ -38,6 +38,12 @@ bool is_single(const char* function, const py::array& a);
 /// Any array-like as an array. Raises TypeError.
 py::array as_array(const char* function, const py::object& a);
 
+/// The array of numbers in double, one after the other: weights, or steps. Raises TypeError for what is none,
+/// as None is, and ValueError where one is not finite.
+py::array_t<double, py::array::c_style | py::array::forcecast> finite_numbers(const char* function,
+                                                                              const char* what,
+                                                                              const py::object& a);
+
 /// Whether two arrays share memory.
 bool overlap(const py::array& a, const py::array& b);
 

@@ -241,9 +241,13 @@ py::array log_of(const char* name, const py::object& a) {
 py::object mean(const py::object& a, const py::object& weights) {
   const py::array logs = log_of("mean", a);
   const py::ssize_t axis = axis_before("mean", logs);
+  if (logs.shape(axis) == 0) wrong("mean", "there are no matrices");
   if (weights.is_none()) return exp_of(logs.attr("mean")(axis));
-  const py::object shares = py::module_::import("numpy").attr("asarray")(weights, logs.dtype());
+  const py::object shares = finite_numbers("mean", "weights", weights).attr("astype")(logs.dtype());
+  if (py::len(shares.attr("shape")) == 0) wrong("mean", "weights are (k,) or (..., k)");
   const py::object sum = shares.attr("sum")(-1);
+  if (py::module_::import("numpy").attr("any")(sum.attr("__eq__")(0)).cast<bool>())
+    wrong("mean", "the weights sum to 0");
   const py::ssize_t of_matrix = logs.ndim() - axis - 1;
   const py::object weighted = (logs * spread(shares, of_matrix)).attr("sum")(axis);
   return exp_of(weighted / spread(sum, of_matrix));
@@ -252,7 +256,8 @@ py::object mean(const py::object& a, const py::object& weights) {
 py::object interpolate(const py::object& a, const py::object& b, const py::object& t) {
   const py::array from = log_of("interpolate", a), to = log_of("interpolate", b);
   const py::ssize_t of_matrix = symmetric_shape("interpolate", from).layout == sym3::Layout::full ? 2 : 1;
-  const py::object share = spread(py::module_::import("numpy").attr("asarray")(t, from.dtype()), of_matrix);
+  const py::object share =
+      spread(finite_numbers("interpolate", "t", t).attr("astype")(from.dtype()), of_matrix);
   return exp_of(from + share * (to - from));
 }
 

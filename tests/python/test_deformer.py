@@ -4,8 +4,10 @@ test_deformer.py PROGRAM ASSETS: the program viete, and the folder of the bundle
 """
 
 import gc
+import os
 import pathlib
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -132,6 +134,40 @@ class Arrays(WithFolder):
         self.assertIs(d.deform(self.pose, out=single), single)
         self.assertLess(np.abs(single - expected).max(), 1e-5)
 
+    def test_other_byte_orders_are_written_as_they_are(self):
+        d = self.bound()
+        expected, normals = d.deform(self.pose, normals=True)
+        for kind in (">f8", ">f4"):
+            out, directions = np.empty(expected.shape, kind), np.empty(expected.shape, kind)
+            d.deform(self.pose, out=out, normals=directions)
+            self.assertLess(np.abs(out - expected).max(), 1e-5)
+            self.assertLess(np.abs(directions - normals).max(), 1e-4)
+
+    def test_an_object_without_init_is_refused(self):
+        class Early(viete.Deformer):
+            def __init__(self):
+                self.notes
+
+        with self.assertRaisesRegex(TypeError, "__init__"):
+            Early()
+        for kind in (viete.Deformer, viete.ShapeSpace, viete.PoseSpace, viete.Session, viete.Surface):
+            empty = kind.__new__(kind)
+            for name in dir(kind):
+                if not name.startswith("_"):
+                    with self.subTest(kind.__name__ + "." + name), self.assertRaises(TypeError):
+                        getattr(empty, name)()
+        with self.assertRaises(TypeError):
+            viete.write(self.folder / "a.obj", viete.Surface.__new__(viete.Surface))
+
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+    def test_a_child_of_fork_works_on(self):
+        d = self.bound(threads=3)
+        expected = d.deform(self.pose)
+        child = os.fork()
+        if child == 0:
+            os._exit(0 if np.array_equal(d.deform(self.pose), expected) else 1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+
     def test_nothing_is_kept_of_the_arrays(self):
         model, pose = self.model.copy(), self.pose.copy()
         d = viete.Deformer(model, self.faces, CUBE, CUBE_FACES)
@@ -155,6 +191,8 @@ class Arrays(WithFolder):
         read_only = np.empty((count, 3))
         read_only.flags.writeable = False
         shared = np.empty((count + 1, 3))
+        overlapping = np.lib.stride_tricks.as_strided(np.empty(3 * count), (count, 3), (8, 8))
+        shapes = viete.ShapeSpace(self.model, self.faces, [self.model * 2])
         nan = self.pose.copy()
         nan[3, 1] = np.nan
         for problem, error, words in [
@@ -182,10 +220,32 @@ class Arrays(WithFolder):
             (lambda: viete.write(self.folder / "a.xyz", CUBE, CUBE_FACES), viete.Error, "a.xyz"),
             (lambda: viete.make_cage(self.model, self.faces, triangles=3), viete.Error, "triangles"),
             (lambda: viete.Session(self.folder / "a.obj"), viete.Error, "session"),
+            (lambda: d.deform(self.pose, out=overlapping), ValueError, "overlaps itself"),
+            (lambda: d.deform(self.pose * 1e50, out=np.empty((count, 3), np.float32)), viete.Error, "beyond what floats hold"),
+            (lambda: d.set_mask([]), ValueError, "no shares"),
+            (lambda: d.set_shape(np.zeros((0, 3))), ValueError, "no places"),
+            (lambda: d.set_probes([{"place": (0, 0, 0), "move": (0, 0, np.nan)}]), viete.Error, "move has a number"),
+            (lambda: d.set_probes([{"place": (0, 0)}]), ValueError, "place is three numbers"),
+            (lambda: d.set_probes([{"place": (0, 0, 0), "falloff": 3}]), ValueError, "falloff is a word"),
+            (lambda: viete.Deformer(self.model, np.zeros((4, 0), int), CUBE, CUBE_FACES), viete.Error, "fewer than three"),
+            (lambda: viete.Deformer(self.model, np.array([[0, 1, 2**64 - 1]], np.uint64), CUBE, CUBE_FACES), ValueError, "no vertex"),
+            (lambda: viete.Deformer(self.model * 1e-200, self.faces, CUBE, CUBE_FACES), viete.Error, "less than 1e-100 across"),
+            (lambda: self.bound(radius=100, way="local"), viete.Error, "choose 0.001 to 10"),
+            (lambda: self.bound(way="smooth", radius=0.2), viete.Error, "choose weights cutoff"),
+            (lambda: self.bound(threads=100000), viete.Error, "choose 0 to 1024"),
+            (lambda: viete.ShapeSpace(self.model, self.faces, [self.model], threads=-1), viete.Error, "choose 0 to 1024"),
+            (lambda: viete.make_cage(self.model, self.faces, margin=0), viete.Error, "choose 0.0005 to 0.2"),
+            (lambda: viete.make_cage(self.model, self.faces, triangles=-5), ValueError, "12 to 20000"),
+            (lambda: viete.write(self.folder / "a.glb", np.zeros((0, 3)), []), viete.Error, "no vertices to write"),
+            (lambda: viete.write(self.folder / "a.obj", np.zeros((0, 3)), []), viete.Error, "no vertices to write"),
+            (lambda: shapes.pose([], np.zeros((0, 3))), viete.Error, "name one or more"),
+            (lambda: shapes.pose([5, 5], self.model[[5, 5]]), viete.Error, "vertex 5 is there twice"),
+            (lambda: viete.read("\udcff.obj"), viete.Error, "\udcff.obj"),
         ]:
             with self.subTest(words):
-                with self.assertRaisesRegex(error, words.replace("(", "\\(").replace(")", "\\)")):
+                with self.assertRaisesRegex(error, words.replace("(", "\\(").replace(")", "\\)")) as raised:
                     problem()
+                self.assertNotIn("--", str(raised.exception))
         self.assertTrue(issubclass(viete.Error, ValueError))
         self.assertEqual(d.deform(self.pose).shape, (count, 3))  # it is as it was
 
@@ -246,6 +306,23 @@ class Arrays(WithFolder):
         again = viete.read(self.folder / "c.ply").faces
         self.assertEqual([list(f) for f in again], mixed)
 
+    def test_attributes_of_files_are_seen(self):
+        (self.folder / "a.obj").write_text(
+            "v 0 0 0 1 0.5 0\nv 1 0 0 1 0 0\nv 0 1 0 0 0 1\nv 1 1 0 0 1 0\nvt 0 0\nvt 1 0\nvt 0 0.5\nvn 0 0 1\n"
+            "usemtl red\nf 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 3 2 4\n")
+        s = viete.read(self.folder / "a.obj")
+        self.assertTrue(np.allclose(s.colors[0], [1, 0.5, 0, 1]))
+        self.assertEqual(s.corner_texture[:3].tolist(), [[0, 0], [1, 0], [0, 0.5]])
+        self.assertTrue(np.isnan(s.corner_texture[3:]).all())
+        self.assertEqual(s.corner_normals[:3].tolist(), 3 * [[0, 0, 1]])
+        self.assertEqual([s.materials[i] for i in s.face_materials], ["red", "blue"])
+        viete.write(self.folder / "b.obj", CUBE, CUBE_FACES)
+        plain = viete.read(self.folder / "b.obj")
+        self.assertIsNone(plain.colors)
+        self.assertIsNone(plain.corner_texture)
+        self.assertIsNone(plain.corner_normals)
+        self.assertEqual((plain.materials, set(plain.face_materials)), ([], {-1}))
+
     def test_threads_work_beside_each_other(self):
         mine, theirs = self.bound(), self.bound(way="paper")
         expected = [mine.deform(self.pose), theirs.deform(self.pose)]
@@ -262,6 +339,27 @@ class Arrays(WithFolder):
         for t in threads:
             t.join()
         self.assertEqual(wrong, [])
+
+    def test_signals_end_long_work_and_nothing_else(self):
+        class Stop(Exception):
+            pass
+
+        def stop(*_):
+            raise Stop
+
+        places, faces = ball(250)
+        before = signal.signal(signal.SIGALRM, stop)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        cage, cage_faces = viete.make_cage(CUBE, CUBE_FACES, 12)
+        works = (lambda: viete.make_cage(places, faces, 20000),
+                 lambda: viete.Deformer(places, faces, *viete.make_cage(places, faces, kind="box", cells=(30, 30, 30))),
+                 lambda: viete.ShapeSpace(places, faces, 400 * [places]))
+        for number, work in enumerate(works):
+            signal.setitimer(signal.ITIMER_REAL, 0.2)
+            with self.subTest(number), self.assertRaises(Stop):
+                work()
+        d = viete.Deformer(CUBE, CUBE_FACES, cage, cage_faces)
+        self.assertLess(np.abs(d.deform(cage) - CUBE).max(), 1e-9)
 
     def test_memory_stays_where_it_is(self):
         d = self.bound(dtype="float32")

@@ -250,6 +250,21 @@ class Means(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "one matrix alone"):
             viete.mean(np.eye(3))
 
+    def test_what_has_no_mean_is_told(self):
+        pair = np.stack([np.eye(3), 2 * np.eye(3)])
+        for problem, error, words in [
+            (lambda: viete.mean(pair[:0]), ValueError, "no matrices"),
+            (lambda: viete.mean(pair, [1, -1]), ValueError, "sum to 0"),
+            (lambda: viete.mean(pair, [1, np.nan]), ValueError, "not finite"),
+            (lambda: viete.interpolate(pair[0], pair[1], None), TypeError, "float32 or float64"),
+            (lambda: viete.interpolate(pair[0], pair[1], np.inf), ValueError, "not finite"),
+            (lambda: viete.affine_mean(pair, [0, 0]), ValueError, "sum to 0"),
+            (lambda: viete.affine_combine(pair, [0, np.nan]), ValueError, "not finite"),
+            (lambda: viete.affine_log(pair[0], near=[0, 0, np.nan]), ValueError, "not finite"),
+        ]:
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                problem()
+
 
 class Derivatives(unittest.TestCase):
     def assert_close(self, a, b, dtype):

@@ -1,0 +1,112 @@
+#include "python/meshes.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace viete::python {
+
+py::array_t<double> rows_of_3(const char* what, const py::object& object) {
+  const py::array array = as_array(what, object);
+  is_single(what, array);
+  if (array.ndim() != 2 || array.shape(1) != 3)
+    wrong(what, "places are (n, 3), x, y, z each; this shape is " + shape_text(array));
+  auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  if (!doubles) throw py::error_already_set();
+  return doubles;
+}
+
+std::span<const double> numbers_of(const py::array_t<double>& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+Points points_of(const char* what, const py::object& object) {
+  const py::array_t<double> array = rows_of_3(what, object);
+  Points points(static_cast<std::size_t>(array.shape(0)));
+  for (std::size_t v = 0; v < points.size(); ++v) std::copy_n(array.data() + 3 * v, 3, points[v].begin());
+  return points;
+}
+
+py::array_t<double> array_of(const Points& points) {
+  py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  for (std::size_t v = 0; v < points.size(); ++v)
+    std::copy_n(points[v].begin(), 3, array.mutable_data() + 3 * v);
+  return array;
+}
+
+namespace {
+
+std::uint32_t corner_of(const char* what, std::int64_t corner) {
+  if (corner < 0 || corner >= std::numeric_limits<std::uint32_t>::max())
+    wrong(what,
+          "a corner of a face is no vertex: they are counted from 0, and this is " + std::to_string(corner));
+  return static_cast<std::uint32_t>(corner);
+}
+
+// One face after the other, of an array (m, k) or of sequences of their own length each.
+void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
+  using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+  const auto add = [&](const std::int64_t* corners, py::ssize_t count) {
+    for (py::ssize_t c = 0; c < count; ++c) mesh.corners.push_back(corner_of(what, corners[c]));
+    mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  };
+  const auto integers_of = [&](const py::handle& object) {
+    const py::array array = py::array::ensure(object);
+    PyErr_Clear();
+    const char kind = array ? array.dtype().kind() : '?';
+    if (!array || (kind != 'i' && kind != 'u' && array.size() > 0))
+      throw py::type_error("viete." + std::string(what) +
+                           ": faces are whole numbers, (m, corners), or a list of lists where they have "
+                           "different numbers of corners");
+    if (kind == 'u' && array.itemsize() == 8 && array.size() > 0 &&
+        array.attr("max")().attr("__gt__")(std::numeric_limits<std::uint32_t>::max()).cast<bool>())
+      wrong(what, "a corner of a face is no vertex: they are counted from 0");
+    return Integers::ensure(array);
+  };
+  mesh.starts = {0};
+  if (py::isinstance<py::array>(faces) || py::isinstance<py::buffer>(faces)) {
+    const Integers all = integers_of(faces);
+    if (all.ndim() != 2) wrong(what, "faces are (m, corners), or a list; this shape is " + shape_text(all));
+    for (py::ssize_t f = 0; f < all.shape(0); ++f) add(all.data() + f * all.shape(1), all.shape(1));
+    return;
+  }
+  if (!py::isinstance<py::sequence>(faces))
+    throw py::type_error("viete." + std::string(what) + ": faces are an array or a list");
+  for (const py::handle face : faces) {
+    const Integers corners = integers_of(face);
+    if (corners.ndim() != 1) wrong(what, "each face is a list of its corners");
+    add(corners.data(), corners.shape(0));
+  }
+}
+
+}  // namespace
+
+Mesh mesh_of(const char* what, const py::object& vertices, const py::object& faces) {
+  Mesh mesh{points_of(what, vertices), {}, {}};
+  add_faces(what, faces, mesh);
+  return mesh;
+}
+
+py::object faces_of(const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& starts) {
+  const std::size_t count = starts.empty() ? 0 : starts.size() - 1;
+  const std::size_t k = count > 0 ? starts[1] - starts[0] : 3;
+  bool even = true;
+  for (std::size_t f = 0; f < count; ++f) even &= starts[f + 1] - starts[f] == k;
+  const auto array = [&](std::size_t from, std::vector<py::ssize_t> shape) {
+    py::array_t<std::int32_t> faces(std::move(shape));
+    std::copy_n(corners.begin() + static_cast<std::ptrdiff_t>(from), faces.size(), faces.mutable_data());
+    return faces;
+  };
+  if (even) return array(0, {static_cast<py::ssize_t>(count), static_cast<py::ssize_t>(k)});
+  py::list all;
+  for (std::size_t f = 0; f < count; ++f)
+    all.append(array(starts[f], {static_cast<py::ssize_t>(starts[f + 1] - starts[f])}));
+  return all;
+}
+
+void heed_signals(double) {
+  const py::gil_scoped_acquire acquire;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+}  // namespace viete::python
