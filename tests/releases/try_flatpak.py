@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Before a release, by hand: builds every module of the Flatpak manifest, as flatpak-builder does but without its runtime.
   apt-get install g++ cmake ninja-build pkg-config curl xorg-dev libwayland-dev libxkbcommon-dev libegl-dev libgl-dev
-  tests/releases/try_flatpak.py FOLDER
-In a bare root: then nothing but what the manifest has can be found."""
+  tests/releases/try_flatpak.py FOLDER [MODULE ...]
+In a bare root: then nothing but what the manifest has can be found. Of modules that are named those alone."""
 import hashlib
 import json
 import os
@@ -28,7 +28,9 @@ def fetched(source, archives):
 
 def unpacked(source, place, archives):
     if source["type"] == "dir":
-        shutil.copytree(MANIFEST.parent / source["path"], place, dirs_exist_ok=True, ignore=shutil.ignore_patterns("build*", ".git"))
+        top = (MANIFEST.parent / source["path"]).resolve()
+        built = lambda folder, names: [n for n in names if folder == str(top) and (n == ".git" or n.startswith("build"))]
+        shutil.copytree(top, place, dirs_exist_ok=True, ignore=built)
     elif source["type"] == "archive":
         subprocess.run(["tar", "xf", fetched(source, archives), "--strip-components=1", "-C", place], check=True)
     else:
@@ -52,6 +54,8 @@ def main():
     prefix, archives = folder / "app", folder / "archives"
     archives.mkdir(parents=True, exist_ok=True)
     for module in json.loads(MANIFEST.read_text())["modules"]:
+        if sys.argv[2:] and module["name"] not in sys.argv[2:]:
+            continue
         print(module["name"], flush=True)
         place = folder / module["name"]
         shutil.rmtree(place, ignore_errors=True)
