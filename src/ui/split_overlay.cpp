@@ -1,9 +1,10 @@
 // A view that is split: lines between its parts, and what each of them shows.
 #include <algorithm>
 #include <cfloat>
-#include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
@@ -15,6 +16,7 @@ namespace viete::ui {
 namespace {
 
 constexpr float tools_room = 60, axes_room = 112;  // of what stands at the edges of the view
+constexpr float least_room = 170;                  // of a caption beside the axes: else it is at the bottom
 
 // Where some view has other lines than the document.
 std::string lines_words(const scene::Workspace& w, bool other) {
@@ -23,75 +25,108 @@ std::string lines_words(const scene::Workspace& w, bool other) {
   return w.document.timeline.straight != other ? "straight lines" : "log space";
 }
 
-std::string joined(std::initializer_list<std::string> words) {
-  std::string all;
-  for (const std::string& word : words)
-    if (!word.empty()) all += (all.empty() ? "" : " \u00b7 ") + word;
-  return all;
-}
+// What fits onto a line stands on one.
+struct Text {
+  std::vector<std::string> parts;
+  const char* between;
+};
 
 struct Caption {
-  std::string title, numbers;
+  Text title{{}, " \u00b7 "}, numbers{{}, "   "};
 };
+
+void add(Text& text, std::string part) {
+  if (!part.empty()) text.parts.push_back(std::move(part));
+}
 
 std::string way_words(const scene::Scheme& scheme) {
   const auto way = scene::way_of(scheme);
   return way ? std::string(scene::entry(*way).label) : "A way of your own";
 }
 
-// "1.9 ms   exp 3e-16   frame 2e-08".
-std::string numbers(const scene::FrameStats& stats, std::optional<double> exp_error, double fused_error) {
-  const auto times = stats.deforming_median();
-  std::string words = times ? milliseconds(times->links.total()) : "";
-  if (exp_error) words += "   exp " + error(*exp_error);
-  if (fused_error > 0) words += "   frame " + error(fused_error);
-  return words;
+// "1.9 ms", "exp 3e-16", "frame 2e-08".
+void add_numbers(Text& text, const scene::FrameStats& stats, std::optional<double> exp_error,
+                 double fused_error) {
+  if (const auto times = stats.deforming_median()) add(text, milliseconds(times->links.total()));
+  if (exp_error) add(text, "exp " + error(*exp_error));
+  if (fused_error > 0) add(text, "frame " + error(fused_error));
 }
 
-std::string title_of(const scene::Workspace& w, const scene::Scheme& scheme, scene::Method method,
-                     bool other_lines) {
-  const bool cage = w.document.has_cage();
-  return joined({cage ? way_words(scheme) : "", cage && scheme.exponential() ? method_label(method) : "",
-                 lines_words(w, other_lines)});
+void add_title(Text& text, const scene::Workspace& w, const scene::Scheme& scheme, scene::Method method,
+               bool other_lines) {
+  if (w.document.has_cage()) {
+    add(text, way_words(scheme));
+    if (scheme.exponential()) add(text, method_label(method));
+  }
+  add(text, lines_words(w, other_lines));
 }
 
 Caption shown_in(const scene::Workspace& w, std::size_t view) {
+  Caption shown;
   if (view == 0) {
     const scene::MethodSample* sample = running_sample(w);
-    return {title_of(w, w.document.scheme, w.document.method, false),
-            numbers(w.stats, sample ? std::optional(sample->worst_error) : std::nullopt, w.fused_error)};
+    add_title(shown.title, w, w.document.scheme, w.document.method, false);
+    add_numbers(shown.numbers, w.stats, sample ? std::optional(sample->worst_error) : std::nullopt,
+                w.fused_error);
+    return shown;
   }
   const scene::SideView& side = w.split.sides[view - 1];
-  Caption shown{title_of(w, side.scheme, side.method, side.other_lines),
-                numbers(side.stats, side.exp_error, side.fused_error)};
-  if (side.binding) shown.numbers = "binding";
-  if (!side.problem.empty()) shown.numbers = side.problem;
+  add_title(shown.title, w, side.scheme, side.method, side.other_lines);
+  if (!side.problem.empty())
+    add(shown.numbers, side.problem);
+  else if (side.binding)
+    add(shown.numbers, "binding");
+  else
+    add_numbers(shown.numbers, side.stats, side.exp_error, side.fused_error);
   return shown;
 }
 
-ImVec2 size_of(ImFont* font, const std::string& text, float wide) {
-  if (text.empty()) return {0, 0};
-  return font->CalcTextSizeA(font->FontSize * ImGui::GetIO().FontGlobalScale, FLT_MAX, wide, text.c_str());
+struct Line {
+  ImFont* font;
+  ImU32 color;
+  std::string words;
+  ImVec2 size;
+};
+
+// A part that is wider than the room is broken between its words.
+void add_lines(std::vector<Line>& lines, ImFont* font, ImU32 color, const Text& text, float room) {
+  const float height = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const auto size_of = [&](const std::string& words) {
+    return font->CalcTextSizeA(height, FLT_MAX, room, words.c_str());
+  };
+  const std::size_t first = lines.size();
+  for (const std::string& part : text.parts) {
+    const bool begins = lines.size() == first;
+    const std::string longer = begins ? part : lines.back().words + text.between + part;
+    if (begins || size_of(longer).y > 1.5f * height)
+      lines.push_back({font, color, part, size_of(part)});
+    else
+      lines.back().words = longer, lines.back().size = size_of(longer);
+  }
 }
 
-// At the upper left of its part, on as many lines as it needs there.
-void caption(const Context& ui, std::size_t view, glm::vec2 at, float room) {
+// At the upper left of its part, or with its lower left corner there.
+void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool at_bottom) {
   const ImVec2 padding{10, 6};
+  const float most = std::max(room - 16 - 2 * padding.x, 1.0f);
   const Caption shown = shown_in(ui.workspace, view);
-  if (shown.title.empty() && shown.numbers.empty()) return;
-  const float most = std::max(room - 16 - 2 * padding.x, 1.0f), scale = ImGui::GetIO().FontGlobalScale;
-  ImFont *strong = ui.fonts.strong, *small = ui.fonts.numbers;
-  const ImVec2 title = size_of(strong, shown.title, most), below = size_of(small, shown.numbers, most);
-  const float gap = title.y > 0 && below.y > 0 ? 3 : 0;
-  const ImVec2 low{at.x + 8, at.y + 8}, text{low.x + padding.x, low.y + padding.y};
-  const ImVec2 high{text.x + std::min(std::max(title.x, below.x), most) + padding.x,
-                    text.y + title.y + gap + below.y + padding.y};
+  std::vector<Line> lines;
+  add_lines(lines, ui.fonts.strong, ui.colors.text, shown.title, most);
+  add_lines(lines, ui.fonts.numbers, ui.colors.faint, shown.numbers, most);
+  if (lines.empty()) return;
+  float wide = 0, tall = 0;
+  for (const Line& line : lines) wide = std::max(wide, line.size.x), tall += line.size.y;
+  const ImVec2 low{at.x + 8, at_bottom ? at.y - tall - 2 * padding.y - 8 : at.y + 8};
+  const ImVec2 high{low.x + std::min(wide, most) + 2 * padding.x, low.y + tall + 2 * padding.y};
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   draw.AddRectFilled(low, high, faded(ui.colors.card, 0.85f), 6);
   draw.PushClipRect(low, high, true);  // a word may be wider than the room
-  draw.AddText(strong, strong->FontSize * scale, text, ui.colors.text, shown.title.c_str(), nullptr, most);
-  draw.AddText(small, small->FontSize * scale, {text.x, text.y + title.y + gap}, ui.colors.faint,
-               shown.numbers.c_str(), nullptr, most);
+  float y = low.y + padding.y;
+  for (const Line& line : lines) {
+    draw.AddText(line.font, line.font->FontSize * ImGui::GetIO().FontGlobalScale, {low.x + padding.x, y},
+                 line.color, line.words.c_str(), nullptr, most);
+    y += line.size.y;
+  }
   draw.PopClipRect();
 }
 
@@ -172,8 +207,11 @@ void split_overlay(const Context& ui) {
     frame(ui, pane);
     const float beside = pane.at.x == 0 && w.view.panels ? tools_room : 0;
     const bool by_axes = w.view.axes && pane.at.y == 0 && pane.at.x + pane.size.x > 0.99f;
-    caption(ui, view, w.viewport.origin + pane.at * w.viewport.size + glm::vec2(beside, 0),
-            pane.size.x * w.viewport.size.x - beside - (by_axes ? axes_room : 0));
+    const float room = pane.size.x * w.viewport.size.x - beside;
+    const bool at_bottom = by_axes && room - axes_room < least_room;
+    const glm::vec2 corner = pane.at + glm::vec2(0, at_bottom ? pane.size.y : 0);
+    caption(ui, view, w.viewport.origin + corner * w.viewport.size + glm::vec2(beside, 0),
+            room - (by_axes && !at_bottom ? axes_room : 0), at_bottom);
   }
   if (w.split.wipes()) wipe_line(ui);
 }
