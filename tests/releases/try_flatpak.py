@@ -46,7 +46,9 @@ def build(module, place, prefix):
     surroundings = dict(os.environ, FLATPAK_DEST=str(prefix), CMAKE_PREFIX_PATH=str(prefix), PATH="%s/bin:%s" % (prefix, os.environ["PATH"]),
                         PKG_CONFIG_PATH="%s/lib/pkgconfig:%s/share/pkgconfig" % (prefix, prefix), LD_LIBRARY_PATH="%s/lib" % prefix)
     for command in commands + module.get("post-install", []):
-        subprocess.run(command, shell=True, cwd=place, env=surroundings, check=True, stdout=subprocess.DEVNULL)
+        done = subprocess.run(command, shell=True, cwd=place, env=surroundings, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode:
+            sys.exit("%s\n%s" % (command, done.stdout[-4000:]))
 
 
 def main():
