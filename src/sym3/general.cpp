@@ -19,6 +19,8 @@ constexpr double pi = std::numbers::pi, u = 0x1p-53;
 constexpr double flattest = 1e-12;               // stretch over the largest one
 constexpr double kept_up_to = 2, left_from = 4;  // times |X| + |Y|
 constexpr double least_clear = 1e-7;             // there X + Y is log M but for so much
+constexpr double squared_to =
+    100;  // size of a log: a squaring costs up to two digits where the condition has one
 
 Mat3<double> nine_nan() {
   Mat3<double> m;
@@ -96,19 +98,6 @@ double largest_root(double p, double q) {
 }
 
 }  // namespace
-
-Mat3<double> exp_general(const Mat3<double>& l) {
-  const Deviator v = deviator(l, 0);
-  double p = v.p, q = v.q, scale = 1;
-  if (!(std::abs(p) < 1e121 && std::abs(q) < 1e181)) return nine_nan();
-  int squarings = 0;
-  for (; std::abs(p) > 2 || std::abs(q) > 4; ++squarings) scale /= 2, p /= 4, q /= 8;
-  InPowers s = power_series(exp_terms, p, q);
-  const double factor = std::exp(v.mean() * scale);
-  s = {factor * s.a, factor * s.b, factor * s.c};
-  for (int i = 0; i < squarings; ++i) s = squared(s, p, q);
-  return in_matrix({s.a, s.b * scale, s.c * scale * scale}, v.d);
-}
 
 double angle_of(const Mat3<double>& l) {
   const Deviator v = deviator(l, 0);
@@ -244,6 +233,48 @@ Mat3<double> log_of_apart(const Deflated& d, const Pair& pair) {
   return value_of({std::log(r), std::log(pair.det) / 2, log_slope(pair), std::log(r / pair.det * r) / 2}, d,
                   pair);
 }
+
+Mat3<double> exp_of_apart(const Deflated& d, const Pair& pair) {
+  const double single = std::exp(d.t[0]), middle = std::exp(pair.middle),
+               root = std::sqrt(std::abs(pair.disc));
+  double mean, slope;
+  if (pair.turns()) {
+    mean = middle * std::cos(root), slope = middle * std::sin(root) / root;
+  } else if (root < 1) {
+    mean = middle * std::cosh(root), slope = root > 0 ? middle * std::sinh(root) / root : middle;
+  } else {
+    const double high = std::exp(pair.middle + root), low = std::exp(pair.middle - root);
+    mean = (high + low) / 2, slope = (high - low) / (2 * root);
+  }
+  return value_of({single, mean, slope, single - mean}, d, pair);
+}
+
+// By eigenvalues, of which one is far from the others.
+std::optional<Mat3<double>> exp_of_apart(const Mat3<double>& l, const Deviator& v) {
+  const auto d = deflated(l, v.mean() + largest_root(v.p, v.q));
+  if (!d) return std::nullopt;
+  return exp_of_apart(*d, Pair(d->t));
+}
+
+}  // namespace
+
+Mat3<double> exp_general(const Mat3<double>& l) {
+  const Deviator v = deviator(l, 0);
+  double p = v.p, q = v.q, scale = 1;
+  if (!(std::abs(p) < 1e121 && std::abs(q) < 1e181)) return nine_nan();
+  if (std::abs(p) > squared_to * squared_to) {
+    if (const auto m = exp_of_apart(l, v)) return *m;
+  }
+  int squarings = 0;
+  for (; std::abs(p) > 2 || std::abs(q) > 4; ++squarings) scale /= 2, p /= 4, q /= 8;
+  InPowers s = power_series(exp_terms, p, q);
+  const double factor = std::exp(v.mean() * scale);
+  s = {factor * s.a, factor * s.b, factor * s.c};
+  for (int i = 0; i < squarings; ++i) s = squared(s, p, q);
+  return in_matrix({s.a, s.b * scale, s.c * scale * scale}, v.d);
+}
+
+namespace {
 
 // J, which commutes with M and turns the plane of the pair by a quarter: adds whole turns.
 Mat3<double> quarter_turn(const Deflated& d, const Pair& pair) {

@@ -12,7 +12,8 @@
 namespace viete::sym3 {
 
 /// exp(L), by a power series of what is left of L without its trace, reduced by Cayley and Hamilton, and
-/// squarings. |answer - exact| <= 16 u (1 + k) |exact|. Exactly I for L = 0. NaN, infinity or entries past
+/// squarings, and by eigenvalues where these are far apart. |answer - exact| <= 16 u (1 + k) |exact|; not
+/// finite where an eigenvalue is beyond 709. Exactly I for L = 0. NaN, infinity or entries past
 /// 1e60 in size: nine NaN.
 Mat3<double> exp_general(const Mat3<double>& l);
 
