@@ -76,11 +76,6 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
     throw base::Error("", "the model has no triangles, along which these weights could spread",
                       "choose weights inverse, or another model");
   }
-  constexpr double least_extent = 1e-100;  // squares of lengths are not 0 then
-  const mesh::Bounds box = mesh::used_bounds(model);
-  const double extent = mesh::largest_abs(box.high - box.low);
-  if (extent > 0 && extent < least_extent)
-    throw base::Error("", "the model is less than 1e-100 across", "scale model and cage up");
   const mesh::PointTree tree(model.positions, std::move(used));
   const Handles kind = entry(elements).handles;
   const auto& x = cage.surface.positions;

@@ -38,8 +38,8 @@ struct Mesh {
   std::size_t face_count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };
 
-/// Of a file: OBJ, PLY, OFF, STL, glTF; the extension chooses the format that is written, whole or not at
-/// all. notes, if not null, gets what a person should know, one line each.
+/// Of a file: OBJ, PLY, OFF, STL, glTF, by the extension; written whole or not at all. STL and glTF keep
+/// neither the order of vertices nor polygons. notes, if not null, gets what a person should know.
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh);
 

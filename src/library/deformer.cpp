@@ -72,6 +72,14 @@ void check_finite(const Probe& probe) {
   check("move", probe.move);
 }
 
+void check_turns(const std::vector<Point3>* turns) {
+  if (!turns) return;
+  for (const Point3& turn : *turns)
+    for (const double x : turn)
+      if (!(std::abs(x) <= 1e6))
+        throw base::Error("turns", "one is not finite, or beyond 1e6", "give what came back");
+}
+
 template <class T>
 void check_size(std::span<T> numbers, std::size_t vertices, const char* what) {
   if (numbers.size() != 3 * vertices)
@@ -85,8 +93,9 @@ void check_size(std::span<T> numbers, std::size_t vertices, const char* what) {
 
 struct Deformer::Impl {
   Impl(const Mesh& m, const Mesh& c, const Blending& blending, int threads)
-      : model(library::surface_of(m, "the model")),
-        cage(std::make_shared<const deform::Cage>(deform::make_cage(library::surface_of(c, "the cage")))),
+      : model(library::deformable_surface_of(m, "the model")),
+        cage(std::make_shared<const deform::Cage>(
+            deform::make_cage(library::deformable_surface_of(c, "the cage")))),
         scheme(scheme_of(blending, !model.triangles.empty())),
         method(method_of(blending.method)),
         pool(library::checked_threads(threads)),
@@ -95,6 +104,7 @@ struct Deformer::Impl {
   deform::Pose pose(std::span<const double> numbers, const std::vector<Point3>* turns) const {
     deform::Pose pose{library::points_of(numbers, cage->surface.positions.size(), "the pose of the cage"),
                       {}};
+    check_turns(turns);
     if (turns) pose.turns = library::inside(*turns);
     return pose;
   }
@@ -173,6 +183,7 @@ void Deformer::deform(std::span<const double> cage, std::span<double> positions,
   deform::ExactModel deformed = impl_->exact().deform(pose, impl_->probes, impl_->shape);
   const auto& shape = impl_->shape ? *impl_->shape : impl_->model.positions;
   scene::keep_at_rest(*impl_->cage, pose, impl_->probes, shape, deformed.positions);
+  library::check_finite(deformed.positions, "positions", "use a pose nearer to rest, or smaller probes");
   Impl::keep_turns(deformed.report, turns);
   for (std::size_t v = 0; v < deformed.positions.size(); ++v)
     std::ranges::copy(deformed.positions[v], positions.begin() + static_cast<std::ptrdiff_t>(3 * v));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "library/words.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
+#include "mesh/formats/written_positions.h"
 #include "mesh/triangulation.h"
 
 namespace viete {
@@ -68,6 +70,12 @@ void check_points(std::span<const mesh::Point> points, std::size_t vertices, con
                "leave such numbers out");
 }
 
+void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice) {
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!mesh::is_place(points[v], std::numeric_limits<double>::max()))
+      refuse(what, "vertex " + std::to_string(v) + " would be at no place", advice);
+}
+
 std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what) {
   if (numbers.size() % 3 != 0)
     refuse(what, "it has " + std::to_string(numbers.size()) + " numbers", "give three for each vertex");
@@ -87,6 +95,16 @@ mesh::Surface surface_of(const Mesh& mesh, const char* what) {
   surface.polygon_starts = mesh.starts;
   if (surface.polygon_starts.empty()) surface.polygon_starts = {0};
   mesh::triangulate(surface);
+  return surface;
+}
+
+mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what) {
+  constexpr double least = 1e-60, most = 1e60;
+  mesh::Surface surface = surface_of(mesh, what);
+  const mesh::Bounds box = mesh::bounds(surface.positions);
+  const double extent = mesh::largest_abs(box.high - box.low);
+  if (extent > most || (extent > 0 && extent < least))
+    refuse(what, "it is " + plain(extent) + " across", "scale it so that it is 1e-60 to 1e60 across");
   return surface;
 }
 

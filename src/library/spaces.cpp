@@ -52,6 +52,11 @@ void check_weights(std::span<const double> weights, std::size_t count) {
       throw base::Error("weights", "one is not finite, or beyond 1000", "leave it out");
 }
 
+std::vector<Point3> sum_outside(const std::vector<mesh::Point>& sum) {
+  library::check_finite(sum, "weights", "keep them nearer to 0");
+  return library::outside(sum);
+}
+
 // Of those that count; one of them alone is what it is, bit for bit.
 template <class Whole, class Make>
 auto sum_of(std::span<const double> weights, const std::vector<deform::LogVector>& vectors,
@@ -68,7 +73,7 @@ auto sum_of(std::span<const double> weights, const std::vector<deform::LogVector
 
 struct ShapeSpace::Impl {
   Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all, int threads, base::Progress* progress)
-      : rest(std::make_shared<const mesh::Surface>(library::surface_of(mesh, "the mesh at rest"))),
+      : rest(std::make_shared<const mesh::Surface>(library::deformable_surface_of(mesh, "the mesh at rest"))),
         pool(library::checked_threads(threads)),
         space(*rest, pool, progress) {
     if (all.empty()) throw base::Error("shapes", "there is none", "name one or more");
@@ -122,7 +127,7 @@ std::vector<std::array<double, 9>> ShapeSpace::vector(std::size_t shape) const {
 std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
   check_weights(weights, impl_->shapes.size());
   const deform::LogSpace& logs = impl_->space.logs();
-  return library::outside(sum_of(
+  return sum_outside(sum_of(
       weights, impl_->vectors, [&](std::size_t i) { return *impl_->shapes[i]; },
       [&](const std::vector<deform::LogTerm>& sum) {
         if (sum.empty()) return logs.rest();
@@ -169,7 +174,8 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
 
 struct PoseSpace::Impl {
   Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all)
-      : cage(std::make_shared<const deform::Cage>(deform::make_cage(library::surface_of(mesh, "the cage")))),
+      : cage(std::make_shared<const deform::Cage>(
+            deform::make_cage(library::deformable_surface_of(mesh, "the cage")))),
         space(cage) {
     if (all.empty()) throw base::Error("poses", "there is none", "name one or more");
     for (const auto& pose : all) {
@@ -215,7 +221,7 @@ std::vector<std::array<double, 9>> PoseSpace::vector(std::size_t pose) const {
 std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {
   check_weights(weights, impl_->poses.size());
   const deform::LogSpace& logs = impl_->space.logs();
-  return library::outside(sum_of(
+  return sum_outside(sum_of(
       weights, impl_->vectors, [&](std::size_t i) { return impl_->poses[i]; },
       [&](const std::vector<deform::LogTerm>& sum) {
         if (sum.empty()) return impl_->cage->surface.positions;

@@ -17,10 +17,14 @@ std::vector<Point3> outside(std::span<const mesh::Point> points);
 /// Throws base::Error that names `what` ("the model"): corners that are no vertices, faces of fewer than
 /// three, places that are not finite or farther out than files may be.
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
+/// The same of what is deformed, as large as `viete deform` takes it: 1e-60 to 1e60 across, or a point.
+mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 
 /// Places of so many vertices, three numbers each. Throws base::Error as above.
 std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what);
 void check_points(std::span<const mesh::Point> points, std::size_t vertices, const char* what);
+/// Of what was made. Throws base::Error with that advice.
+void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice);
 
 }  // namespace viete::library

@@ -223,7 +223,7 @@ std::string init_text() {
     methods += "\n  '" + std::string(entry.name) + "': " + entry.sentence;
   return "Binds a model to a cage at rest; fractions of a second to some seconds, and Ctrl-C ends it. All is "
          "copied. Raises Error.\n\n"
-         "vertices, cage_vertices: (n, 3), up to 1e100. faces, cage_faces: (m, k), or a list of lists.\n"
+         "vertices, cage_vertices: (n, 3), 1e-60 to 1e60 across. faces, cage_faces: (m, k), or a list of lists.\n"
          "way: how the cage moves the model." +
          library::ways_text() +
          "\nelements, weights, blend: in place of what the way has; not all of them go together, and Error "

@@ -253,10 +253,6 @@ TEST_CASE("models_without_triangles_are_refused_and_solving_can_be_cancelled") {
   CHECK_THROWS_WITH_AS(bind(points, cage, harmonics, pool), doctest::Contains("the model has no triangles"),
                        base::Error);
   CHECK_THROWS_AS(bind_tiles(points, cage, biharmonics, pool), base::Error);
-  mesh::Surface tiny = wavy_sphere(8, 8);  // whose edges have squares of 0
-  for (mesh::Point& p : tiny.positions) p = 1e-200 * p;
-  CHECK_THROWS_WITH_AS(bind(tiny, cage, biharmonics, pool), doctest::Contains("less than 1e-100 across"),
-                       base::Error);
   base::Progress progress;
   bind(wavy_sphere(8, 8), cage, harmonics, pool, &progress);
   CHECK(progress.done() == 1);

@@ -229,7 +229,12 @@ class Arrays(WithFolder):
             (lambda: d.set_probes([{"place": (0, 0, 0), "falloff": 3}]), ValueError, "falloff is a word"),
             (lambda: viete.Deformer(self.model, np.zeros((4, 0), int), CUBE, CUBE_FACES), viete.Error, "fewer than three"),
             (lambda: viete.Deformer(self.model, np.array([[0, 1, 2**64 - 1]], np.uint64), CUBE, CUBE_FACES), ValueError, "no vertex"),
-            (lambda: viete.Deformer(self.model * 1e-200, self.faces, CUBE, CUBE_FACES), viete.Error, "less than 1e-100 across"),
+            (lambda: viete.Deformer(self.model * 1e-200, self.faces, CUBE, CUBE_FACES), viete.Error, "1e-60 to 1e60 across"),
+            (lambda: viete.Deformer(self.model, self.faces, CUBE * 1e80, CUBE_FACES), viete.Error, "the cage: it is 2e"),
+            (lambda: viete.ShapeSpace(self.model, self.faces, [self.model * 3]).mix([1000]), viete.Error, "nearer to 0"),
+            (lambda: (d.set_probes([{"place": (0, 0, 0), "radius": 5, "stretch": (1e4, 0, 0, 0, 0, 0)}]), d.deform(self.pose)),
+             viete.Error, "would be at no place"),
+            (lambda: d.set_probes([{"place": (0, 0, 0), "radius": -1}]), viete.Error, "radius"),
             (lambda: self.bound(radius=100, way="local"), viete.Error, "choose 0.001 to 10"),
             (lambda: self.bound(way="smooth", radius=0.2), viete.Error, "choose weights cutoff"),
             (lambda: self.bound(threads=100000), viete.Error, "choose 0 to 1024"),
@@ -247,6 +252,7 @@ class Arrays(WithFolder):
                     problem()
                 self.assertNotIn("--", str(raised.exception))
         self.assertTrue(issubclass(viete.Error, ValueError))
+        d.set_probes([])
         self.assertEqual(d.deform(self.pose).shape, (count, 3))  # it is as it was
 
     def test_masks_probes_and_shapes_act(self):
