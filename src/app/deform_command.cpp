@@ -4,8 +4,10 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "app/command_line.h"
 #include "app/inputs.h"
@@ -14,6 +16,7 @@
 #include "app/pose_stream.h"
 #include "base/error.h"
 #include "base/quantity.h"
+#include "mesh/formats/source.h"
 #include "scene/files/export.h"
 
 namespace viete::app {
@@ -29,8 +32,8 @@ struct DeformOptions {
 
 // Numbers in the order of the vertices, spaces or lines between them.
 deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
-  std::ifstream in(file);
-  if (!in) throw base::Error(file.string(), "it cannot be read", "name a file of numbers");
+  const mesh::FileBytes bytes(file, nullptr);
+  std::istringstream in{std::string(bytes.view())};
   std::vector<float> shares;
   std::string word;
   while (in >> word) {
@@ -68,7 +71,8 @@ int stream(const DeformOptions& options) {
 
 int deform_file(const DeformOptions& options) {
   const scene::Opened opened =
-      open(options.inputs, scene::check_deformable, {options.output, Content::surface, options.force});
+      open(options.inputs, scene::check_deformable, {options.output, Content::surface, options.force},
+           {options.mask, scene::the_mask});
   print_notes(opened.warnings);
   scene::Export what = scene::export_of(*opened.document, options.output);
   what.digits = options.digits;
@@ -94,8 +98,7 @@ void add_deform_command(CLI::App& app, Action& action) {
       "--stream", o->stream,
       "In place of a pose and a file: poses come on standard input, three float64 a vertex of the cage, and "
       "positions go to standard output, three float32 a vertex of the model, until the input ends. Bound "
-      "once; a "
-      "frame takes what it does in the window");
+      "once; a frame takes what it does in the window");
   stream_option->excludes(output);
   if (auto* pose = command->get_option_no_throw("--pose")) stream_option->excludes(pose);
   add_digits_option(*command, o->digits);

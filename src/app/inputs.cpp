@@ -96,9 +96,9 @@ scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
 }
 
 scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&), const Output& output,
-                   const fs::path& binding) {
+                   const scene::FileInUse& also) {
   const auto check_files = [&](FilesInUse files) {
-    files.add(binding, scene::the_binding);
+    files.add(also.path, also.what);
     check_output(output.file, output.content, files, output.force);
   };
   check_files(files_read(inputs));

@@ -50,9 +50,9 @@ void check_usage(const Inputs& inputs);
 scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&));
 
 /// The same for a result: throws base::Error too where check_output() does, before anything is read, and
-/// again when all that is read is known. `binding`: is read besides.
+/// again when all that is read is known. `also`: is read besides.
 scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&), const Output& output,
-                   const std::filesystem::path& binding = {});
+                   const scene::FileInUse& also = {});
 
 /// As they are named.
 FilesInUse files_read(const Inputs& inputs);

@@ -14,6 +14,8 @@ namespace viete::app {
 
 namespace {
 
+constexpr double largest_number = 1e60;  // as poses of files
+
 // The next one; nothing where the input ends.
 std::optional<std::vector<mesh::Point>> next_pose(std::FILE* in, std::size_t vertices, std::size_t number) {
   std::vector<mesh::Point> positions(vertices);
@@ -28,17 +30,23 @@ std::optional<std::vector<mesh::Point>> next_pose(std::FILE* in, std::size_t ver
            "send three float64 for each vertex of the cage");
   for (std::size_t v = 0; v < vertices; ++v)
     for (const double x : positions[v])
-      if (!(std::abs(x) <= mesh::largest_coordinate))
-        refuse("vertex " + std::to_string(v) + " is at no place", "send numbers that are finite");
+      if (!(std::abs(x) <= largest_number))
+        refuse("vertex " + std::to_string(v) + " is at no place", "send numbers that are finite, up to 1e60");
   return positions;
 }
 
-void write_positions(const deform::Deformer& deformer, std::vector<float>& floats, std::FILE* out) {
+void write_positions(const deform::Deformer& deformer, std::size_t number, std::vector<float>& floats,
+                     std::FILE* out) {
   const auto vertices = deformer.vertices();
   const mesh::Vec3 origin = deformer.origin();
   floats.clear();
   for (const auto& vertex : vertices)
-    for (std::size_t k = 0; k < 3; ++k) floats.push_back(static_cast<float>(origin[k] + vertex.position[k]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      floats.push_back(static_cast<float>(origin[k] + vertex.position[k]));
+      if (!std::isfinite(floats.back()))
+        throw base::Error("pose " + std::to_string(number), "a position is beyond what floats hold",
+                          "scale the cage and the model");
+    }
   if (std::fwrite(floats.data(), sizeof(float), floats.size(), out) != floats.size() || std::fflush(out) != 0)
     throw base::Error("standard output", "it takes no more", "look whether the disk is full");
 }
@@ -59,7 +67,7 @@ void stream_poses(const scene::Export& what, std::FILE* in, std::FILE* out) {
     if (!positions) return;
     deformer.deform({std::move(*positions), turns}, what.method);
     turns = deformer.state().report().turns;
-    write_positions(deformer, floats, out);
+    write_positions(deformer, number, floats, out);
   }
 }
 

@@ -93,8 +93,23 @@ TEST_CASE("a_stream_that_is_none_says_which_pose_it_is") {
   std::memcpy(poses.data() + 5 * sizeof(mesh::Point), &nan, sizeof nan);
   put_file(scratch / "poses", poses);
   CHECK(mentions(streamed(scratch), "pose 1: vertex 5 is at no place"));
+  const double far = 1e50;
+  std::memcpy(poses.data() + 5 * sizeof(mesh::Point), &far, sizeof far);
+  put_file(scratch / "poses", poses);
+  CHECK(mentions(streamed(scratch), "pose 1: a position is beyond what floats hold"));
+  CHECK(file_bytes(scratch / "frames").empty());
   CHECK(mentions(run("deform a b --stream -o a.ply"), "--stream"));
   CHECK(run("deform a b --stream -o a.ply").code == 2);
+}
+
+TEST_CASE("a_mask_is_not_replaced_by_what_it_is_read_for") {
+  const TemporaryFolder scratch;
+  put_file(scratch / "mask.obj", "1 1 1\n");
+  CHECK(mentions(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
+                         " --mask mask.obj -o mask.obj",
+                     "cd " + quoted(scratch.path()) + " &&"),
+                 "the mask"));
+  CHECK(file_bytes(scratch / "mask.obj") == "1 1 1\n");
 }
 
 TEST_CASE("a_mask_holds_vertices_and_is_checked") {
@@ -118,7 +133,7 @@ TEST_CASE("a_mask_holds_vertices_and_is_checked") {
   CHECK(mentions(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
                          " --mask none.txt -o a.ply --force",
                      in_folder),
-                 "none.txt: it cannot be read"));
+                 "none.txt: there is no such file"));
 }
 
 TEST_CASE("deform_with_the_rest_cage_as_pose_gives_the_model") {
