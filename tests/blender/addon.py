@@ -264,6 +264,22 @@ def several_objects_share_a_cage_and_masks_hold():
     assert follow.KEY not in cube.data.shape_keys.key_blocks
 
 
+def a_binding_is_not_taken_for_one_of_other_faces():
+    ball, cage = new_scene()
+    before = follow.deformer_of(ball)
+    for polygon in cage.data.polygons:
+        polygon.flip()
+    follow.forget()
+    assert follow.deformer_of(ball) is not before
+    follow.MOST_KEPT, kept = 2, follow.MOST_KEPT
+    for amount in range(6):
+        ball.data.shape_keys.reference_key.data[0].co.x += 0.01
+        follow.let_go(ball)
+        follow.deformer_of(ball)
+    follow.MOST_KEPT = kept
+    assert len(follow.deformers) <= 4, len(follow.deformers)
+
+
 def undo_takes_it_along():
     ball, cage = new_scene()
     key = bend(cage)
@@ -395,7 +411,8 @@ def an_edit_is_quick():
 
 
 TESTS = (it_follows_shape_keys_and_edits, both_may_move_as_one, an_armature_moves_the_cage_over_frames, it_is_baked,
-         baked_frames_are_those_of_the_program, the_blend_keeps_it, several_objects_share_a_cage_and_masks_hold, undo_takes_it_along, what_is_wrong_is_told, it_works_through_the_program_too, an_edit_is_quick)
+         baked_frames_are_those_of_the_program, the_blend_keeps_it, several_objects_share_a_cage_and_masks_hold, a_binding_is_not_taken_for_one_of_other_faces,
+         undo_takes_it_along, what_is_wrong_is_told, it_works_through_the_program_too, an_edit_is_quick)
 failed = 0
 for test in TESTS:
     try:

@@ -11,6 +11,8 @@ from . import engine
 KEY = "Viete cage"        # the shape key that holds what the cage makes
 REST, STAMP = "viete_rest", "viete_content"
 
+MOST_KEPT = 16  # of deformers, besides those in use: each has its memory, or a program
+
 deformers = {}  # by what they are of: a binding that is found in a .blend is made once
 current = {}    # by object: its deformer
 followed = {}   # by object: the pose of the cage that it has now
@@ -65,14 +67,21 @@ def deformer_of(obj):
     return current[obj.name]
 
 
+def bytes_of(faces):
+    return (faces.shape, faces.tobytes()) if isinstance(faces, np.ndarray) else tuple(f.tobytes() for f in faces)
+
+
 def find_deformer(obj):
     """Made when it is asked for, and once for the same model, cage, way and mask."""
     settings, rest, mask = obj.viete, rest_of(obj), mask_of(obj)
     cage_rest = np.frombuffer(obj[REST], np.float64).reshape(-1, 3)
     faces, cage_faces = engine.corners_of(obj.data), engine.corners_of(settings.cage.data)
-    content = (rest.tobytes(), cage_rest.tobytes(), settings.way, settings.stitched, None if mask is None else mask.tobytes())
-    content = hash(content)
+    content = hash((rest.tobytes(), bytes_of(faces), cage_rest.tobytes(), bytes_of(cage_faces), settings.way, settings.stitched,
+                    None if mask is None else mask.tobytes()))
     if content not in deformers:
+        for old in list(deformers)[:-MOST_KEPT]:
+            if deformers[old] not in current.values():
+                del deformers[old]
         deformers[content] = engine.make(rest, faces, cage_rest, cage_faces, settings.way, settings.stitched, mask)
     return deformers[content]
 
