@@ -4,13 +4,14 @@
  *   entry_stride   numbers from one entry of a matrix to its next one
  *   matrix_stride  numbers from one matrix to the next one
  * so that {1, 6} are matrices one after the other, each its upper triangle by rows: xx xy xz yy yz zz, and
- * {n, 1} are six planes of n numbers. General matrices and rotations have nine entries, by rows: {1, 9}. Both
- * strides are above 0. Those two forms are computed where they lie; others are copied through blocks. Answers
+ * {n, 1} are six planes of n numbers. General matrices and rotations have nine entries, by rows: {1, 9};
+ * and {0, n} are symmetric ones with all nine, n >= 9, of which the upper triangle is read. Strides are above
+ * 0 but for that. Those two forms are computed where they lie; others are copied through blocks. Answers
  * may lie where the matrices do, with the same strides; else they share no memory.
  *
  * Where there is no real answer (the log of what is not positive definite) it is NaN. Errors and ranges are
  * those of the C++ headers <viete/sym3/exp.h> and so on. Thread-safe; nothing is kept. Every function returns
- * 0, or -1 where a pointer is null or a stride is 0, and then does nothing.
+ * 0, or -1 where a pointer is null or a stride is 0 that must not be, and then does nothing.
  *
  * Link with the C++ library: cc example.c -lviete_sym3 -lstdc++ -lm. Before 1.0 a new minor version may
  * change this. */
