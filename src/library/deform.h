@@ -3,8 +3,8 @@
 //
 // A model is bound to a cage once; each pose of the cage then gives the model's vertices. What ways there
 // are, and what they do, is in the manual's chapter on blending. Lengths are in the unit of the vertices,
-// angles in radians, points are x, y, z. Everything throws std::runtime_error with one sentence that a person
-// can act on: what is wrong and what to do. Results are the same bits for any number of threads.
+// angles in radians, points are x, y, z. Everything throws std::runtime_error with one sentence: what is
+// wrong, what to do. Results are the same bits for any number of threads. What was moved from is not called.
 //
 // Before 1.0 a new minor version may change this interface; it is compiled in and has no stable ABI.
 #pragma once

@@ -48,7 +48,13 @@ deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   asked.weighting = {b.reach, b.radius, b.exponent, b.clamp, b.normalise};
   asked.turn = b.turn, asked.stretch = b.stretch, asked.iterations = b.stitched;
   asked.pins = b.pins, asked.hold = b.hold;
-  return deform::scheme_of(asked, deform::default_scheme(has_triangles));
+  try {
+    return deform::scheme_of(asked, deform::default_scheme(has_triangles));
+  } catch (const base::Error& error) {  // whose words are options
+    using library::without_dashes;
+    throw base::Error(without_dashes(error.place()), without_dashes(error.problem()),
+                      without_dashes(error.advice()));
+  }
 }
 
 sym3::Method method_of(const std::string& name) {
@@ -104,6 +110,7 @@ struct Deformer::Impl {
   deform::Pose pose(std::span<const double> numbers, const std::vector<Point3>* turns) const {
     deform::Pose pose{library::points_of(numbers, cage->surface.positions.size(), "the pose of the cage"),
                       {}};
+    library::check_deformable(pose.positions, 0, "the pose of the cage");
     check_turns(turns);
     if (turns) pose.turns = library::inside(*turns);
     return pose;

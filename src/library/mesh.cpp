@@ -98,13 +98,20 @@ mesh::Surface surface_of(const Mesh& mesh, const char* what) {
   return surface;
 }
 
-mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what) {
-  constexpr double least = 1e-60, most = 1e60;
-  mesh::Surface surface = surface_of(mesh, what);
-  const mesh::Bounds box = mesh::bounds(surface.positions);
+void check_deformable(std::span<const mesh::Point> points, double least, const char* what) {
+  constexpr double most = 1e60;
+  const mesh::Bounds box = mesh::bounds(points);
   const double extent = mesh::largest_abs(box.high - box.low);
-  if (extent > most || (extent > 0 && extent < least))
-    refuse(what, "it is " + plain(extent) + " across", "scale it so that it is 1e-60 to 1e60 across");
+  const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
+  if (farthest > most)
+    refuse(what, "it reaches as far as " + plain(farthest), "scale it so that it stays within 1e60");
+  if (extent > 0 && extent < least)
+    refuse(what, "it is " + plain(extent) + " across", "scale it so that it is 1e-60 or more across");
+}
+
+mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what) {
+  mesh::Surface surface = surface_of(mesh, what);
+  check_deformable(surface.positions, 1e-60, what);
   return surface;
 }
 

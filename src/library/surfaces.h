@@ -17,7 +17,9 @@ std::vector<Point3> outside(std::span<const mesh::Point> points);
 /// Throws base::Error that names `what` ("the model"): corners that are no vertices, faces of fewer than
 /// three, places that are not finite or farther out than files may be.
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
-/// The same of what is deformed, as large as `viete deform` takes it: 1e-60 to 1e60 across, or a point.
+/// The same of what is deformed, as large as `viete deform` takes it: `least` (of poses 0) to 1e60 across, or
+/// a point, and no farther out.
+void check_deformable(std::span<const mesh::Point> points, double least, const char* what);
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 

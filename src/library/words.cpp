@@ -1,5 +1,7 @@
 #include "library/words.h"
 
+#include <cctype>
+
 #include "deform/probe.h"
 #include "deform/scheme.h"
 #include "deform/ways.h"
@@ -17,6 +19,23 @@ std::string lines_of(std::span<const Entry> table) {
 }
 
 }  // namespace
+
+std::string without_dashes(const std::string& sentence) {
+  std::string words;
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    const bool begins = i == 0 || sentence[i - 1] == ' ';
+    if (!begins || sentence.compare(i, 2, "--") != 0) {
+      words += sentence[i];
+      continue;
+    }
+    for (i += 2;
+         i < sentence.size() && (std::isalpha(static_cast<unsigned char>(sentence[i])) || sentence[i] == '-');
+         ++i)
+      words += sentence[i] == '-' ? '_' : sentence[i];
+    --i;
+  }
+  return words;
+}
 
 std::string ways_text() {
   return lines_of(deform::all_ways());

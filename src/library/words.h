@@ -36,6 +36,9 @@ inline void check_range(const char* what, double value, double low, double high)
   throw base::Error(what, plain(value) + " is out of range", "choose " + range);
 }
 
+/// Options of the command line as words: "--mean-value" is mean_value.
+std::string without_dashes(const std::string& sentence);
+
 /// What words there are for ways, elements, weights and blends, and for falloffs: "\n  'smooth': Spreads
 /// ...".
 std::string ways_text();

@@ -1,6 +1,5 @@
 #include "python/deformation.h"
 
-#include <cctype>
 #include <exception>
 #include <string>
 
@@ -11,24 +10,6 @@ namespace viete::python {
 namespace py = pybind11;
 
 namespace {
-
-// Options are words here: "--mean-value" is mean_value.
-std::string in_python(const std::string& sentence) {
-  std::string words;
-  for (std::size_t i = 0; i < sentence.size(); ++i) {
-    const bool begins = i == 0 || sentence[i - 1] == ' ';
-    if (!begins || sentence.compare(i, 2, "--") != 0) {
-      words += sentence[i];
-      continue;
-    }
-    for (i += 2;
-         i < sentence.size() && (std::isalpha(static_cast<unsigned char>(sentence[i])) || sentence[i] == '-');
-         ++i)
-      words += sentence[i] == '-' ? '_' : sentence[i];
-    --i;
-  }
-  return words;
-}
 
 // Names of files need not be UTF-8: what is not comes as Python has it in paths.
 void raise(PyObject* type, const std::string& sentence) {
@@ -47,7 +28,7 @@ void define_deformation(py::module_& m) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const base::Error& e) {
-      raise(error, in_python(e.what()));
+      raise(error, e.what());
     }
   });
   define_files(m);
