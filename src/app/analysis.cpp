@@ -10,15 +10,13 @@ namespace viete::app {
 
 namespace {
 
-constexpr std::size_t benchmark_count = 1 << 18;  // some seconds, and more than caches hold
 constexpr std::size_t probed_matrices = 2048;
-constexpr double probe_seconds = 0.3;  // between two: each takes the frame a millisecond
+constexpr double probe_seconds = 0.3;      // between two: each takes the frame a millisecond
+constexpr double pose_rest_seconds = 0.5;  // without a new frame: the pose rests
 
-scene::Benchmark shown_benchmark(const bench::ExpBench& bench) {
-  scene::Benchmark shown;
-  shown.count = bench.count;
-  for (const bench::ExpBar& bar : bench::bars_of(bench)) shown.bars.push_back({bar.name, bar.ns, bar.ours});
-  return shown;
+bool is_in_motion(const scene::Workspace& w) {
+  return w.interaction.drag || w.playback.playing || w.making_cage.running || w.loading.running ||
+         w.binding.running;
 }
 
 }  // namespace
@@ -26,29 +24,28 @@ scene::Benchmark shown_benchmark(const bench::ExpBench& bench) {
 void Analysis::follow_document(scene::Workspace& workspace) {
   shows_news_ = false;
   const scene::Document& document = workspace.document;
-  if (std::exchange(workspace.requests.run_benchmark, false))
-    bench_.start(
-        [](base::Progress& progress) { return bench::measure_exp(benchmark_count, false, progress); });
   if (std::exchange(workspace.requests.show_report, false))
     report_.start([program = program_, state = state_](base::Progress& progress) {
       return show_report_aside(program, state, progress);
     });
-  if (std::exchange(workspace.requests.stop_benchmark, false)) bench_.cancel(), report_.cancel();
-  follow_benchmark(workspace);
+  if (std::exchange(workspace.requests.stop_report, false)) report_.cancel();
+  follow_report(workspace);
   if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface)
     start_checks(document);
   take_checks(workspace, false);
 }
 
-void Analysis::follow_frame(scene::Workspace& workspace, const LiveModel& model) {
+void Analysis::follow_frame(scene::Workspace& workspace, LiveModel& model) {
   shows_news_ = false;
   follow_path(workspace, model);
-  if (probe_wanted_) follow_probe(workspace, model);
+  if (!probe_wanted_) return;
+  follow_probe(workspace, model);
+  follow_times(workspace, model);
 }
 
 bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& model) const {
   return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() ||
-         bench_.has_result() || report_.has_result();
+         report_.has_result() || timer_.has_result() || timer_is_due(workspace, model);
 }
 
 // What was measured of another path says nothing of this one. How far cage parts turn is no matter of the
@@ -66,26 +63,23 @@ void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) 
   if (another) {
     probe_.forget();
     workspace.methods = {};
+    timer_.cancel();
+    workspace.method_times = {};
+    timed_ = 0;
   }
   path_ = path;
   engine_ = engine;
   shows_news_ = true;
 }
 
-void Analysis::follow_benchmark(scene::Workspace& workspace) {
-  scene::Benchmark& shown = workspace.benchmark;
-  if (const auto result = bench_.poll()) {
-    if (result->value) shown = shown_benchmark(*result->value);
-    if (!result->problem.empty()) workspace.messages.error("The benchmark failed: " + result->problem);
-    shows_news_ = true;
-  }
+void Analysis::follow_report(scene::Workspace& workspace) {
   if (const auto result = report_.poll()) {
     if (result->value) workspace.messages.info(*result->value);
     if (!result->problem.empty()) workspace.messages.error("There is no report: " + result->problem);
     shows_news_ = true;
   }
-  shown.running = bench_.running() || report_.running();
-  shown.done = std::max(bench_.done(), report_.done());
+  workspace.reporting.running = report_.running();
+  workspace.reporting.done = report_.done();
 }
 
 // Of the surfaces as they were read: poses do not matter, nor what they are bound by.
@@ -120,16 +114,69 @@ bool Analysis::probe_is_due(const scene::Workspace& workspace, const LiveModel& 
 }
 
 void Analysis::follow_probe(scene::Workspace& workspace, const LiveModel& model) {
-  if (auto stats = probe_.poll()) {
-    workspace.methods = *stats;
-    shows_news_ = true;
-  }
-  if (!probe_is_due(workspace, model)) return;
+  take_probe(workspace, false);
+  if (probe_is_due(workspace, model)) start_probe(workspace, model);
+}
+
+void Analysis::take_probe(scene::Workspace& workspace, bool wait) {
+  const auto stats = probe_.poll(wait);
+  if (!stats) return;
+  workspace.methods = *stats;
+  shows_news_ = true;
+}
+
+void Analysis::start_probe(scene::Workspace& workspace, const LiveModel& model) {
   probed_ = model.frames();
   probed_at_ = base::wall_seconds();
   workspace.fused_error = model.deformer()->sampled_error();
   if (model.takes_exponentials()) probe_.offer(model.deformer()->sample_matrices(probed_matrices));
   shows_news_ |= !model.takes_exponentials();
+}
+
+bool Analysis::timer_is_due(const scene::Workspace& workspace, const LiveModel& model) const {
+  return probe_wanted_ && timed_ != model.frames() && model.takes_exponentials() && !timer_.running() &&
+         !is_in_motion(workspace) && base::wall_seconds() - rests_since_ > pose_rest_seconds;
+}
+
+void Analysis::start_timer(const scene::Workspace& workspace, const LiveModel& model) {
+  const scene::Document& document = workspace.document;
+  timed_ = model.frames();
+  timer_.start([timed = TimedPose{model.bound(), model.deformer()->scheme(), model.deformer()->all_staged(),
+                                  document.pose, document.mask, document.probes, document.shape}](
+                   base::Progress& progress) { return time_methods(timed, progress); });
+}
+
+void Analysis::take_times(scene::Workspace& workspace, LiveModel& model, bool wait) {
+  const auto result = timer_.poll(wait);
+  if (!result || !result->value) return;  // what cannot be measured has no bar
+  workspace.method_times = result->value->times;
+  model.share(result->value->binding);
+  shows_news_ = true;
+}
+
+// The bar of the running method is that of its frames; the others are measured while the pose rests.
+void Analysis::follow_times(scene::Workspace& workspace, LiveModel& model) {
+  if (std::exchange(seen_, model.frames()) != model.frames() || is_in_motion(workspace)) {
+    rests_since_ = base::wall_seconds();
+    if (timer_.running()) timer_.cancel(), timed_ = 0;
+  }
+  take_times(workspace, model, false);
+  if (timer_is_due(workspace, model)) start_timer(workspace, model);
+  const auto frame = workspace.stats.deforming_median();
+  if (!frame) return;
+  const auto& methods = scene::compared_methods;
+  const auto running = std::ranges::find(methods, frame->method);
+  if (running != methods.end())
+    workspace.method_times.links[static_cast<std::size_t>(running - methods.begin())] = frame->links;
+}
+
+void Analysis::finish_measuring(scene::Workspace& workspace, LiveModel& model) {
+  if (!probe_wanted_ || !model.takes_exponentials()) return;
+  take_probe(workspace, true);
+  if (probed_ != model.frames()) start_probe(workspace, model), take_probe(workspace, true);
+  if (timed_ != model.frames()) start_timer(workspace, model);
+  take_times(workspace, model, true);
+  follow_times(workspace, model);
 }
 
 }  // namespace viete::app

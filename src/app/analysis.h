@@ -1,5 +1,5 @@
-// What is found out aside about the open document and its frames: defects, times and errors of the methods,
-// the benchmark.
+// Measured in the background about the open document and its frames: defects, and times and errors of the
+// methods.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 #include "app/live_model.h"
 #include "app/method_probe.h"
+#include "app/method_timer.h"
 #include "base/background.h"
-#include "bench/timing/exp.h"
 #include "scene/document/checks.h"
 #include "scene/workspace/workspace.h"
 
@@ -25,33 +25,40 @@ public:
   Analysis(bool probe, std::filesystem::path program, std::filesystem::path state)
       : probe_wanted_(probe), program_(std::move(program)), state_(std::move(state)) {}
 
-  /// Before the frame: requests, defects and the benchmark.
+  /// Before the frame: requests and defects.
   void follow_document(scene::Workspace& workspace);
-  /// After it: what its exponentials cost and how exact they are.
-  void follow_frame(scene::Workspace& workspace, const LiveModel& model);
+  /// After it: times and errors of the methods. Those of whole frames are measured while the pose rests.
+  void follow_frame(scene::Workspace& workspace, LiveModel& model);
 
   /// True if follow_document() or follow_frame() would do something now.
   bool has_news(const scene::Workspace& workspace, const LiveModel& model) const;
   /// True while something is computed that shows how far it is.
-  bool reports() const { return checks_.running() || bench_.running() || report_.running(); }
+  bool reports() const { return checks_.running() || report_.running(); }
   /// True if the last call has put something into the workspace that is to be seen.
   bool shows_news() const { return shows_news_; }
-  bool measuring() const { return probe_.busy(); }
+  /// Measures the methods in this pose, and waits for the results.
+  void finish_measuring(scene::Workspace& workspace, LiveModel& model);
   bool checking() const { return checks_.running(); }
   void finish_checks(scene::Workspace& workspace);
 
 private:
   void start_checks(const scene::Document& document);
   void take_checks(scene::Workspace& workspace, bool wait);
-  void follow_benchmark(scene::Workspace& workspace);
+  void follow_report(scene::Workspace& workspace);
   void follow_path(scene::Workspace& workspace, const LiveModel& model);
   bool probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
   void follow_probe(scene::Workspace& workspace, const LiveModel& model);
+  void start_probe(scene::Workspace& workspace, const LiveModel& model);
+  void take_probe(scene::Workspace& workspace, bool wait);
+  bool timer_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
+  void start_timer(const scene::Workspace& workspace, const LiveModel& model);
+  void take_times(scene::Workspace& workspace, LiveModel& model, bool wait);
+  void follow_times(scene::Workspace& workspace, LiveModel& model);
 
   bool probe_wanted_, shows_news_ = false;
   std::filesystem::path program_, state_;
   MethodProbe probe_;
-  base::BackgroundJob<bench::ExpBench> bench_;
+  base::BackgroundJob<MethodTimings> timer_;
   base::BackgroundJob<std::string> report_;
   base::BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
@@ -64,7 +71,9 @@ private:
   };
   Path path_;
   std::optional<deform::EngineKind> engine_;
-  double probed_at_ = -1;  // wall seconds
+  double probed_at_ = -1;               // wall seconds
+  unsigned long timed_ = 0, seen_ = 0;  // frames of the model: whose pose was timed, and the last one
+  double rests_since_ = 0;              // wall seconds
 };
 
 }  // namespace viete::app

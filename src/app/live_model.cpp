@@ -148,6 +148,10 @@ void LiveModel::install(scene::Workspace& workspace, Bound bound) {
   follow_mask(workspace.document);
 }
 
+void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
+  if (bound_.binding && bound_.binding->tiles == binding->tiles) bound_.binding = binding;
+}
+
 void LiveModel::make_deformer(const deform::Scheme& scheme) {
   deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool_,
                                                  bound_.stitches(scheme) ? bound_.stitching : nullptr);
@@ -201,8 +205,8 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   if (deformed) {
     deformer_->set_probes(document.probes);
     deformer_->set_shape(document.shape);
-    deformer_->deform(document.has_cage() ? document.pose : deform::rest_pose(*no_cage_),
-                      deformer_->engine(document.method) ? document.method : sym3::Method::fast);
+    times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
+    deformer_->deform(document.has_cage() ? document.pose : deform::rest_pose(*no_cage_), times.method);
     take_carried(document);
     if (document.has_cage()) scene::take_report(workspace, deformer_->state().report());
     times.links = deformer_->times();

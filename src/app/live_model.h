@@ -52,6 +52,8 @@ public:
   /// Of the open document; null while there is none.
   const deform::Deformer* deformer() const { return deformer_.get(); }
   const Bound& bound() const { return bound_; }
+  /// A binding of the same weights that can serve more methods: the next choice of one finds it made.
+  void share(const std::shared_ptr<const deform::Binding>& binding);
   /// Frames that were deformed so far: whoever measures one remembers which.
   unsigned long frames() const { return frames_; }
   /// The last one took exponentials.

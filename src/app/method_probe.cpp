@@ -74,8 +74,8 @@ void MethodProbe::offer(std::span<const Matrix> matrices) {
       [sample = spread_sample(matrices, probe_limit)](base::Progress&) { return measure_methods(sample); });
 }
 
-std::optional<scene::MethodStats> MethodProbe::poll() {
-  const auto result = job_.poll();
+std::optional<scene::MethodStats> MethodProbe::poll(bool wait) {
+  const auto result = job_.poll(wait);
   if (!result) return std::nullopt;
   last_ = base::wall_seconds();
   return result->value;

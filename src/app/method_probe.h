@@ -32,12 +32,10 @@ public:
   void offer(std::span<const sym3::Sym3<double>> matrices);
   /// What is being measured is not wanted any more.
   void forget() { job_.cancel(); }
-  /// The newest result, each only once.
-  std::optional<scene::MethodStats> poll();
+  /// The newest result, each only once. With wait, waits for the one that is being measured.
+  std::optional<scene::MethodStats> poll(bool wait = false);
   /// True when poll() would give a result.
   bool has_result() const { return job_.has_result(); }
-  /// True while a sample is being measured.
-  bool busy() const { return job_.running() && !job_.has_result(); }
 
 private:
   base::BackgroundJob<scene::MethodStats> job_;

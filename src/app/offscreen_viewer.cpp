@@ -1,8 +1,5 @@
 #include "app/offscreen_viewer.h"
 
-#include <chrono>
-#include <thread>
-
 namespace viete::app {
 
 OffscreenViewer::OffscreenViewer(const ViewerOptions& options, platform::OffscreenContext::Kind kind)
@@ -22,7 +19,7 @@ void OffscreenViewer::settle() {
   if (viewer_->workspace().view.panels) viewer_->finish_checks();
   for (int i = 0; i < 200 && viewer_->wants_frame(); ++i) viewer_->frame(frame_seconds);
   viewer_->finish_views();
-  while (viewer_->measuring()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  if (viewer_->workspace().view.panels) viewer_->finish_measuring();
   viewer_->frame(frame_seconds);
 }
 

@@ -134,7 +134,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_flag("--wireframe", options.wireframe, "With the edges of the mesh");
   std::vector<std::string> maps;
   for (const base::Choice& choice : choices(lab::Field::none)) maps.emplace_back(choice.word);
-  auto* map = command.add_option("--map", options.map, "What the mesh is coloured by, as in the Lab");
+  auto* map = command.add_option("--map", options.map, "Colour the mesh by this map");
   one_of(map, maps)->default_str("none");
   std::vector<std::string> compared;
   for (const deform::WayEntry& entry : deform::all_ways()) compared.emplace_back(entry.name);

@@ -5,6 +5,7 @@
 
 #include "app/assets.h"
 #include "app/command_line.h"
+#include "app/first_motion.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
 #include "app/window_viewer.h"
@@ -36,6 +37,9 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   if (!scene::open_now(workspace, options.inputs.request())) {
     throw base::Error("", workspace.messages.all().back().text);
   }
+  FirstMotion motion(options.first_pose);
+  motion.step(workspace, true, 0);
+  motion.finish(workspace);
   offscreen.settle();
   render::write_png(picture, offscreen.viewer().picture());
   std::fprintf(stderr, "viete: no window (%s); its picture is in %s\n", reason.c_str(), picture.c_str());

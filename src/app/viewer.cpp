@@ -202,8 +202,7 @@ bool Viewer::changing() const {
 void Viewer::leave_out_writing() {
   scene::Requests& r = workspace_.requests;
   bool any = std::exchange(r.undo_discard, false) | std::exchange(r.screenshot, false) |
-             std::exchange(r.run_benchmark, false) | std::exchange(r.manual, false) |
-             std::exchange(r.show_report, false);
+             std::exchange(r.manual, false) | std::exchange(r.show_report, false);
   for (auto* file : {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model,
                      &r.save_animation, &r.discard})
     any |= std::exchange(*file, std::nullopt).has_value();

@@ -75,8 +75,8 @@ public:
   Fineness view_fineness() const { return view_.fineness(); }
   /// The last frame once more, without what is kept from frame to frame.
   void draw_anew();
-  /// True while the methods are being measured aside.
-  bool measuring() const { return analysis_.measuring(); }
+  /// Measures every method in this pose, and waits for the results.
+  void finish_measuring() { analysis_.finish_measuring(workspace_, model_); }
   /// True while edits are unsaved and kept for the next start.
   bool keeping() const;
   /// Waits until unsaved edits are; false if there are none, or if they cannot be.

@@ -24,10 +24,10 @@ constexpr std::array ways_table = {
               "spreads along the model's surface, keeps shapes and holds parts together: for most models"},
              Way::smooth,
              scheme(Elements::face, Weights::biharmonic, Blend::srl)},
-    WayEntry{
-        {"paper", "Paper", "as published: each triangle turns and stretches all of the model, by distance"},
-        Way::paper,
-        scheme(Elements::face, Weights::inverse, Blend::srl)},
+    WayEntry{{"paper", "As published",
+              "as published: each triangle turns and stretches all of the model, by distance"},
+             Way::paper,
+             scheme(Elements::face, Weights::inverse, Blend::srl)},
     WayEntry{
         {"mean-value", "Mean value",
          "the cage's vertices only move (mean value coordinates): follows affine poses exactly, and caves "

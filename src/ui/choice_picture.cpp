@@ -44,13 +44,13 @@ void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const 
   place_beside();
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + scene::choice_picture_size.x);
-  ImGui::TextUnformatted(sentence.c_str());
+  ImGui::TextUnformatted(wrapped(sentence, scene::choice_picture_size.x).c_str());
   ImGui::Spacing();
   draw_picture(ui, picture);
   text_in(ui.colors.faint, std::string(picture.caption));
   if (!more.empty()) {
     ImGui::Spacing();
-    ImGui::TextUnformatted(more.c_str());
+    ImGui::TextUnformatted(wrapped(more, scene::choice_picture_size.x).c_str());
   }
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();

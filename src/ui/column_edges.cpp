@@ -16,12 +16,12 @@ constexpr float edge_thickness = 6, tab_width = 14, tab_height = 48;
 
 struct Side {
   Column column;
-  const char* name;     // of widgets: "edge/lab"
+  const char* name;     // of widgets: "edge/methods"
   const char* command;  // folds it away, and brings it back
   float inward;         // 1: the view is to the right of it
 };
 constexpr Side sides[] = {{Column::tools, "tools", "toggle_tools", 1},
-                          {Column::lab, "lab", "toggle_lab", -1}};
+                          {Column::methods, "methods", "toggle_methods", -1}};
 
 // Where the column ends and the view begins; at the edge of the window while it is not shown.
 float edge_x(const scene::Viewport& v, const Side& side) {

@@ -43,8 +43,7 @@ struct Context {
 
 inline constexpr float status_height = scene::PanelLayout::status_height;
 
-/// The colour of a link of the frame, the same everywhere; index link_count + 0, 1, 2, 3 are upload, draw,
-/// panels, other.
-ImU32 part_color(std::size_t part);
+/// The colour of a stage of the deformation, the same everywhere.
+ImU32 stage_color(scene::Link stage);
 
 }  // namespace viete::ui

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/frame_parts.h"
 #include "ui/overlay_painter.h"
+#include "ui/stages.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
@@ -12,19 +12,18 @@ namespace {
 
 using scene::Link;
 
-constexpr std::size_t no_part = part_count;
 constexpr float script_size = 0.72f;  // of indices and exponents
 
 // A letter or more of one size; a sum's sign and a bar over a letter are drawn.
 struct Piece {
   std::string text;
   int script = 0;  // 1 raised, -1 lowered
-  std::size_t part = no_part;
+  std::optional<Link> stage{};
   bool sum = false, bar = false;
   bool may_break = false;  // before it
 };
 
-// Puts formulas together: which part computes what depends on the engine.
+// Puts formulas together: which stage computes what depends on the engine.
 class Formula {
 public:
   Formula(bool fused, bool stitched) : fused_(fused), stitched_(stitched) {}
@@ -62,13 +61,13 @@ private:
 
   void add(Piece piece) { pieces_.push_back(std::move(piece)); }
   void word(const char* text) { add({text}); }
-  void symbol(const char* text, Link link) { add({text, 0, static_cast<std::size_t>(link)}); }
-  void raised(const char* text, Link link) { add({text, 1, static_cast<std::size_t>(link)}); }
-  void lowered(const char* text, Link link) { add({text, -1, static_cast<std::size_t>(link)}); }
+  void symbol(const char* text, Link link) { add({text, 0, link}); }
+  void raised(const char* text, Link link) { add({text, 1, link}); }
+  void lowered(const char* text, Link link) { add({text, -1, link}); }
   void break_here() { add({.text = "", .may_break = true}); }
 
   void weighted(const char* of, Link link) {
-    add({"", 0, static_cast<std::size_t>(sums()), true});
+    add({"", 0, sums(), true});
     symbol(" w", sums());
     lowered("j", sums());
     symbol(of, link);
@@ -95,7 +94,7 @@ private:
     word(" ");
   }
   void center(bool posed) {
-    add({"c", 0, static_cast<std::size_t>(sums()), false, true});
+    add({"c", 0, sums(), false, true});
     if (posed) raised("'", sums());
   }
   void rest() { word("x"); }
@@ -109,7 +108,7 @@ private:
   }
   void linear() {
     break_here();
-    add({"", 0, static_cast<std::size_t>(sums()), true});
+    add({"", 0, sums(), true});
     symbol(" w", sums());
     lowered("j", sums());
     word(" (");
@@ -157,7 +156,7 @@ public:
     }
   }
   float height() const { return pen_.y + line_height() - start_.y; }
-  std::optional<std::size_t> under_cursor() const { return under_cursor_; }
+  std::optional<Link> under_cursor() const { return under_cursor_; }
 
 private:
   float size_of(const Piece& piece) const { return piece.script == 0 ? size_ : script_size * size_; }
@@ -176,10 +175,8 @@ private:
   void next_line() { pen_ = {start_.x + 1.6f * size_, pen_.y + line_height()}; }
 
   ImU32 color(const Piece& piece) const {
-    if (piece.part == no_part) {
-      return faded(ui_.colors.text, ui_.workspace.interaction.part ? 0.4f : 1.0f);
-    }
-    return legible(lit_part_color(ui_, piece.part), ui_.workspace.view.dark);
+    if (!piece.stage) return faded(ui_.colors.text, ui_.workspace.interaction.stage ? 0.4f : 1.0f);
+    return legible(lit_stage_color(ui_, *piece.stage), ui_.workspace.view.dark);
   }
 
   void set(const Piece& piece) {
@@ -199,8 +196,8 @@ private:
       draw_.AddLine({pen_.x + 0.5f, over}, {pen_.x + wide - 0.5f, over}, c, 1.25f);
     }
     const ImVec2 low{pen_.x, pen_.y}, high{pen_.x + wide, pen_.y + line_height()};
-    if (piece.part != no_part && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high))
-      under_cursor_ = piece.part;
+    if (piece.stage && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high))
+      under_cursor_ = piece.stage;
     pen_.x += wide;
   }
 
@@ -220,7 +217,7 @@ private:
   ImVec2 start_;
   float width_;
   ImVec2 pen_;
-  std::optional<std::size_t> under_cursor_;
+  std::optional<Link> under_cursor_;
 };
 
 // Its terms, at a vertex: the one that is picked, or what is in the middle of the view.
@@ -231,7 +228,7 @@ void show_sum(scene::Workspace& w) {
 
 }  // namespace
 
-std::optional<std::size_t> frame_formula(const Context& ui) {
+std::optional<Link> frame_formula(const Context& ui) {
   const scene::Scheme& scheme = ui.workspace.document.scheme;
   const bool fused = !scene::shows_links(ui.workspace);
   const float width = ImGui::GetContentRegionAvail().x;

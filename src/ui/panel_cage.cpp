@@ -1,4 +1,3 @@
-#include "scene/document/elements.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -34,13 +33,8 @@ void panel_cage(const Context& ui) {
   hint(place_of(document.cage_file) + "  (" + document.cage_file.format + ")");
   const auto& summary = document.cage_file.summary;
   value_row(ui, "Vertices, triangles", count(summary.vertices) + "  " + count(summary.triangles));
-  const auto elements = scene::element_count(document, document.selection.kind());
-  value_row(ui, "Selected", count(document.selection.size()) + " of " + count(elements));
-  transform_fields(ui);
-  command_row(ui, {"undo", "redo", "reset_pose"});
+  command_row(ui, {"open_cage", "make_cage", "edit_cage"});
   editing(ui);
-  command_row(ui, {"open_pose", "save_pose"});
-  command_row(ui, {"open_cage", "make_cage", "save_cage"});
 }
 
 }  // namespace viete::ui

@@ -40,8 +40,8 @@ void card(const Context& ui, std::size_t index) {
   auto& checks = ui.workspace.checks;
   const scene::Finding& finding = checks.findings[index];
   const bool shown = checks.shown == index;
-  const std::string means = scene::meaning(finding), elements = elements_text(finding);
   const float width = ImGui::GetContentRegionAvail().x, wrap = width - 2 * inset;
+  const std::string means = wrapped(scene::meaning(finding), wrap), elements = elements_text(finding);
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float middle = wrapped_height(means, wrap);
   ImGui::PushFont(ui.fonts.numbers);

@@ -91,49 +91,12 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
   hint(std::string(command.hint) + "  (" + scene::text(w.remembered.keymap.of(command).first) + ")");
 }
 
-// The method that fails worst in this pose, and how far from the best one. A line is always there for it.
-void point_at_failure(const Context& ui, bool used) {
-  const scene::MethodStats& stats = ui.workspace.methods;
-  const auto error_of = [&](std::size_t i) {
-    const double e = stats.samples[i].worst_error;
-    return std::isnan(e) ? INFINITY : e;
-  };
-  std::size_t worst = 0, least = 0;
-  for (std::size_t i = 1; i < stats.samples.size(); ++i) {
-    if (error_of(i) > error_of(worst)) worst = i;
-    if (error_of(i) < error_of(least)) least = i;
-  }
-  const bool failing = used && running_sample(ui.workspace) && fails(stats.samples[worst]);
-  const auto name_of = [](std::size_t i) { return method_label(scene::compared_methods[i]); };
-  note_within(ui, 2,
-              failing ? name_of(worst) +
-                            " is inaccurate in this pose: " + error(stats.samples[worst].worst_error) + " (" +
-                            name_of(least) + ": " + error(stats.samples[least].worst_error) + ")"
-                      : " ",
-              failing ? ui.colors.warn : 0);
-  hint(
-      "The largest relative error of this frame's exponentials. The published spectral methods lose digits "
-      "where "
-      "eigenvalues nearly coincide, as far from what was moved, and with a local reach.");
-}
-
-// Which path each method takes, and the same one for all.
-void path_of_frames(const Context& ui) {
-  const bool same = ui.workspace.view.same_path;
-  command_toggle(ui, "toggle_same_path", same);
-  note_within(ui, 2, same ? "All: staged, in double" : "Fast: fused, in float; others: staged, in double");
-  hint(
-      "Staged: the links of the frame run one by one, in double, each timed by itself. Fused: from weights "
-      "to "
-      "positions in one pass, in float, as only Fast can.");
-}
-
 }  // namespace
 
 void panel_method(const Context& ui) {
-  if (!section(ui, "Method")) return;
   const scene::Workspace& w = ui.workspace;
   const bool used = w.document.scheme.exponential();
+  heading(ui, "Method");
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   ImGui::BeginDisabled(!used);
@@ -144,37 +107,12 @@ void panel_method(const Context& ui) {
   }
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
-  note_within(ui, 2,
-              !used               ? "Not used: this way of blending takes no exponential."
-              : running_sample(w) ? "Time (a median) and largest error per matrix, of " +
-                                        count(w.methods.matrices) + "; best in colour"
-              : scene::differs_from_rest(w.document) ? " "
-                                                     : "At rest: there is nothing to measure.");
-  point_at_failure(ui, used);
-  ImGui::BeginDisabled(!used);
-  path_of_frames(ui);
-  ImGui::EndDisabled();
-}
-
-bool lab_line(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
-  const bool open = section(ui, "Lab", false);
-  hint(
-      "What is computed, how fast and how exactly: methods, maps, views, the sum at a vertex, timings, "
-      "benchmark.");
-  if (open) return true;
-  std::string text = method_label(w.document.method);
-  if (!w.document.scheme.exponential()) text = "takes no exponential";
-  if (const scene::MethodSample* sample = running_sample(w)) {
-    text += ", " + nanoseconds(sample->ns_per_matrix);
-    // What is drawn is no more exact than its frame, which is in float where no links run.
-    if (scene::shows_links(w) || w.fused_error > 0)
-      text += ", exact to " + error(std::max(sample->worst_error, w.fused_error));
-  } else if (w.document.scheme.exponential() && !scene::differs_from_rest(w.document)) {
-    text += ", at rest";
-  }
-  section_note(ui, text + "; details");
-  return false;
+  note(ui, !used                                  ? "This deformer takes no exponential."
+           : scene::differs_from_rest(w.document) ? "Time per matrix; largest error in this pose"
+                                                  : "At rest every method is exact.");
+  hint("Medians over " + count(w.methods.matrices) +
+       " matrices of this frame. Errors are relative, against 106 bits. Colour marks the best, and errors "
+       "above 1e-10.");
 }
 
 }  // namespace viete::ui

@@ -30,8 +30,7 @@ void panel_model(const Context& ui) {
   ImGui::PopTextWrapPos();
   hint(model.path.string() + "  (" + model.format + ")");
   value_row(ui, "Vertices, triangles", count(model.summary.vertices) + "  " + count(model.summary.triangles));
-  value_row(ui, "Diagonal", scene::with_unit(length(model.bounds.diagonal()), model.unit));
-  command_row(ui, {"open_model", "save_session", "save_model"});
+  command_row(ui, {"open_model", "save_model"});
 }
 
 }  // namespace viete::ui

@@ -123,25 +123,13 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
   }
 }
 
-// Whether sliders move all of the cage, and how much of it they would move otherwise.
-void mix_reach(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
-  if (!w.document.has_cage()) return;
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  const float line = ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y;
-  command_toggle(ui, "toggle_mix_selected");
-  const std::size_t selected = scene::selected_part(w.document).size();
-  text_right(ui, right, selected == 0 ? "nothing is" : count(selected) + " vertices",
-             w.handling.mix_selected && selected > 0 ? ui.colors.accent : ui.colors.faint, line);
-}
-
 }  // namespace
 
 void panel_poses(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   if (!w.document.model.surface) return;
   const std::size_t poses = w.document.library.poses.size();
-  const bool open = section(ui, "Poses", false);
+  const bool open = section(ui, "Poses");
   if (poses > 0) section_note(ui, count(poses));
   if (!open) return;
   if (poses == 0)
@@ -151,11 +139,6 @@ void panel_poses(const Context& ui) {
   w.pose_pictures.tidy();
   // Above the list, which grows where it ends: nothing that is clicked moves away.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
-  command_row(ui, {"duplicate_pose", "remove_pose"});
-  command_row(ui, {"import_shapes", "import_poses"});
-  command_row(ui, {"export_pose", "set_key", "toggle_timeline"});
-  command_row(ui, {"clear_mix", "average_mix"});
-  mix_reach(ui);
   ImGui::BeginDisabled(!free);
   for (std::size_t i = 0; i < w.document.library.poses.size(); ++i)
     row(ui, i, wish);  // a button has changed it

@@ -82,20 +82,11 @@ void mix(const Context& ui) {
 void panel_probes(const Context& ui) {
   const scene::Document& document = ui.workspace.document;
   const std::size_t probes = document.probes.all.size();
-  const bool open = section(ui, "Probes", false);
-  if (probes > 0) section_note(ui, count(probes));
-  if (!open) return;
-  if (probes == 0)
-    note(ui,
-         "A probe is a frame on the model that moves, turns and stretches what is near it: the tools at the "
-         "edge of the view add one. A pin (Alt+P) brings a vertex along.");
   if (probes == 0) return;
+  const bool open = section(ui, "Probes", false);
+  section_note(ui, count(probes));
+  if (!open) return;
   command_row(ui, {"mirror_probe", "remove_probe"});
-  if (!document.has_cage()) {
-    transform_fields(ui);
-    command_row(ui, {"undo", "redo", "reset_pose"});
-    command_row(ui, {"select_all", "select_none", "invert_selection"});
-  }
   const bool selected = document.selection.kind() == scene::ElementKind::probe && !document.selection.empty();
   if (scene::has_pins(document)) freedom(ui);
   if (selected && scene::has_pins_selected(ui.workspace)) {

@@ -46,7 +46,7 @@ void sets(const Context& ui) {
 
 // What is used most; the rest is in the menu Select, in the palette and on keys.
 void panel_select(const Context& ui) {
-  if (!ui.workspace.document.has_cage() || !section(ui, "Select")) return;
+  if (!ui.workspace.document.has_cage() || !section(ui, "Select", false)) return;
   command_row(ui, {"select_all", "select_none", "invert_selection"});
   command_row(ui, {"select_more", "select_less", "save_set"});
   const float half = ImGui::GetCursorPosX() + 0.5f * ImGui::GetContentRegionAvail().x;

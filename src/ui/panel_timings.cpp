@@ -1,165 +1,172 @@
+// The deformation of a frame with each method, stage by stage, and the rest of the frame.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 
+#include "scene/document/edit.h"
 #include "ui/format.h"
-#include "ui/frame_parts.h"
 #include "ui/panels.h"
+#include "ui/stages.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
 
 namespace {
 
-using Part = std::optional<std::size_t>;
+using scene::compared_methods;
+using scene::Link;
+using Stage = std::optional<Link>;
 
-constexpr std::size_t legend_rows = 6;  // as many as a stitched frame has: none comes or goes under the hand
+constexpr std::size_t all_methods = compared_methods.size();
 
 bool is_under_cursor(ImVec2 low, ImVec2 high) {
   return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
 }
 
-Part bar(const Context& ui, const Parts& parts) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = 14;
-  double total = 0;
-  for (const double ms : parts) total += ms;
-  Part under_cursor;
+// One segment per stage, as long as its share of the slowest method's time.
+Stage segments(const Context& ui, const deform::LinkTimes& times, double longest, ImVec2 at, float width) {
+  constexpr float height = 14;
+  Stage under_cursor;
   float x = at.x;
-  for (std::size_t i = 0; i < part_count; ++i) {
-    const float w = static_cast<float>(parts[i] / std::max(total, 1e-9)) * width;
-    const ImVec2 low{x, at.y}, high{x + w, at.y + height};
-    ImGui::GetWindowDrawList()->AddRectFilled(low, high, lit_part_color(ui, i));
-    if (w > 0 && is_under_cursor(low, high)) under_cursor = i;
+  for (std::size_t i = 0; i < scene::link_count; ++i) {
+    const float w = static_cast<float>(times.ms[i] / longest) * width;
+    const ImVec2 low{x, at.y + 2}, high{x + w, at.y + 2 + height};
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, lit_stage_color(ui, static_cast<Link>(i)));
+    if (w > 0 && is_under_cursor(low, high)) under_cursor = static_cast<Link>(i);
     x += w;
   }
-  ImGui::Dummy({width, height});
   return under_cursor;
 }
 
-// stale: of a frame before the newest ones.
-Part legend_entry(const Context& ui, std::size_t part, double ms, bool stale, ImVec2 at, float width) {
-  const float line = ImGui::GetTextLineHeight(), middle = at.y + 0.5f * line;
-  const bool lit = ui.workspace.interaction.part == part;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled({at.x, middle - 4}, {at.x + 8, middle + 4}, lit_part_color(ui, part), 2);
-  draw.AddText({at.x + 16, at.y}, lit ? ui.colors.text : ui.colors.faint, part_name(part).c_str());
-  text_right(ui, at.x + width, milliseconds(ms), stale ? ui.colors.faint : ui.colors.text, at.y);
-  const ImVec2 high{at.x + width, at.y + line};
-  return is_under_cursor(at, high) ? Part(part) : std::nullopt;
-}
-
-// Fused and stitched frames have other links than staged and plain ones.
-bool is_of_path(const Parts& frame, const Parts& other) {
-  const auto alike = [&](scene::Link link) {
-    const auto i = static_cast<std::size_t>(link);
-    return (frame[i] > 0) == (other[i] > 0);
-  };
-  return alike(scene::Link::fused) && alike(scene::Link::solve);
-}
-
-// A link that a frame of this path does without for a while, as skeletons during a drag, keeps its row.
-std::array<bool, part_count> parts_with_rows(const Context& ui, const Parts& deforming) {
-  std::array<bool, part_count> rows{};
-  for (const auto& frame : ui.workspace.stats.history()) {
-    const Parts parts = parts_of(frame);
-    if (!is_of_path(parts, deforming)) continue;
-    for (std::size_t i = 0; i < part_count; ++i) rows[i] = rows[i] || parts[i] > 0;
-  }
-  for (std::size_t i = 0; i < part_count; ++i)
-    rows[i] = rows[i] || i >= scene::link_count || deforming[i] > 0;
-  return rows;
-}
-
-// Two columns, read downwards; links that this path does not have are left out.
-Part legend(const Context& ui, const Parts& newest, const Parts& deforming) {
-  std::array<std::size_t, part_count> shown{};
-  std::size_t count = 0;
-  const auto has_row = parts_with_rows(ui, deforming);
-  for (std::size_t i = 0; i < part_count; ++i) {
-    if (has_row[i]) shown[count++] = i;
-  }
-  const std::size_t rows = std::max(legend_rows, (count + 1) / 2);
-  const bool deformed = newest[static_cast<std::size_t>(scene::Link::maps)] > 0;
-  constexpr float gap = 16;
-  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  Part under_cursor;
-  const auto entry = [&](std::size_t i, ImVec2 at) {
-    const std::size_t part = shown[i];
-    const bool link = part < scene::link_count;
-    if (const Part hit =
-            legend_entry(ui, part, link ? deforming[part] : newest[part], link && !deformed, at, width))
-      under_cursor = hit;
-  };
-  for (std::size_t row = 0; row < rows; ++row) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (row < count) entry(row, at);
-    if (row + rows < count) entry(row + rows, {at.x + width + gap, at.y});
-    ImGui::Dummy({0, ImGui::GetTextLineHeight()});
-  }
-  return under_cursor;
-}
-
-// One column of pixels per frame, stacked like the bar, newest at the right.
-void history(const Context& ui) {
-  const auto& frames = ui.workspace.stats.history();
+Stage bar(const Context& ui, std::size_t index, double longest) {
+  constexpr float label_width = 88, value_width = 68;
+  const scene::MethodTimes& all = ui.workspace.method_times;
+  const deform::LinkTimes& times = all.links[index];
+  const bool runs = compared_methods[index] == ui.workspace.document.method;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = 56;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(at, {at.x + width, at.y + height}, ui.colors.card, 4);
-  double top = 1;
-  for (const auto& frame : frames) top = std::max(top, frame.frame);
-  constexpr float step = 2;
-  float x = at.x + width -
-            step * static_cast<float>(std::min<std::size_t>(frames.size(), std::size_t(width / step)));
-  for (std::size_t f = frames.size() - std::size_t((at.x + width - x) / step); f < frames.size();
-       ++f, x += step) {
-    float y = at.y + height;
-    const Parts parts = parts_of(frames[f]);
-    for (std::size_t i = 0; i < part_count; ++i) {
-      const float h = static_cast<float>(parts[i] / top) * (height - 4);
-      draw.AddRectFilled({x, y - h}, {x + step, y}, lit_part_color(ui, i));
-      y -= h;
-    }
+  const float width = ImGui::GetContentRegionAvail().x, room = width - label_width - value_width;
+  text_in(runs ? ui.colors.accent : ui.colors.faint, method_label(compared_methods[index]));
+  record(ui, "timings/" + method_label(compared_methods[index]));
+  if (times.total() > 0) {
+    text_right(ui, at.x + width, milliseconds(times.total()), ui.colors.text, at.y);
+    return segments(ui, times, longest, {at.x + label_width, at.y}, room);
   }
-  ImGui::Dummy({width, height});
-  const std::string which = frames.size() == 1 ? "The last frame that deformed"
-                                               : "The last " + count(frames.size()) + " frames that deformed";
-  hint(which + "; full height is " + milliseconds(top) + ".");
+  if (all.measured)
+    ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint,
+                                        "large weights: choose it to measure");
+  return std::nullopt;
 }
 
-void tell_part(const std::string& text) {
+bool is_measured(const scene::MethodTimes& all, Link stage) {
+  return std::ranges::any_of(all.links, [&](const auto& times) { return times[stage] > 0; });
+}
+
+// The stages of all bars, four to a line.
+Stage legend(const Context& ui) {
+  constexpr std::size_t columns = 4, rows = 2;
+  const scene::Workspace& w = ui.workspace;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x / columns, line = ImGui::GetTextLineHeight() + 2;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  Stage under_cursor;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < scene::link_count; ++i) {
+    const Link stage = static_cast<Link>(i);
+    if (!is_measured(w.method_times, stage)) continue;
+    const ImVec2 low{at.x + static_cast<float>(count % columns) * width,
+                     at.y + static_cast<float>(count / columns) * line};
+    const float middle = low.y + 0.5f * line;
+    draw.AddRectFilled({low.x, middle - 4}, {low.x + 8, middle + 4}, lit_stage_color(ui, stage), 2);
+    const bool lit = w.interaction.stage == stage;
+    draw.AddText({low.x + 13, low.y}, lit ? ui.colors.text : ui.colors.faint,
+                 std::string(name(stage)).c_str());
+    if (is_under_cursor(low, {low.x + width, low.y + line})) under_cursor = stage;
+    ++count;
+  }
+  const std::size_t lines = std::max(rows, (count + columns - 1) / columns);
+  ImGui::Dummy({1, static_cast<float>(lines) * line});
+  return under_cursor;
+}
+
+void tell_stage(const Context& ui, Link stage) {
+  std::string text = std::string(name(stage)) + ": " + stage_hint(stage);
+  for (std::size_t i = 0; i < all_methods; ++i) {
+    const double ms = ui.workspace.method_times.links[i][stage];
+    if (ms > 0) text += "\n" + method_label(compared_methods[i]) + ": " + milliseconds(ms);
+  }
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(280);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(wrapped(text, 268).c_str());
   ImGui::EndTooltip();
 }
 
-// The part under the cursor, wherever it is shown.
-Part show_frame(const Context& ui) {
-  Part under_cursor = frame_formula(ui);
-  const auto newest = ui.workspace.stats.median(), deforming = ui.workspace.stats.deforming_median();
-  if (!newest || !deforming) {
-    note(ui, ui.workspace.document.is_movable()
-                 ? "Drag a vertex of the cage, or a probe, to see what each link of the frame costs."
-                 : "What each link of the frame costs is shown once a cage or a probe moves the model.");
-    return under_cursor;
+// What a frame takes besides the deformation, and as a whole: headings above their numbers.
+void rest_of_frame(const Context& ui) {
+  constexpr std::array headings = {"upload", "panels", "draw", "total ms", "frames/s"};
+  std::array<std::string, headings.size()> values;
+  if (const auto& frame = ui.workspace.stats.median())
+    values = {base::few_digits(frame->upload), base::few_digits(frame->panels), base::few_digits(frame->draw),
+              base::few_digits(frame->frame), base::few_digits(1000 / std::max(frame->frame, 1e-3))};
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, column = width / headings.size();
+  const float line = ImGui::GetTextLineHeight();
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const float right = at.x + static_cast<float>(i + 1) * column;
+    const float wide = ImGui::CalcTextSize(headings[i]).x;
+    ImGui::GetWindowDrawList()->AddText({right - wide, at.y}, ui.colors.faint, headings[i]);
+    text_right(ui, right, values[i], ui.colors.text, at.y + line);
   }
-  const Parts parts = parts_of(*newest);
-  value_row(ui, "Frame", milliseconds(newest->frame));
-  if (const Part hit = bar(ui, parts)) under_cursor = hit;
-  if (const Part hit = legend(ui, parts, parts_of(*deforming))) under_cursor = hit;
-  history(ui);
-  return under_cursor;
+  ImGui::Dummy({width, 2 * line});
+  hint(
+      "The rest of a frame in milliseconds, medians of the last half second. The total has the deformation "
+      "too. "
+      "On a software renderer, drawing uses the processor.");
+}
+
+// "4e-6".
+std::string one_digit(double value) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.0e", value);
+  std::string shown(text);
+  if (const auto zero = shown.find("e-0"); zero != std::string::npos) shown.erase(zero + 2, 1);
+  return shown;
+}
+
+// The error of the exponential, and of the positions that are drawn.
+void errors(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  const scene::MethodSample* sample = running_sample(w);
+  std::string text = "Error  ";
+  if (sample)
+    text += "exp " + (std::isnan(sample->worst_error) ? "NaN" : one_digit(sample->worst_error)) + " \u00b7 ";
+  if (w.fused_error > 0) text += "frame " + one_digit(w.fused_error) + ", single precision";
+  if (w.fused_error == 0 && scene::shows_links(w)) text += "frame in double precision";
+  text_in(ui.colors.faint, text);
+  record(ui, "errors");
+  hint(
+      "exp: largest relative error of the exponentials. frame: largest distance of the drawn vertices from "
+      "the "
+      "same frame in double precision, in diagonals of the cage.");
 }
 
 }  // namespace
 
 void panel_timings(const Context& ui) {
-  Part& part = ui.workspace.interaction.part;
-  if (!section(ui, "Timings")) return part.reset();
-  part = show_frame(ui);
-  if (part) tell_part(part_name(*part) + ": " + part_hint(*part));
+  scene::Workspace& w = ui.workspace;
+  heading(ui, "Timings of the deformation");
+  double longest = 1e-9;
+  for (const auto& times : w.method_times.links) longest = std::max(longest, times.total());
+  Stage stage;
+  for (std::size_t i = 0; i < all_methods; ++i)
+    if (const Stage hit = bar(ui, i, longest)) stage = hit;
+  if (const Stage hit = legend(ui)) stage = hit;
+  w.interaction.stage = stage;
+  if (stage) tell_stage(ui, *stage);
+  rest_of_frame(ui);
+  ImGui::BeginDisabled(!w.document.scheme.exponential());
+  command_toggle(ui, "toggle_same_path", w.view.same_path);
+  ImGui::EndDisabled();
+  errors(ui);
 }
 
 }  // namespace viete::ui

@@ -103,7 +103,7 @@ void ways(const Context& ui, const VertexView& view) {
 
 void panel_vertex(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
-  if (!w.document.has_cage() || !section(ui, "Vertex", false)) return;
+  if (!w.document.has_cage() || !section(ui, "Vertex inspector", false)) return;
   const VertexView& view = w.vertex;
   if (!view.vertex)
     return note(ui, "Point at the model and press " +

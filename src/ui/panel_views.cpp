@@ -52,7 +52,7 @@ void map_list(const Context& ui, const std::string& name, scene::SideView& side)
 }
 
 void side_rows(const Context& ui, std::size_t number, scene::SideView& side) {
-  constexpr float label = 64;
+  constexpr float label = 74;
   const std::string name = "side/" + std::to_string(number);
   const auto row = [&](const char* words, auto list, const char* what) {
     row_label(words, label);
@@ -62,7 +62,7 @@ void side_rows(const Context& ui, std::size_t number, scene::SideView& side) {
   ImGui::PushFont(ui.fonts.strong);
   note(ui, "View " + std::to_string(number + 1), ui.colors.text);
   ImGui::PopFont();
-  if (ui.workspace.document.has_cage()) row("Way", way_list, "/way");
+  if (ui.workspace.document.has_cage()) row("Deformer", way_list, "/way");
   if (side.scheme.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
   if (side.other_lines || scene::has_lines(ui.workspace)) {

@@ -1,4 +1,5 @@
 #include "ui/panels.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 
@@ -19,36 +20,42 @@ bool begin_column(const Context& ui, const char* name, float x, float width) {
   return true;
 }
 
-// What is worked on and with, in the order of the work.
+// The left column, in the order of the work.
 void tools(const Context& ui) {
   if (!begin_column(ui, "Tools", 0, ui.workspace.viewport.origin.x)) return;
   panel_model(ui);
   panel_cage(ui);
   panel_poses(ui);
-  panel_hand(ui);
+  panel_transform(ui);
   panel_select(ui);
   panel_probes(ui);
-  panel_measures(ui);
-  panel_view(ui);
+  panel_display(ui);
   panel_checks(ui);  // last: what is found opens it, and pushes nothing
   ImGui::End();
 }
 
-// How it is computed, how fast and how exactly.
-void lab(const Context& ui) {
+void analysis(const Context& ui) {
+  if (!section(ui, "Analysis", false)) return;
+  panel_map(ui);
+  panel_views(ui);
+  panel_vertex(ui);
+  panel_custom(ui);
+  panel_measures(ui);
+  if (ui.workspace.reporting.running)
+    progress_bar(ui, ImGui::GetContentRegionAvail().x, ui.workspace.reporting.done);
+  command_row(ui, {ui.workspace.reporting.running ? "stop_report" : "show_report"});
+}
+
+// The right column: how the deformation is computed, how fast and how exactly.
+void methods(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float x = v.origin.x + v.size.x;
-  if (!begin_column(ui, "Lab", x, v.window.x - x)) return;
-  panel_blending(ui);
-  if (lab_line(ui)) {
-    panel_method(ui);
-    panel_map(ui);
-    panel_views(ui);
-    panel_vertex(ui);
-    panel_timings(ui);
-    panel_accuracy(ui);
-    panel_benchmark(ui);
-  }
+  if (!begin_column(ui, "Methods", x, v.window.x - x)) return;
+  panel_method(ui);
+  panel_timings(ui);
+  panel_deformer(ui);
+  ImGui::Dummy({0, 2});
+  analysis(ui);
   ImGui::End();
 }
 
@@ -72,7 +79,7 @@ void draw_panels(const Context& ui) {
     menu_bar(ui);
     tool_strip(ui);
     tools(ui);
-    lab(ui);
+    methods(ui);
     timeline_panel(ui);
     column_edges(ui);
     status_bar(ui);

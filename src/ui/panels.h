@@ -30,7 +30,7 @@ void panel_model(const Context& ui);
 void panel_cage(const Context& ui);
 void panel_select(const Context& ui);  ///< ways to select, and sets by name
 void panel_making(const Context& ui);  ///< part of the cage's section: one that is being made
-void panel_hand(const Context& ui);
+void panel_transform(const Context& ui);
 void panel_probes(const Context& ui);
 void panel_poses(const Context& ui);     ///< poses with names, and how much of each is mixed in
 void timeline_panel(const Context& ui);  ///< below the view
@@ -39,11 +39,10 @@ void easing_graph(const Context& ui, ImVec2 size);  ///< part of it: how a key c
 void path_overlay(const Context& ui);               ///< the ways of the selected vertices
 void panel_checks(const Context& ui);
 void panel_measures(const Context& ui);
-bool lab_line(const Context& ui);  ///< what runs, how fast and how exactly; true where more is to be shown
 void panel_method(const Context& ui);
-void panel_blending(const Context& ui);
 void panel_timings(const Context& ui);
-void panel_accuracy(const Context& ui);
+void panel_deformer(const Context& ui);
+void panel_custom(const Context& ui);  ///< the parts of a deformer, to combine them freely
 void panel_map(const Context& ui);
 void panel_views(const Context& ui);
 void panel_vertex(const Context& ui);    ///< the sum at a vertex
@@ -55,8 +54,7 @@ struct DrawnBefore {
 };
 /// What was drawn since then, in the other views too.
 void repeat_in_views(const Context& ui, const DrawnBefore& before);
-void panel_view(const Context& ui);
-void panel_benchmark(const Context& ui);
+void panel_display(const Context& ui);
 void status_bar(const Context& ui);
 void help_overlay(const Context& ui);
 void file_panel(const Context& ui);

@@ -1,5 +1,6 @@
 #include "ui/style.h"
 
+#include <array>
 #include <filesystem>
 #include <initializer_list>
 
@@ -145,11 +146,11 @@ Palette palette(bool dark) {
 }
 
 // Okabe and Ito's palette, softened; told apart by colour-blind readers too.
-ImU32 part_color(std::size_t part) {
-  static constexpr unsigned colors[] = {0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c, 0x3fb09a, 0x6fc3df,  // links
-                                        0xe07b54, 0x8f7fd1, 0xcf5f7a, 0xc58bb5, 0xb0a45a, 0x7f8a99,
-                                        0x5b6675, 0x3d4550, 0x9aa0a8};
-  return rgb(colors[part % std::size(colors)]);
+ImU32 stage_color(scene::Link stage) {
+  static constexpr std::array<unsigned, scene::link_count> colors = {0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c,
+                                                                     0x3fb09a, 0x6fc3df, 0xe07b54, 0x8f7fd1,
+                                                                     0xcf5f7a, 0xc58bb5, 0xb0a45a};
+  return rgb(colors[static_cast<std::size_t>(stage)]);
 }
 
 }  // namespace viete::ui

@@ -50,7 +50,7 @@ void hints(const Context& ui) {
   const std::string help = key_or_label(w.remembered.keymap, "help");
   const std::string plays =
       w.document.timeline.keys.empty() || space.empty() ? "" : "     " + space + " plays it";
-  for (const char* method : {"     Switch the method in the Lab", ""}) {
+  for (const char* method : {"     Switch the method in the right column", ""}) {
     const std::string text =
         "Drag a vertex of the cage" + plays + method + "     " + help + " shows every key";
     if (centered(ui, y, text, color)) return;

@@ -136,6 +136,13 @@ bool section(const Context& ui, const char* title, bool open_at_first) {
   return open;
 }
 
+void heading(const Context& ui, const char* title) {
+  ImGui::Dummy({0, 2});
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(title);
+  ImGui::PopFont();
+}
+
 void section_note(const Context& ui, const std::string& text, ImU32 color) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -170,11 +177,27 @@ void hint(const std::string& text) {
   if (!wants_hint()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // also where the window has none
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(280);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(wrapped(text, 268).c_str());
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
+}
+
+std::string wrapped(const std::string& text, float width) {
+  const float space = ImGui::CalcTextSize(" ").x;
+  std::string lines;
+  float x = 0;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const float wide = ImGui::CalcTextSize(word.c_str()).x;
+    if (x > 0 && x + wide > width && lines.back() == ' ') lines.back() = '\n', x = 0;
+    lines += word;
+    x += wide + space;
+    if (end < text.size()) lines += text[end];
+    if (end < text.size() && text[end] == '\n') x = 0;
+    begin = end + 1;
+  }
+  return lines;
 }
 
 std::string shortened(std::string text, float width) {
@@ -337,8 +360,8 @@ void open_recent(scene::Workspace& w, std::size_t index) {
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {
-  ImGui::PushTextWrapPos(0);
-  text_in(color ? color : ui.colors.faint, text);
+  ImGui::PushTextWrapPos(0);  // for words that are wider
+  text_in(color ? color : ui.colors.faint, wrapped(text, ImGui::GetContentRegionAvail().x));
   ImGui::PopTextWrapPos();
 }
 

@@ -56,6 +56,8 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
 /// Notes the last item's place under `name` when a recorder watches.
 void record(const Context& ui, const std::string& name, bool enabled = true);
 
+/// The title of what is always there.
+void heading(const Context& ui, const char* title);
 /// A collapsible section; true when open. Calls nothing to end.
 bool section(const Context& ui, const char* title, bool open_at_first = true);
 /// A few quiet words at the right of the section's line, to be read while it is closed too.
@@ -89,6 +91,9 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
 void note(const Context& ui, const std::string& text, ImU32 color = 0);
 /// The same with room for so many lines, whatever it says: what comes below stays where it is.
 void note_within(const Context& ui, int lines, const std::string& text, ImU32 color = 0);
+/// The text in lines of at most this width, broken between words alone: ImGui would break "3.7e-16" at its
+/// point. A word that is wider keeps a line of its own.
+std::string wrapped(const std::string& text, float width);
 /// As much of a text as there is room for, with "..." for the rest.
 std::string shortened(std::string text, float width);
 /// A tooltip for the last item, wrapped.

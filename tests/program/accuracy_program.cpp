@@ -24,7 +24,7 @@ Shown shown(Driver& d, const render::Image& empty) {
   const auto picture = d.picture();
   Shown sum;
   for (int y = 0; y < 660; ++y) {      // above the legend
-    for (int x = 330; x < 955; ++x) {  // beside the Lab, whose times are never the same
+    for (int x = 330; x < 955; ++x) {  // beside the timings, which differ in every run
       const auto p = picture.pixel(x, y);
       if (p == empty.pixel(x, y)) continue;
       sum.red += p[0];
@@ -127,15 +127,15 @@ TEST_CASE("the_term_of_the_formula_under_the_cursor_lights_its_link") {
   d.place_of("formula");
   const auto rect = d.viewer().recorder().find("formula");
   REQUIRE(rect);
-  std::set<std::size_t> lit;
+  std::set<deform::Link> lit;
   for (float x = rect->x0; x < rect->x1; x += 4) {
     d.move({x, rect->y0 + 14});
     d.frame();
-    if (const auto part = d.workspace().interaction.part) lit.insert(*part);
+    if (const auto stage = d.workspace().interaction.stage) lit.insert(*stage);
   }
-  CHECK(lit.contains(static_cast<std::size_t>(deform::Link::fused)));
-  CHECK(lit.contains(static_cast<std::size_t>(deform::Link::log_maps)));
+  CHECK(lit.contains(deform::Link::fused));
+  CHECK(lit.contains(deform::Link::log_maps));
   d.move({700, 20});
   d.frame();
-  CHECK_FALSE(d.workspace().interaction.part);
+  CHECK_FALSE(d.workspace().interaction.stage);
 }

@@ -66,7 +66,7 @@ TEST_CASE("a model without a cage is framed above the offer of one, and in the m
   const float above = lowest();
   CHECK(above < offer);
   d.click("hide_cage_offer");
-  d.click("frame_all");
+  d.run("frame_all");
   d.settle();
   CHECK(scene::offer_height(d.workspace()) == 0);
   CHECK(lowest() > above + 80);

@@ -33,7 +33,8 @@ public:
       : offscreen_(options, kind) {
     // What tests ask of frames, links and reach they ask of the published way, unless they choose another.
     document().scheme = {};
-    workspace().remembered.layout.sections["Lab"] = true;  // and its numbers are there
+    for (const char* title : {"Transform", "Select", "Display", "Analysis"})
+      workspace().remembered.layout.sections[title] = true;
   }
 
   static app::ViewerOptions default_options() {
@@ -124,10 +125,10 @@ public:
 
   /// Unfolds, one after the other, what is not there for want of room, until the widget is.
   void unfold_columns(const std::string& widget) {
-    for (const char* column : {"toggle_lab", "toggle_tools"}) {
-      const bool lab = std::string_view(column) == "toggle_lab";
+    for (const char* column : {"toggle_methods", "toggle_tools"}) {
+      const bool methods = std::string_view(column) == "toggle_methods";
       const auto shown = scene::shown_columns(workspace().remembered.layout, workspace().viewport.window.x);
-      if ((lab ? shown.lab : shown.tools) > 0) continue;
+      if ((methods ? shown.methods : shown.tools) > 0) continue;
       scene::find_command(column)->run(workspace());
       frame(3);
       if (unfold_custom(widget)) return;
@@ -137,13 +138,18 @@ public:
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {
         "elements",         "weights",          "blend",           "reach",      "exponent", "toggle_clamp",
-        "toggle_normalise", "toggle_as_before", "toggle_stitched", "iterations", "pins",     "hold"};
+        "toggle_normalise", "toggle_as_before", "toggle_stitched", "iterations", "pins",     "hold",
+        "formula"};
     const auto& recorder = viewer().recorder();
-    if (parts.contains(widget) && !recorder.find(widget) && recorder.find("section/Custom")) {
-      workspace().remembered.layout.sections["Custom"] = true;
+    if (parts.contains(widget) && !recorder.find(widget) && recorder.find("section/Custom deformer")) {
+      workspace().remembered.layout.sections["Custom deformer"] = true;
       frame(3);
     }
     return recorder.find(widget).has_value();
+  }
+  void run(const char* command) {
+    scene::find_command(command)->run(workspace());
+    frame(2);
   }
   /// Scrolls its column until the widget is visible, as a person would, and clicks its middle.
   void click(const std::string& widget) { click(place_of(widget)); }

@@ -342,14 +342,14 @@ TEST_CASE("numbers_are_typed_in_the_cage_panel") {
   d.click("transform_x");
   d.press_key(scene::Key::enter);
   CHECK_MESSAGE(test::edit_count(d.document().history) == 1, "an Enter without a change is no edit");
-  d.click("undo");
+  d.run("undo");
   d.click("select_all");
   d.click("strip/tool_rotate");
   const auto before = d.mesh();
   const glm::dvec3 center = test::selection_center(d.document());
   enter("transform_y", "90");
   CHECK(farthest_apart(d.mesh(), turned(before, center, 90)) < 1e-12);
-  d.click("undo");
+  d.run("undo");
   CHECK(d.pose() == rest);
 }
 

@@ -58,7 +58,7 @@ TEST_CASE("in_every_preset_the_home_key_does_what_the_home_button_does") {
     d.settle();
   };
   wander();
-  d.click("view_home");
+  d.run("view_home");
   d.settle();
   const auto home = d.workspace().camera.pose();
   for (const auto preset : presets) {

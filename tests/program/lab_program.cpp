@@ -1,4 +1,4 @@
-// The Lab: maps on the mesh, and the view split in several.
+// Maps on the mesh, and the view split in several.
 #include <cmath>
 #include <set>
 
@@ -295,14 +295,14 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   for (const auto& way : view.ways) CHECK(way.error < 1e-12);
   CHECK(view.ways[3].error == doctest::Approx(std::pow(10, d.workspace().field.stats.most)).epsilon(0.2));
   CHECK(view.ways[3].route.starts_with("degree 21"));
-  d.click("section/Vertex");
+  d.click("section/Vertex inspector");
   const auto before = d.picture();
   d.click("drop_vertex");
   d.settle();
   CHECK_FALSE(d.workspace().vertex.vertex);
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
   // A term of the formula leads there, too.
-  if (!d.viewer().recorder().find("formula")) d.click("section/Timings");
+  d.place_of("formula");
   const auto formula = d.viewer().recorder().find("formula");
   d.click(d.place_of("formula") - glm::vec2(0.5f * (formula->x1 - formula->x0) - 6, 0));
   d.settle();

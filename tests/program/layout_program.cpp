@@ -51,11 +51,11 @@ TEST_CASE("a_tab_folds_a_column_away_and_brings_it_back") {
   Driver d;
   d.open_dragon();
   CHECK(is_seen(d, "method_diag"));
-  d.click("tab/lab");
+  d.click("tab/methods");
   d.frame();
   CHECK_FALSE(d.viewer().recorder().find("method_diag"));
   CHECK(d.workspace().viewport.size.x == 960);
-  d.click("tab/lab");
+  d.click("tab/methods");
   d.frame();
   CHECK(is_seen(d, "method_diag"));
 }
@@ -65,8 +65,8 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
   {
     Driver d(remembering(folder / "state"));
     d.open_dragon();
-    d.click("tab/lab");
-    d.click("section/Measures");
+    d.click("tab/methods");
+    d.click("section/Transform");
     d.press_key(scene::key('T'));
     d.frame(2);
     d.workspace().requests.quit = true;
@@ -76,7 +76,7 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
   d.open_dragon();
   CHECK_FALSE(d.workspace().view.dark);
   CHECK_FALSE(d.viewer().recorder().find("method_diag"));
-  CHECK(d.viewer().recorder().find("unit_mm"));
+  CHECK_FALSE(d.viewer().recorder().find("transform_x"));
 }
 
 TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {
@@ -96,7 +96,7 @@ TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {
   d.workspace().attended = true;
   d.press_key(scene::Key::f2);
   d.frame(2);
-  CHECK(is_seen(d, "undo"));
+  CHECK(is_seen(d, "open_model"));
 }
 
 TEST_CASE("a_menu_runs_a_command") {
@@ -109,7 +109,7 @@ TEST_CASE("a_menu_runs_a_command") {
   CHECK_FALSE(d.workspace().view.grid);
   d.frame(2);
   CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // it is closed again
-  d.click("menu/Lab");
+  d.click("menu/Deform");
   d.frame(2);
   d.click("menu/method_sd");
   CHECK(d.document().method == sym3::Method::sd);
@@ -183,10 +183,10 @@ TEST_CASE("a_message_moves_no_button_and_goes_by_itself") {
   Driver d;
   d.open_dragon();
   d.frame(3);
-  const auto before = *d.viewer().recorder().find("undo");
+  const auto before = *d.viewer().recorder().find("open_model");
   d.workspace().messages.info("Saved the pose to /somewhere/pose.obj");
   d.frame(3);
-  const auto after = *d.viewer().recorder().find("undo");
+  const auto after = *d.viewer().recorder().find("open_model");
   CHECK(before.y0 == after.y0);
   CHECK(is_seen(d, "toast/0"));
   const double end = base::wall_seconds() + scene::Messages::info_seconds + 0.1;

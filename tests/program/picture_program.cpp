@@ -314,6 +314,11 @@ void put_numbers(Driver& d) {
   w.about = {"1.2.3", "Release, GCC 12", "avx2", "a graphics card"};
   w.methods = {.samples = {{{120, 3e-15, 2e-16}, {40, 2e-9, 4e-14}, {30, 6e-14, 7e-16}, {6, 8e-16, 1e-16}}},
                .matrices = 2048};
+  w.method_times = {.links = {{{{0.01, 0.02, 20, 19.4, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                               {{0.01, 0.02, 20, 18.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                               {{0.01, 0.02, 20, 5.6, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                               {{0.01, 0.02, 0, 0, 0, 0.05, 0.2, 0, 0, 0, 0.1}}}},
+                    .measured = true};
   w.stats.clear();
   w.stats.add({.links = {{0.01, 0.02, 0.03, 0.04, 0.05, 0.2, 0.1}},
                .upload = 0.3,
@@ -336,16 +341,6 @@ void show_checks(Driver& d) {
   d.click("section/Cage");
   d.click("finding/0");
   d.move({1, 1});
-  put_numbers(d);
-}
-
-void show_benchmark(Driver& d) {
-  d.frame(3);
-  for (const char* title : {"Model", "Cage", "Method", "Timings", "View", "Benchmark"})
-    d.click(std::string("section/") + title);
-  d.move({1, 1});
-  d.workspace().benchmark = {.count = 1 << 18,
-                             .bars = {{"Diag", 120}, {"SD", 40}, {"Improved SD", 30}, {"Fast", 6, true}}};
   put_numbers(d);
 }
 
@@ -380,7 +375,7 @@ void show_browser(Driver& d) {
 
 void show_choice(Driver& d, const char* chooser, const char* entry) {
   d.frame(3);
-  for (const char* title : {"Model", "Cage", "Timings"}) d.click(std::string("section/") + title);
+  for (const char* title : {"Model", "Cage"}) d.click(std::string("section/") + title);
   put_numbers(d);
   d.click(chooser);
   d.frame(2);
@@ -448,7 +443,6 @@ void show_outside(Driver& d) {
 const Picture texts[] = {
     {"panels", {560, 1140}, show_panels},
     {"checks", {640, 640}, show_checks},
-    {"benchmark", {480, 360}, show_benchmark, of_text},
     {"error_map", {860, 480}, show_error_map, of_errors},
     {"keys", {1400, 800}, show_keys, of_text},
     {"browser", {960, 520}, show_browser, of_text},

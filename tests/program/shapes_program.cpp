@@ -36,7 +36,6 @@ struct ShapeHand : Driver {
     frame();
     REQUIRE(until([&] { return document().library.poses.size() == 2; }));
     settle();
-    click("section/Poses");
     frame(2);
   }
   void write(const std::filesystem::path& file, double angle) {

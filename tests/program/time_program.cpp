@@ -8,10 +8,10 @@
 #include "program/driver.h"
 #include "render/image.h"
 #include "scene/document/edit.h"
-#include "scene/workspace/saving.h"
 #include "scene/document/time_edit.h"
-#include "support/folder.h"
 #include "scene/workspace/playing.h"
+#include "scene/workspace/saving.h"
+#include "support/folder.h"
 
 using namespace viete;
 using scene::Easing;
@@ -81,8 +81,7 @@ constexpr float ruler = 0.05f, keys = 0.5f;
 
 double distance_of(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
   double largest = 0;
-  for (std::size_t v = 0; v < a.size(); ++v)
-    largest = std::max(largest, mesh::norm(a[v] - b[v]));
+  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, mesh::norm(a[v] - b[v]));
   return largest;
 }
 
@@ -122,7 +121,7 @@ TEST_CASE("poses_are_kept_with_a_picture_and_mixed_by_sliders") {
   d.type("150");
   d.press_key(scene::Key::enter);
   CHECK(distance_of(d.pose(), rest) > distance_of(alert, rest));
-  d.click("clear_mix");
+  d.run("clear_mix");
   CHECK(d.pose() == rest);
 
   d.click("pose/1");
@@ -137,7 +136,7 @@ TEST_CASE("poses_are_kept_with_a_picture_and_mixed_by_sliders") {
   scene::find_command("pose_up")->run(d.workspace());
   d.frame();
   CHECK(d.document().library.poses[0].name == "Wings");
-  d.click("remove_pose");
+  d.run("remove_pose");
   CHECK(d.document().library.poses.size() == 2);
   d.press_key('Z', true);
   CHECK(d.document().library.poses.size() == 3);

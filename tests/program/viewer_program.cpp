@@ -199,10 +199,10 @@ TEST_CASE("undo_redo_and_cancel_by_keys_restore_exactly") {
   CHECK(d.document().pose.positions == moved);
   CHECK(positions(d) == mesh_before);
   CHECK(test::edit_count(d.document().history) == 1);
-  d.click("undo");
+  d.run("undo");
   CHECK(d.document().pose.positions == rest);
-  d.click("redo");
-  d.click("reset_pose");
+  d.run("redo");
+  d.run("reset_pose");
   CHECK(d.document().pose.positions == rest);
 }
 
@@ -325,7 +325,7 @@ TEST_CASE("a_way_is_one_choice_and_what_it_is_made_of_is_folded_away") {
     CHECK_FALSE(d.viewer().recorder().find("elements"));
   }
   CHECK(test::edit_count(d.document().history) == deform::all_ways().size());
-  d.click("section/Custom");
+  d.click("section/Custom deformer");
   d.frame(2);
   d.choose("elements", "elements_edge");
   d.settle();

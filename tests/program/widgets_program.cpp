@@ -74,17 +74,14 @@ struct Held : Driver {
     open_dragon("pose_alert");
     workspace().view.model = false;  // to draw it takes long
     for (const char* section : {"Poses", "Probes"}) workspace().remembered.layout.sections[section] = true;
-    workspace().remembered.layout.sections["Model"] = workspace().remembered.layout.sections["View"] = false;
+    workspace().remembered.layout.sections["Model"] = workspace().remembered.layout.sections["Display"] =
+        false;
     for (const char* command : {"keep_pose", "reset_pose", "toggle_soft"}) run(command);
     scene::set_key(document(), 1);
     scene::set_key(document(), 20);
     scene::set_easing(document(), std::vector{1}, scene::Easing::bezier);
     workspace().remembered.layout.timeline = true;
     frame(3);
-  }
-  void run(const char* command) {
-    scene::find_command(command)->run(workspace());
-    frame(2);
   }
   // Something that can be repeated is there before, and after it.
   void check_called_off(const std::string& widget, glm::vec2 way) {
@@ -119,7 +116,7 @@ TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
   for (const char* slider : {"reach", "exponent", "turn", "stretch", "pose_weight/0", "soft_radius"})
     d.check_called_off(slider, right);
   d.check_called_off("time/handle1", {20, -20});
-  d.check_called_off("edge/lab", {-40, 0});
+  d.check_called_off("edge/methods", {-40, 0});
   d.check_called_off("edge/tools", {40, 0});
   d.run("toggle_stitched");
   for (const char* slider : {"iterations", "pins", "hold"}) d.check_called_off(slider, right);
@@ -132,7 +129,7 @@ TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
 
 TEST_CASE("esc_closes_what_has_dropped_down_and_changes_nothing") {
   Held d;
-  d.workspace().remembered.layout.sections["View"] =
+  d.workspace().remembered.layout.sections["Display"] =
       true;  // below the probes, so that these are scrolled into view
   d.run("add_probe");
   for (const char* chooser :
@@ -173,7 +170,7 @@ TEST_CASE("a_pose_moves_the_whole_cage_unless_the_box_says_otherwise") {
   CHECK(d.document().library.poses[0].weight > 0);
   CHECK(d.document().library.poses[0].part.empty());
   d.run("clear_mix");
-  d.click("toggle_mix_selected");
+  d.run("toggle_mix_selected");
   CHECK(d.workspace().handling.mix_selected);
   d.click("pose_weight/0");
   CHECK(d.document().library.poses[0].part.size() == 3);
@@ -245,21 +242,64 @@ TEST_CASE("two_clicks_on_a_file_to_save_under_replace_nothing") {
   CHECK(test::file_bytes(folder / "precious.obj") == "precious");
 }
 
-TEST_CASE("the_lab_is_one_line_until_it_is_opened") {
+TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a_click") {
+  for (const auto& [size, scale] :
+       {std::pair{glm::ivec2(1440, 900), 1.0f}, std::pair{glm::ivec2(512, 320), 2.0f}}) {
+    auto options = sized(size);
+    options.scale = scale;
+    Driver d(options);
+    d.workspace().remembered.layout.sections.clear();
+    d.open_dragon("pose_alert");
+    d.frame(3);
+    const auto& recorder = d.viewer().recorder();
+    std::vector<std::string> always{"method_diag", "method_sd", "method_improved_sd", "method_fast"};
+    if (scale == 1) always.insert(always.end(), {"timings/Diag", "timings/Fast", "errors", "way", "turn"});
+    for (const std::string& widget : always) {
+      CAPTURE(widget);
+      REQUIRE(recorder.find(widget));
+      CHECK(recorder.find(widget)->visible);
+    }
+    CHECK_FALSE(recorder.find("elements"));
+    keep_picture(d, "first_sight_" + std::to_string(size.x));
+  }
+}
+
+TEST_CASE("the_left_column_has_at_most_twenty_controls_before_anything_is_unfolded") {
   Driver d(sized({1440, 900}));
+  d.workspace().remembered.layout.sections.clear();
+  d.open_dragon();
+  d.frame(3);
+  std::size_t controls = 0;
+  for (const auto& [name, rect] : d.viewer().recorder().all())
+    controls += rect.x1 <= d.workspace().viewport.origin.x && !name.starts_with("menu/");
+  CHECK(controls > 5);
+  CHECK(controls <= 20);
+}
+
+TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_during_a_drag") {
+  auto options = sized({1440, 900});
+  options.probe = true;
+  Driver d(options);
   d.open_dragon("pose_alert");
-  d.workspace().remembered.layout.sections.erase("Lab");
-  d.frame(3);
-  CHECK(d.viewer().recorder().find("way"));
-  CHECK_FALSE(d.viewer().recorder().find("elements"));
-  for (const char* widget : {"method_fast", "section/Timings", "section/Accuracy", "section/Benchmark"})
-    CHECK_FALSE(d.viewer().recorder().find(widget));
-  keep_picture(d, "lab_closed");
-  d.click("section/Lab");
-  d.frame(3);
-  for (const char* widget : {"method_fast", "section/Timings", "section/Accuracy", "section/Benchmark"})
-    CHECK(d.viewer().recorder().find(widget));
-  keep_picture(d, "lab_open");
+  const auto& times = d.workspace().method_times;
+  REQUIRE(d.until([&] { return times.measured; }));
+  for (const auto& links : times.links) CHECK(links.total() > 0);
+  for (const std::size_t staged : {0, 1, 2}) CHECK(times.links[staged][deform::Link::exp] > 0);
+  CHECK(times.links[3][deform::Link::fused] > 0);
+  // Their weights are there: the choice of another method binds nothing.
+  d.click("method_diag");
+  d.frame(2);
+  CHECK(d.viewer().deformer()->ran() == deform::EngineKind::staged);
+  keep_picture(d, "timings");
+
+  d.workspace().method_times = {};
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.press_and_move(at, at + glm::vec2(40, 20));
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  while (std::chrono::steady_clock::now() < end) d.frame();
+  CHECK_FALSE(times.measured);
+  d.button(0, false);
+  CHECK(d.until([&] { return times.measured; }));
 }
 
 TEST_CASE("the_first_start_asks_once_whose_keys_the_hands_know") {

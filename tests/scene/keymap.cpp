@@ -80,7 +80,7 @@ TEST_CASE("a_key_of_another_program_does_here_what_it_does_there_or_nothing") {
   const Expected all[] = {
       {KeyPreset::blender, "Ctrl+R", {}},  // cuts a loop
       {KeyPreset::blender, "T", {"toggle_tools"}},
-      {KeyPreset::blender, "N", {"toggle_lab"}},
+      {KeyPreset::blender, "N", {"toggle_methods"}},
       {KeyPreset::blender, "K", {}},  // a knife
       {KeyPreset::blender, "U", {}},
       {KeyPreset::blender, "P", {}},

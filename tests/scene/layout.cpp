@@ -12,22 +12,22 @@ TEST_CASE("both_columns_are_shown_where_the_view_keeps_its_least_width") {
   const PanelLayout layout;
   const auto wide = shown_columns(layout, 1280);
   CHECK(wide.tools == 320);
-  CHECK(wide.lab == 320);
+  CHECK(wide.methods == 320);
   const auto tight = shown_columns(layout, PanelLayout::least_view + 2 * PanelLayout::least_width);
   CHECK(tight.tools == PanelLayout::least_width);
-  CHECK(tight.lab == PanelLayout::least_width);
+  CHECK(tight.methods == PanelLayout::least_width);
 }
 
 TEST_CASE("where_there_is_room_for_one_column_the_one_unfolded_last_is_shown") {
   PanelLayout layout;
-  CHECK(shown_columns(layout, 800).tools == 320);
-  CHECK(shown_columns(layout, 800).lab == 0);
-  toggle_column(layout, Column::lab, 800);
+  CHECK(shown_columns(layout, 800).methods == 320);
   CHECK(shown_columns(layout, 800).tools == 0);
-  CHECK(shown_columns(layout, 800).lab == 320);
-  CHECK(shown_columns(layout, 1280).tools == 320);  // it was not folded away
-  toggle_column(layout, Column::lab, 800);
+  toggle_column(layout, Column::tools, 800);
+  CHECK(shown_columns(layout, 800).methods == 0);
   CHECK(shown_columns(layout, 800).tools == 320);
+  CHECK(shown_columns(layout, 1280).methods == 320);  // it was not folded away
+  toggle_column(layout, Column::tools, 800);
+  CHECK(shown_columns(layout, 800).methods == 320);
 }
 
 TEST_CASE("a_folded_column_leaves_its_place_to_the_view") {
@@ -41,9 +41,9 @@ TEST_CASE("a_folded_column_leaves_its_place_to_the_view") {
 
 TEST_CASE("a_width_stays_within_its_limits_and_leaves_room_for_the_view") {
   PanelLayout layout;
-  set_width(layout, Column::lab, 10, 1280);
+  set_width(layout, Column::methods, 10, 1280);
   CHECK(layout.width[1] == PanelLayout::least_width);
-  set_width(layout, Column::lab, 5000, 1280);
+  set_width(layout, Column::methods, 5000, 1280);
   CHECK(layout.width[1] == PanelLayout::largest_width);
   set_width(layout, Column::tools, 5000, 1280);
   CHECK(view_between(layout, {1280, 800}, true).size.x >= PanelLayout::least_view);
@@ -56,8 +56,8 @@ TEST_CASE("layout_theme_and_window_come_back_and_what_is_out_of_range_is_brought
   remembered.window = glm::ivec2(1000, 700);
   remembered.layout.width = {300, 400};
   remembered.layout.folded = {true, false};
-  remembered.layout.last = Column::lab;
-  remembered.layout.sections = {{"Measures", true}, {"Model", false}};
+  remembered.layout.last = Column::methods;
+  remembered.layout.sections = {{"Analysis", true}, {"Model", false}};
   write_remembered(folder / "r.json", remembered);
   CHECK(read_remembered(folder / "r.json") == remembered);
   test::put_file(folder / "r.json",

@@ -38,7 +38,7 @@ void add_blend_commands(CommandTable& table) {
   table.heading("Method");
   add_methods(table);
   table.heading("Blend");
-  add_table(table, deform::all_ways(), "Way");
+  add_table(table, deform::all_ways(), "Deformer");
   add_table(table, deform::all_elements(), "Elements");
   add_table(table, deform::all_weights(), "Weights");
   add_table(table, deform::all_blends(), "Blend");
@@ -65,19 +65,17 @@ void add_blend_commands(CommandTable& table) {
             {key('K'), false, true}, with_free_hand<has_reach>,
             [](Workspace& w) { step_reach(w.document, 1); });
   table.heading("Method");
-  table.add("toggle_same_path", "Compare on the same path",
-            "Run Fast link by link in double, too, as the other methods run, so that times compare like with "
-            "like; else its frame is fused, in float.",
-            uses_method, switches(&ViewOptions::same_path));
-  table.add("run_benchmark", {"Measure every method", "Measure"},
-            "Measure every method on random matrices, beside the view.", is_not_measuring,
-            [](Workspace& w) { w.requests.run_benchmark = true; });
-  table.add("show_report", {"Measure a report and open it", "Report"},
-            "Measure the figures of the paper and more, of the dragon, for half a minute, and open them as a "
-            "page in the browser.",
-            is_not_measuring, [](Workspace& w) { w.requests.show_report = true; });
-  table.add("stop_benchmark", {"Stop measuring", "Cancel"}, "Stop measuring; what was measured before stays.",
-            is_measuring, passing([](Workspace& w) { w.requests.stop_benchmark = true; }));
+  table.add(
+      "toggle_same_path", "Same engine for all (staged, double)",
+      "Run Fast stage by stage in double precision, as the other methods. Otherwise its frame is one pass in "
+      "single precision.",
+      uses_method, switches(&ViewOptions::same_path));
+  table.add("show_report", {"Make a report", "Make a report"},
+            "Measure the figures of the paper on the dragon, which takes half a minute, and open them in the "
+            "browser.",
+            is_not_reporting, [](Workspace& w) { w.requests.show_report = true; });
+  table.add("stop_report", {"Cancel the report", "Cancel"}, "Stop measuring.", is_reporting,
+            passing([](Workspace& w) { w.requests.stop_report = true; }));
 }
 
 }  // namespace viete::scene

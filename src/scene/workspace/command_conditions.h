@@ -127,10 +127,10 @@ inline constexpr Condition has_cage_beside{
     "There is no file beside the model that looks like its cage."};
 inline constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
                                         "Nothing is being exported."};
-inline constexpr Condition is_measuring{[](const Workspace& w) { return w.benchmark.running; },
-                                        "Nothing is being measured."};
-inline constexpr Condition is_not_measuring{[](const Workspace& w) { return !w.benchmark.running; },
-                                            "A measurement is running; cancel it first."};
+inline constexpr Condition is_reporting{[](const Workspace& w) { return w.reporting.running; },
+                                        "No report is being made."};
+inline constexpr Condition is_not_reporting{[](const Workspace& w) { return !w.reporting.running; },
+                                            "A report is being made; cancel it first."};
 inline constexpr Condition has_leftover{
     [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
     "There are no unsaved edits of an earlier run."};

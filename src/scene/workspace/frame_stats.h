@@ -24,32 +24,31 @@ using sym3::Method;
 
 /// Milliseconds of wall time of one frame.
 struct FrameTimes {
-  double when = 0;          ///< seconds on a monotonic clock
+  double when = 0;  ///< seconds on a monotonic clock
+  Method method = Method::fast;
   deform::LinkTimes links;  ///< zero if the cage did not move
   double upload = 0, draw = 0, panels = 0;
   double frame = 0;  ///< the whole, from input to the finished picture
-
-  double other() const { return frame - links.total() - upload - draw - panels; }
 };
 
-/// The history behind the timing panel: of frames that deformed, and of those since that only showed the
-/// model anew, as when the camera moves.
+/// Medians for the timing panel: of frames that deformed with the method of the newest one, and of frames
+/// since then that only drew the model, as when the camera moves.
 class FrameStats {
 public:
   void add(const FrameTimes& times);
 
   /// Componentwise medians over the last half second of frames like the newest one, which deformed or did
-  /// not; nothing before the first that deformed.
-  std::optional<FrameTimes> median() const;
-  /// The same of those that deformed.
-  std::optional<FrameTimes> deforming_median() const;
-  /// Of deforming frames, oldest first, at most 240.
-  const std::deque<FrameTimes>& history() const { return history_; }
-  void clear() { history_.clear(), since_.clear(); }
+  /// not; nothing before the first that deformed. Changes at most four times a second, so that it can be
+  /// read.
+  const std::optional<FrameTimes>& median() const { return median_; }
+  /// The same of frames that deformed.
+  const std::optional<FrameTimes>& deforming_median() const { return deforming_median_; }
+  void clear() { *this = {}; }
 
 private:
-  std::deque<FrameTimes> history_;
-  std::deque<FrameTimes> since_;  ///< that did not deform, since the last that did
+  std::deque<FrameTimes> deforming_, drawing_;
+  std::optional<FrameTimes> median_, deforming_median_;
+  double due_ = 0;  ///< seconds on the same clock
 };
 
 /// One method on a sample of the frame's matrices.
@@ -64,6 +63,12 @@ struct MethodSample {
 struct MethodStats {
   std::array<MethodSample, compared_methods.size()> samples{};
   std::size_t matrices = 0;  ///< in the sample; 0 until the first measurement
+};
+
+/// What a deformation of the open pose costs with each method, in the order of compared_methods.
+struct MethodTimes {
+  std::array<deform::LinkTimes, compared_methods.size()> links{};  ///< all 0: not measured
+  bool measured = false;                                           ///< in the background; else only by frames
 };
 
 /// The field that is shown as colours on the mesh, as it was computed last; some are computed aside.

@@ -119,7 +119,7 @@ constexpr Condition has_mirrored_selection{
 }  // namespace
 
 void add_hand_commands(CommandTable& table) {
-  table.heading("Hand");
+  table.heading("Transform");
   table.add("grab", {"Grab the selection", "Grab"},
             "The selection follows the cursor until a click; Esc takes it back.", can_grab, grab<Tool::move>);
   table.add("grab_rotate", {"Turn the selection", "Turn"},

@@ -57,7 +57,7 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"toggle_wireframe", {key('Z'), false, true, true}, {}},
     {"command_palette", {Key::f3}, {}},
     {"toggle_tools", plain('T'), {}},
-    {"toggle_lab", plain('N'), {}},
+    {"toggle_methods", plain('N'), {}},
     {"toggle_panels", {Key::space, true}, {}},
     {"redo", {key('Z'), true, true}, {}},
     {"delete_keys", plain('X'), {Key::delete_key}},

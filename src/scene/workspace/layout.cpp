@@ -11,7 +11,7 @@ constexpr std::size_t index(Column column) {
 }
 
 constexpr Column other(Column column) {
-  return column == Column::tools ? Column::lab : Column::tools;
+  return column == Column::tools ? Column::methods : Column::tools;
 }
 
 // As wide as it was made, or as there is room.
@@ -43,7 +43,7 @@ Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool p
   if (!panels) return {window, {0, 0}, glm::max(glm::vec2(1), window)};
   const ColumnWidths columns = shown_columns(layout, window.x);
   const float below = PanelLayout::status_height + (layout.timeline ? PanelLayout::timeline_height : 0);
-  const glm::vec2 covered(columns.tools + columns.lab, PanelLayout::menu_height + below);
+  const glm::vec2 covered(columns.tools + columns.methods, PanelLayout::menu_height + below);
   return {window, {columns.tools, PanelLayout::menu_height}, glm::max(glm::vec2(1), window - covered)};
 }
 

@@ -10,8 +10,8 @@
 
 namespace viete::scene {
 
-/// The columns: tools at the left, the Lab (how it is computed, how fast and how exactly) at the right.
-enum class Column { tools, lab };
+/// The columns: tools at the left; methods, their timings and the deformer at the right.
+enum class Column { tools, methods };
 
 /// Logical pixels. As a person has arranged it; what of it there is room for is shown.
 struct PanelLayout {
@@ -21,7 +21,7 @@ struct PanelLayout {
 
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};
-  Column last = Column::tools;           ///< unfolded last: shown where there is room for one
+  Column last = Column::methods;         ///< unfolded last: shown where there is room for one
   bool timeline = false;                 ///< below the view, between the columns
   std::map<std::string, bool> sections;  ///< by title, of those that were opened or closed: open?
 
@@ -32,8 +32,8 @@ struct PanelLayout {
 
 /// As wide as they are shown in a window; 0: not at all.
 struct ColumnWidths {
-  float tools = 0, lab = 0;
-  float of(Column column) const { return column == Column::tools ? tools : lab; }
+  float tools = 0, methods = 0;
+  float of(Column column) const { return column == Column::tools ? tools : methods; }
 };
 ColumnWidths shown_columns(const PanelLayout& layout, float window_width);
 

@@ -1,4 +1,4 @@
-// Commands of the Lab's maps: fields as colours on the mesh.
+// Commands of the maps: fields as colours on the mesh.
 #include <algorithm>
 
 #include "scene/document/brush.h"
@@ -13,7 +13,7 @@ namespace {
 using lab::Field;
 
 constexpr Condition has_map{[](const Workspace& w) { return w.field.values != nullptr; },
-                            "Choose a map of the Lab first."};
+                            "Choose a map first (Analysis, Map)."};
 
 constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
                                "Pick a vertex first."};

@@ -16,9 +16,9 @@ struct Title {
 
 constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
                             {"Select", {"Select"}},    {"Cage", {"Cage"}},
-                            {"Tool", {"Tool"}},        {"Hand", {"Hand"}},
+                            {"Tool", {"Tool"}},        {"Transform", {"Transform"}},
                             {"Probes", {"Probes"}},    {"Time", {"Poses", "Time"}},
-                            {"View", {"View"}},        {"Lab", {"Method", "Blend", "Map", "Views"}},
+                            {"View", {"View"}},        {"Deform", {"Method", "Blend", "Map", "Views"}},
                             {"Help", {"Help", "Keys"}}};
 
 bool holds(const Title& title, std::string_view group) {

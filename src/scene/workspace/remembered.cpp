@@ -32,7 +32,7 @@ ordered_json to_json(const RecentFile& recent) {
   return json;
 }
 
-constexpr const char* column_names[] = {"tools", "lab"};
+constexpr const char* column_names[] = {"tools", "methods"};
 
 ordered_json to_json(const PanelLayout& layout) {
   ordered_json json;
@@ -54,7 +54,8 @@ PanelLayout layout_of(const JsonReader& json) {
         static_cast<float>(std::clamp<double>(width, PanelLayout::least_width, PanelLayout::largest_width));
     layout.folded[i] = column->at("folded").boolean();
   }
-  if (const auto last = json.find("last"); last && last->text() == column_names[1]) layout.last = Column::lab;
+  if (const auto last = json.find("last"); last && last->text() == column_names[1])
+    layout.last = Column::methods;
   if (const auto timeline = json.find("timeline")) layout.timeline = timeline->boolean();
   if (const auto sections = json.find("sections")) {
     for (const std::string& title : sections->keys()) layout.sections[title] = sections->at(title).boolean();

@@ -158,11 +158,11 @@ void add_view_commands(CommandTable& table) {
             {[](Workspace& w) { w.full_screen = !w.full_screen; },
              [](const Workspace& w) { return w.full_screen; }});
   table.add("toggle_tools", {"Show the tools column", "Tools column"},
-            "Show or fold away the column of files, cage and tools.", always,
+            "Show or hide the left column: model, cage, poses and tools.", always,
             {toggle_column_of<Column::tools>, column_shown<Column::tools>});
-  table.add("toggle_lab", {"Show the Lab", "Lab"},
-            "Show or fold away the Lab: method, timings, accuracy and benchmark.", always,
-            {toggle_column_of<Column::lab>, column_shown<Column::lab>});
+  table.add("toggle_methods", {"Show the methods column", "Methods column"},
+            "Show or hide the right column: method, timings, deformer and analysis.", always,
+            {toggle_column_of<Column::methods>, column_shown<Column::methods>});
 }
 
 void add_help_commands(CommandTable& table) {

@@ -30,7 +30,6 @@
 #include "scene/hand/transform_drag.h"
 #include "scene/pictures/choice_picture.h"
 #include "scene/pictures/pose_picture.h"
-#include "scene/workspace/benchmark.h"
 #include "scene/workspace/check_state.h"
 #include "scene/workspace/file_browser.h"
 #include "scene/workspace/frame_stats.h"
@@ -66,11 +65,11 @@ struct Interaction {
   std::optional<SelectMode> brushing;  ///< or the brush selects
   std::optional<SelectShape> armed;    ///< the next left drag draws it, wherever it begins; the brush stays
   float select_radius = 40;            ///< of the brush, logical pixels
-  bool crowded = false;             ///< elements are so close under the cursor that a drag on one draws a box
-  std::optional<glm::vec2> menu;    ///< the right button was clicked here: a menu is to open
-  glm::vec2 menu_at{0, 0};          ///< and that is what its commands are for
-  std::optional<std::size_t> part;  ///< of the frame, under the cursor: a link, or what comes after them
-  bool placing_pivot = false;       ///< the next click says where
+  bool crowded = false;           ///< elements are so close under the cursor that a drag on one draws a box
+  std::optional<glm::vec2> menu;  ///< the right button was clicked here: a menu is to open
+  glm::vec2 menu_at{0, 0};        ///< and that is what its commands are for
+  std::optional<Link> stage;      ///< of the deformation, under the cursor
+  bool placing_pivot = false;     ///< the next click says where
   struct Grab {
     Tool tool;
     Shape shape = Shape::none;
@@ -103,7 +102,7 @@ struct Requests {
   bool stop_work = false;  ///< reading, binding or making a cage
   bool stop_export = false;
   bool frame_finding = false;  ///< move the camera to the finding that is shown
-  bool run_benchmark = false, show_report = false, stop_benchmark = false;
+  bool show_report = false, stop_report = false;
   bool manual = false;
   ScriptRequest script = ScriptRequest::none;
   std::optional<OpenRequest> open;
@@ -218,6 +217,7 @@ struct Workspace {
   Requests requests;
   FrameStats stats;
   MethodStats methods;
+  MethodTimes method_times;
   FieldView field;
   VertexView vertex;
   Split split;
@@ -231,7 +231,7 @@ struct Workspace {
   CageMaking making;
   bool offer_cage = true;  ///< ways to get one are shown while the model has none
   CheckState checks;
-  Benchmark benchmark;
+  WorkState reporting;
   Scripting scripting;
   Saved saved;
   Remembered remembered;

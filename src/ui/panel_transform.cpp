@@ -1,4 +1,5 @@
-// About what, along what and with what else the selection moves.
+// Where the selection is, and about what, along what and with what else it moves.
+#include "scene/document/elements.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
@@ -8,12 +9,12 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float hand_label = 56;
+constexpr float transform_label = 56;
 
-void hand_row(const Context& ui, const char* text) {
+void label_row(const Context& ui, const char* text) {
   ImGui::AlignTextToFramePadding();
   text_in(ui.colors.faint, text);
-  ImGui::SameLine(hand_label + ImGui::GetStyle().WindowPadding.x);
+  ImGui::SameLine(transform_label + ImGui::GetStyle().WindowPadding.x);
 }
 
 float half_of_rest() {
@@ -22,7 +23,7 @@ float half_of_rest() {
 
 void pivot_row(const Context& ui) {
   const scene::Handling& handling = ui.workspace.handling;
-  hand_row(ui, "Pivot");
+  label_row(ui, "Pivot");
   const float width = half_of_rest();
   choice_list(ui, "pivot", std::optional(handling.pivot), width);
   ImGui::SameLine();
@@ -37,7 +38,7 @@ std::string pairs_text(const scene::KnownMirror& known) {
 
 void mirror_row(const Context& ui) {
   scene::Workspace& w = ui.workspace;
-  hand_row(ui, "Mirror");
+  label_row(ui, "Mirror");
   const float width = half_of_rest();
   choice_list(ui, "mirror", std::optional(w.handling.mirror), width);
   w.interaction.show_partners = ImGui::IsItemHovered() && w.mirror.mirror.has_value();
@@ -70,7 +71,7 @@ void soft_radius(const Context& ui, float width) {
 
 void soft_rows(const Context& ui) {
   const scene::SoftSelection& soft = ui.workspace.handling.soft;
-  const float left = ImGui::GetCursorPosX(), column = left + hand_label;
+  const float left = ImGui::GetCursorPosX(), column = left + transform_label;
   command_toggle(ui, "toggle_soft", soft.on);
   ImGui::SameLine(column);
   ImGui::BeginDisabled(!soft.on);
@@ -83,8 +84,8 @@ void soft_rows(const Context& ui) {
   ImGui::EndDisabled();
 }
 
-// What is in force while it is closed.
-std::string hand_text(const scene::Workspace& w) {
+// Shown while the section is folded.
+std::string transform_text(const scene::Workspace& w) {
   std::string text(scene::entry_of(w.handling.pivot).label);
   if (scene::mirror_of(w)) text += ", mirrored";
   if (w.handling.soft.on) text += ", soft";
@@ -93,11 +94,16 @@ std::string hand_text(const scene::Workspace& w) {
 
 }  // namespace
 
-void panel_hand(const Context& ui) {
+void panel_transform(const Context& ui) {
   if (!ui.workspace.document.is_movable()) return;
-  const bool open = section(ui, "Hand");
-  section_note(ui, hand_text(ui.workspace));
+  const bool open = section(ui, "Transform", false);
+  section_note(ui, transform_text(ui.workspace));
   if (!open) return;
+  const scene::Selection& selection = ui.workspace.document.selection;
+  value_row(ui, "Selected",
+            count(selection.size()) + " of " +
+                count(scene::element_count(ui.workspace.document, selection.kind())));
+  transform_fields(ui);
   pivot_row(ui);
   if (!ui.workspace.document.has_cage()) return;
   mirror_row(ui);

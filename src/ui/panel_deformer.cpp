@@ -11,6 +11,7 @@
 #include "scene/workspace/command.h"
 #include "ui/choice_picture.h"
 #include "ui/panels.h"
+#include "ui/stages.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
@@ -19,7 +20,7 @@ namespace {
 
 using scene::entry;
 
-constexpr float label_width = 84;
+constexpr float chooser_label = 84;
 constexpr const char* custom = "Custom";
 
 // What changes along with the entry that is chosen, and what it takes.
@@ -52,17 +53,17 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
   choice_hint(ui, choice.value, consequences(w, next, choice.label));
 }
 
-// One of a table: closed it shows what is chosen, or "Custom".
+// A drop-down list of a table; without a label it fills the line.
 template <class Entry, class Value>
 void chooser(const Context& ui, const char* name, const char* label, std::span<const Entry> table,
              std::optional<Value> chosen) {
-  row_label(label, label_width);
+  if (*label) row_label(label, chooser_label);
   ImGui::SetNextItemWidth(-1);
   const std::string id = std::string("##") + name;
   const char* shown = chosen ? entry(*chosen).label.data() : custom;
   const bool open = ImGui::BeginCombo(id.c_str(), shown, ImGuiComboFlags_HeightLarge);
   record(ui, name);
-  if (!open && !chosen) return hint("A combination of your own: see Custom, below.");
+  if (!open && !chosen) return hint("A combination of your own; see Custom deformer in Analysis.");
   if (!open) return choice_hint(ui, *chosen);
   for (const Entry& e : table) choice(ui, e, e.value == chosen);
   ImGui::EndCombo();
@@ -72,7 +73,7 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
 bool stops(const Context& ui, const char* name, const char* label, int& stop, int last, bool used,
            const std::string& value, const std::string& hint_text) {
   ImGui::BeginDisabled(!used);
-  row_label(label, label_width);
+  row_label(label, chooser_label);
   constexpr float value_width = 84;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(-value_width);
@@ -145,7 +146,7 @@ void weight_limits(const Context& ui) {
   const char* name = sums ? "toggle_normalise" : "toggle_clamp";
   const scene::Condition& condition = scene::find_command(name)->enabled;
   const bool possible = condition(ui.workspace);
-  row_label("Limits", label_width);
+  row_label("Limits", chooser_label);
   ImGui::BeginDisabled(!possible);
   command_toggle(ui, name, sums ? weighting.used_normalise() : weighting.used_clamp());
   record(ui, name, possible);
@@ -174,14 +175,12 @@ void amount_sliders(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   const bool used = entry(document.scheme.weighting.elements).affine;
   scene::Amounts amounts = document.scheme.amounts;
-  const bool turned = amount_slider(
-      ui, "turn", "Turn", amounts.turn, used,
-      "How much of the cage's rotations acts, in log space. 0 %: the model follows without turning. "
-      "200 %: it turns twice as far.");
+  const bool turned =
+      amount_slider(ui, "turn", "Rotation", amounts.turn, used,
+                    "Scales the blended rotation. 0 % ignores the cage's rotation; 100 % is normal.");
   const bool stretched = amount_slider(
       ui, "stretch", "Stretch", amounts.stretch, used,
-      "How much of the cage's stretches acts, in log space. 0 %: the model turns and moves, and keeps "
-      "its thickness. 200 %: it stretches by the square.");
+      "Scales the logarithm of the blended stretch. 0 % keeps the thickness of the model; 100 % is normal.");
   if (turned || stretched) scene::set_amounts(document, amounts);
 }
 
@@ -205,7 +204,7 @@ void stitching(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   const scene::Condition& condition = scene::find_command("toggle_stitched")->enabled;
   const bool possible = condition(ui.workspace), stitched = document.scheme.stitched();
-  row_label("Shape", label_width);
+  row_label("Shape", chooser_label);
   ImGui::BeginDisabled(!possible);
   command_toggle(ui, "toggle_stitched", stitched);
   ImGui::EndDisabled();
@@ -226,30 +225,27 @@ void stitching(const Context& ui) {
   holding(ui);
 }
 
-// What ways are made of, for those who want another one.
-void panel_custom(const Context& ui, bool has_radius) {
-  if (!section(ui, custom, false)) return;
+}  // namespace
+
+void panel_custom(const Context& ui) {
+  if (!section(ui, "Custom deformer", false)) return;
   const scene::Scheme& scheme = ui.workspace.document.scheme;
+  if (const auto stage = frame_formula(ui)) ui.workspace.interaction.stage = stage;
   chooser(ui, "elements", "Elements", scene::all_elements(), std::optional(scheme.weighting.elements));
   chooser(ui, "weights", "Weights", scene::all_weights(), std::optional(scheme.weighting.weights));
   chooser(ui, "blend", "Blend", scene::all_blends(), std::optional(scheme.blend));
-  if (!has_radius) reach_slider(ui);
+  if (!entry(scheme.weighting.weights).has.radius) reach_slider(ui);
   falloff_slider(ui);
   weight_limits(ui);
   stitching(ui);
 }
 
-}  // namespace
-
-void panel_blending(const Context& ui) {
+void panel_deformer(const Context& ui) {
   const scene::Scheme& scheme = ui.workspace.document.scheme;
-  const bool has_radius = entry(scheme.weighting.weights).has.radius;
-  if (section(ui, "Blending")) {
-    chooser(ui, "way", "Way", scene::all_ways(), scene::way_of(scheme));
-    if (has_radius) radius_slider(ui);
-    amount_sliders(ui);
-  }
-  panel_custom(ui, has_radius);
+  heading(ui, "Deformer");
+  chooser(ui, "way", "", scene::all_ways(), scene::way_of(scheme));
+  if (entry(scheme.weighting.weights).has.radius) radius_slider(ui);
+  amount_sliders(ui);
 }
 
 }  // namespace viete::ui

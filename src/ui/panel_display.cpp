@@ -3,8 +3,8 @@
 
 namespace viete::ui {
 
-void panel_view(const Context& ui) {
-  if (!section(ui, "View")) return;
+void panel_display(const Context& ui) {
+  if (!section(ui, "Display", false)) return;
   const float half = 0.5f * ImGui::GetContentRegionAvail().x;
   const float left = ImGui::GetCursorPosX();
   constexpr const char* pairs[][2] = {{"toggle_model", "toggle_wireframe"},
@@ -21,9 +21,6 @@ void panel_view(const Context& ui) {
   const auto shading = static_cast<std::size_t>(ui.workspace.view.shading);
   command_choice(ui, {"shading_clay", "shading_porcelain", "shading_jade", "shading_file"}, shading);
   command_choice(ui, {"shading_checker", "shading_normals", "shading_zebra"}, shading - 4);
-  command_row(ui, {"view_front", "view_right", "view_top"});
-  command_row(ui, {"view_back", "view_left", "view_bottom"});
-  command_row(ui, {"view_home", "frame_all", "help"});
 }
 
 }  // namespace viete::ui

@@ -1,0 +1,56 @@
+// The report that the window makes: measured in the background, cancelled, opened.
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "program/driver.h"
+#include "support/folder.h"
+
+using namespace viete;
+using test::Driver;
+namespace fs = std::filesystem;
+
+TEST_CASE("a_report_is_measured_in_the_background_and_opened_in_the_browser") {
+  const test::TemporaryFolder scratch;
+  test::put_file(scratch / "xdg-open", "#!/bin/sh\necho \"$1\" >> " + (scratch / "opened").string() + "\n");
+  fs::permissions(scratch / "xdg-open", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (scratch.path().string() + ":" + path).c_str(), 1);
+  app::ViewerOptions options = Driver::default_options();
+  options.program = test::build_dir() / "viete";
+  options.state = scratch / "state";
+  Driver d(options);
+  d.frame(3);
+  d.click("show_report");
+  d.frame();
+  CHECK(d.workspace().reporting.running);
+  REQUIRE(d.until([&] { return !d.workspace().reporting.running; }));
+  setenv("PATH", path.c_str(), 1);
+  REQUIRE(d.workspace().messages.all().size() == 1);
+  const std::string message = d.workspace().messages.all().back().text,
+                    begin = "The report is open in the browser: ";
+  REQUIRE_MESSAGE(message.starts_with(begin), message);
+  const std::string page = message.substr(begin.size());
+  CHECK(page == (scratch / "state/report/index.html").string());
+  CHECK(test::file_bytes(page).ends_with("</html>\n"));
+  for (int n = 0; n < 100 && test::file_bytes(scratch / "opened").find(page) == std::string::npos; ++n)
+    usleep(50'000);
+  CHECK(test::file_bytes(scratch / "opened") == "--version\n" + page + "\n");
+}
+
+TEST_CASE("a_cancelled_report_stops_and_says_nothing") {
+  const test::TemporaryFolder scratch;
+  app::ViewerOptions options = Driver::default_options();
+  options.program = test::build_dir() / "viete";
+  options.state = scratch / "state";
+  Driver d(options);
+  d.frame(3);
+  d.click("show_report");
+  d.frame(2);
+  REQUIRE(d.workspace().reporting.running);
+  d.click("stop_report");
+  REQUIRE(d.until([&] { return !d.workspace().reporting.running; }));
+  CHECK(d.workspace().messages.all().empty());
+  CHECK(scene::find_command("show_report")->enabled(d.workspace()));
+}
