@@ -35,12 +35,12 @@ void Analysis::follow_document(scene::Workspace& workspace) {
   take_checks(workspace, false);
 }
 
-void Analysis::follow_frame(scene::Workspace& workspace, LiveModel& model) {
+void Analysis::follow_frame(scene::Workspace& workspace, LiveModel& model, bool moves) {
   shows_news_ = false;
   follow_path(workspace, model);
   if (!probe_wanted_) return;
   follow_probe(workspace, model);
-  follow_times(workspace, model);
+  follow_times(workspace, model, moves);
 }
 
 bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& model) const {
@@ -155,8 +155,8 @@ void Analysis::take_times(scene::Workspace& workspace, LiveModel& model, bool wa
 }
 
 // The bar of the running method is that of its frames; the others are measured while the pose rests.
-void Analysis::follow_times(scene::Workspace& workspace, LiveModel& model) {
-  if (std::exchange(seen_, model.frames()) != model.frames() || is_in_motion(workspace)) {
+void Analysis::follow_times(scene::Workspace& workspace, LiveModel& model, bool moves) {
+  if (moves || is_in_motion(workspace)) {
     rests_since_ = base::wall_seconds();
     if (timer_.running()) timer_.cancel(), timed_ = 0;
   }
@@ -176,7 +176,7 @@ void Analysis::finish_measuring(scene::Workspace& workspace, LiveModel& model) {
   if (probed_ != model.frames()) start_probe(workspace, model), take_probe(workspace, true);
   if (timed_ != model.frames()) start_timer(workspace, model);
   take_times(workspace, model, true);
-  follow_times(workspace, model);
+  follow_times(workspace, model, false);
 }
 
 }  // namespace viete::app

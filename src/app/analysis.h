@@ -27,8 +27,8 @@ public:
 
   /// Before the frame: requests and defects.
   void follow_document(scene::Workspace& workspace);
-  /// After it: times and errors of the methods. Those of whole frames are measured while the pose rests.
-  void follow_frame(scene::Workspace& workspace, LiveModel& model);
+  /// After it: times and errors of the methods. Whole frames are timed while nothing in the view moves.
+  void follow_frame(scene::Workspace& workspace, LiveModel& model, bool moves);
 
   /// True if follow_document() or follow_frame() would do something now.
   bool has_news(const scene::Workspace& workspace, const LiveModel& model) const;
@@ -53,7 +53,7 @@ private:
   bool timer_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
   void start_timer(const scene::Workspace& workspace, const LiveModel& model);
   void take_times(scene::Workspace& workspace, LiveModel& model, bool wait);
-  void follow_times(scene::Workspace& workspace, LiveModel& model);
+  void follow_times(scene::Workspace& workspace, LiveModel& model, bool moves);
 
   bool probe_wanted_, shows_news_ = false;
   std::filesystem::path program_, state_;
@@ -71,9 +71,9 @@ private:
   };
   Path path_;
   std::optional<deform::EngineKind> engine_;
-  double probed_at_ = -1;               // wall seconds
-  unsigned long timed_ = 0, seen_ = 0;  // frames of the model: whose pose was timed, and the last one
-  double rests_since_ = 0;              // wall seconds
+  double probed_at_ = -1;    // wall seconds
+  unsigned long timed_ = 0;  // the frame of the model whose pose was timed
+  double rests_since_ = 0;   // wall seconds
 };
 
 }  // namespace viete::app

@@ -120,7 +120,7 @@ void Viewer::frame(float seconds) {
   if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_)) workspace_.stats.add(times);
   if (!workspace_.scripting.playing) files_.keep(workspace_, !pointer_.active());
   settle_notices();
-  analysis_.follow_frame(workspace_, model_);
+  analysis_.follow_frame(workspace_, model_, moves_);
   if (analysis_.shows_news() | sides_.measure(workspace_)) settle(2);
   if (take_screenshot_) save_screenshot();
   if (script_.on() && !script_.end_frame(loading() || model_.binding() || cages_.running())) {

@@ -108,7 +108,7 @@ void panel_method(const Context& ui) {
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
   note(ui, !used                                  ? "This deformer takes no exponential."
-           : scene::differs_from_rest(w.document) ? "Time per matrix; largest error in this pose"
+           : scene::differs_from_rest(w.document) ? "Per matrix; largest error in this pose"
                                                   : "At rest every method is exact.");
   hint("Medians over " + count(w.methods.matrices) +
        " matrices of this frame. Errors are relative, against 106 bits. Colour marks the best, and errors "
