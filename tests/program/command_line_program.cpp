@@ -34,9 +34,10 @@ TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {
 namespace {
 
 // What is in the folder's `poses`, to its `frames`.
-Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames") {
+Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames",
+                 const std::string& in = "< poses") {
   return outcome_of("cd " + quoted(scratch.path()) + " && " + quoted(build_dir() / "viete") + " deform " +
-                    quoted(dragon) + " " + quoted(cage) + " --stream < poses 2>&1 > " + out);
+                    quoted(dragon) + " " + quoted(cage) + " --stream " + in + " 2>&1 > " + out);
 }
 
 }  // namespace
@@ -100,6 +101,16 @@ TEST_CASE("a_stream_that_is_none_says_which_pose_it_is") {
   CHECK(file_bytes(scratch / "frames").empty());
   CHECK(mentions(run("deform a b --stream -o a.ply"), "--stream"));
   CHECK(run("deform a b --stream -o a.ply").code == 2);
+}
+
+TEST_CASE("input_that_cannot_be_read_is_not_the_end_of_a_stream") {
+  const TemporaryFolder scratch;
+  for (const std::string in : {"< .", "<&-", "0> write_only"}) {
+    CAPTURE(in);
+    const auto outcome = streamed(scratch, "frames", in);
+    CHECK(outcome.code == 1);
+    CHECK(mentions(outcome, "standard input: cannot be read: "));
+  }
 }
 
 TEST_CASE("a_mask_is_not_replaced_by_what_it_is_read_for") {
