@@ -168,6 +168,18 @@ class Arrays(WithFolder):
             os._exit(0 if np.array_equal(d.deform(self.pose), expected) else 1)
         self.assertEqual(os.waitpid(child, 0)[1], 0)
 
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+    def test_threads_that_the_system_refuses_are_done_without(self):
+        expected = self.bound().deform(self.pose)
+        child = os.fork()
+        if child == 0:
+            signal.alarm(60)  # only against a hang
+            pages = int(pathlib.Path("/proc/self/statm").read_text().split()[0])
+            most = pages * resource.getpagesize() + (1 << 30)
+            resource.setrlimit(resource.RLIMIT_AS, (most, most))
+            os._exit(0 if np.array_equal(self.bound(threads=600).deform(self.pose), expected) else 1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+
     def test_nothing_is_kept_of_the_arrays(self):
         model, pose = self.model.copy(), self.pose.copy()
         d = viete.Deformer(model, self.faces, CUBE, CUBE_FACES)
