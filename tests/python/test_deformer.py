@@ -169,6 +169,34 @@ class Arrays(WithFolder):
         self.assertEqual(os.waitpid(child, 0)[1], 0)
 
     @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+    def test_a_child_of_fork_works_while_another_thread_of_its_parent_does(self):
+        deformer, shapes = self.bound(threads=3), viete.ShapeSpace(self.model, self.faces, [self.model * 2])
+        poses = viete.PoseSpace(CUBE, CUBE_FACES, [CUBE * 2])
+        for name, work in [
+            ("deform", lambda: deformer.deform(self.pose)),
+            ("mix", lambda: shapes.mix([0.5])),
+            ("pose", lambda: shapes.pose([0], [self.model[0] * 1.5])[0]),
+            ("mix of poses", lambda: poses.mix([0.5])),
+        ]:
+            expected, stop = work(), threading.Event()
+
+            def repeat():
+                while not stop.is_set():
+                    work()
+
+            thread = threading.Thread(target=repeat)
+            thread.start()
+            for _ in range(10):
+                child = os.fork()
+                if child == 0:
+                    signal.alarm(60)  # only against a hang
+                    os._exit(0 if np.array_equal(work(), expected) else 1)
+                with self.subTest(name):
+                    self.assertEqual(os.waitpid(child, 0)[1], 0)
+            stop.set()
+            thread.join()
+
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
     def test_threads_that_the_system_refuses_are_done_without(self):
         expected = self.bound().deform(self.pose)
         child = os.fork()
