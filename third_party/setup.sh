@@ -232,7 +232,22 @@ build_program() {
 
 build_tests() {
   say "building the program and its tests"
-  build all build -DVIETE_BUILD_TESTS=ON -UVIETE_BUILD_PYTHON -DVIETE_KERNELS=all
+  build all build -DVIETE_BUILD_TESTS=ON -UVIETE_BUILD_PYTHON -DVIETE_KERNELS=all -DVIETE_WERROR=ON
+  compile_times "$here/build/.ninja_log"
+}
+
+# Seconds that compiling each room of the sources took, by the log of ninja, whose last line of an object counts.
+compile_times() {
+  [ -e "$1" ] || return 0
+  awk -F '\t' '$4 ~ /^src\/.*\.o$/ { seconds[$4] = ($2 - $1) / 1000 }
+    END {
+      for (object in seconds) {
+        room = substr(object, 5)
+        sub("/CMakeFiles/.*", "", room)
+        sum[room] += seconds[object]
+      }
+      for (room in sum) printf "%.0f %s\n", sum[room], room
+    }' "$1" | sort -nr | awk '{ text = text ", " $2 " " $1 " s" } END { print "setup.sh: compiling took: " substr(text, 3) }' >&2
 }
 
 build_package() {

@@ -56,7 +56,7 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
   }
   w.document.put_scheme(views[0].scheme);
   w.document.put_method(views[0].method);
-  scene::put_ways(w.split, {{views.begin() + 1, views.end()}});
+  scene::put_ways(w.split, {.sides = {views.begin() + 1, views.end()}, .cameras = {}});
   w.viewport = scene::viewport_of(w.split, w.viewport, 0);
 }
 

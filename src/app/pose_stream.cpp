@@ -1,6 +1,8 @@
 #include "app/pose_stream.h"
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +23,9 @@ std::optional<std::vector<mesh::Point>> next_pose(std::FILE* in, std::size_t ver
   std::vector<mesh::Point> positions(vertices);
   static_assert(sizeof(mesh::Point) == 3 * sizeof(double));
   const std::size_t bytes = vertices * sizeof(mesh::Point), got = std::fread(positions.data(), 1, bytes, in);
+  if (std::ferror(in))
+    throw base::Error("standard input", std::string("cannot be read: ") + std::strerror(errno),
+                      "send poses through a pipe, or from a file");
   if (got == 0) return std::nullopt;
   const auto refuse = [&](const std::string& problem, const std::string& advice) {
     throw base::Error("pose " + std::to_string(number), problem, advice);

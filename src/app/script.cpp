@@ -276,6 +276,7 @@ Script read_script(const fs::path& file) {
     script.steps.push_back(read_step(word, line, script.file.parent_path()));
     script.steps.back().line = number;
   }
+  if (in.bad()) throw base::Error(file.string(), "it cannot be read to its end", "check the disk");
   if (script.steps.empty()) throw base::Error(file.string(), "there is no step in it", "record it again");
   return script;
 }

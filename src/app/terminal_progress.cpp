@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "base/thread.h"
 
 namespace viete::app {
 
@@ -28,12 +29,12 @@ TerminalProgress::TerminalProgress(std::string what)
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &signals_, &before_);
-  watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+  watcher_ = base::try_thread([this](const std::stop_token& stop) { watch(stop); });
+  if (!watcher_.joinable()) pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
 TerminalProgress::~TerminalProgress() {
-  watcher_.request_stop();
-  watcher_.join();
+  watcher_ = {};
   if (shows_) std::fputs(clear_line, stderr);
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }

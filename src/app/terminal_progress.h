@@ -12,8 +12,8 @@ namespace viete::app {
 /// While it lives, Ctrl+C and SIGTERM cancel the work, which then throws base::Cancelled where it reports
 /// next; one that comes two seconds later, or more, ends the program at once. Where stderr is a terminal, a
 /// line there shows what is done, how far it is and how long it will take; else, with $VIETE_PROGRESS set,
-/// there is a line a percent, "37
-/// %". To be made before other threads are: these then leave the signals to it.
+/// there is a line a percent, "37 %". To be made before other threads are: these then leave the signals to
+/// it. If the system allows no thread for this, nothing is shown and a signal ends the program at once.
 class TerminalProgress {
 public:
   explicit TerminalProgress(std::string what);

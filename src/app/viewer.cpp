@@ -107,7 +107,8 @@ void Viewer::frame(float seconds) {
   follow_document();
   settle_messages();
   deform(times);
-  if (follow_fields() | inspector_.follow(workspace_, model_)) settle(2);
+  const bool new_fields = follow_fields(), inspected = inspector_.follow(workspace_, model_);
+  if (new_fields || inspected) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
   upload(times);
@@ -121,7 +122,8 @@ void Viewer::frame(float seconds) {
   if (!workspace_.scripting.playing) files_.keep(workspace_, !pointer_.active());
   settle_notices();
   analysis_.follow_frame(workspace_, model_, moves_);
-  if (analysis_.shows_news() | sides_.measure(workspace_)) settle(2);
+  const bool news = analysis_.shows_news(), measured = sides_.measure(workspace_);
+  if (news || measured) settle(2);
   if (take_screenshot_) save_screenshot();
   if (script_.on() && !script_.end_frame(loading() || model_.binding() || cages_.running())) {
     workspace_.requests.script = scene::ScriptRequest::record;  // which ends it, and says why
@@ -201,8 +203,9 @@ bool Viewer::changing() const {
 // A script does once more what was done, but for what it would do to files of a person who looks on.
 void Viewer::leave_out_writing() {
   scene::Requests& r = workspace_.requests;
-  bool any = std::exchange(r.undo_discard, false) | std::exchange(r.screenshot, false) |
-             std::exchange(r.manual, false) | std::exchange(r.show_report, false);
+  bool any = false;
+  for (bool* asked : {&r.undo_discard, &r.screenshot, &r.manual, &r.show_report})
+    any |= std::exchange(*asked, false);
   for (auto* file : {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model,
                      &r.save_animation, &r.discard})
     any |= std::exchange(*file, std::nullopt).has_value();

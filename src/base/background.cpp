@@ -1,5 +1,7 @@
 #include "base/background.h"
 
+#include "base/thread.h"
+
 namespace viete::base {
 
 BackgroundQueue::~BackgroundQueue() {
@@ -12,7 +14,8 @@ BackgroundQueue::~BackgroundQueue() {
 }
 
 void BackgroundQueue::push(std::function<void()> task) {
-  if (!thread_.joinable()) thread_ = std::thread([this] { serve(); });
+  if (!thread_.joinable()) thread_ = try_thread([this] { serve(); });
+  if (!thread_.joinable()) return task();
   {
     const std::lock_guard lock(mutex_);
     tasks_.push_back(std::move(task));

@@ -27,8 +27,8 @@ bool is_ready(const std::future<Value>& future, double seconds = 0) {
          future.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
-/// One thread that does what it is given, in order; it begins with the first work. Call from one other
-/// thread. The destructor waits until all is done.
+/// One thread that does what it is given, in order; it begins with the first work. If the system allows no
+/// thread, add() does the work itself. Call from one other thread. The destructor waits until all is done.
 class BackgroundQueue {
 public:
   BackgroundQueue() = default;
@@ -53,7 +53,7 @@ private:
   std::condition_variable changed_;
   std::deque<std::function<void()>> tasks_;
   bool ends_ = false;
-  std::thread thread_;
+  std::jthread thread_;
 };
 
 /// One job at a time. Call from one thread. Starting another one, or cancelling, does not wait for the one

@@ -76,6 +76,9 @@ ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::str
   process_ = 0;
   close_input();
   close(errors_);
+  if (code == EAGAIN)
+    throw Error(name_, "cannot be run: the limit on processes is reached",
+                "close other programs, or raise the limit (ulimit -u)");
   const bool missing = code == ENOENT;
   throw Error(
       name_, missing ? "this program is not installed" : std::string("cannot be run: ") + std::strerror(code),

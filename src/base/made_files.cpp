@@ -114,6 +114,7 @@ void MadeFiles::read() {
     if (const std::string name = name_beside(line, file.number); !name.empty())
       beside[file.number].push_back(name);
   }
+  if (in.bad()) fail_record(record_, "cannot be read");
 }
 
 MadeFiles::State MadeFiles::state(const Planned& file) const {

@@ -11,17 +11,18 @@
 #include <vector>
 
 #include "base/clock.h"
+#include "base/thread.h"
 
 namespace viete::base {
 
 struct WorkerPool::State {
   const pid_t process = getpid();
-  std::vector<std::thread> threads;
+  std::vector<std::jthread> threads;  // thread i is number i + 1, the caller is 0
   std::mutex mutex;
   std::condition_variable wake, finished;
   std::uint64_t generation = 0;
   int busy = 0;
-  bool stop = false;
+  std::size_t last = 0;  // threads of higher numbers end
   std::exception_ptr error;
   Cost cost;
   double longest = 0;  // seconds of processor time of the slowest thread in this loop
@@ -54,8 +55,8 @@ struct WorkerPool::State {
     for (;;) {
       {
         std::unique_lock lock(mutex);
-        wake.wait(lock, [&] { return stop || generation != seen; });
-        if (stop) return;
+        wake.wait(lock, [&] { return index > last || generation != seen; });
+        if (index > last) return;
         seen = generation;
       }
       const double seconds = work(index, threads.size() + 1);
@@ -64,14 +65,32 @@ struct WorkerPool::State {
       if (--busy == 0) finished.notify_one();
     }
   }
+
+  // As many threads as the system allows. If it refuses one, half of them end: the rest of the program needs
+  // address space and threads too.
+  void start(std::size_t wanted) {
+    threads.reserve(wanted);
+    {
+      const std::lock_guard lock(mutex);  // no thread reads the list before it is complete
+      while (threads.size() < wanted) {
+        std::jthread thread = try_thread([this, index = threads.size() + 1] { serve(index); });
+        if (!thread.joinable()) break;
+        threads.push_back(std::move(thread));
+      }
+      last = threads.size() == wanted ? wanted : threads.size() / 2;
+    }
+    end_beyond_last();
+  }
+
+  void end_beyond_last() {
+    wake.notify_all();
+    threads.resize(last);  // joins the others
+  }
 };
 
 WorkerPool::WorkerPool(int threads) : state_(std::make_unique<State>()) {
   if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const std::lock_guard lock(state_->mutex);  // no thread looks at the list before it is complete
-  for (int i = 1; i < threads; ++i) {
-    state_->threads.emplace_back([s = state_.get(), i] { s->serve(static_cast<std::size_t>(i)); });
-  }
+  state_->start(static_cast<std::size_t>(threads) - 1);
 }
 
 WorkerPool::~WorkerPool() {
@@ -82,10 +101,9 @@ WorkerPool::~WorkerPool() {
   }
   {
     const std::lock_guard lock(state_->mutex);
-    state_->stop = true;
+    state_->last = 0;
   }
-  state_->wake.notify_all();
-  for (auto& thread : state_->threads) thread.join();
+  state_->end_beyond_last();
 }
 
 int WorkerPool::threads() const {

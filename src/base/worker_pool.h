@@ -12,7 +12,7 @@ namespace viete::base {
 /// child of fork(), where there are no other threads, the caller does all of it.
 class WorkerPool {
 public:
-  /// threads: how many share the work, the caller included; 0 means one for each processor.
+  /// threads: at most, as the system allows; the caller included. 0 means one for each processor.
   explicit WorkerPool(int threads = 0);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;

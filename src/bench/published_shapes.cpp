@@ -141,7 +141,8 @@ public:
   Gallop::Error posed, linear;
 
 private:
-  static constexpr std::array examples{1, 3, 5, 7, 9, 11}, frames{2, 6, 10};
+  static constexpr std::array examples{1, 3, 5, 7, 9, 11};
+  static constexpr std::array frames{2, 6, 10};
   static constexpr int most_steps = 60;
 
   const Points& rest() const { return gallop_.rest().positions; }

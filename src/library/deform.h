@@ -83,10 +83,11 @@ struct Probe {
   Point3 move{};
 };
 
-/// One model in one cage. For one thread at a time; several are independent.
+/// One model in one cage. For one thread at a time; several are independent. fork() waits for a deform() of
+/// another thread to end; the child works with one thread.
 class Deformer {
 public:
-  /// Checks and copies. threads: 0 for all processors.
+  /// Checks and copies. threads: at most so many; 0 for all processors.
   Deformer(const Mesh& model, const Mesh& cage, const Blending& blending = {}, int threads = 0);
   ~Deformer();
   Deformer(Deformer&&) noexcept;

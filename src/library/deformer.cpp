@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/fork.h"
 #include "base/worker_pool.h"
 #include "deform/asked_scheme.h"
 #include "deform/bind.h"
@@ -184,6 +185,7 @@ const std::vector<std::string>& Deformer::notes() const {
 
 void Deformer::deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals,
                       std::vector<Point3>* turns) {
+  const base::ForkDelay delay;
   check_size(positions, vertex_count(), "positions");
   if (!normals.empty()) check_size(normals, vertex_count(), "normals");
   const deform::Pose pose = impl_->pose(cage, turns);
@@ -204,6 +206,7 @@ void Deformer::deform(std::span<const double> cage, std::span<double> positions,
 
 void Deformer::deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals,
                       std::vector<Point3>* turns) {
+  const base::ForkDelay delay;
   check_size(positions, vertex_count(), "positions");
   if (!normals.empty()) check_size(normals, vertex_count(), "normals");
   const deform::Pose pose = impl_->pose(cage, turns);
@@ -233,6 +236,7 @@ void Deformer::deform(std::span<const double> cage, std::span<float> positions, 
 }
 
 void Deformer::set_mask(std::span<const float> shares) {
+  const base::ForkDelay delay;
   if (!shares.empty() && shares.size() != vertex_count())
     throw base::Error("the mask", "it has another number of shares than the model has vertices",
                       "give one for each vertex");
@@ -246,6 +250,7 @@ void Deformer::set_mask(std::span<const float> shares) {
 }
 
 void Deformer::set_shape(std::span<const double> positions) {
+  const base::ForkDelay delay;
   impl_->shape = positions.empty() ? nullptr
                                    : std::make_shared<const std::vector<mesh::Point>>(
                                          library::points_of(positions, vertex_count(), "the shape"));
@@ -253,6 +258,7 @@ void Deformer::set_shape(std::span<const double> positions) {
 }
 
 void Deformer::set_probes(const std::vector<Probe>& probes) {
+  const base::ForkDelay delay;
   deform::Probes all;
   for (const Probe& p : probes) {
     check_finite(p);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/fork.h"
 #include "base/worker_pool.h"
 #include "library/surfaces.h"
 #include "scene/files/animated_model.h"
@@ -74,6 +75,7 @@ const std::vector<std::string>& Session::notes() const {
 
 std::vector<Point3> Session::frame(double frame) const {
   if (!(std::abs(frame) <= 1e6)) throw base::Error("frame", "this is no frame", "choose one of its range");
+  const base::ForkDelay delay;
   return library::outside(impl_->positions(frame));
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/fork.h"
 #include "base/worker_pool.h"
 #include "deform/example_posing.h"
 #include "library/surfaces.h"
@@ -125,6 +126,7 @@ std::vector<std::array<double, 9>> ShapeSpace::vector(std::size_t shape) const {
 }
 
 std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
+  const base::ForkDelay delay;
   check_weights(weights, impl_->shapes.size());
   const deform::LogSpace& logs = impl_->space.logs();
   return sum_outside(sum_of(
@@ -137,6 +139,7 @@ std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
 }
 
 std::vector<Point3> ShapeSpace::between(double at, bool straight) const {
+  const base::ForkDelay delay;
   check_moment(at, impl_->shapes.size());
   return library::outside(*impl_->way().at(at, straight).shape);
 }
@@ -219,6 +222,7 @@ std::vector<std::array<double, 9>> PoseSpace::vector(std::size_t pose) const {
 }
 
 std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {
+  const base::ForkDelay delay;
   check_weights(weights, impl_->poses.size());
   const deform::LogSpace& logs = impl_->space.logs();
   return sum_outside(sum_of(
@@ -230,6 +234,7 @@ std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {
 }
 
 std::vector<Point3> PoseSpace::between(double at, bool straight) const {
+  const base::ForkDelay delay;
   check_moment(at, impl_->poses.size());
   return library::outside(impl_->way().at(at, straight).cage.positions);
 }

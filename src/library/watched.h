@@ -1,23 +1,22 @@
 // Long work in another thread, while the caller's watches it.
 #pragma once
 
-#include <chrono>
-#include <future>
-
+#include "base/background.h"
 #include "base/progress.h"
 #include "library/deform.h"
 
 namespace viete::library {
 
-/// work(base::Progress*), which is null where nobody watches.
+/// work(base::Progress*), which is null where nobody watches. If the system allows no thread, the caller
+/// works unwatched.
 template <class Work>
 auto watched(const Watch& watch, const Work& work) {
-  using namespace std::chrono_literals;
   if (!watch) return work(static_cast<base::Progress*>(nullptr));
   base::Progress progress;
-  auto result = std::async(std::launch::async, [&] { return work(&progress); });
+  base::BackgroundQueue queue;
+  auto result = queue.add([&] { return work(&progress); });
   try {
-    while (result.wait_for(50ms) != std::future_status::ready) watch(progress.done());
+    while (!base::is_ready(result, 0.05)) watch(progress.done());
   } catch (...) {
     progress.cancel();
     result.wait();

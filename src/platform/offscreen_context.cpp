@@ -11,10 +11,12 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "base/worker_pool.h"
 
 namespace viete::platform {
 
@@ -242,7 +244,14 @@ std::unique_ptr<OffscreenContext> attempt(std::string& tried, Make make) {
 
 }  // namespace
 
+void spare_rasteriser_threads() {
+  const int wanted =
+      static_cast<int>(std::thread::hardware_concurrency()) + 2;  // the driver makes others too
+  if (base::WorkerPool(wanted).threads() < wanted) setenv("LP_NUM_THREADS", "0", 0);
+}
+
 std::unique_ptr<OffscreenContext> OffscreenContext::create(Kind kind, bool software) {
+  spare_rasteriser_threads();
   std::string tried;
   std::unique_ptr<OffscreenContext> context;
   if (kind != Kind::egl) context = attempt(tried, [] { return std::make_unique<OsmesaContext>(); });

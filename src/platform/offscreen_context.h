@@ -34,4 +34,9 @@ protected:
   OffscreenContext() = default;
 };
 
+/// Before a context is made, also of a window: Mesa's CPU rasteriser waits forever for threads that the
+/// system refused to make. If there are too few, it is told to draw without any (LP_NUM_THREADS=0, unless
+/// set).
+void spare_rasteriser_threads();
+
 }  // namespace viete::platform

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "platform/offscreen_context.h"
+
 namespace viete::platform {
 
 namespace {
@@ -161,6 +163,7 @@ std::unique_ptr<Window> Window::open(glm::ivec2 size, float scale, std::string& 
     reason = "there is no display: DISPLAY and WAYLAND_DISPLAY are not set";
     return nullptr;
   }
+  spare_rasteriser_threads();
   GLFWwindow* handle = glfwInit() ? open_window(size) : nullptr;
   if (!handle) {
     reason = last_glfw_error();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -106,8 +105,9 @@ public:
       const std::span<const double> from = numbers_of(pose);
       const std::span<T> places = to.numbers(),
                          directions = of_normals ? of_normals->numbers() : std::span<T>();
+      std::mutex& mutex = call_lock_.mutex();
       const py::gil_scoped_release release;
-      const std::lock_guard lock(*mutex_);
+      const std::lock_guard lock(mutex);
       deformer_.deform(from, places, directions, keeps_turns ? &turns_ : nullptr);
     }
     if (!of_normals) return to.finish();
@@ -117,12 +117,15 @@ public:
 
   template <class Act>
   void change(const Act& act) {
+    std::mutex& mutex = call_lock_.mutex();
     const py::gil_scoped_release release;
-    const std::lock_guard lock(*mutex_);
+    const std::lock_guard lock(mutex);
     act(deformer_);
   }
   const Deformer& deformer() const { return deformer_; }
-  void forget_turns() { turns_.clear(); }
+  void forget_turns() {
+    change([this](Deformer&) { turns_.clear(); });
+  }
 
   bool keeps_turns = false;
 
@@ -130,7 +133,7 @@ private:
   Deformer deformer_;
   bool single_;
   Points turns_;
-  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  CallLock call_lock_;
 };
 
 }  // namespace
@@ -223,7 +226,8 @@ std::string init_text() {
     methods += "\n  '" + std::string(entry.name) + "': " + entry.sentence;
   return "Binds a model to a cage at rest; fractions of a second to some seconds, and Ctrl-C ends it. All is "
          "copied. Raises Error.\n\n"
-         "vertices, cage_vertices: (n, 3), 1e-60 to 1e60 across. faces, cage_faces: (m, k), or a list of lists.\n"
+         "vertices, cage_vertices: (n, 3), 1e-60 to 1e60 across. faces, cage_faces: (m, k), or a list of "
+         "lists.\n"
          "way: how the cage moves the model." +
          library::ways_text() +
          "\nelements, weights, blend: in place of what the way has; not all of them go together, and Error "
@@ -238,7 +242,9 @@ std::string init_text() {
          "1): what holds them, by nearness to the cage (in sizes of the cage), and everywhere.\n"
          "method: of the exponential of each vertex." +
          methods +
-         "\nthreads: 0 for all processors, to 1024. In a child of fork() it goes on with one.\n"
+         "\nthreads: at most so many, to 1024; 0 for all processors. fork() waits for a deform() of another "
+         "thread "
+         "to end; the child works with one.\n"
          "dtype: of what deform() makes: float64 with the bits of viete deform; or float32, three to nine "
          "times as "
          "fast and off by some 1e-7 of the cage's diagonal, by up to 1e-4 where weights spread along the "

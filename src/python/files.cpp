@@ -86,7 +86,7 @@ py::object of_corners(const std::vector<Vector>& values, const std::vector<std::
   for (std::size_t c = 0; c < corners.size(); ++c)
     if (corners[c] != mesh::none)
       std::ranges::copy(values[corners[c]], array.mutable_data(py::ssize_t(c), 0));
-  return std::move(array);
+  return array;
 }
 
 const mesh::Attributes& attributes_of(const SurfaceOfFile& s) {
@@ -100,7 +100,7 @@ py::object colors_of(const SurfaceOfFile& s) {
   auto array = filled(colors.size(), 4, 0.0f);
   for (std::size_t v = 0; v < colors.size(); ++v)
     std::ranges::copy(colors[v], array.mutable_data(py::ssize_t(v), 0));
-  return std::move(array);
+  return array;
 }
 
 std::vector<std::string> material_names(const SurfaceOfFile& s) {

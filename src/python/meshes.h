@@ -2,8 +2,11 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <unistd.h>
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -28,6 +31,25 @@ py::object faces_of(const std::vector<std::uint32_t>& corners, const std::vector
 
 /// Of long work, see Watch: Ctrl-C ends it, as it ends Python's own.
 void heed_signals(double done);
+
+/// Makes the calls of one object take turns.
+class CallLock {
+public:
+  /// Ask for it while holding Python's lock, lock it after releasing that one. A child of fork() gets a new
+  /// one, because a thread that only the parent has may hold the old one.
+  std::mutex& mutex() {
+    if (process_ != getpid()) {
+      process_ = getpid();
+      static_cast<void>(mutex_.release());
+      mutex_ = std::make_unique<std::mutex>();
+    }
+    return *mutex_;
+  }
+
+private:
+  pid_t process_ = getpid();
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+};
 
 /// Of a class of the module: an object whose __init__() was not called yet is refused. For
 /// pybind11::detail::type_caster.

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 #include "python/deformation.h"
@@ -26,12 +24,13 @@ std::vector<Points> all_points(const char* what, const py::object& shapes) {
 template <class Space>
 struct Guarded {
   Space space;
-  std::unique_ptr<std::mutex> mutex = std::make_unique<std::mutex>();
+  mutable CallLock call_lock{};
 
   template <class Act>
   auto with(const Act& act) const {
+    std::mutex& mutex = call_lock.mutex();
     const py::gil_scoped_release release;
-    const std::lock_guard lock(*mutex);
+    const std::lock_guard lock(mutex);
     return act(space);
   }
 };

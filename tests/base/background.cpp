@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "support/threads_left.h"
+
 using viete::base::BackgroundJob;
 using viete::base::BackgroundQueue;
 using viete::base::Progress;
@@ -113,4 +115,14 @@ TEST_CASE("what_a_job_holds_goes_with_it") {
   job.start([](Progress&) { return 0; });
   CHECK(job.poll(true));
   CHECK(held.use_count() == 1);
+}
+
+TEST_CASE("without_a_thread_the_caller_works") {
+  const viete::test::ThreadsLeft limit(0);
+  BackgroundJob<int> job;
+  job.start([](Progress&) { return 7; });
+  CHECK(job.has_result());
+  CHECK(job.poll()->value == 7);
+  job.start([](Progress&) -> int { throw std::runtime_error("no disk"); });
+  CHECK(job.poll()->problem == "no disk");
 }

@@ -28,6 +28,12 @@ TEST_CASE("what_is_not_in_the_record_is_of_somebody_else") {
   CHECK(s.state({1, 7}) == State::foreign);
 }
 
+TEST_CASE("a_record_that_cannot_be_read_is_an_error") {
+  const Sequence s;
+  std::filesystem::create_directory(s.name.pattern() + ".made");
+  CHECK_THROWS_WITH_AS(MadeFiles(s.name), doctest::Contains("cannot be read"), base::Error);
+}
+
 TEST_CASE("a_file_that_was_made_is_whole_until_it_or_its_inputs_change") {
   const Sequence s;
   MadeFiles made(s.name);

@@ -1,15 +1,35 @@
 #include "base/worker_pool.h"
 
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "support/threads_left.h"
+
 using viete::base::WorkerPool;
+
+namespace {
+
+int visited_by(WorkerPool& pool) {
+  std::atomic<int> sum{0};
+  pool.for_blocks(100, 3, [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
+  return sum;
+}
+
+rlim_t address_space() {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
 
 TEST_CASE("every_element_is_visited_once_for_any_count_block_and_thread_number") {
   for (const int threads : {1, 2, 3, 7}) {
@@ -35,18 +55,14 @@ TEST_CASE("an_exception_reaches_the_caller_and_the_pool_lives_on") {
                                     if (begin == 99) throw std::runtime_error("no");
                                   }),
                   std::runtime_error);
-  std::atomic<int> sum{0};
-  pool.for_blocks(100, 3, [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
-  CHECK(sum == 100);
+  CHECK(visited_by(pool) == 100);
 }
 
 TEST_CASE("in_a_child_of_fork_the_caller_does_all_of_it") {
   auto pool = std::make_unique<WorkerPool>(3);
   const pid_t child = fork();
   if (child == 0) {
-    int sum = 0;
-    pool->for_blocks(100, 3,
-                     [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
+    const int sum = visited_by(*pool);
     pool.reset();
     _exit(sum == 100 ? 0 : 1);
   }
@@ -54,6 +70,34 @@ TEST_CASE("in_a_child_of_fork_the_caller_does_all_of_it") {
   REQUIRE(waitpid(child, &status, 0) == child);
   CHECK(status == 0);
 }
+
+TEST_CASE("pool_works_with_the_threads_that_the_system_allows") {
+  for (int left = 0; left < 7; ++left) {
+    const viete::test::ThreadsLeft limit(left);
+    WorkerPool pool(8);
+    CHECK(pool.threads() == 1 + left / 2);  // the rest is for others
+    CHECK(visited_by(pool) == 100);
+  }
+  WorkerPool all(8);
+  CHECK(all.threads() == 8);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which need more address space
+TEST_CASE("pool_leaves_address_space_to_its_caller") {
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlim_t most = address_space() + (512u << 20);
+    const rlimit limit{most, most};
+    if (setrlimit(RLIMIT_AS, &limit) != 0) _exit(2);
+    WorkerPool pool(600);
+    const std::vector<char> more(100u << 20);
+    _exit(pool.threads() < 600 && visited_by(pool) == 100 && more.back() == 0 ? 0 : 1);
+  }
+  int status = -1;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(status == 0);
+}
+#endif
 
 TEST_CASE("the_cost_of_loops_is_the_callers_and_the_longest") {
   WorkerPool pool(2);

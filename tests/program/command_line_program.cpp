@@ -34,9 +34,10 @@ TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {
 namespace {
 
 // What is in the folder's `poses`, to its `frames`.
-Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames") {
+Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames",
+                 const std::string& in = "< poses") {
   return outcome_of("cd " + quoted(scratch.path()) + " && " + quoted(build_dir() / "viete") + " deform " +
-                    quoted(dragon) + " " + quoted(cage) + " --stream < poses 2>&1 > " + out);
+                    quoted(dragon) + " " + quoted(cage) + " --stream " + in + " 2>&1 > " + out);
 }
 
 }  // namespace
@@ -100,6 +101,41 @@ TEST_CASE("a_stream_that_is_none_says_which_pose_it_is") {
   CHECK(file_bytes(scratch / "frames").empty());
   CHECK(mentions(run("deform a b --stream -o a.ply"), "--stream"));
   CHECK(run("deform a b --stream -o a.ply").code == 2);
+}
+
+TEST_CASE("input_that_cannot_be_read_is_not_the_end_of_a_stream") {
+  const TemporaryFolder scratch;
+  for (const std::string in : {"< .", "<&-", "0> write_only"}) {
+    CAPTURE(in);
+    const auto outcome = streamed(scratch, "frames", in);
+    CHECK(outcome.code == 1);
+    CHECK(mentions(outcome, "standard input: cannot be read: "));
+  }
+}
+
+TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
+  const TemporaryFolder scratch;
+  fs::permissions(scratch.path(), fs::perms::all);  // the limit does not hold for root
+  const std::string user = geteuid() == 0 ? "setpriv --reuid=64321 --clear-groups " : "",
+                    files = quoted(dragon) + " " + quoted(cage);
+  const auto limited = [&](const std::string& arguments, int processes) {
+    return run(arguments, "cd " + quoted(scratch.path()) + " && HOME=. " + user +
+                              "prlimit --nproc=" + std::to_string(processes));
+  };
+  if (limited("--version", 1).code != 0) return MESSAGE("another user cannot run the program here");
+  const std::pair<std::string, std::string> lines[] = {
+      {"deform " + files + " --pose " + quoted(pose) + " -o ", ".ply"},
+      {"cage " + quoted(cage) + " --triangles 60 -o ", ".obj"},
+      {"render " + files + " --size 64x48 -o ", ".png"}};
+  for (const auto& [line, extension] : lines) {
+    CAPTURE(line);
+    REQUIRE(run(line + "all" + extension, "cd " + quoted(scratch.path()) + " &&").code == 0);
+    for (const int processes : {1, 2, 3}) {
+      const Outcome outcome = limited(line + "few" + extension + " --force", processes);
+      CHECK_MESSAGE(outcome.code == 0, outcome.text);
+      CHECK(file_bytes(scratch / ("few" + extension)) == file_bytes(scratch / ("all" + extension)));
+    }
+  }
 }
 
 TEST_CASE("a_mask_is_not_replaced_by_what_it_is_read_for") {

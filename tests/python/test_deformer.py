@@ -168,6 +168,46 @@ class Arrays(WithFolder):
             os._exit(0 if np.array_equal(d.deform(self.pose), expected) else 1)
         self.assertEqual(os.waitpid(child, 0)[1], 0)
 
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+    def test_a_child_of_fork_works_while_another_thread_of_its_parent_does(self):
+        deformer, shapes = self.bound(threads=3), viete.ShapeSpace(self.model, self.faces, [self.model * 2])
+        poses = viete.PoseSpace(CUBE, CUBE_FACES, [CUBE * 2])
+        for name, work in [
+            ("deform", lambda: deformer.deform(self.pose)),
+            ("mix", lambda: shapes.mix([0.5])),
+            ("pose", lambda: shapes.pose([0], [self.model[0] * 1.5])[0]),
+            ("mix of poses", lambda: poses.mix([0.5])),
+        ]:
+            expected, stop = work(), threading.Event()
+
+            def repeat():
+                while not stop.is_set():
+                    work()
+
+            thread = threading.Thread(target=repeat)
+            thread.start()
+            for _ in range(10):
+                child = os.fork()
+                if child == 0:
+                    signal.alarm(60)  # only against a hang
+                    os._exit(0 if np.array_equal(work(), expected) else 1)
+                with self.subTest(name):
+                    self.assertEqual(os.waitpid(child, 0)[1], 0)
+            stop.set()
+            thread.join()
+
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+    def test_threads_that_the_system_refuses_are_done_without(self):
+        expected = self.bound().deform(self.pose)
+        child = os.fork()
+        if child == 0:
+            signal.alarm(60)  # only against a hang
+            pages = int(pathlib.Path("/proc/self/statm").read_text().split()[0])
+            most = pages * resource.getpagesize() + (1 << 30)
+            resource.setrlimit(resource.RLIMIT_AS, (most, most))
+            os._exit(0 if np.array_equal(self.bound(threads=600).deform(self.pose), expected) else 1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+
     def test_nothing_is_kept_of_the_arrays(self):
         model, pose = self.model.copy(), self.pose.copy()
         d = viete.Deformer(model, self.faces, CUBE, CUBE_FACES)

@@ -6,6 +6,10 @@ add_library(viete_compile INTERFACE)
 target_compile_features(viete_compile INTERFACE cxx_std_20)
 target_compile_options(viete_compile INTERFACE
   -Wall -Wextra -Wconversion -Wno-sign-conversion -ffp-contract=off)
+option(VIETE_WERROR "Compiler warnings are errors" OFF)
+if(VIETE_WERROR)
+  target_compile_options(viete_compile INTERFACE -Werror)
+endif()
 # Inside a project that chose neither a build type nor a level, nothing would be optimised but the kernels.
 if(NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
   target_compile_options(viete_compile INTERFACE $<$<STREQUAL:$<CONFIG>,>:-O2>)
@@ -67,18 +71,6 @@ endfunction()
 option(VIETE_UNITY "Compile the sources of the rooms that allow it in batches" ON)
 set(VIETE_BATCH 24 CACHE STRING "So many sources make a batch")
 
-# Compilers are timed where there are tests, one of which looks at what that comes to.
-set(VIETE_TIMES_COMPILERS OFF)
-if(VIETE_BUILD_TESTS AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT VIETE_SANITIZE)
-  set(VIETE_TIMES_COMPILERS ON)
-  set(VIETE_COMPILE_TIMER sh ${CMAKE_CURRENT_LIST_DIR}/compile_timer.sh)
-endif()
-function(viete_timed target)
-  if(VIETE_TIMES_COMPILERS)
-    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${VIETE_COMPILE_TIMER}")
-  endif()
-endfunction()
-
 # For targets where nothing is computed that takes time: compiles in two thirds of the time.
 function(viete_quickly_compiled target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -93,7 +85,6 @@ function(viete_compiled target unity quick)
   if(quick)
     viete_quickly_compiled(${target})
   endif()
-  viete_timed(${target})
 endfunction()
 
 # viete_room(deform [UNITY] [QUICK] SOURCES a.cpp ... QUICK_SOURCES b.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
