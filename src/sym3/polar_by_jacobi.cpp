@@ -13,7 +13,7 @@ namespace viete::sym3 {
 namespace {
 
 constexpr int n = 4;
-constexpr int max_sweeps = 12;  // five or six are enough: convergence is quadratic
+constexpr int most_sweeps = 12;  // five or six are enough: convergence is quadratic
 
 using Matrix4 = std::array<std::array<double, n>, n>;
 
@@ -50,7 +50,7 @@ double off_diagonal(const Matrix4& a) {
 /// The unit quaternion of the largest eigenvalue; the first of equal ones.
 std::array<double, n> top_vector(Matrix4 a) {
   Matrix4 v = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-  for (int sweep = 0; sweep < max_sweeps && off_diagonal(a) > 1e-20; ++sweep) {
+  for (int sweep = 0; sweep < most_sweeps && off_diagonal(a) > 1e-20; ++sweep) {
     for (int p = 0; p < n; ++p) {
       for (int q = p + 1; q < n; ++q) rotate(a, v, p, q);
     }
