@@ -218,9 +218,7 @@ py::array affine_combine(const py::object& m, const py::object& w) {
 }
 
 py::tuple affine_mean(const py::object& m, const py::object& w) {
-  const Weighted all("affine_mean", m, w);
-  if (numpy("any")(all.weights.attr("sum")(-1).attr("__eq__")(0)).cast<bool>())
-    wrong("affine_mean", "the weights sum to 0");
+  const Weighted all("affine_mean", m, w.is_none() ? w : shares("affine_mean", w));
   py::array_t<bool> converged(all.before);
   bool* ends = converged.mutable_data();
   const py::array means = made(all.before, all.maps.rows, all.maps.single, [&](std::size_t i) {

@@ -49,6 +49,28 @@ py::array_t<double, py::array::c_style | py::array::forcecast> finite_numbers(co
   return numbers;
 }
 
+py::array_t<double, py::array::c_style | py::array::forcecast> shares(const char* function,
+                                                                      const py::object& weights) {
+  auto numbers = finite_numbers(function, "weights", weights);
+  if (numbers.ndim() == 0) wrong(function, "weights are (k,) or (..., k)");
+  py::array_t<double> result(std::vector<py::ssize_t>(numbers.shape(), numbers.shape() + numbers.ndim()));
+  const py::ssize_t count = numbers.shape(numbers.ndim() - 1);
+  for (py::ssize_t row = 0; row < numbers.size(); row += count) {
+    const double* w = numbers.data() + row;
+    double* share = result.mutable_data() + row;
+    double largest = 0, size = 0, sum = 0;
+    for (py::ssize_t i = 0; i < count; ++i) largest = std::max(largest, std::abs(w[i]));
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;  // the sum may overflow, or be subnormal
+    for (py::ssize_t i = 0; i < count; ++i) {
+      share[i] = std::scalbn(w[i], -exponent);
+      sum += share[i], size += std::abs(share[i]);
+    }
+    if (std::abs(sum) <= 0x1p-53 * static_cast<double>(count) * size) wrong(function, "the weights sum to 0");
+    for (py::ssize_t i = 0; i < count; ++i) share[i] /= sum;
+  }
+  return result;
+}
+
 bool overlap(const py::array& a, const py::array& b) {
   const auto* first = static_cast<const char*>(a.data());
   const auto* second = static_cast<const char*>(b.data());

@@ -44,6 +44,11 @@ py::array_t<double, py::array::c_style | py::array::forcecast> finite_numbers(co
                                                                               const char* what,
                                                                               const py::object& a);
 
+/// Finite weights, (..., k), divided by their sum over the last axis, whatever their size. Raises ValueError
+/// where they sum to 0.
+py::array_t<double, py::array::c_style | py::array::forcecast> shares(const char* function,
+                                                                      const py::object& weights);
+
 /// Whether two arrays share memory.
 bool overlap(const py::array& a, const py::array& b);
 

@@ -243,14 +243,14 @@ py::object mean(const py::object& a, const py::object& weights) {
   const py::ssize_t axis = axis_before("mean", logs);
   if (logs.shape(axis) == 0) wrong("mean", "there are no matrices");
   if (weights.is_none()) return exp_of(logs.attr("mean")(axis));
-  const py::object shares = finite_numbers("mean", "weights", weights).attr("astype")(logs.dtype());
-  if (py::len(shares.attr("shape")) == 0) wrong("mean", "weights are (k,) or (..., k)");
-  const py::object sum = shares.attr("sum")(-1);
-  if (py::module_::import("numpy").attr("any")(sum.attr("__eq__")(0)).cast<bool>())
-    wrong("mean", "the weights sum to 0");
+  const py::array share = shares("mean", weights);
+  if (share.shape(share.ndim() - 1) != logs.shape(axis)) {
+    wrong("mean", "there are " + std::to_string(logs.shape(axis)) + " matrices; weights have shape " +
+                      shape_text(share));
+  }
   const py::ssize_t of_matrix = logs.ndim() - axis - 1;
-  const py::object weighted = (logs * spread(shares, of_matrix)).attr("sum")(axis);
-  return exp_of(weighted / spread(sum, of_matrix));
+  const py::object weighted = logs * spread(share, of_matrix);
+  return exp_of(weighted.attr("sum")(-1 - of_matrix).attr("astype")(logs.dtype()));
 }
 
 py::object interpolate(const py::object& a, const py::object& b, const py::object& t) {

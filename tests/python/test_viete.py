@@ -115,6 +115,13 @@ class Answers(unittest.TestCase):
                 viete.polar(m, out=out)
 
 
+EXTREME_WEIGHTS = [  # of two, and the same as shares
+    ([1e308, 1e308], [0.5, 0.5]), ([1.5e308, 0.5e308], [0.75, 0.25]), ([3e-320, 3e-320], [0.5, 0.5]),
+    ([5e-324, 1.5e-323], [0.25, 0.75]), ([1e308, 1e-320], [1, 0]), ([-1e308, -1e308], [0.5, 0.5]),
+    ([-3e-320, -3e-320], [0.5, 0.5]), ([1.5e308, -0.5e308], [1.5, -0.5]), ([-1, -3], [0.25, 0.75]),
+]
+
+
 def turn_about_z(angle, shift=(0, 0, 0)):
     m = np.eye(4)
     m[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
@@ -173,6 +180,18 @@ class AffineMaps(unittest.TestCase):
         np.testing.assert_allclose(viete.affine_mean(c @ m, w)[0], c @ mean, atol=1e-12)
         np.testing.assert_allclose(viete.affine_mean(m @ c, w)[0], mean @ c, atol=1e-12)
         np.testing.assert_allclose(viete.affine_mean(m)[0], viete.affine_mean(m, np.full((4, 5), 3.0))[0], atol=1e-13)
+
+    def test_means_of_maps_take_weights_of_any_size(self):
+        m = affine(2)
+        for weights, share in EXTREME_WEIGHTS:
+            with self.subTest(weights=weights):
+                mean, converged = viete.affine_mean(m, weights)
+                self.assertTrue(converged)
+                np.testing.assert_allclose(mean, viete.affine_mean(m, share)[0], atol=1e-12)
+
+    def test_opposite_terms_of_a_combination_cancel_at_any_size(self):
+        m = turn_about_z(2, (3, 0, 0))  # whose log is above 1: its terms overflow
+        np.testing.assert_allclose(viete.affine_combine([m, m, m], [1e308, 0.25, -1e308]), np.eye(4), atol=1e-15)
 
     def test_maps_without_a_log_get_a_bounded_one(self):
         mirror = np.diag([1.0, 2.0, -1.0])
@@ -235,6 +254,14 @@ class Means(unittest.TestCase):
         self.assertTrue(np.allclose(means[0], means[1]))
         self.assertEqual(viete.mean(a.astype(np.float32)).dtype, np.float32)
 
+    def test_weights_of_any_size_count_by_their_share(self):
+        for a in (positive(np.float64, 2), positive(np.float32, 2)):
+            for weights, share in EXTREME_WEIGHTS:
+                with self.subTest(weights=weights, dtype=a.dtype):
+                    np.testing.assert_allclose(viete.mean(a, weights), viete.mean(a, share), rtol=1e-6)
+        rows = [w for w, _ in EXTREME_WEIGHTS]
+        np.testing.assert_allclose(viete.mean(a, rows)[2], viete.mean(a, rows[2]))  # weights have more axes
+
     def test_interpolation_goes_from_one_to_the_other(self):
         a, b = positive(np.float64, 7), positive(np.float64, 7)[::-1].copy()
         self.assertTrue(np.allclose(viete.interpolate(a, b, 0), a))
@@ -255,6 +282,10 @@ class Means(unittest.TestCase):
         for problem, error, words in [
             (lambda: viete.mean(pair[:0]), ValueError, "no matrices"),
             (lambda: viete.mean(pair, [1, -1]), ValueError, "sum to 0"),
+            (lambda: viete.mean(pair, [1e308, -1e308]), ValueError, "sum to 0"),
+            (lambda: viete.mean(np.stack([*pair, *pair])[:3], [0.1, 0.2, -0.3]), ValueError, "sum to 0"),
+            (lambda: viete.mean(pair, [1]), ValueError, "there are 2 matrices; weights have shape"),
+            (lambda: viete.affine_mean(pair, [[1, 1], [1e308, -1e308]]), ValueError, "sum to 0"),
             (lambda: viete.mean(pair, [1, np.nan]), ValueError, "not finite"),
             (lambda: viete.interpolate(pair[0], pair[1], None), TypeError, "float32 or float64"),
             (lambda: viete.interpolate(pair[0], pair[1], np.inf), ValueError, "not finite"),
