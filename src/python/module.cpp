@@ -30,8 +30,7 @@ sym3::SymView<T> writable_view(const Shape& shape, py::array_t<T>& a) {
 /// f(in, out, count) with views of the two arrays' memory, other Python threads running.
 template <class T, class F>
 py::array apply_as(const char* name, const py::array& a, const py::object& out, const F& f) {
-  const auto in = Contiguous<T>::ensure(a);
-  if (!in) throw py::error_already_set();
+  const Contiguous<T> in(a);
   const Shape shape = symmetric_shape(name, in);
   py::array_t<T> result = output<T>(name, out, in);
   const auto from = view<T>(shape, in);
@@ -77,8 +76,7 @@ struct PolarOutputs {
 
 template <class T>
 py::tuple polar_as(const py::array& a, const PolarOutputs& out) {
-  const auto in = Contiguous<T>::ensure(a);
-  if (!in) throw py::error_already_set();
+  const Contiguous<T> in(a);
   const Shape shape = general_shape("polar", in);
   py::array_t<T> r = output<T>("polar", out.rotations, in), u = output<T>("polar", out.stretches, in);
   if (overlap(u, in) || overlap(u, r))
@@ -114,8 +112,7 @@ std::size_t directions_at(const std::string& name, const Contiguous<T>& a, const
 template <class T, class F>
 py::array derivative_as(const char* name, const py::array& a, const py::array& directions,
                         const py::object& out, const F& f) {
-  const auto in = Contiguous<T>::ensure(a), e = Contiguous<T>::ensure(directions);
-  if (!in || !e) throw py::error_already_set();
+  const Contiguous<T> in(a), e(directions);
   const Shape shape = symmetric_shape(name, in);
   const std::size_t n = directions_at<T>(name, in, e);
   py::array_t<T> result = output<T>(name, out, e);
@@ -137,8 +134,7 @@ py::array derivative_as(const char* name, const py::array& a, const py::array& d
 
 template <class T, class F>
 py::array tangent_as(const char* name, const py::array& a, const F& f) {
-  const auto in = Contiguous<T>::ensure(a);
-  if (!in) throw py::error_already_set();
+  const Contiguous<T> in(a);
   const Shape shape = symmetric_shape(name, in);
   std::vector<py::ssize_t> axes(in.shape(),
                                 in.shape() + in.ndim() - (shape.layout == sym3::Layout::full ? 2 : 1));

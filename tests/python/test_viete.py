@@ -351,6 +351,32 @@ class Derivatives(unittest.TestCase):
 
 
 class Arrays(unittest.TestCase):
+    def test_arrays_too_large_for_memory_are_memory_errors(self):
+        # Of no memory themselves; a copy or an answer has some exabytes.
+        matrices, maps, planes = (np.broadcast_to(a, (10**15,) + a.shape) for a in (np.eye(3), np.eye(4), np.eye(3)[0]))
+        s, e = np.eye(3), matrices
+        numbers = np.broadcast_to(np.float64(0.5), (10**16,))
+        for name, call in {
+            **{name: lambda f=f: f(matrices) for name, (f, _, _) in FUNCTIONS.items()},
+            **{name + "_derivative": lambda d=d: d(s, e) for name, (d, _, _, _) in DERIVATIVES.items()},
+            **{name + "_tangent": lambda t=t: t(matrices) for name, (_, t, _, _) in DERIVATIVES.items()},
+            "polar": lambda: viete.polar(matrices),
+            "mean": lambda: viete.mean(matrices),
+            "weights": lambda: viete.mean(np.stack([s, s]), np.broadcast_to(numbers[:1], (10**16, 2))),
+            "interpolate": lambda: viete.interpolate(s, matrices, 0.5),
+            "interpolate t": lambda: viete.interpolate(s, s, numbers),
+            "affine_log": lambda: viete.affine_log(maps),
+            "affine_log near": lambda: viete.affine_log(np.eye(4), near=planes),
+            "affine_exp": lambda: viete.affine_exp(maps),
+            "affine_has_log": lambda: viete.affine_has_log(maps),
+            "affine_interpolate": lambda: viete.affine_interpolate(np.eye(4), np.eye(4), numbers),
+            "affine_combine": lambda: viete.affine_combine(maps[:, None], [1.0]),
+            "affine_mean": lambda: viete.affine_mean(maps),
+            "integers": lambda: viete.exp(np.broadcast_to(np.int8(1), (10**15, 6))),
+        }.items():
+            with self.subTest(name), self.assertRaises(MemoryError):
+                call()
+
     def test_any_number_of_leading_axes_is_kept(self):
         for shape in ((), (1,), (0,), (7,), (2, 3), (2, 0, 3), (2, 3, 4, 5)):
             s = symmetric(np.float64, *shape)
