@@ -197,6 +197,10 @@ class AffineMaps(unittest.TestCase):
         mirror = np.diag([1.0, 2.0, -1.0])
         self.assertFalse(viete.affine_has_log(mirror))
         self.assertTrue(np.isfinite(viete.affine_log(mirror)).all())
+        for nothing in (np.zeros((3, 3)), np.zeros((4, 4))):
+            self.assertFalse(viete.affine_has_log(nothing))
+            self.assertTrue(np.isfinite(viete.affine_log(nothing)).all())
+            self.assertTrue(np.isfinite(viete.affine_log(nothing, near=(0, 0, 7))).all())
         self.assertTrue(np.isnan(viete.affine_log(np.full((3, 3), np.nan))).all())
 
     def test_wrong_shapes_say_so(self):
