@@ -70,9 +70,9 @@ mesh::Vec3 vector_of(const Point3& p) {
 void check_finite(const Probe& probe) {
   const auto check = [](const char* what, std::span<const double> numbers) {
     for (const double x : numbers)
-      if (!(std::abs(x) <= mesh::largest_coordinate))
+      if (!(std::abs(x) <= library::most_deformable))
         throw base::Error("a probe",
-                          "its " + std::string(what) + " has a number that is not finite, or beyond 1e100",
+                          "its " + std::string(what) + " has a number that is not finite, or beyond 1e60",
                           "leave such numbers out");
   };
   check("place", probe.place), check("turn", probe.turn), check("stretch", probe.stretch);
@@ -251,9 +251,13 @@ void Deformer::set_mask(std::span<const float> shares) {
 
 void Deformer::set_shape(std::span<const double> positions) {
   const base::ForkDelay delay;
-  impl_->shape = positions.empty() ? nullptr
-                                   : std::make_shared<const std::vector<mesh::Point>>(
-                                         library::points_of(positions, vertex_count(), "the shape"));
+  deform::SharedShape shape;
+  if (!positions.empty()) {
+    auto points = library::points_of(positions, vertex_count(), "the shape");
+    library::check_deformable(points, 0, "the shape");
+    shape = std::make_shared<const std::vector<mesh::Point>>(std::move(points));
+  }
+  impl_->shape = std::move(shape);
   if (impl_->live_) impl_->live_->set_shape(impl_->shape);
 }
 
@@ -262,8 +266,8 @@ void Deformer::set_probes(const std::vector<Probe>& probes) {
   deform::Probes all;
   for (const Probe& p : probes) {
     check_finite(p);
-    if (!(p.radius > 0 && p.radius <= mesh::largest_coordinate))
-      throw base::Error("a probe", "its radius is no length", "give it one above 0");
+    if (!(p.radius > 0 && p.radius <= library::most_deformable))
+      throw base::Error("a probe", "its radius is not a length", "give one above 0, up to 1e60");
     const deform::Influence influence{library::named(deform::all_falloffs(), p.falloff, "falloff"), p.radius};
     deform::Probe probe{
         .place = vector_of(p.place), .turn = influence, .stretch = influence, .move = influence};

@@ -99,11 +99,10 @@ mesh::Surface surface_of(const Mesh& mesh, const char* what) {
 }
 
 void check_deformable(std::span<const mesh::Point> points, double least, const char* what) {
-  constexpr double most = 1e60;
   const mesh::Bounds box = mesh::bounds(points);
   const double extent = mesh::largest_abs(box.high - box.low);
   const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
-  if (farthest > most)
+  if (farthest > most_deformable)
     refuse(what, "it reaches as far as " + plain(farthest), "scale it so that it stays within 1e60");
   if (extent > 0 && extent < least)
     refuse(what, "it is " + plain(extent) + " across", "scale it so that it is 1e-60 or more across");

@@ -82,6 +82,7 @@ struct ShapeSpace::Impl {
       if (progress) progress->report(static_cast<double>(shapes.size()) / static_cast<double>(all.size()));
       const std::vector<mesh::Point> positions = library::inside(shape);
       library::check_points(positions, rest->positions.size(), "a shape");
+      library::check_deformable(positions, 0, "a shape");
       const deform::LogVector* before = vectors.empty() ? nullptr : &vectors.back();
       deform::LogVector vector = space.vector(positions, pool, before);
       vectors.push_back(std::move(vector));
@@ -150,6 +151,7 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
   constexpr int most_steps = 200;
   const std::vector<mesh::Point> targets = library::inside(places);
   library::check_points(targets, vertices.size(), "the places");
+  library::check_deformable(targets, 0, "the places");
   if (!(firmness > 0))
     throw base::Error("firmness", "it is not above 0", "0.3 pulls as strongly as neighbours do");
   if (!(freedom >= 0 && freedom <= 1))
@@ -184,6 +186,7 @@ struct PoseSpace::Impl {
     for (const auto& pose : all) {
       const std::vector<mesh::Point> positions = library::inside(pose);
       library::check_points(positions, cage->surface.positions.size(), "a pose");
+      library::check_deformable(positions, 0, "a pose");
       vectors.push_back(space.vector({positions, {}}));
       poses.push_back(positions);
     }

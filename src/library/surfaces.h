@@ -17,8 +17,10 @@ std::vector<Point3> outside(std::span<const mesh::Point> points);
 /// Throws base::Error that names `what` ("the model"): corners that are no vertices, faces of fewer than
 /// three, places that are not finite or farther out than files may be.
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
-/// The same of what is deformed, as large as `viete deform` takes it: `least` (of poses 0) to 1e60 across, or
-/// a point, and no farther out.
+/// The largest coordinate of anything that is deformed, as in `viete deform`.
+inline constexpr double most_deformable = 1e60;
+/// The same of what is deformed: `least` (of poses and shapes 0) to most_deformable across, or a point, and no
+/// farther out.
 void check_deformable(std::span<const mesh::Point> points, double least, const char* what);
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);

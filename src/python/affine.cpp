@@ -27,8 +27,7 @@ struct Argument {
   Argument(const char* function, const py::object& object, py::ssize_t own_axes) {
     const py::array array = as_array(function, object);
     single = is_single(function, array);
-    numbers = Numbers::ensure(array);
-    if (!numbers) throw py::error_already_set();
+    numbers = Numbers(array);
     if (numbers.ndim() < own_axes) wrong(function, "too few axes: this shape is " + shape_text(numbers));
     before.assign(numbers.shape(), numbers.shape() + numbers.ndim() - own_axes);
   }
@@ -71,7 +70,7 @@ Axes common(const Axes& a, const Axes& b) {
 
 // With these axes before its own, by repetition.
 Numbers spread(const Argument& a, const Axes& before) {
-  return Numbers::ensure(numpy("broadcast_to")(a.numbers, py::tuple(py::cast(joined(before, a.own())))));
+  return Numbers(numpy("broadcast_to")(a.numbers, py::tuple(py::cast(joined(before, a.own())))));
 }
 
 template <class Map>
@@ -108,7 +107,7 @@ py::array made(const Axes& before, py::ssize_t rows, bool single, const Make& ma
     const py::gil_scoped_release release;
     for (std::size_t i = 0; i < product_of(before); ++i) write(make(i), to + i * rows * rows, rows);
   }
-  return single ? py::array_t<float>::ensure(result) : py::array(result);
+  return single ? py::array_t<float>(result) : py::array(result);
 }
 
 // Every map of a's leading axes, as f wants them.
@@ -218,9 +217,7 @@ py::array affine_combine(const py::object& m, const py::object& w) {
 }
 
 py::tuple affine_mean(const py::object& m, const py::object& w) {
-  const Weighted all("affine_mean", m, w);
-  if (numpy("any")(all.weights.attr("sum")(-1).attr("__eq__")(0)).cast<bool>())
-    wrong("affine_mean", "the weights sum to 0");
+  const Weighted all("affine_mean", m, w.is_none() ? w : shares("affine_mean", w));
   py::array_t<bool> converged(all.before);
   bool* ends = converged.mutable_data();
   const py::array means = made(all.before, all.maps.rows, all.maps.single, [&](std::size_t i) {

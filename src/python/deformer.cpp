@@ -200,8 +200,10 @@ Probe probe_of(const py::dict& words) {
 void set_mask(PythonDeformer& d, const py::object& mask) {
   std::vector<float> shares;
   if (!mask.is_none()) {
-    const auto array = py::array_t<float, py::array::c_style | py::array::forcecast>::ensure(mask);
-    if (!array || array.ndim() != 1) wrong("Deformer.set_mask", "a mask is (n,), a share for each vertex");
+    const py::array given = as_array("Deformer.set_mask", mask);
+    is_single("Deformer.set_mask", given);
+    if (given.ndim() != 1) wrong("Deformer.set_mask", "a mask is (n,), a share for each vertex");
+    const py::array_t<float, py::array::c_style | py::array::forcecast> array(given);
     if (array.size() == 0 && d.deformer().vertex_count() > 0)
       wrong("Deformer.set_mask", "it has no shares; None lets all vertices move");
     shares.assign(array.data(), array.data() + array.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace viete::python {
@@ -41,12 +42,33 @@ py::array_t<double, py::array::c_style | py::array::forcecast> finite_numbers(co
                                                                               const py::object& a) {
   const py::array array = as_array(function, a);
   is_single(function, array);
-  auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
-  if (!numbers) throw py::error_already_set();
+  py::array_t<double, py::array::c_style | py::array::forcecast> numbers(array);
   for (py::ssize_t i = 0; i < numbers.size(); ++i)
     if (!std::isfinite(numbers.data()[i]))
       wrong(function, std::string(what) + " has a number that is not finite");
   return numbers;
+}
+
+py::array_t<double, py::array::c_style | py::array::forcecast> shares(const char* function,
+                                                                      const py::object& weights) {
+  auto numbers = finite_numbers(function, "weights", weights);
+  if (numbers.ndim() == 0) wrong(function, "weights are (k,) or (..., k)");
+  py::array_t<double> result(std::vector<py::ssize_t>(numbers.shape(), numbers.shape() + numbers.ndim()));
+  const py::ssize_t count = numbers.shape(numbers.ndim() - 1);
+  for (py::ssize_t row = 0; row < numbers.size(); row += count) {
+    const double* w = numbers.data() + row;
+    double* share = result.mutable_data() + row;
+    double largest = 0, size = 0, sum = 0;
+    for (py::ssize_t i = 0; i < count; ++i) largest = std::max(largest, std::abs(w[i]));
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;  // the sum may overflow, or be subnormal
+    for (py::ssize_t i = 0; i < count; ++i) {
+      share[i] = std::scalbn(w[i], -exponent);
+      sum += share[i], size += std::abs(share[i]);
+    }
+    if (std::abs(sum) <= 0x1p-53 * static_cast<double>(count) * size) wrong(function, "the weights sum to 0");
+    for (py::ssize_t i = 0; i < count; ++i) share[i] /= sum;
+  }
+  return result;
 }
 
 bool overlap(const py::array& a, const py::array& b) {
@@ -75,11 +97,18 @@ bool is_single(const char* function, const py::array& a) {
   wrong_type(function, "entries are float32 or float64, or integers; these are " + text_of(a.dtype()));
 }
 
+std::optional<py::array> array_like(const py::handle& a) {
+  try {
+    return py::array(py::reinterpret_borrow<py::object>(a));
+  } catch (const py::error_already_set& error) {
+    if (error.matches(PyExc_MemoryError)) throw;
+    return std::nullopt;
+  }
+}
+
 py::array as_array(const char* function, const py::object& a) {
-  py::array result = py::array::ensure(a);
-  if (!result)
-    wrong_type(function, "an array is needed; this is a " + text_of(py::type::of(a).attr("__name__")));
-  return result;
+  if (auto array = array_like(a)) return *std::move(array);
+  wrong_type(function, "an array is needed; this is a " + text_of(py::type::of(a).attr("__name__")));
 }
 
 template <class T>

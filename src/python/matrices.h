@@ -3,6 +3,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <optional>
 #include <string>
 
 #include "sym3/view.h"
@@ -35,7 +36,9 @@ Shape general_shape(const char* function, const py::array& a);
 /// TypeError for any other.
 bool is_single(const char* function, const py::array& a);
 
-/// Any array-like as an array. Raises TypeError.
+/// Any array-like as an array; nothing if it is none. Raises MemoryError.
+std::optional<py::array> array_like(const py::handle& a);
+/// The same; raises TypeError if it is none.
 py::array as_array(const char* function, const py::object& a);
 
 /// The array of numbers in double, one after the other: weights, or steps. Raises TypeError for what is none,
@@ -43,6 +46,11 @@ py::array as_array(const char* function, const py::object& a);
 py::array_t<double, py::array::c_style | py::array::forcecast> finite_numbers(const char* function,
                                                                               const char* what,
                                                                               const py::object& a);
+
+/// Finite weights, (..., k), divided by their sum over the last axis, whatever their size. Raises ValueError
+/// where they sum to 0.
+py::array_t<double, py::array::c_style | py::array::forcecast> shares(const char* function,
+                                                                      const py::object& weights);
 
 /// Whether two arrays share memory.
 bool overlap(const py::array& a, const py::array& b);

@@ -11,9 +11,7 @@ py::array_t<double> rows_of_3(const char* what, const py::object& object) {
   is_single(what, array);
   if (array.ndim() != 2 || array.shape(1) != 3)
     wrong(what, "places are (n, 3), x, y, z each; this shape is " + shape_text(array));
-  auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
-  if (!doubles) throw py::error_already_set();
-  return doubles;
+  return py::array_t<double, py::array::c_style | py::array::forcecast>(array);
 }
 
 std::span<const double> numbers_of(const py::array_t<double>& array) {
@@ -51,17 +49,17 @@ void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
     mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
   };
   const auto integers_of = [&](const py::handle& object) {
-    const py::array array = py::array::ensure(object);
-    PyErr_Clear();
-    const char kind = array ? array.dtype().kind() : '?';
-    if (!array || (kind != 'i' && kind != 'u' && array.size() > 0))
+    const auto given = array_like(object);
+    const char kind = given ? given->dtype().kind() : '?';
+    if (!given || (kind != 'i' && kind != 'u' && given->size() > 0))
       throw py::type_error("viete." + std::string(what) +
                            ": faces are whole numbers, (m, corners), or a list of lists where they have "
                            "different numbers of corners");
+    const py::array& array = *given;
     if (kind == 'u' && array.itemsize() == 8 && array.size() > 0 &&
         array.attr("max")().attr("__gt__")(std::numeric_limits<std::uint32_t>::max()).cast<bool>())
       wrong(what, "a corner of a face is no vertex: they are counted from 0");
-    return Integers::ensure(array);
+    return Integers(array);
   };
   mesh.starts = {0};
   if (py::isinstance<py::array>(faces) || py::isinstance<py::buffer>(faces)) {

@@ -30,8 +30,7 @@ sym3::SymView<T> writable_view(const Shape& shape, py::array_t<T>& a) {
 /// f(in, out, count) with views of the two arrays' memory, other Python threads running.
 template <class T, class F>
 py::array apply_as(const char* name, const py::array& a, const py::object& out, const F& f) {
-  const auto in = Contiguous<T>::ensure(a);
-  if (!in) throw py::error_already_set();
+  const Contiguous<T> in(a);
   const Shape shape = symmetric_shape(name, in);
   py::array_t<T> result = output<T>(name, out, in);
   const auto from = view<T>(shape, in);
@@ -77,8 +76,7 @@ struct PolarOutputs {
 
 template <class T>
 py::tuple polar_as(const py::array& a, const PolarOutputs& out) {
-  const auto in = Contiguous<T>::ensure(a);
-  if (!in) throw py::error_already_set();
+  const Contiguous<T> in(a);
   const Shape shape = general_shape("polar", in);
   py::array_t<T> r = output<T>("polar", out.rotations, in), u = output<T>("polar", out.stretches, in);
   if (overlap(u, in) || overlap(u, r))
@@ -114,8 +112,7 @@ std::size_t directions_at(const std::string& name, const Contiguous<T>& a, const
 template <class T, class F>
 py::array derivative_as(const char* name, const py::array& a, const py::array& directions,
                         const py::object& out, const F& f) {
-  const auto in = Contiguous<T>::ensure(a), e = Contiguous<T>::ensure(directions);
-  if (!in || !e) throw py::error_already_set();
+  const Contiguous<T> in(a), e(directions);
   const Shape shape = symmetric_shape(name, in);
   const std::size_t n = directions_at<T>(name, in, e);
   py::array_t<T> result = output<T>(name, out, e);
@@ -137,8 +134,7 @@ py::array derivative_as(const char* name, const py::array& a, const py::array& d
 
 template <class T, class F>
 py::array tangent_as(const char* name, const py::array& a, const F& f) {
-  const auto in = Contiguous<T>::ensure(a);
-  if (!in) throw py::error_already_set();
+  const Contiguous<T> in(a);
   const Shape shape = symmetric_shape(name, in);
   std::vector<py::ssize_t> axes(in.shape(),
                                 in.shape() + in.ndim() - (shape.layout == sym3::Layout::full ? 2 : 1));
@@ -243,14 +239,14 @@ py::object mean(const py::object& a, const py::object& weights) {
   const py::ssize_t axis = axis_before("mean", logs);
   if (logs.shape(axis) == 0) wrong("mean", "there are no matrices");
   if (weights.is_none()) return exp_of(logs.attr("mean")(axis));
-  const py::object shares = finite_numbers("mean", "weights", weights).attr("astype")(logs.dtype());
-  if (py::len(shares.attr("shape")) == 0) wrong("mean", "weights are (k,) or (..., k)");
-  const py::object sum = shares.attr("sum")(-1);
-  if (py::module_::import("numpy").attr("any")(sum.attr("__eq__")(0)).cast<bool>())
-    wrong("mean", "the weights sum to 0");
+  const py::array share = shares("mean", weights);
+  if (share.shape(share.ndim() - 1) != logs.shape(axis)) {
+    wrong("mean", "there are " + std::to_string(logs.shape(axis)) + " matrices; weights have shape " +
+                      shape_text(share));
+  }
   const py::ssize_t of_matrix = logs.ndim() - axis - 1;
-  const py::object weighted = (logs * spread(shares, of_matrix)).attr("sum")(axis);
-  return exp_of(weighted / spread(sum, of_matrix));
+  const py::object weighted = logs * spread(share, of_matrix);
+  return exp_of(weighted.attr("sum")(-1 - of_matrix).attr("astype")(logs.dtype()));
 }
 
 py::object interpolate(const py::object& a, const py::object& b, const py::object& t) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "sym3/general.h"
 #include "sym3/products.h"
@@ -62,26 +61,50 @@ Vec3<double> turn_of(const AffineLog& log) {
   return {(l[7] - l[5]) / 2, (l[2] - l[6]) / 2, (l[3] - l[1]) / 2};
 }
 
-AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights) {
+namespace {
+
+// The exponent of the largest weight; 0 if that is 0 or not finite.
+int exponent_of(std::span<const double> weights) {
+  double largest = 0;
+  for (const double w : weights) largest = std::max(largest, std::abs(w));
+  return largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+}
+
+// sum w 2^-shift L, L = log_of(i).
+template <class LogOf>
+AffineLog scaled_sum(std::span<const double> weights, int shift, const LogOf& log_of) {
   AffineLog sum;
-  for (std::size_t i = 0; i < logs.size(); ++i) sum = added(sum, weights[i], logs[i]);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    sum = added(sum, std::scalbn(weights[i], -shift), log_of(i));
   return sum;
 }
 
-namespace {
+bool is_finite(const AffineLog& log) {
+  const auto finite = [](double x) { return std::isfinite(x); };
+  return std::ranges::all_of(log.linear, finite) && std::ranges::all_of(log.translation, finite);
+}
 
-// sum w log(origin^-1 A).
-AffineLog sum_of_logs(const Affine& origin, std::span<const Affine> maps, std::span<const double> weights) {
-  AffineLog sum;
-  for (std::size_t i = 0; i < maps.size(); ++i)
-    sum = added(sum, weights[i], log_affine(from(origin, maps[i])));
+// Terms that overflow, although their sum may not, are summed at a smaller scale.
+template <class LogOf>
+AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
+  constexpr int room = 64;  // for the sum of any number of terms
+  AffineLog sum = scaled_sum(weights, 0, log_of);
+  if (is_finite(sum)) return sum;
+  const int shift = std::max(exponent_of(weights), 0) + room;
+  sum = scaled_sum(weights, shift, log_of);
+  for (double& x : sum.linear) x = std::scalbn(x, shift);
+  for (double& x : sum.translation) x = std::scalbn(x, shift);
   return sum;
 }
 
 }  // namespace
 
+AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights) {
+  return sum_of_terms(weights, [&](std::size_t i) { return logs[i]; });
+}
+
 Affine combine(std::span<const Affine> maps, std::span<const double> weights) {
-  return exp_affine(sum_of_logs({}, maps, weights));
+  return exp_affine(sum_of_terms(weights, [&](std::size_t i) { return log_affine(from({}, maps[i])); }));
 }
 
 Affine interpolate(const Affine& a, const Affine& b, double t) {
@@ -92,16 +115,30 @@ Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double
   return a * exp_affine(added({}, t, log_affine(from(a, b), near)));
 }
 
+namespace {
+
+// The sum of weights times 2^-shift; 0 if it is 0 but for rounding.
+double sum_of(std::span<const double> weights, int shift) {
+  double sum = 0, size = 0;
+  for (const double w : weights) sum += std::scalbn(w, -shift), size += std::abs(std::scalbn(w, -shift));
+  return std::abs(sum) <= 0x1p-53 * static_cast<double>(weights.size()) * size ? 0 : sum;
+}
+
+}  // namespace
+
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   constexpr int most_steps = 200;
   constexpr double near_the_end = 1e-6;  // from there on what is left falls until it is rounding
-  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-  AffineMean m{maps[heaviest], false, 0};
+  const int shift = exponent_of(weights);
+  const double total = sum_of(weights, shift);
+  const auto [least, most] = std::ranges::minmax_element(weights);
+  AffineMean m{maps[(total < 0 ? least : most) - weights.begin()], false, 0};
   double turned = HUGE_VAL, moved = HUGE_VAL;
   bool turned_enough = false, moved_enough = false;
-  for (; !m.converged && m.steps < most_steps; ++m.steps) {
-    const AffineLog step = added({}, 1 / total, sum_of_logs(m.map, maps, weights));
+  for (; !m.converged && m.steps < most_steps && total != 0; ++m.steps) {
+    const AffineLog sum =
+        scaled_sum(weights, shift, [&](std::size_t i) { return log_affine(from(m.map, maps[i])); });
+    const AffineLog step = added({}, 1 / total, sum);
     const double turns = norm(step.linear), moves = norm(step.translation);
     if (!std::isfinite(turns + moves)) break;
     const bool near = turns < near_the_end;

@@ -75,9 +75,9 @@ struct AffineMean {
 /// The map with sum w log(mean^-1 A) = 0 (V. Arsigny, X. Pennec, N. Ayache, Bi-invariant means in Lie groups,
 /// 2006), by steps mean exp(sum w log(mean^-1 A)) from the map that weighs most. Each takes a part of what is
 /// left, less the farther the maps are apart: some 15 where they differ by 60 degrees and a factor of 2. At
-/// most 200; where these do not end, as may be for maps half a turn apart, and where a map has no inverse,
-/// `converged` is false and the map the last one. Weights are divided by their sum; as many as maps, at least
-/// one.
+/// most 200; where these do not end, as may be for maps half a turn apart, where a map has no inverse, and
+/// where the weights sum to 0 but for rounding, `converged` is false and the map the last one. Weights are
+/// divided by their sum, whatever their size; as many as maps, at least one.
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights);
 
 }  // namespace viete::sym3

@@ -14,7 +14,7 @@
 // the largest eigenvalue minus the smallest, k the one over the other:
 //   exp        <= (6 + 2 spread) u with fused multiply-add, (8 + 2.5 spread) u without, at any trace
 //   log, sqrt  <= (16 + 2 k) u
-//   pow        <= (16 + 2 (1 + |p|) k + 2 |p log S|) u
+//   pow        <= (16 + 4 (1 + |p|) k + 4 |p log S|) u
 // at any gap between eigenvalues; where log.h goes through Jacobi's eigenvectors, and so where S^p is past
 // e^(+-500) (float e^(+-50)), <= 16 (1 + |p|) u, some 5 us. The bounds are empirical: tests/sym3 pins them
 // against 113 bits.

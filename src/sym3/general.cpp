@@ -307,18 +307,23 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   return plus(l, 2 * pi * whole_turns(j, pair.angle(), turn), j);
 }
 
+bool is_zero(const Mat3<double>& m) {
+  return m == Mat3<double>{};
+}
+
 // Powers of its entries stay in range; shift: what to add to the log.
 struct InRange {
   Mat3<double> m;
   double shift;
 };
 
-// NaN for 0 and where an entry is not finite.
+// NaN where an entry is not finite. 0 counts as I times the smallest number.
 InRange in_range(const Mat3<double>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::abs(x) + 0 * x);
   if (largest > 1e-60 && largest < 1e60) return {m, 0};
-  if (!(largest > 0 && largest < std::numeric_limits<double>::infinity())) return {nine_nan(), 0};
+  if (!(largest < std::numeric_limits<double>::infinity())) return {nine_nan(), 0};
+  if (largest == 0) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, -1074 * std::numbers::ln2};
   const int exponent = std::ilogb(largest);
   InRange r{m, exponent * std::numbers::ln2};
   for (double& x : r.m) x = std::scalbn(x, -exponent);
@@ -326,6 +331,7 @@ InRange in_range(const Mat3<double>& m) {
 }
 
 std::optional<Mat3<double>> log_in_range(const Mat3<double>& m, const Vec3<double>& turn) {
+  if (is_zero(m)) return std::nullopt;
   const InRange r = in_range(m);
   auto l = log_of_branch(r.m, turn);
   if (!l || !std::isfinite(dot(*l, *l))) return std::nullopt;
@@ -369,7 +375,7 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);
-  s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2;  // false for NaN
+  s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2 && !is_zero(m);  // false for NaN
   Sym3<double>& x = s.parts.stretch;
   if (!s.whole) x = log_of_sizes(p.stretch);
   x.xx += r.shift, x.yy += r.shift, x.zz += r.shift;

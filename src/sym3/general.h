@@ -24,7 +24,7 @@ Mat3<double> exp_general(const Mat3<double>& l);
 /// Where M has none, because det M <= 0 or it has negative eigenvalues, and where rounding decides, because M
 /// is flat (a stretch below 1e-11 of another) or its eigenvalues turn by 180 degrees but for 1e-7, the answer
 /// is X + Y of log_polar(): bounded, and the same as log M where turn and stretch commute, as those of all
-/// rotations and similarities do. has_log() tells. NaN or infinity in M, and M = 0: nine NaN.
+/// rotations and similarities do. has_log() tells. M = 0 counts as 2^-1074 I. NaN or infinity in M: nine NaN.
 Mat3<double> log_general(const Mat3<double>& m);
 
 /// True if exp_general(log_general(M)) is M, but for rounding.
@@ -42,8 +42,8 @@ struct PolarLog {
 };
 
 /// Y is the branch nearest to `near`, see nearest_branch(). Stretches count as 1e-12 of the largest one at
-/// least, and those of a mirrored M (det M < 0, R the nearest rotation) without their sign: X is finite. NaN
-/// for M = 0 and where an entry is not finite.
+/// least (M = 0 as 2^-1074 I), and those of a mirrored M (det M < 0, R the nearest rotation) without their
+/// sign: X is finite. NaN where an entry is not finite.
 PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near = {});
 
 /// L with exp(L) = M = exp(Y) exp(X): the logarithm whose turn is nearest to Y, any number of whole turns, so

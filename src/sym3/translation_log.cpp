@@ -138,7 +138,8 @@ Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
 Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x) {
   if (kept(log, turn) < 1) return plus(product(even_part(log, turn), x), -0.5, product(log, x));
   const auto solution = solved<1>(by_rows(Phi(log).rows()), {{{x[0]}, {x[1]}, {x[2]}}});
-  return {solution[0][0], solution[1][0], solution[2][0]};
+  const Vec3<double> w{solution[0][0], solution[1][0], solution[2][0]};
+  return std::isfinite(w[0] + w[1] + w[2]) ? w : times(-0.5, product(log, x));
 }
 
 }  // namespace viete::sym3

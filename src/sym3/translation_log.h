@@ -31,7 +31,8 @@ Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& turn);
 Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x);
 Vec3<double> phi_times(const Vec3<double>& turn, const Vec3<double>& x);
 
-/// W x = E x - L x / 2 of even_part(): phi(L)^-1 x but near whole turns.
+/// W x = E x - L x / 2 of even_part(): phi(L)^-1 x but near whole turns. Where e^L is past the largest number,
+/// and for L of hundreds of turns, E may count as 0, so that it is finite.
 Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x);
 
 }  // namespace viete::sym3

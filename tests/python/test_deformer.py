@@ -265,6 +265,13 @@ class Arrays(WithFolder):
             (lambda: d.deform(self.pose * 1e50, out=np.empty((count, 3), np.float32)), viete.Error, "beyond what floats hold"),
             (lambda: d.set_mask([]), ValueError, "no shares"),
             (lambda: d.set_shape(np.zeros((0, 3))), ValueError, "no places"),
+            (lambda: d.set_shape(self.model * 1e70), viete.Error, "the shape: it reaches as far as"),
+            (lambda: d.set_probes([{"place": (1e70, 0, 0)}]), viete.Error, "beyond 1e60"),
+            (lambda: d.set_probes([{"place": (0, 0, 0), "move": (0, 1e70, 0)}]), viete.Error, "beyond 1e60"),
+            (lambda: d.set_probes([{"place": (0, 0, 0), "radius": 1e70}]), viete.Error, "radius is not a length"),
+            (lambda: viete.ShapeSpace(self.model, self.faces, [self.model * 1e70]), viete.Error, "a shape: it reaches"),
+            (lambda: viete.PoseSpace(CUBE, CUBE_FACES, [CUBE * 1e70]), viete.Error, "a pose: it reaches"),
+            (lambda: shapes.pose([5], self.model[[5]] * 1e70), viete.Error, "the places: it reaches"),
             (lambda: d.set_probes([{"place": (0, 0, 0), "move": (0, 0, np.nan)}]), viete.Error, "move has a number"),
             (lambda: d.set_probes([{"place": (0, 0)}]), ValueError, "place is three numbers"),
             (lambda: d.set_probes([{"place": (0, 0, 0), "falloff": 3}]), ValueError, "falloff is a word"),
@@ -295,6 +302,25 @@ class Arrays(WithFolder):
         self.assertTrue(issubclass(viete.Error, ValueError))
         d.set_probes([])
         self.assertEqual(d.deform(self.pose).shape, (count, 3))  # it is as it was
+
+    def test_arrays_too_large_for_memory_are_memory_errors(self):
+        rows = np.broadcast_to(np.zeros(3), (10**16, 3))  # of no memory itself
+        faces = np.broadcast_to(np.array([0, 1, 2], np.int32), (10**16, 3))
+        d = self.bound()
+        for name, call in {
+            "vertices": lambda: viete.Deformer(rows, self.faces, CUBE, CUBE_FACES),
+            "faces": lambda: viete.Deformer(self.model, faces, CUBE, CUBE_FACES),
+            "deform": lambda: d.deform(rows),
+            "set_mask": lambda: d.set_mask(np.broadcast_to(0.5, (10**17,))),
+            "set_shape": lambda: d.set_shape(rows),
+            "make_cage": lambda: viete.make_cage(rows, self.faces),
+            "write": lambda: viete.write(self.folder / "a.obj", rows, self.faces),
+            "ShapeSpace": lambda: viete.ShapeSpace(self.model, self.faces, [rows]),
+            "PoseSpace": lambda: viete.PoseSpace(CUBE, CUBE_FACES, [rows]),
+            "pose": lambda: viete.ShapeSpace(self.model, self.faces, [self.model]).pose([0], rows),
+        }.items():
+            with self.subTest(name), self.assertRaises(MemoryError):
+                call()
 
     def test_masks_probes_and_shapes_act(self):
         d = self.bound()

@@ -115,6 +115,13 @@ class Answers(unittest.TestCase):
                 viete.polar(m, out=out)
 
 
+EXTREME_WEIGHTS = [  # of two, and the same as shares
+    ([1e308, 1e308], [0.5, 0.5]), ([1.5e308, 0.5e308], [0.75, 0.25]), ([3e-320, 3e-320], [0.5, 0.5]),
+    ([5e-324, 1.5e-323], [0.25, 0.75]), ([1e308, 1e-320], [1, 0]), ([-1e308, -1e308], [0.5, 0.5]),
+    ([-3e-320, -3e-320], [0.5, 0.5]), ([1.5e308, -0.5e308], [1.5, -0.5]), ([-1, -3], [0.25, 0.75]),
+]
+
+
 def turn_about_z(angle, shift=(0, 0, 0)):
     m = np.eye(4)
     m[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
@@ -174,10 +181,26 @@ class AffineMaps(unittest.TestCase):
         np.testing.assert_allclose(viete.affine_mean(m @ c, w)[0], mean @ c, atol=1e-12)
         np.testing.assert_allclose(viete.affine_mean(m)[0], viete.affine_mean(m, np.full((4, 5), 3.0))[0], atol=1e-13)
 
+    def test_means_of_maps_take_weights_of_any_size(self):
+        m = affine(2)
+        for weights, share in EXTREME_WEIGHTS:
+            with self.subTest(weights=weights):
+                mean, converged = viete.affine_mean(m, weights)
+                self.assertTrue(converged)
+                np.testing.assert_allclose(mean, viete.affine_mean(m, share)[0], atol=1e-12)
+
+    def test_opposite_terms_of_a_combination_cancel_at_any_size(self):
+        m = turn_about_z(2, (3, 0, 0))  # whose log is above 1: its terms overflow
+        np.testing.assert_allclose(viete.affine_combine([m, m, m], [1e308, 0.25, -1e308]), np.eye(4), atol=1e-15)
+
     def test_maps_without_a_log_get_a_bounded_one(self):
         mirror = np.diag([1.0, 2.0, -1.0])
         self.assertFalse(viete.affine_has_log(mirror))
         self.assertTrue(np.isfinite(viete.affine_log(mirror)).all())
+        for nothing in (np.zeros((3, 3)), np.zeros((4, 4))):
+            self.assertFalse(viete.affine_has_log(nothing))
+            self.assertTrue(np.isfinite(viete.affine_log(nothing)).all())
+            self.assertTrue(np.isfinite(viete.affine_log(nothing, near=(0, 0, 7))).all())
         self.assertTrue(np.isnan(viete.affine_log(np.full((3, 3), np.nan))).all())
 
     def test_wrong_shapes_say_so(self):
@@ -235,6 +258,14 @@ class Means(unittest.TestCase):
         self.assertTrue(np.allclose(means[0], means[1]))
         self.assertEqual(viete.mean(a.astype(np.float32)).dtype, np.float32)
 
+    def test_weights_of_any_size_count_by_their_share(self):
+        for a in (positive(np.float64, 2), positive(np.float32, 2)):
+            for weights, share in EXTREME_WEIGHTS:
+                with self.subTest(weights=weights, dtype=a.dtype):
+                    np.testing.assert_allclose(viete.mean(a, weights), viete.mean(a, share), rtol=1e-6)
+        rows = [w for w, _ in EXTREME_WEIGHTS]
+        np.testing.assert_allclose(viete.mean(a, rows)[2], viete.mean(a, rows[2]))  # weights have more axes
+
     def test_interpolation_goes_from_one_to_the_other(self):
         a, b = positive(np.float64, 7), positive(np.float64, 7)[::-1].copy()
         self.assertTrue(np.allclose(viete.interpolate(a, b, 0), a))
@@ -255,6 +286,10 @@ class Means(unittest.TestCase):
         for problem, error, words in [
             (lambda: viete.mean(pair[:0]), ValueError, "no matrices"),
             (lambda: viete.mean(pair, [1, -1]), ValueError, "sum to 0"),
+            (lambda: viete.mean(pair, [1e308, -1e308]), ValueError, "sum to 0"),
+            (lambda: viete.mean(np.stack([*pair, *pair])[:3], [0.1, 0.2, -0.3]), ValueError, "sum to 0"),
+            (lambda: viete.mean(pair, [1]), ValueError, "there are 2 matrices; weights have shape"),
+            (lambda: viete.affine_mean(pair, [[1, 1], [1e308, -1e308]]), ValueError, "sum to 0"),
             (lambda: viete.mean(pair, [1, np.nan]), ValueError, "not finite"),
             (lambda: viete.interpolate(pair[0], pair[1], None), TypeError, "float32 or float64"),
             (lambda: viete.interpolate(pair[0], pair[1], np.inf), ValueError, "not finite"),
@@ -320,6 +355,32 @@ class Derivatives(unittest.TestCase):
 
 
 class Arrays(unittest.TestCase):
+    def test_arrays_too_large_for_memory_are_memory_errors(self):
+        # Of no memory themselves; a copy or an answer has some exabytes.
+        matrices, maps, planes = (np.broadcast_to(a, (10**15,) + a.shape) for a in (np.eye(3), np.eye(4), np.eye(3)[0]))
+        s, e = np.eye(3), matrices
+        numbers = np.broadcast_to(np.float64(0.5), (10**16,))
+        for name, call in {
+            **{name: lambda f=f: f(matrices) for name, (f, _, _) in FUNCTIONS.items()},
+            **{name + "_derivative": lambda d=d: d(s, e) for name, (d, _, _, _) in DERIVATIVES.items()},
+            **{name + "_tangent": lambda t=t: t(matrices) for name, (_, t, _, _) in DERIVATIVES.items()},
+            "polar": lambda: viete.polar(matrices),
+            "mean": lambda: viete.mean(matrices),
+            "weights": lambda: viete.mean(np.stack([s, s]), np.broadcast_to(numbers[:1], (10**16, 2))),
+            "interpolate": lambda: viete.interpolate(s, matrices, 0.5),
+            "interpolate t": lambda: viete.interpolate(s, s, numbers),
+            "affine_log": lambda: viete.affine_log(maps),
+            "affine_log near": lambda: viete.affine_log(np.eye(4), near=planes),
+            "affine_exp": lambda: viete.affine_exp(maps),
+            "affine_has_log": lambda: viete.affine_has_log(maps),
+            "affine_interpolate": lambda: viete.affine_interpolate(np.eye(4), np.eye(4), numbers),
+            "affine_combine": lambda: viete.affine_combine(maps[:, None], [1.0]),
+            "affine_mean": lambda: viete.affine_mean(maps),
+            "integers": lambda: viete.exp(np.broadcast_to(np.int8(1), (10**15, 6))),
+        }.items():
+            with self.subTest(name), self.assertRaises(MemoryError):
+                call()
+
     def test_any_number_of_leading_axes_is_kept(self):
         for shape in ((), (1,), (0,), (7,), (2, 3), (2, 0, 3), (2, 3, 4, 5)):
             s = symmetric(np.float64, *shape)

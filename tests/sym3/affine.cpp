@@ -178,3 +178,54 @@ TEST_CASE("a_mean_of_two_is_between_them_and_one_that_does_not_end_says_so") {
   CHECK(!sym3::mean(std::vector{flat, Affine{}}, std::vector{2.0, 1.0}).converged);
   CHECK(!sym3::mean(std::vector{Affine{}}, std::vector{0.0}).converged);
 }
+
+TEST_CASE("a_mean_takes_weights_of_any_size_by_their_share") {
+  Random random(27);
+  const auto maps = some_maps(random, 4, 1);
+  const Affine expected = sym3::mean(maps, weights).map;
+  for (const double scale : {1e308, 3e307, 1e200, 1e-200, 1e-300, 1e-308, -1.0, -1e308, -1e-300}) {
+    auto scaled = weights;
+    for (double& w : scaled) w *= scale;
+    const auto mean = sym3::mean(maps, scaled);
+    CAPTURE(scale);
+    CHECK(mean.converged);
+    CHECK(difference(mean.map, expected) < 1e-13);
+  }
+  struct Case {
+    std::vector<double> weights, shares;
+  };
+  for (const auto& [given, shares] : {Case{{1e308, 1e308, 1e308, 1e308}, {0.25, 0.25, 0.25, 0.25}},
+                                      {{5e-324, 5e-324, 1e-323, 0}, {0.25, 0.25, 0.5, 0}},
+                                      {{1e308, 1e-320, 1, -1e-320}, {1, 0, 0, 0}},
+                                      {{1e308, 1e308, -1e308, 0}, {1, 1, -1, 0}},
+                                      {{-1e308, -1e308, 0, 0}, {0.5, 0.5, 0, 0}}}) {
+    const auto mean = sym3::mean(maps, given);
+    CAPTURE(given);
+    CHECK(mean.converged);
+    CHECK(difference(mean.map, sym3::mean(maps, shares).map) < 1e-13);
+  }
+}
+
+TEST_CASE("a_mean_of_weights_that_sum_to_zero_or_are_not_finite_does_not_converge") {
+  const std::vector<Affine> maps{about_z(0.1), about_z(0.2, {1, 0, 0}), about_z(0.3)};
+  for (const auto& sum_to_nothing : std::vector<std::vector<double>>{{0, 0, 0},
+                                                                     {1, -1, 0},
+                                                                     {0.1, 0.2, -0.3},
+                                                                     {1e308, -1e308, 0},
+                                                                     {1e-320, -2e-320, 1e-320},
+                                                                     {HUGE_VAL, 1, 1},
+                                                                     {NAN, 1, 1}})
+    CHECK(!sym3::mean(maps, sum_to_nothing).converged);
+}
+
+TEST_CASE("terms_of_a_sum_that_overflow_cancel") {
+  const std::vector<Affine> maps(3, about_z(2, {3, 0, 0}));
+  std::vector<AffineLog> logs;
+  for (const Affine& m : maps) logs.push_back(sym3::log_affine(m));
+  CHECK(sym3::norm(sym3::weighted_sum(logs, std::vector{1e308, 0.0, -1e308}).linear) == 0);
+  CHECK(difference(sym3::combine(maps, std::vector{1e308, 0.5, -1e308}), {}) < 1e-13);
+  for (AffineLog& log : logs) log.linear = sym3::times(8e307, log.linear);
+  CHECK(sym3::norm(sym3::weighted_sum(logs, std::vector{0.8, 0.8, -1.6}).linear) == 0);
+  CHECK(sym3::weighted_sum(logs, std::vector{1e-320, 0.0, 0.0}).linear[1] ==
+        doctest::Approx(-16e307 * 1e-320));
+}

@@ -128,7 +128,8 @@ void check_spread_of_derivatives(double spread, double lowest) {
 
 /// The promises of derivative.h for log and the root, p = 0, and for powers.
 double allowed_for_power(double p, const OfMatrix& s) {
-  return 16 + 2 * ((1 + std::fabs(p)) * s.condition + std::fabs(p) * s.log_norm);
+  if (p == 0) return 16 + 2 * s.condition;
+  return 16 + 4 * ((1 + std::fabs(p)) * s.condition + std::fabs(p) * s.log_norm);
 }
 
 template <class T>
@@ -205,8 +206,9 @@ TEST_CASE_TEMPLATE("derivatives_of_log_sqrt_and_pow_keep_their_bounds_at_every_c
       check_derivatives(f, what, with_condition<T>(k, 150),
                         [](const OfMatrix& s) { return allowed_for_power(0, s); });
     }
-    for (const double p : {-1.7, -0.5, 0.3, 1.0, 2.0, 7.0}) {
-      if (sizeof(T) == 4 && p == 7 && k > 100) continue;  // past all numbers
+    for (const double p : {-100.0, -20.0, -1.7, -0.5, 0.3, 1.0, 2.0, 7.0, 33.0, 80.0}) {
+      if (std::fabs(p) * std::log(1e3 * k) > (sizeof(T) == 4 ? 50 : 500))
+        continue;  // nearly past all numbers
       check_derivatives(
           Of::pow, what + ", power " + std::to_string(p), with_condition<T>(k, 60),
           [=](const OfMatrix& s) { return allowed_for_power(p, s); }, p);

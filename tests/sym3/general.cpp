@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sym3/affine.h"
 #include "sym3/preamble.h"
 #include "sym3/products.h"
 #include "sym3/quad_general.h"
@@ -320,8 +321,35 @@ TEST_CASE("what_is_no_number_and_no_map_has_no_log_and_nan_for_it") {
       for (const double x : sym3::log_near(m, {})) CHECK(std::isnan(x));
     }
   }
+}
+
+TEST_CASE("every_finite_matrix_has_a_bounded_log_which_is_finite_on_every_branch") {
+  Random random(15);
+  std::vector<Mat3<double>> all{{}, diagonal_matrix(1, 0, 0), {0, 1, 0, 0, 0, 1, 0, 0, 0}};
+  for (const double size : {5e-324, 1e-310, 1e-200, 1e200, 1.7e308})
+    for (const auto& m :
+         {diagonal_matrix(size, size, size), diagonal_matrix(size, 0, -size),
+          Mat3<double>{size, size, size, size, size, size, size, size, size},
+          Mat3<double>{0, -size, 0, size, 0, 0, 0, 0, 1}, Mat3<double>{1, size, 0, 0, 1, 0, 0, 0, 1}})
+      all.push_back(m);
+  for (int i = 0; i < 500; ++i) {
+    Mat3<double> m;
+    for (double& x : m)
+      x = std::round(1.5 * uniform(random, -1, 1)) * (i % 2 ? 1 : std::pow(10, uniform(random, -300, 300)));
+    all.push_back(m);
+  }
+  for (const auto& m : all) {
+    CAPTURE(m);
+    CHECK(largest_of(log_general(m)) < 3000);
+    CHECK(std::isfinite(sym3::norm(sym3::log_affine({m, {1, 2, 3}}).translation)));
+    for (const Vector& near : {Vector{0, 0, 1}, Vector{3, 4, -100}, Vector{1e6, 0, 0}}) {
+      const sym3::AffineLog l = sym3::log_affine({m, {1, 2, 3}}, near);
+      CHECK(std::isfinite(sym3::norm(l.linear) + sym3::norm(l.translation)));
+    }
+  }
   CHECK(!has_log({}));
-  for (const double x : log_general({})) CHECK(std::isnan(x));
+  CHECK(log_general({}) == log_general(diagonal_matrix(5e-324, 5e-324, 5e-324)));
+  CHECK(largest_of(exp_general(log_general({}))) < 1e-300);
 }
 
 TEST_CASE("the_angle_of_a_log_is_what_it_turns_by") {

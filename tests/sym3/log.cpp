@@ -51,12 +51,16 @@ QuadSym exact(Which which, const QuadSym& s) {
   return quad_function(s, [](Quad x) { return expq(Quad(power) * logq(x)); });
 }
 
+double pow_bound(double p, double k, double size) {
+  return 8 * (std::fabs(p) * k + 1 + std::fabs(p) * size);
+}
+
 /// The promise of log.h for condition k and |log S| = size.
 double log_bound(Which which, double k, double size) {
   if (which == Which::log) return 6 * std::max(1.0, k / size);
   if (which == Which::sqrt) return 6 * std::sqrt(k);
-  if (which == Which::inv_sqrt) return 6 * k;
-  return 10 * (k + 1 + std::fabs(power) * size);
+  if (which == Which::inv_sqrt) return 8 * k;
+  return pow_bound(power, k, size);
 }
 
 template <class T>
@@ -96,6 +100,37 @@ TEST_CASE_TEMPLATE("functions_of_a_batch_keep_their_bounds_at_every_condition_an
 
 TEST_CASE("functions_of_a_batch_keep_their_bounds_up_to_condition_1e12_in_double") {
   for (const double condition : {1e5, 1e7, 1e9, 1e11, 1e12}) check_bounds<double>(condition);
+}
+
+TEST_CASE_TEMPLATE("powers_from_minus_100_to_100_keep_their_bound_at_every_condition_gap_and_size", T, double,
+                   float) {
+  constexpr double range = sizeof(T) == 8 ? 690 : 80, most_digits = sizeof(T) == 8 ? 15 : 6;
+  Random random(57);
+  const double exponents[] = {-100, -99.5, -40, -10, -5,  -2.5, -1, -0.3, -1e-3,
+                              1e-3, 0.3,   1,   2,   3.5, 10,   64, 100};
+  for (const double p : exponents) {
+    const double digits = std::min(most_digits, range / std::fabs(p) / std::log(10));  // S^p in range
+    for (int i = 0; i < 150; ++i) {
+      const double k = 1 + std::pow(10.0, uniform(random, -12, digits)) * (i % 3 ? 1 : 1e-3);
+      const double near = (k - 1) * std::pow(10.0, uniform(random, -16, -1));
+      const double middle[] = {1, k, 1 + near, k - near, std::sqrt(k)};
+      const double size = std::pow(10.0, i % 2 ? uniform(random, -digits, digits) : 0);
+      const auto s = with_eigenvalues<T>({size / k, size / k * middle[i % 5], size}, random);
+      const QuadEigen e = quad_eigen(to_quad(s));
+      const auto [low, high] = std::ranges::minmax(e.values);
+      if (!(low > 0) || fabsq(p * logq(low)) > range || fabsq(p * logq(high)) > range) continue;
+      const QuadSym truth = quad_function(to_quad(s), [&](Quad x) { return expq(Quad(p) * logq(x)); });
+      const double log_norm = static_cast<double>(quad_frobenius(quad_log(to_quad(s))));
+      CAPTURE(p);
+      CAPTURE(k);
+      CAPTURE(size);
+      for (const auto& kernel : sym3::kernels()) {
+        Sym3<T> out;
+        sym3::functions<T>(kernel).pow->one(&s.xx, &out.xx, p);
+        CHECK(error_in_u(out, truth) <= pow_bound(p, static_cast<double>(high / low), log_norm));
+      }
+    }
+  }
 }
 
 TEST_CASE("log_of_a_batch_is_relatively_exact_near_the_identity") {
