@@ -38,6 +38,7 @@ FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace&
   base::remove_stale_parts(recovery_folder(state_));
   scene::remove_discarded(recovery_folder(state_));
   workspace.leftovers = scene::find_leftovers(recovery_folder(state_));
+  workspace.offers_leftovers = !std::ranges::all_of(workspace.leftovers, &scene::Leftover::restored);
   try {
     workspace.remembered = scene::read_remembered(remembered_file(state_));
   } catch (const base::Error& error) {
@@ -70,7 +71,7 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
     start_animation_export(w, *file);
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
-  if (const auto file = std::exchange(r.discard, std::nullopt)) discard(w, *file);
+  if (std::exchange(r.discard, false)) discard(w);
   if (std::exchange(r.undo_discard, false)) undo_discard(w);
   sizes_.follow(w);
   go_on_after_saving(w);
@@ -153,7 +154,7 @@ void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
 
 void FileDesk::go_on(scene::Workspace& w, Kind kind) {
   w.after_saving.reset();
-  if (kind == Kind::close) closed_ = true;
+  if (kind == Kind::close) autosave_.leave_recovered(w), closed_ = true;
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
@@ -208,29 +209,32 @@ void FileDesk::keep_binding(const Bound& bound) {
       }));
 }
 
-void FileDesk::discard(scene::Workspace& w, const fs::path& file) {
-  const auto leftover =
-      std::find_if(w.leftovers.begin(), w.leftovers.end(), [&](const auto& l) { return l.file == file; });
-  if (leftover == w.leftovers.end()) return;
-  try {
-    w.discarded.push_back(scene::discard(*leftover));
-    w.leftovers.erase(leftover);
-    w.tell_discarded = true;
-  } catch (const base::Error& error) {
-    w.messages.error(error.what());
-  }
+void FileDesk::discard(scene::Workspace& w) {
+  const auto problem = [&](const scene::Leftover& leftover) {
+    try {
+      w.discarded.push_back(scene::discard(leftover));
+      return false;
+    } catch (const base::Error& error) {
+      w.messages.error(error.what());
+      return true;
+    }
+  };
+  const std::size_t before = w.leftovers.size();
+  std::erase_if(w.leftovers, [&](const auto& leftover) { return !problem(leftover); });
+  if (w.leftovers.size() == before) return;
+  w.messages.info("Discarded the recovered edits. File > Undo discarding recovered edits brings them back.");
 }
 
 void FileDesk::undo_discard(scene::Workspace& w) {
-  if (w.discarded.empty()) return;
   try {
-    scene::undo_discard(w.discarded.back());
-    w.leftovers.insert(w.leftovers.begin(), w.discarded.back().leftover);
-    w.discarded.pop_back();
-    w.tell_discarded = w.tell_discarded && !w.discarded.empty();
+    for (; !w.discarded.empty(); w.discarded.pop_back()) {
+      scene::undo_discard(w.discarded.back());
+      w.leftovers.insert(w.leftovers.begin(), w.discarded.back().leftover);
+    }
   } catch (const base::Error& error) {
     w.messages.error(error.what());
   }
+  w.offers_leftovers = !w.leftovers.empty();
 }
 
 void FileDesk::keep(scene::Workspace& w, bool no_drag) {

@@ -77,7 +77,7 @@ private:
   void close(scene::Workspace& workspace);
   void follow_exports(scene::Workspace& workspace, bool wait);
   void show_exports(scene::Workspace& workspace);
-  void discard(scene::Workspace& workspace, const std::filesystem::path& file);
+  void discard(scene::Workspace& workspace);
   void undo_discard(scene::Workspace& workspace);
   void remember(scene::Workspace& workspace);
   void take_written(scene::Workspace& workspace);

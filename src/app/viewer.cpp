@@ -89,8 +89,8 @@ void Viewer::drop(std::vector<fs::path> files) {
 }
 
 void Viewer::place_viewport() {
-  const scene::Viewport whole =
-      scene::view_between(workspace_.remembered.layout, glm::vec2(options_.size), workspace_.view.panels);
+  const scene::Viewport whole = scene::view_between(workspace_.remembered.layout, glm::vec2(options_.size),
+                                                    workspace_.view.panels, workspace_.notice_height);
   workspace_.viewport = scene::viewport_of(workspace_.split, whole, workspace_.split.active);
 }
 
@@ -162,7 +162,8 @@ bool Viewer::finish_keeping() {
 
 // What appears in front of the panels takes a few frames to find its size.
 void Viewer::settle_notices() {
-  const Notices now{workspace_.question.has_value(), workspace_.farewell, workspace_.messages.revision()};
+  const Notices now{workspace_.question.has_value(), workspace_.farewell, workspace_.messages.revision(),
+                    workspace_.notice_height};
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
@@ -201,10 +202,11 @@ bool Viewer::changing() const {
 // A script does once more what was done, but for what it would do to files of a person who looks on.
 void Viewer::leave_out_writing() {
   scene::Requests& r = workspace_.requests;
-  bool any = std::exchange(r.undo_discard, false) | std::exchange(r.screenshot, false) |
-             std::exchange(r.manual, false) | std::exchange(r.show_report, false);
-  for (auto* file : {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model,
-                     &r.save_animation, &r.discard})
+  bool any = std::exchange(r.discard, false) | std::exchange(r.undo_discard, false) |
+             std::exchange(r.screenshot, false) | std::exchange(r.manual, false) |
+             std::exchange(r.show_report, false);
+  for (auto* file :
+       {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model, &r.save_animation})
     any |= std::exchange(*file, std::nullopt).has_value();
   if (any) workspace_.messages.info("Left out, while a script is replayed: what it would have written.");
   r.quit = false;
