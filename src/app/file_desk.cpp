@@ -56,8 +56,10 @@ FileDesk::~FileDesk() {
 void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   auto& r = w.requests;
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
-  if (const auto request = std::exchange(r.open, std::nullopt))
+  if (const auto request = std::exchange(r.open, std::nullopt)) {
+    reading_ = request->files.empty() ? fs::path() : request->files.front();
     loader_.start(*request, w.document, take_saved());
+  }
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
@@ -65,10 +67,10 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
     scene::save_chosen_pose(w, *file);
   if (const auto file = std::exchange(r.save_cage, std::nullopt)) scene::save_cage(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
-    start_export(w, *file);
+    export_to(w, *file, &FileDesk::start_export);
   if (const auto file = std::exchange(r.save_animation, std::nullopt);
       file && w.document.is_movable() && !w.document.timeline.keys.empty())
-    start_animation_export(w, *file);
+    export_to(w, *file, &FileDesk::start_animation_export);
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
   if (std::exchange(r.discard, false)) discard(w);
@@ -78,12 +80,33 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (std::exchange(r.quit, false) && !w.question) close(w);
   show_exports(w);
   if (no_drag && !w.question) take_loaded(w, false);
+  follow_dialog(w.browser, w);
+}
+
+// A file dialog stays until what it asked for is done. What takes long is shown by a bar instead.
+void FileDesk::follow_dialog(scene::FileBrowser& browser, const scene::Workspace& w) {
+  constexpr double short_time = 0.5;
+  if (browser.asked.empty()) return;
+  const bool exports = exporter_.running(), reads = loader_.running();
+  if (exports || (reads && w.loading.age > short_time)) browser.open = false;
+  if (exports || reads || w.question) return;
+  browser.open = false;
+  browser.asked.clear();
+}
+
+void FileDesk::export_to(scene::Workspace& w, const fs::path& file, StartExport start) {
+  try {
+    (this->*start)(w, file);
+  } catch (const base::Error& error) {
+    scene::tell_refusal(w, file, error.what(), "export");
+  }
 }
 
 void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
   scene::Export what = scene::export_of(w.document, file);
   what.up = w.camera.pose().up;
-  exporter_.add(std::move(what), scene::files_open(w));
+  scene::check_output(file, scene::Content::surface, scene::files_open(w), scene::Force::none);
+  exporter_.add(std::move(what));
 }
 
 PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::path& file) const {
@@ -98,15 +121,17 @@ PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::p
 }
 
 void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
+  const scene::Timeline& timeline = w.document.timeline;
+  scene::check_output(file, {timeline.first, timeline.last}, scene::files_open(w), scene::Force::none);
   const std::string extension = mesh::extension_of(file);
   if (extension == "png" || scene::is_video_format(extension))
-    return exporter_.add(picture_export_of(w, file), scene::files_open(w));
+    return exporter_.add(picture_export_of(w, file));
   scene::AnimationExport what = scene::animation_export_of(w.document, file);
   what.model.up = w.camera.pose().up;
   what.tolerance = w.browser.morphs.tolerance;
   what.normals = w.browser.morphs.normals;
   what.keeps_unfinished = false;  // who stops it here does not go on with it
-  exporter_.add(std::move(what), scene::files_open(w));
+  exporter_.add(std::move(what));
 }
 
 void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
@@ -118,11 +143,12 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result->value));
     waiting_ = std::move(result->value);
     w.question = scene::ask_before_opening(scene::name_of_work(w), autosave_.problem());
+  } else if (result->stopped) {
+    w.messages.info(loader_.was_binding() ? "Stopped binding; everything is as it was."
+                                          : "Stopped reading; everything is as it was.",
+                    {"open"});
   } else {
-    const char* stopped = loader_.was_binding() ? "Stopped binding; everything is as it was."
-                                                : "Stopped reading; everything is as it was.";
-    w.messages.say(result->stopped ? scene::Severity::info : scene::Severity::error,
-                   result->stopped ? stopped : result->problem, {"open"});
+    scene::tell_refusal(w, reading_, result->problem, "open");
   }
 }
 
@@ -173,7 +199,7 @@ void FileDesk::give_up(scene::Workspace& w) {
 void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over_changes) {
   if (!over_changes && scene::changed_on_disk(w, file)) {
     w.question = scene::ask_before_replacing(file);
-  } else if (!scene::save_session(w, file) && w.after_saving) {
+  } else if (!scene::save_session(w, file) && w.after_saving && !w.browser.open) {
     w.question =
         scene::ask_after_failed_save(scene::name_of_work(w), *w.after_saving, w.messages.all().back().text);
   }
@@ -181,7 +207,10 @@ void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over
 
 // A window that was about to close goes on with that when all is written, and stays for what went wrong.
 void FileDesk::follow_exports(scene::Workspace& w, bool wait) {
-  if (!exporter_.follow(w.messages, wait)) closing_ = w.requests.quit = false;  // that is to be read first
+  if (const auto failure = exporter_.follow(w.messages, wait)) {
+    scene::tell_refusal(w, failure->file, failure->problem, "export");
+    closing_ = w.requests.quit = false;  // that is to be read first
+  }
   if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;
 }
 

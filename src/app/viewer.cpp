@@ -223,7 +223,7 @@ void Viewer::switch_recording() {
     if (begins) script_.begin(workspace_, fs::current_path(ignored));
     const fs::path file = begins ? fs::path() : script_.end();
     workspace_.messages.info(begins ? "Recording; the red button at the top ends it."
-                                    : "Recorded " + file.string() + "; viete replay does it again.");
+                                    : "Recorded " + file.filename().string() + ".");
     workspace_.messages.succeeded("record");
   } catch (const base::Error& error) {
     workspace_.messages.error(error.what(), {"record"});
