@@ -78,7 +78,7 @@ void check_output(const AnimateOptions& options, FilesInUse files, const scene::
   const bool numbered = base::NumberedName::is_pattern(options.output);
   if (!numbered && !scene::is_animation_format(extension) && !scene::is_video_format(extension)) return;
   files.add(options.picture.viewer.bindings.named, scene::the_binding);
-  check_output(options.output, frames, files, options.force ? scene::Force::given : scene::Force::offered);
+  check_output(options.output, frames, files, force_of(options.force));
 }
 
 // What is opened, with the frames that were asked for.
@@ -114,7 +114,8 @@ scene::AnimationExport export_of(const AnimateOptions& options, const scene::Ope
   what.every_frame = options.every_frame;
   what.normals = !options.no_normals;
   what.most_bytes = 1e6 * options.most_megabytes;
-  what.replaces_foreign = options.force;
+  what.force = force_of(options.force);
+  what.to_allow_more = "allow more megabytes (--largest)";
   return what;
 }
 
@@ -133,7 +134,7 @@ int write_models(const AnimateOptions& options) {
 }
 
 PictureRun picture_run(const AnimateOptions& options, const scene::Timeline& timeline) {
-  PictureRun run{options.output, {}, timeline.rate, options.step, options.turntable, options.force};
+  PictureRun run{options.output, {}, timeline.rate, options.step, options.turntable, force_of(options.force)};
   for (int frame = timeline.first; frame <= timeline.last; frame += options.step) run.frames.push_back(frame);
   return run;
 }

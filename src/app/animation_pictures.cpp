@@ -139,7 +139,7 @@ PicturesReport write_png_files(FrameViewer& viewer, const PictureRun& run, glm::
     viewer.go_to(i);
     all.push_back({run.frames[i], picture_key(common, viewer.workspace())});
   }
-  const auto missing = scene::files_to_make(made, name, all, run.replaces_foreign);
+  const auto missing = scene::files_to_make(made, name, all, run.force);
   for (std::size_t i = 0; i < missing.size(); ++i) {
     report_pictures(progress, i, missing.size());
     const auto at = std::ranges::find(run.frames, missing[i].number);

@@ -13,10 +13,10 @@ namespace viete::app {
 struct PictureRun {
   std::filesystem::path file;  ///< frame_####.png, or a video
   std::vector<int> frames;
-  double rate = 24;               ///< frames of the timeline a second
-  int step = 1;                   ///< frames of it from one picture to the next
-  bool turntable = false;         ///< once round the model, from the first picture to the last
-  bool replaces_foreign = false;  ///< pictures that somebody else has made are replaced
+  double rate = 24;                         ///< frames of the timeline a second
+  int step = 1;                             ///< frames of it from one picture to the next
+  bool turntable = false;                   ///< once round the model, from the first picture to the last
+  scene::Force force = scene::Force::none;  ///< replace pictures that Viete has not made
 };
 
 struct PicturesReport {

@@ -28,7 +28,7 @@ fs::path assets_folder() {
     looked += (looked.empty() ? "" : ", ") + place.string();
   }
   throw base::Error("dragon/dragon.ply", "the bundled model is in none of " + looked,
-                    "set VIETE_ASSETS to the folder that holds dragon/, or name a model on the command line");
+                    "set VIETE_ASSETS to the folder that holds dragon/, or open a model of your own");
 }
 
 BundledModel bundled_model() {

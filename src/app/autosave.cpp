@@ -49,9 +49,16 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
     take_result(workspace, patience);
     if (!move_aside(workspace)) workspace.messages.error(problem_, {"keep edits"});
   }
+  if (other) {
+    leave_recovered(workspace);
+    untouched_ = workspace.recovered_from;
+  } else if (now.edits != seen_.edits || !now.unsaved) {
+    untouched_.clear();
+  }
   seen_ = now;
   kept_ = false;
   writing_ = {};  // of a moment that is over
+  if (!untouched_.empty()) return;
   if (now.unsaved) {
     write(workspace);
   } else if (!other) {
@@ -81,6 +88,8 @@ bool Autosave::has_news() const {
 bool Autosave::keep_now(scene::Workspace& workspace) {
   follow(workspace);
   if (folder_.empty()) return false;
+  std::error_code ignored;
+  if (!untouched_.empty() && fs::exists(untouched_, ignored)) return true;
   take_result(workspace, patience);
   if ((!kept_ || around_changed_) && !writing_.valid()) {
     write(workspace);
@@ -106,7 +115,6 @@ void Autosave::write(scene::Workspace& workspace) {
   around_ = {workspace.camera.destination(), workspace.handling, workspace.document.frame};
   around_changed_.reset();
   replaced_ = workspace.recovered_from;
-  std::erase_if(workspace.leftovers, [&](const auto& leftover) { return leftover.file == replaced_; });
   writing_ =
       queue_.add([session = scene::session_of(workspace), folder = folder_, file = file_, old = replaced_] {
         make_folder(folder);
@@ -136,9 +144,22 @@ bool Autosave::move_aside(scene::Workspace& workspace) {
   if (!fs::exists(file_, code)) return true;
   const fs::path aside = scene::set_aside_file(folder_);
   fs::rename(file_, aside, code);
-  if (code) problem_ = file_.string() + ": unsaved work could not be set aside: " + code.message();
-  if (!code) workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(aside));
-  return !code;
+  if (code) {
+    problem_ = file_.string() + ": unsaved work could not be set aside: " + code.message();
+    return false;
+  }
+  workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(aside));
+  workspace.messages.info("Unsaved edits of " + workspace.leftovers.front().name +
+                          " are kept; File > Restore recovered edits brings them back.");
+  return true;
+}
+
+void Autosave::leave_recovered(scene::Workspace& workspace) {
+  if (untouched_.empty()) return;
+  const fs::path file = scene::mark_restored(std::exchange(untouched_, {}));
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return;
+  workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(file));
 }
 
 // With the leftover that was open, if it still lies where it lay.

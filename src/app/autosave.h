@@ -15,8 +15,9 @@ namespace viete::app {
 /// After each finished edit, and each setting that is made after it, the whole session is written aside,
 /// replacing the one before; the frame waits for it a millisecond at most. Where one looks from and how the
 /// hand works are written once they have rested for half a second. The file goes away when the edits
-/// are saved or taken back. When another document is opened over unsaved edits, their file is set aside and
-/// offered as a leftover. Whatever way the program ends, the next start finds what is unsaved. Edits are kept
+/// are saved or taken back. When another document is opened over unsaved edits, their file is set aside as a
+/// leftover. Recovered work without further edits stays in the file it came from. Whatever way the program
+/// ends, the next start finds what is unsaved. Edits are kept
 /// once they are written, not before; what cannot be written is a message, and tried again with the next
 /// edit.
 ///
@@ -37,6 +38,8 @@ public:
   bool keep_now(scene::Workspace& workspace);
   /// The same, and then sets them aside, because another document is about to take their place.
   bool set_aside(scene::Workspace& workspace);
+  /// Recovered work without further edits is closed: its file is no longer offered by itself.
+  void leave_recovered(scene::Workspace& workspace);
   /// Why the edits of this moment are not kept.
   std::string problem() const;
 
@@ -72,7 +75,8 @@ private:
   Surroundings around_;
   std::optional<double> around_changed_;  // seconds of wall time; nothing: they are written
   std::future<void> writing_;
-  std::filesystem::path replaced_;  // the leftover that is open and goes once its edits are written here
+  std::filesystem::path replaced_;   // the leftover that is open and goes once its edits are written here
+  std::filesystem::path untouched_;  // the leftover that is open without further edits; empty: none
   bool kept_ = false, has_file_ = false;
   std::string problem_;
 };

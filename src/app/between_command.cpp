@@ -125,7 +125,7 @@ int write_frames(const BetweenOptions& options) {
   what.last = options.frames;
   what.rate = options.rate;
   what.model.digits = options.digits;
-  what.replaces_foreign = options.force;
+  what.force = force_of(options.force);
   const scene::AnimationReport report = [&] {
     TerminalProgress work("Writing " + options.output.filename().string());
     return scene::write_animation(what, &work.progress());

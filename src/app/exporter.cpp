@@ -4,26 +4,22 @@
 
 #include "base/numbered_files.h"
 #include "base/quantity.h"
-#include "scene/files/output.h"
 
 namespace viete::app {
 
-void Exporter::add(scene::Export what, scene::FilesInUse in_use) {
+void Exporter::add(scene::Export what) {
   const std::filesystem::path file = what.file;
-  add({file, "no file was changed",
-       [what = std::move(what), in_use = std::move(in_use)](base::Progress& progress) {
-         check_output(what.file, scene::Content::surface, in_use, scene::Force::none);
+  add({file, "no file was changed", [what = std::move(what)](base::Progress& progress) {
          return Written{"Saved the deformed model to " + what.file.string(),
                         scene::write_deformed(what, &progress)};
        }});
 }
 
-void Exporter::add(scene::AnimationExport what, scene::FilesInUse in_use) {
+void Exporter::add(scene::AnimationExport what) {
   const std::filesystem::path file = what.model.file;
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "frames that are there are whole" : "no file was changed",
-       [what = std::move(what), in_use = std::move(in_use)](base::Progress& progress) {
-         check_output(what.model.file, {what.first, what.last, what.step}, in_use, scene::Force::none);
+       [what = std::move(what)](base::Progress& progress) {
          scene::AnimationReport report = scene::write_animation(what, &progress);
          std::string said = "Saved the animation to " + what.model.file.string() + ": " + report.summary;
          if (report.there > 0) said += "; " + base::with_thousands(report.there) + " were there already";
@@ -31,13 +27,11 @@ void Exporter::add(scene::AnimationExport what, scene::FilesInUse in_use) {
        }});
 }
 
-void Exporter::add(PictureExport what, scene::FilesInUse in_use) {
+void Exporter::add(PictureExport what) {
   const std::filesystem::path file = what.file;
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "pictures that are there are whole" : "no file was changed",
-       [what = std::move(what), in_use = std::move(in_use)](base::Progress& progress) {
-         const auto& timeline = what.session.timeline;
-         check_output(what.file, {timeline.first, timeline.last}, in_use, scene::Force::none);
+       [what = std::move(what)](base::Progress& progress) {
          std::vector<std::string> notes = write_pictures_aside(what, progress);
          return Written{"Saved the animation to " + what.file.string(), std::move(notes)};
        }});
@@ -62,9 +56,10 @@ scene::WorkState Exporter::state() const {
   return {true, std::move(what), job_.done(), job_.seconds(), job_.seconds()};
 }
 
-bool Exporter::follow(scene::Messages& messages, bool wait) {
+std::optional<Exporter::Failure> Exporter::follow(scene::Messages& messages, bool wait) {
   const auto result = job_.poll(wait);
-  if (!result) return true;
+  if (!result) return std::nullopt;
+  std::optional<Failure> failure;
   if (result->value) {
     for (const auto& note : result->value->notes) messages.warn(note);
     messages.succeeded("export");
@@ -72,10 +67,10 @@ bool Exporter::follow(scene::Messages& messages, bool wait) {
   } else if (result->stopped) {
     messages.info("Stopped exporting " + now_.file.filename().string() + "; " + now_.stopped + ".");
   } else {
-    messages.error(result->problem, {"export"});
+    failure = {now_.file, result->problem};
   }
   start_next();
-  return result->value || result->stopped;
+  return failure;
 }
 
 }  // namespace viete::app

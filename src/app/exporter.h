@@ -4,12 +4,12 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/picture_export.h"
 #include "base/background.h"
-#include "scene/document/files_in_use.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/export.h"
 #include "scene/workspace/messages.h"
@@ -21,17 +21,22 @@ namespace viete::app {
 /// not finished: files that are not written yet are as they were.
 class Exporter {
 public:
-  /// None takes the place of a file in use, see check_output().
-  void add(scene::Export what, scene::FilesInUse in_use = {});
-  void add(scene::AnimationExport what, scene::FilesInUse in_use = {});
-  void add(PictureExport what, scene::FilesInUse in_use = {});
+  struct Failure {
+    std::filesystem::path file;
+    std::string problem;
+  };
+
+  /// The file must have passed check_output().
+  void add(scene::Export what);
+  void add(scene::AnimationExport what);
+  void add(PictureExport what);
   /// Asks the one that is being written to stop, which it does within moments; those that wait follow.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
   scene::WorkState state() const;
-  /// Says what was written since the last call, or what went wrong, and goes on with the next. With wait,
-  /// waits for the one that is being written. Returns false if one failed.
-  bool follow(scene::Messages& messages, bool wait = false);
+  /// Says what was written since the last call, and goes on with the next. With wait, waits for the one that
+  /// is being written. Returns the one that failed.
+  std::optional<Failure> follow(scene::Messages& messages, bool wait = false);
 
 private:
   struct Written {

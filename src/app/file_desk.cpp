@@ -38,6 +38,7 @@ FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace&
   base::remove_stale_parts(recovery_folder(state_));
   scene::remove_discarded(recovery_folder(state_));
   workspace.leftovers = scene::find_leftovers(recovery_folder(state_));
+  workspace.offers_leftovers = !std::ranges::all_of(workspace.leftovers, &scene::Leftover::restored);
   try {
     workspace.remembered = scene::read_remembered(remembered_file(state_));
   } catch (const base::Error& error) {
@@ -55,8 +56,10 @@ FileDesk::~FileDesk() {
 void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   auto& r = w.requests;
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
-  if (const auto request = std::exchange(r.open, std::nullopt))
+  if (const auto request = std::exchange(r.open, std::nullopt)) {
+    reading_ = request->files.empty() ? fs::path() : request->files.front();
     loader_.start(*request, w.document, take_saved());
+  }
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
@@ -64,25 +67,46 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
     scene::save_chosen_pose(w, *file);
   if (const auto file = std::exchange(r.save_cage, std::nullopt)) scene::save_cage(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
-    start_export(w, *file);
+    export_to(w, *file, &FileDesk::start_export);
   if (const auto file = std::exchange(r.save_animation, std::nullopt);
       file && w.document.is_movable() && !w.document.timeline.keys.empty())
-    start_animation_export(w, *file);
+    export_to(w, *file, &FileDesk::start_animation_export);
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
-  if (const auto file = std::exchange(r.discard, std::nullopt)) discard(w, *file);
+  if (std::exchange(r.discard, false)) discard(w);
   if (std::exchange(r.undo_discard, false)) undo_discard(w);
   sizes_.follow(w);
   go_on_after_saving(w);
   if (std::exchange(r.quit, false) && !w.question) close(w);
   show_exports(w);
   if (no_drag && !w.question) take_loaded(w, false);
+  follow_dialog(w.browser, w);
+}
+
+// A file dialog stays until what it asked for is done. What takes long is shown by a bar instead.
+void FileDesk::follow_dialog(scene::FileBrowser& browser, const scene::Workspace& w) {
+  constexpr double short_time = 0.5;
+  if (browser.asked.empty()) return;
+  const bool exports = exporter_.running(), reads = loader_.running();
+  if (exports || (reads && w.loading.age > short_time)) browser.open = false;
+  if (exports || reads || w.question) return;
+  browser.open = false;
+  browser.asked.clear();
+}
+
+void FileDesk::export_to(scene::Workspace& w, const fs::path& file, StartExport start) {
+  try {
+    (this->*start)(w, file);
+  } catch (const base::Error& error) {
+    scene::tell_refusal(w, file, error.what(), "export");
+  }
 }
 
 void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
   scene::Export what = scene::export_of(w.document, file);
   what.up = w.camera.pose().up;
-  exporter_.add(std::move(what), scene::files_open(w));
+  scene::check_output(file, scene::Content::surface, scene::files_open(w), scene::Force::none);
+  exporter_.add(std::move(what));
 }
 
 PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::path& file) const {
@@ -97,15 +121,17 @@ PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::p
 }
 
 void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
+  const scene::Timeline& timeline = w.document.timeline;
+  scene::check_output(file, {timeline.first, timeline.last}, scene::files_open(w), scene::Force::none);
   const std::string extension = mesh::extension_of(file);
   if (extension == "png" || scene::is_video_format(extension))
-    return exporter_.add(picture_export_of(w, file), scene::files_open(w));
+    return exporter_.add(picture_export_of(w, file));
   scene::AnimationExport what = scene::animation_export_of(w.document, file);
   what.model.up = w.camera.pose().up;
   what.tolerance = w.browser.morphs.tolerance;
   what.normals = w.browser.morphs.normals;
   what.keeps_unfinished = false;  // who stops it here does not go on with it
-  exporter_.add(std::move(what), scene::files_open(w));
+  exporter_.add(std::move(what));
 }
 
 void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
@@ -117,11 +143,12 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result->value));
     waiting_ = std::move(result->value);
     w.question = scene::ask_before_opening(scene::name_of_work(w), autosave_.problem());
+  } else if (result->stopped) {
+    w.messages.info(loader_.was_binding() ? "Stopped binding; everything is as it was."
+                                          : "Stopped reading; everything is as it was.",
+                    {"open"});
   } else {
-    const char* stopped = loader_.was_binding() ? "Stopped binding; everything is as it was."
-                                                : "Stopped reading; everything is as it was.";
-    w.messages.say(result->stopped ? scene::Severity::info : scene::Severity::error,
-                   result->stopped ? stopped : result->problem, {"open"});
+    scene::tell_refusal(w, reading_, result->problem, "open");
   }
 }
 
@@ -153,7 +180,7 @@ void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
 
 void FileDesk::go_on(scene::Workspace& w, Kind kind) {
   w.after_saving.reset();
-  if (kind == Kind::close) closed_ = true;
+  if (kind == Kind::close) autosave_.leave_recovered(w), closed_ = true;
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
@@ -172,7 +199,7 @@ void FileDesk::give_up(scene::Workspace& w) {
 void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over_changes) {
   if (!over_changes && scene::changed_on_disk(w, file)) {
     w.question = scene::ask_before_replacing(file);
-  } else if (!scene::save_session(w, file) && w.after_saving) {
+  } else if (!scene::save_session(w, file) && w.after_saving && !w.browser.open) {
     w.question =
         scene::ask_after_failed_save(scene::name_of_work(w), *w.after_saving, w.messages.all().back().text);
   }
@@ -180,7 +207,10 @@ void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over
 
 // A window that was about to close goes on with that when all is written, and stays for what went wrong.
 void FileDesk::follow_exports(scene::Workspace& w, bool wait) {
-  if (!exporter_.follow(w.messages, wait)) closing_ = w.requests.quit = false;  // that is to be read first
+  if (const auto failure = exporter_.follow(w.messages, wait)) {
+    scene::tell_refusal(w, failure->file, failure->problem, "export");
+    closing_ = w.requests.quit = false;  // that is to be read first
+  }
   if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;
 }
 
@@ -208,29 +238,32 @@ void FileDesk::keep_binding(const Bound& bound) {
       }));
 }
 
-void FileDesk::discard(scene::Workspace& w, const fs::path& file) {
-  const auto leftover =
-      std::find_if(w.leftovers.begin(), w.leftovers.end(), [&](const auto& l) { return l.file == file; });
-  if (leftover == w.leftovers.end()) return;
-  try {
-    w.discarded.push_back(scene::discard(*leftover));
-    w.leftovers.erase(leftover);
-    w.tell_discarded = true;
-  } catch (const base::Error& error) {
-    w.messages.error(error.what());
-  }
+void FileDesk::discard(scene::Workspace& w) {
+  const auto problem = [&](const scene::Leftover& leftover) {
+    try {
+      w.discarded.push_back(scene::discard(leftover));
+      return false;
+    } catch (const base::Error& error) {
+      w.messages.error(error.what());
+      return true;
+    }
+  };
+  const std::size_t before = w.leftovers.size();
+  std::erase_if(w.leftovers, [&](const auto& leftover) { return !problem(leftover); });
+  if (w.leftovers.size() == before) return;
+  w.messages.info("Discarded the recovered edits. File > Undo discarding recovered edits brings them back.");
 }
 
 void FileDesk::undo_discard(scene::Workspace& w) {
-  if (w.discarded.empty()) return;
   try {
-    scene::undo_discard(w.discarded.back());
-    w.leftovers.insert(w.leftovers.begin(), w.discarded.back().leftover);
-    w.discarded.pop_back();
-    w.tell_discarded = w.tell_discarded && !w.discarded.empty();
+    for (; !w.discarded.empty(); w.discarded.pop_back()) {
+      scene::undo_discard(w.discarded.back());
+      w.leftovers.insert(w.leftovers.begin(), w.discarded.back().leftover);
+    }
   } catch (const base::Error& error) {
     w.messages.error(error.what());
   }
+  w.offers_leftovers = !w.leftovers.empty();
 }
 
 void FileDesk::keep(scene::Workspace& w, bool no_drag) {

@@ -65,6 +65,8 @@ public:
 
 private:
   void start_export(const scene::Workspace& w, const std::filesystem::path& file);
+  using StartExport = void (FileDesk::*)(const scene::Workspace&, const std::filesystem::path&);
+  void export_to(scene::Workspace& w, const std::filesystem::path& file, StartExport start);
   PictureExport picture_export_of(const scene::Workspace& w, const std::filesystem::path& file) const;
   void start_animation_export(const scene::Workspace& w, const std::filesystem::path& file);
   void take_loaded(scene::Workspace& workspace, bool wait);
@@ -77,7 +79,8 @@ private:
   void close(scene::Workspace& workspace);
   void follow_exports(scene::Workspace& workspace, bool wait);
   void show_exports(scene::Workspace& workspace);
-  void discard(scene::Workspace& workspace, const std::filesystem::path& file);
+  void follow_dialog(scene::FileBrowser& browser, const scene::Workspace& w);
+  void discard(scene::Workspace& workspace);
   void undo_discard(scene::Workspace& workspace);
   void remember(scene::Workspace& workspace);
   void take_written(scene::Workspace& workspace);
@@ -89,6 +92,7 @@ private:
   MorphSizes sizes_;
   ModelShading shading_;
   Bound bound_;
+  std::filesystem::path reading_;          // the first file that was asked for last
   std::optional<Loader::Loaded> waiting_;  // for the answer whether it may take the place of what is open
   bool closing_ = false, closed_ = false;  // closing waits for exports
   std::vector<std::future<void>> writes_;  // of small files, until it is known how they went

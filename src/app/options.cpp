@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "app/words.h"
 #include "base/quantity.h"
@@ -69,6 +70,11 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
 void add_force_option(CLI::App& app, bool& force) {
   app.add_flag("--force", force,
                "Also replace a file that is read, or one that holds something else than what is written");
+}
+
+scene::Force force_of(bool given) {
+  if (given) return scene::Force::given;
+  return std::getenv("VIETE_PROGRESS") ? scene::Force::none : scene::Force::offered;
 }
 
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take) {

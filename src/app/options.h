@@ -14,6 +14,7 @@
 
 #include "mesh/formats/text_writer.h"
 #include "scene/document/settings.h"
+#include "scene/files/output.h"
 #include "sym3/exp.h"
 
 namespace viete::app {
@@ -47,6 +48,8 @@ CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::opt
                                 std::optional<double> (*read)(double), int most, const std::string& text);
 /// --force, of a command that writes files, see check_output().
 void add_force_option(CLI::App& app, bool& force);
+/// The option, which errors offer; not in a program that the window runs aside.
+scene::Force force_of(bool given);
 
 /// --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);

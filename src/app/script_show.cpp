@@ -8,6 +8,7 @@
 #include "app/assets.h"
 #include "base/clock.h"
 #include "base/error.h"
+#include "scene/workspace/saving.h"
 
 namespace viete::app {
 
@@ -52,7 +53,7 @@ void ScriptShow::begin_tour() {
 
 void ScriptShow::end() {
   if (!player_) return;
-  player_->release();
+  give_cursor();
   player_.reset();
   scene::Workspace& w = viewer_.workspace();
   w.scripting = {.recording = w.scripting.recording, .recorded = w.scripting.recorded};
@@ -60,11 +61,24 @@ void ScriptShow::end() {
   w.view.dark = w.remembered.dark = before_.dark;
 }
 
-// The hand has the cursor.
+void ScriptShow::take_cursor() {
+  scene::Workspace& w = viewer_.workspace();
+  has_edits_ = scene::has_unsaved_edits(w);
+  w.scripting.playing = true, w.scripting.waits = false;
+}
+
+// Edits of the script are not the user's: they are not kept as unsaved.
+void ScriptShow::give_cursor() {
+  scene::Workspace& w = viewer_.workspace();
+  player_->release();
+  if (w.scripting.playing && !has_edits_) scene::mark_saved(w);
+  w.scripting.playing = false;
+}
+
 void ScriptShow::rest() {
   scene::Scripting& state = viewer_.workspace().scripting;
-  player_->release();
-  state.playing = false, state.waits = true;
+  give_cursor();
+  state.waits = true;
   viewer_.input().push(platform::InputEvent::move(hand_));
 }
 
@@ -93,7 +107,7 @@ void ScriptShow::take_request() {
   if (request == Request::end || (request == Request::next && chapter >= w.scripting.of)) return end();
   player_->go_to(request == Request::next ? chapter + 1 : std::max<std::size_t>(2, chapter) - 1);
   goes_on_ = true;
-  w.scripting.playing = true, w.scripting.waits = false;
+  take_cursor();
   pause_ = 0;
 }
 
@@ -108,6 +122,7 @@ bool ScriptShow::is_open() {
     end();
     return false;
   }
+  take_cursor();
   player_->begin();
   w.scripting.of = player_->script().chapters();
   return opened_ = true;

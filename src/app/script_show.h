@@ -32,13 +32,16 @@ private:
   bool is_open();
   float play(float seconds);
   void meet_chapter();
+  void take_cursor();
+  void give_cursor();
   void rest();
 
   Viewer& viewer_;
   std::optional<ScriptPlayer> player_;
   scene::Remembered before_;
   bool opened_ = false, by_chapter_ = false, waits_for_work_ = false;
-  bool goes_on_ = false;  // to the chapter that comes next
+  bool goes_on_ = false;    // to the chapter that comes next
+  bool has_edits_ = false;  // the user has unsaved edits, from before the script took the cursor
   double pause_ = 0, played_ = 0;
   glm::vec2 hand_{-1, -1};
 };

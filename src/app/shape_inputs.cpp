@@ -14,7 +14,7 @@ namespace {
 
 void check(const Output& output, const FilesInUse& files, const scene::FrameSteps* frames) {
   if (!frames) return check_output(output.file, output.content, files, output.force);
-  check_output(output.file, *frames, files, output.force ? scene::Force::given : scene::Force::offered);
+  check_output(output.file, *frames, files, force_of(output.force));
 }
 
 // Logs are of triangles.

@@ -89,8 +89,8 @@ void Viewer::drop(std::vector<fs::path> files) {
 }
 
 void Viewer::place_viewport() {
-  const scene::Viewport whole =
-      scene::view_between(workspace_.remembered.layout, glm::vec2(options_.size), workspace_.view.panels);
+  const scene::Viewport whole = scene::view_between(workspace_.remembered.layout, glm::vec2(options_.size),
+                                                    workspace_.view.panels, workspace_.notice_height);
   workspace_.viewport = scene::viewport_of(workspace_.split, whole, workspace_.split.active);
 }
 
@@ -164,7 +164,8 @@ bool Viewer::finish_keeping() {
 
 // What appears in front of the panels takes a few frames to find its size.
 void Viewer::settle_notices() {
-  const Notices now{workspace_.question.has_value(), workspace_.farewell, workspace_.messages.revision()};
+  const Notices now{workspace_.question.has_value(), workspace_.farewell, workspace_.messages.revision(),
+                    workspace_.notice_height};
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
@@ -204,10 +205,10 @@ bool Viewer::changing() const {
 void Viewer::leave_out_writing() {
   scene::Requests& r = workspace_.requests;
   bool any = false;
-  for (bool* asked : {&r.undo_discard, &r.screenshot, &r.manual, &r.show_report})
+  for (bool* asked : {&r.discard, &r.undo_discard, &r.screenshot, &r.manual, &r.show_report})
     any |= std::exchange(*asked, false);
-  for (auto* file : {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model,
-                     &r.save_animation, &r.discard})
+  for (auto* file :
+       {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model, &r.save_animation})
     any |= std::exchange(*file, std::nullopt).has_value();
   if (any) workspace_.messages.info("Left out, while a script is replayed: what it would have written.");
   r.quit = false;
@@ -224,7 +225,7 @@ void Viewer::switch_recording() {
     if (begins) script_.begin(workspace_, fs::current_path(ignored));
     const fs::path file = begins ? fs::path() : script_.end();
     workspace_.messages.info(begins ? "Recording; the red button at the top ends it."
-                                    : "Recorded " + file.string() + "; viete replay does it again.");
+                                    : "Recorded " + file.filename().string() + ".");
     workspace_.messages.succeeded("record");
   } catch (const base::Error& error) {
     workspace_.messages.error(error.what(), {"record"});

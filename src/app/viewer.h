@@ -179,6 +179,7 @@ private:
   struct Notices {
     bool question = false, farewell = false;
     unsigned messages = 0;
+    float row = 0;  ///< its height
     bool operator==(const Notices&) const = default;
   };
   Notices notices_;           ///< of the last frame

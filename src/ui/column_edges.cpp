@@ -48,14 +48,14 @@ void edge(const Context& ui, const Side& side) {
   const scene::Viewport& v = w.viewport;
   const float x = edge_x(v, side);
   begin_strip(std::string("edge/") + side.name, side, {x, v.origin.y},
-              {edge_thickness, scene::column_height(v.window.y)});
+              {edge_thickness, scene::column_height(v)});
   record(ui, std::string("edge/") + side.name);
   const bool held = ImGui::IsItemActive();
   if (held || ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        {x, v.origin.y}, {x + side.inward * 2, v.origin.y + scene::column_height(v.window.y)},
-        faded(ui.colors.accent, held ? 0.9f : 0.5f));
+    ImGui::GetWindowDrawList()->AddRectFilled({x, v.origin.y},
+                                              {x + side.inward * 2, v.origin.y + scene::column_height(v)},
+                                              faded(ui.colors.accent, held ? 0.9f : 0.5f));
   }
   if (held) {
     const float mouse = ImGui::GetIO().MousePos.x;

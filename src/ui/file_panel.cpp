@@ -52,17 +52,29 @@ void request(scene::Requests& requests, Purpose purpose, const std::filesystem::
   }
 }
 
-// A folder is entered, a file is asked for; the panel closes only for a file.
+// The panel stays until that has been read or written.
+void ask(scene::Workspace& w, const std::filesystem::path& path) {
+  if (!w.browser.asked.empty()) return;
+  request(w.requests, w.browser.purpose, path);
+  w.browser.asked = path;
+}
+
+// A folder is entered, a file is asked for.
 void choose(scene::Workspace& w, const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return scene::enter(w.browser, path);
-  request(w.requests, w.browser.purpose, path);
+  ask(w, path);
   w.remembered.folder = path.parent_path();
-  w.browser.open = false;
+}
+
+void choose_recent(scene::Workspace& w, std::size_t index) {
+  if (!w.browser.asked.empty()) return;
+  open_recent(w, index);
+  w.browser.asked = w.remembered.recent[index].file;
 }
 
 void choose_typed(scene::Workspace& w) {
-  if (w.browser.recent < w.remembered.recent.size()) return open_recent(w, w.browser.recent);
+  if (w.browser.recent < w.remembered.recent.size()) return choose_recent(w, w.browser.recent);
   if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
   const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
@@ -213,7 +225,7 @@ void click_entry(scene::Workspace& w, std::size_t index) {
 }
 
 void click_recent(scene::Workspace& w, std::size_t index) {
-  if (ImGui::IsMouseDoubleClicked(0)) return open_recent(w, index);
+  if (ImGui::IsMouseDoubleClicked(0)) return choose_recent(w, index);
   w.browser.recent = index;
   w.browser.path = w.remembered.recent[index].file.string();
 }
@@ -320,7 +332,25 @@ void lists(const Context& ui, bool moved) {
   if (clicked) click_entry(ui.workspace, *clicked);
 }
 
-// What is about to be replaced is said before it is.
+// Below the path, in two lines of room: why it is refused, or which file it replaces.
+void path_note(const Context& ui) {
+  const Browser& browser = ui.workspace.browser;
+  const float line = ImGui::GetCursorPosY();
+  if (!browser.problem.empty()) {
+    note(ui, browser.problem, ui.colors.bad);
+    record(ui, "file_problem");
+  } else if (browser.replaces()) {
+    const std::string name = scene::chosen_file(browser).filename().string();
+    note(ui,
+         name + (browser.warned == browser.path ? " is there already; Enter again replaces it."
+                                                : " is there already and will be replaced."),
+         ui.colors.warn);
+    record(ui, "file_replaces");
+  }
+  const float end = line + 2 * ImGui::GetTextLineHeightWithSpacing();
+  ImGui::SetCursorPosY(std::max(end, ImGui::GetCursorPosY()));
+}
+
 void button_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   const bool replaces = browser.replaces();
@@ -332,26 +362,10 @@ void button_row(const Context& ui) {
   record(ui, "file_cancel");
   if (browser.purpose == Purpose::poses || browser.purpose == Purpose::shapes) {
     ImGui::SameLine();
-    if (ImGui::Button("All of this folder")) {
-      request(ui.workspace.requests, browser.purpose, browser.folder);
-      browser.open = false;
-    }
+    if (ImGui::Button("All of this folder")) ask(ui.workspace, browser.folder);
     record(ui, "file_folder");
     hint(browser.purpose == Purpose::poses ? "Every model of this folder that is a pose of the cage."
                                            : "Every model of this folder that is a shape of the model.");
-  }
-  if (!browser.problem.empty()) {
-    ImGui::SameLine();
-    note(ui, browser.problem, ui.colors.bad);
-    record(ui, "file_problem");
-  } else if (replaces) {
-    ImGui::SameLine();
-    const std::string name = scene::chosen_file(browser).filename().string();
-    note(ui,
-         name + (browser.warned == browser.path ? " is there already; Enter again replaces it."
-                                                : " is there already and will be replaced."),
-         ui.colors.warn);
-    record(ui, "file_replaces");
   }
   if (!confirmed) return;
   const auto entries = scene::shown(browser);
@@ -374,6 +388,7 @@ void file_panel(const Context& ui) {
   ImGui::Begin(title(browser.purpose), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
   path_field(ui);
   const bool typing_path = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
+  path_note(ui);
   filter_row(ui);
   browser.appearing = false;
   const bool moved = browser.open && handle_keys(ui, typing_path);
@@ -382,6 +397,7 @@ void file_panel(const Context& ui) {
   if (shows_pictures(browser)) picture_choices(ui);
   button_row(ui);
   if (!open) browser.open = false;
+  if (!browser.open) browser.asked.clear();  // what goes wrong from now on is a message
   ImGui::End();
   ImGui::PopStyleVar();
 }

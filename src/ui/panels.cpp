@@ -12,7 +12,7 @@ bool begin_column(const Context& ui, const char* name, float x, float width) {
   if (width <= 0) return false;
   const scene::Viewport& v = ui.workspace.viewport;
   ImGui::SetNextWindowPos({x, v.origin.y});
-  ImGui::SetNextWindowSize({width, scene::column_height(v.window.y)});
+  ImGui::SetNextWindowSize({width, scene::column_height(v)});
   ImGui::Begin(name, nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavFocus |

@@ -356,7 +356,6 @@ std::optional<std::size_t> recent_list(const Context& ui, std::size_t most, std:
 void open_recent(scene::Workspace& w, std::size_t index) {
   const scene::RecentFile& file = w.remembered.recent[index];
   w.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
-  w.browser.open = false;
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {

@@ -80,7 +80,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   d.answer(scene::Answer::go_on);
   d.workspace.requests.undo_discard = d.workspace.requests.stop_export = d.workspace.requests.stop_work =
       true;
-  d.workspace.requests.discard = d.files / "no_leftover.viete";
+  d.workspace.requests.discard = true;
   d.workspace.requests.save_model = d.files / "out.obj";  // of nothing
   d.frame();
   CHECK_FALSE(d.desk->closed());
@@ -236,30 +236,122 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
   }
 }
 
-TEST_CASE("a_leftover_is_discarded_comes_back_and_is_gone_when_the_program_ends") {
+TEST_CASE("leftovers_are_discarded_come_back_and_are_gone_when_the_program_ends") {
   Desk d;
-  const auto file = d.state / "recovery" / "999999999-1.viete";
-  std::filesystem::create_directories(file.parent_path());
-  test::put_file(file, "{}");
+  const std::filesystem::path files[] = {d.state / "recovery" / "999999999-1.viete",
+                                         d.state / "recovery" / "999999999-2.viete"};
+  std::filesystem::create_directories(files[0].parent_path());
+  for (const auto& file : files) test::put_file(file, "{}");
   d.begin();
-  REQUIRE(d.workspace.leftovers.size() == 1);
+  REQUIRE(d.workspace.leftovers.size() == 2);
+  CHECK(d.workspace.offers_leftovers);
   const auto discard = [&] {
-    d.workspace.requests.discard = file;
+    d.workspace.requests.discard = true;
     d.frame();
     CHECK(d.workspace.leftovers.empty());
-    CHECK(d.workspace.tell_discarded);
-    CHECK_FALSE(std::filesystem::exists(file));
+    for (const auto& file : files) CHECK_FALSE(std::filesystem::exists(file));
   };
   discard();
   d.workspace.requests.undo_discard = true;
   d.frame();
-  CHECK(d.workspace.leftovers.size() == 1);
-  CHECK_FALSE(d.workspace.tell_discarded);
-  CHECK(test::file_bytes(file) == "{}");
+  CHECK(d.workspace.leftovers.size() == 2);
+  CHECK(d.workspace.offers_leftovers);
+  for (const auto& file : files) CHECK(test::file_bytes(file) == "{}");
   discard();
   d.begin();
   CHECK(d.workspace.leftovers.empty());
   CHECK(files_in(d.state / "recovery") == 0);
+}
+
+namespace {
+
+// The file of the desk's unsaved edits becomes that of a program that has ended.
+void end_program(Desk& d) {
+  const auto recovery = d.state / "recovery";
+  d.desk.reset();
+  for (const auto& entry : std::filesystem::directory_iterator(recovery)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("999999999-"))
+      std::filesystem::rename(entry.path(),
+                              recovery / ("999999999-1" + name.substr(name.find_first_of("_."))));
+  }
+  d.begin();
+}
+
+void restore(Desk& d) {
+  REQUIRE(d.workspace.leftovers.size() == 1);
+  d.open({d.workspace.leftovers[0].file}, What::recovery);
+  d.frame();
+}
+
+}  // namespace
+
+TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk_until_saved") {
+  Desk d;
+  d.open_cubes();
+  d.edit();
+  const auto posed = d.workspace.document.pose.positions;
+  d.quit();
+  REQUIRE(d.desk->closed());
+  CHECK(d.desk->kept());
+  end_program(d);
+  CHECK(d.workspace.offers_leftovers);
+
+  restore(d);
+  CHECK(d.workspace.leftovers.empty());
+  CHECK_FALSE(d.workspace.offers_leftovers);
+  SUBCASE("closed without further edits, they are kept where they were and not offered again") {
+    d.quit();
+    REQUIRE(d.desk->closed());
+    CHECK_FALSE(d.desk->kept());
+    end_program(d);
+    CHECK_FALSE(d.workspace.offers_leftovers);
+    restore(d);
+    CHECK(d.workspace.document.pose.positions == posed);
+  }
+  SUBCASE("another model in their place offers nothing") {
+    d.open({d.files.model});
+    d.frame();
+    CHECK_FALSE(d.workspace.offers_leftovers);
+    CHECK(d.workspace.messages.all().empty());
+    restore(d);
+    CHECK(d.workspace.document.pose.positions == posed);
+  }
+  SUBCASE("a program that is killed offers them again") {
+    end_program(d);
+    CHECK(d.workspace.offers_leftovers);
+    restore(d);
+    CHECK(d.workspace.document.pose.positions == posed);
+  }
+  SUBCASE("edited further, they are offered again") {
+    d.edit();
+    d.quit();
+    CHECK(d.desk->kept());
+    end_program(d);
+    CHECK(d.workspace.offers_leftovers);
+    restore(d);
+    CHECK(d.workspace.document.pose.positions != posed);
+  }
+  SUBCASE("saved, they are gone") {
+    d.workspace.requests.save_session = d.files / "a.viete";
+    d.frame();
+    end_program(d);
+    CHECK(d.workspace.leftovers.empty());
+    CHECK(files_in(d.state / "recovery") == 0);
+  }
+}
+
+TEST_CASE("opening_another_model_offers_no_recovered_edits_but_tells_that_edits_are_kept") {
+  Desk d;
+  d.open_cubes();
+  d.edit();
+  d.open({d.files.cage});
+  d.frame();
+  CHECK_FALSE(d.workspace.offers_leftovers);
+  CHECK(d.last_message() ==
+        "Unsaved edits of model.obj are kept; File > Restore recovered edits brings them back.");
+  d.open_cubes();
+  CHECK(d.workspace.messages.all().size() == 1);
 }
 
 TEST_CASE("what_is_remembered_is_there_at_the_next_start_and_without_a_folder_nothing_is") {

@@ -116,7 +116,7 @@ TEST_CASE("nothing_moves_once_the_hints_are_gone_or_where_unsaved_work_waits") {
   seen.motion.step(seen.w, true, 0.1);
   CHECK_FALSE(seen.motion.moving());
   Start left;
-  left.w.leftovers.emplace_back();
+  left.w.offers_leftovers = true;
   left.motion.step(left.w, true, 0.1);
   CHECK_FALSE(left.motion.moving());
 }

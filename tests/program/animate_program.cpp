@@ -202,6 +202,10 @@ TEST_CASE("frames_of_another_animation_are_not_trusted_and_of_somebody_else_not_
   const Outcome refused = files.animate("-o f_##.obj");
   CHECK(refused.code == 1);
   CHECK(mentions(refused, "f_07.obj: this file was made or changed otherwise"));
+  CHECK(mentions(refused, "--force"));
+  setenv("VIETE_PROGRESS", "1", 1);  // as the window runs it aside
+  CHECK_FALSE(mentions(files.animate("-o f_##.obj"), "--force"));
+  unsetenv("VIETE_PROGRESS");
   CHECK(file_bytes(files / "f_07.obj") == "mine");
   CHECK(files.animate("-o f_##.obj --force").code == 0);
   CHECK(file_bytes(files / "f_07.obj") == file_bytes(files / "fresh_07.obj"));

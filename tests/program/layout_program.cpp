@@ -6,6 +6,7 @@
 #include "scene/workspace/menus.h"
 #include "scene/workspace/remembered.h"
 #include "support/folder.h"
+#include "support/full_disk.h"
 
 using namespace viete;
 using test::Driver;
@@ -307,6 +308,78 @@ TEST_CASE("an_unknown_extension_keeps_the_dialog_and_the_name_and_says_what_is_k
   d.frame(2);
   d.viewer().finish_exports();
   CHECK(std::filesystem::exists(folder / "arm.off"));
+}
+
+namespace {
+
+// Asks a file dialog for this path, by the keyboard, and waits until that is done or refused.
+void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
+  scene::find_command(command)->run(d.workspace());
+  d.frame(3);
+  REQUIRE(d.workspace().browser.open);
+  d.type(file.string());
+  d.press_key(scene::Key::enter);
+  if (d.workspace().browser.warned == file.string()) d.press_key(scene::Key::enter);  // it is replaced
+  REQUIRE(d.until([&] { return d.workspace().browser.asked.empty() && !d.viewer().exporting(); }));
+  d.frame(2);
+}
+
+void check_refused(Driver& d, const std::filesystem::path& file) {
+  const auto& browser = d.workspace().browser;
+  CHECK(browser.open);
+  CHECK(browser.path == file);
+  REQUIRE(d.viewer().recorder().find("file_problem"));
+  CHECK(d.viewer().recorder().find("file_problem")->y0 >= d.viewer().recorder().find("file_path")->y1);
+  CHECK(browser.problem.find("--") == std::string::npos);
+  CHECK_FALSE(browser.problem.starts_with(file.string()));
+  CHECK_MESSAGE(d.workspace().messages.all().empty(), browser.problem);
+  d.press_key(scene::Key::escape);
+  d.frame(2);
+  CHECK_FALSE(browser.open);
+}
+
+}  // namespace
+
+TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reason_below") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  open_cube(d, folder.path());
+  REQUIRE(d.open({folder / "cube.obj", test::dragon_cage}));
+  d.press_key(scene::key('A'));
+  scene::find_command("keep_pose")->run(d.workspace());
+  scene::find_command("set_key")->run(d.workspace());
+  d.frame(3);
+  d.workspace().messages.clear();
+  const auto top = std::filesystem::canonical(folder.path());
+  test::put_file(top / "broken.obj", "v 0 0\nf 1 2 3\n");
+  test::put_file(top / "text.viete", "a text");
+  test::put_file(top / "f_01.obj", "somebody else's");
+  const std::string too_long(300, 'x');
+  for (const char* command :
+       {"open_model", "open_cage", "open_pose", "import_poses", "import_shapes", "import_animation"}) {
+    CAPTURE(command);
+    ask_for(d, command, top / "broken.obj");
+    check_refused(d, top / "broken.obj");
+  }
+  for (const char* command : {"save_pose", "export_pose", "save_cage", "save_model"}) {
+    CAPTURE(command);
+    ask_for(d, command, top / (too_long + ".obj"));
+    check_refused(d, top / (too_long + ".obj"));
+  }
+  ask_for(d, "save_session_as", top / "text.viete");
+  check_refused(d, top / "text.viete");
+  CHECK(test::file_bytes(top / "text.viete") == "a text");
+  ask_for(d, "save_animation", top / "f_##.obj");
+  check_refused(d, top / "f_##.obj");
+  CHECK(test::file_bytes(top / "f_01.obj") == "somebody else's");
+  {
+    const test::FullDisk full(100);
+    ask_for(d, "save_model", top / "out.obj");
+  }
+  check_refused(d, top / "out.obj");
+  ask_for(d, "save_model", top / "out.obj");
+  CHECK_FALSE(d.workspace().browser.open);
+  CHECK(std::filesystem::exists(top / "out.obj"));
 }
 
 TEST_CASE("a_new_model_is_seen_as_if_nothing_had_been_open_before") {

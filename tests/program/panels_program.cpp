@@ -31,7 +31,7 @@ bool in_column(const ui::WidgetRect& rect, glm::vec2 window) {
 }
 
 bool on_notice_bar(const std::string& name) {
-  return name.ends_with("_leftover") || name.ends_with("_discard") || name.ends_with("_discarded");
+  return name.ends_with("_leftover") || name.ends_with("_leftovers") || name == "leftovers";
 }
 
 void check_places(const Widgets& widgets, glm::vec2 window) {
@@ -92,17 +92,14 @@ void visit_notices(Driver& d, const std::string& look) {
   auto& w = d.workspace();
   w.leftovers = {{"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
                  {"/b.viete", "b", 0}};
-  d.frame(2);
+  w.offers_leftovers = true;
+  d.frame(3);
+  show(d, look + "_leftovers");
+  w.leftovers.pop_back();
+  d.frame(3);
   show(d, look + "_leftover");
-  w.discarded = {{{"/b.viete", "dragon.ply", 0}, "/b.discarded"}};
-  w.tell_discarded = true;
-  d.frame(2);
-  show(d, look + "_leftover_and_discarded");
   w.leftovers.clear();
-  d.frame(2);
-  show(d, look + "_discarded");
-  w.discarded.clear();
-  d.frame(2);
+  d.frame(3);
 }
 
 void visit_time(Driver& d, const std::string& look) {
@@ -172,33 +169,42 @@ TEST_CASE("no_panel_leaves_the_window_or_covers_another_at_any_scale") {
   }
 }
 
-TEST_CASE("questions_and_notices_fit_into_the_smallest_window") {
-  auto options = Driver::default_options();
-  options.size = {640, 400};
-  Driver d(options);
-  d.open_dragon();
-  const std::string name = "a_model_whose_name_somebody_took_some_time_to_think_about.ply";
-  auto& w = d.workspace();
-  w.leftovers = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
-  w.discarded = {{{"/b.viete", name, 0}, "/b.discarded"}};
-  w.tell_discarded = true;
-  w.question = scene::ask_before_closing(scene::name_of_work(w),
-                                         "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
-  d.frame(5);
-  std::size_t seen = 0;
-  for (const auto& [widget, rect] : d.viewer().recorder().all()) {
-    if (!widget.starts_with("question_") && !on_notice_bar(widget)) continue;
-    CAPTURE(widget);
-    ++seen;
-    CHECK(rect.visible);
-    CHECK(rect.x0 >= (on_notice_bar(widget) ? column : 0));
-    CHECK(rect.x1 <= 640);
-    CHECK(rect.y0 >= 0);
-    CHECK(rect.y1 <= 400);
+TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_view_nor_columns") {
+  for (const glm::ivec2 size : {glm::ivec2(512, 320), glm::ivec2(640, 400), glm::ivec2(1024, 640)}) {
+    auto options = Driver::default_options();
+    options.size = size;
+    options.scale = 2;
+    Driver d(options);
+    d.open_dragon();
+    const std::string name = "a_model_whose_name_somebody_took_some_time_to_think_about_and_then_more.ply";
+    auto& w = d.workspace();
+    w.leftovers = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
+    w.offers_leftovers = true;
+    w.question = scene::ask_before_closing(
+        scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
+    d.frame(5);
+    CAPTURE(size.x);
+    std::size_t seen = 0;
+    for (const auto& [widget, rect] : d.viewer().recorder().all()) {
+      if (!widget.starts_with("question_") && !on_notice_bar(widget)) continue;
+      CAPTURE(widget);
+      ++seen;
+      CHECK(rect.visible);
+      CHECK(rect.x0 >= 0);
+      CHECK(rect.x1 <= static_cast<float>(size.x));
+      CHECK(rect.y0 >= 0);
+      CHECK(rect.y1 <= (on_notice_bar(widget) ? w.viewport.origin.y : static_cast<float>(size.y)));
+    }
+    CHECK(seen == 7);
+    w.question.reset();
+    if (const char* folder = std::getenv("VIETE_PICTURES")) {
+      d.settle();
+      render::write_png(fs::path(folder) / ("notice_" + std::to_string(size.x) + ".png"), d.picture());
+    }
+    d.click("put_off_leftovers");
+    d.frame(3);
+    CHECK(w.viewport.origin.y == scene::PanelLayout::menu_height);
   }
-  CHECK(seen == 8);
-  if (const char* folder = std::getenv("VIETE_PICTURES"))
-    render::write_png(fs::path(folder) / "smallest_window.png", d.picture());
 }
 
 namespace {

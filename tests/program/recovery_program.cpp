@@ -109,6 +109,9 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   CHECK(d.workspace().leftovers[0].name == "small.ply");
 
   d.frame(3);
+  CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));  // it was not asked for
+  d.press_key(scene::key('B'), true);
+  d.frame(3);
   d.click("restore_leftover");
   d.settle();
   CHECK(d.document().pose.positions == posed);
@@ -119,9 +122,8 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   CHECK(scene::read_session(kept_files(folder / "state").front()).pose->positions == posed);
 }
 
-TEST_CASE("discarded_work_comes_back_until_the_program_ends_and_work_put_off_stays") {
+TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_offered") {
   const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
   const fs::path state = folder / "state";
   fs::create_directories(state / "recovery");
   for (const char* name : {"999999999-1.viete", "999999999-2.viete", "999999998-1_1.discarded"})
@@ -135,39 +137,28 @@ TEST_CASE("discarded_work_comes_back_until_the_program_ends_and_work_put_off_sta
     d.frame(3);
     CHECK_FALSE(fs::exists(state / "recovery" / "999999998-1_1.discarded"));
     REQUIRE(d.workspace().leftovers.size() == 2);
-    d.click("put_off_leftover");
-    d.frame(3);
-    CHECK(sessions() == 2);
-    REQUIRE(d.workspace().leftovers.size() == 1);
-    const fs::path file = d.workspace().leftovers[0].file;
-    const std::string bytes = test::file_bytes(file);
-    d.click("restore_leftover");  // it is broken: said, and still there
+    d.click("restore_leftover");
     d.settle();
     CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
-    CHECK(d.workspace().leftovers.size() == 1);
-
-    d.click("discard_leftover");
+    CHECK(d.workspace().leftovers.size() == 2);
+    d.click("put_off_leftovers");
     d.frame(3);
-    CHECK(d.workspace().leftovers.empty());
-    CHECK(sessions() == 1);
-    d.click("undo_discard");
+    CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
+    CHECK(sessions() == 2);
+    d.press_key(scene::key('B'), true);
     d.frame(3);
-    REQUIRE(d.workspace().leftovers.size() == 1);
-    CHECK(d.workspace().leftovers[0].file == file);
-    CHECK(test::file_bytes(file) == bytes);
-
-    d.click("discard_leftover");
+    d.click("discard_leftovers");
     d.frame(3);
-    d.click("hide_discarded");
-    d.frame(3);
-    CHECK_FALSE(d.viewer().recorder().find("undo_discard"));
+    CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
+    CHECK(sessions() == 0);
     d.press_key(scene::key('B'), true, true);
     d.frame(3);
-    CHECK(d.workspace().leftovers.size() == 1);
-    d.click("discard_leftover");
+    CHECK(d.viewer().recorder().find("restore_leftover"));
+    CHECK(sessions() == 2);
+    d.click("discard_leftovers");
     d.frame(3);
   }
-  CHECK(kept_files(state).size() == 1);
+  CHECK(kept_files(state).empty());
 }
 
 TEST_CASE("each_kept_work_is_offered_by_name_place_time_and_first_edit_and_the_chosen_one_is_restored") {
@@ -202,6 +193,8 @@ TEST_CASE("each_kept_work_is_offered_by_name_place_time_and_first_edit_and_the_c
   CHECK(kept[1].folder == fs::canonical(folder.path()));
   if (const char* pictures = std::getenv("VIETE_PICTURES"))
     render::write_png(fs::path(pictures) / "kept_work.png", d.picture());
+  d.click("leftovers");
+  d.frame(2);
   const auto older = d.viewer().recorder().find("leftover/1"),
              newer = d.viewer().recorder().find("leftover/0");
   REQUIRE(older);
@@ -225,7 +218,7 @@ TEST_CASE("leftovers_that_cannot_be_discarded_stay_and_it_is_said") {
   Driver d(remembering(state));
   d.frame(3);
   fs::remove_all(state / "recovery");
-  d.click("discard_leftover");
+  d.click("discard_leftovers");
   d.frame(3);
   CHECK(d.workspace().leftovers.size() == 1);
   CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
@@ -595,17 +588,22 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
 
   Child again(desktop.viete(""), desktop.folder / "second.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
-  const auto restored = [&] {
-    desktop.xdotool("key ctrl+b");  // does nothing before there is something to restore, and afterwards
-    return !fs::exists(leftovers[0].file);
+  const auto recovery = desktop.folder / "state" / "viete" / "recovery";
+  const auto ended = [&] { return scene::find_leftovers(recovery); };
+  desktop.rest();
+  desktop.xdotool("key ctrl+b");
+  desktop.rest();
+  CHECK(fs::exists(leftovers[0].file));
+  const auto edited = [&] {
+    desktop.drag(to, from);
+    return !fs::exists(leftovers[0].file);  // its work is in the file of the running program now
   };
-  REQUIRE(wait_until(restored, 60));
-  const auto files = kept_files(desktop.folder / "state" / "viete");
-  REQUIRE(files.size() == 1);
-  CHECK(scene::read_session(files[0]).pose->positions == kept);
-  desktop.xdotool("key ctrl+z");  // recovered work has no history: nothing happens
+  REQUIRE(wait_until(edited, 60));
+  CHECK(ended().empty());
   desktop.xdotool("key ctrl+q");
   REQUIRE(wait_until([&] { return again.finished(); }, 20));
   CHECK(again.exit_code() == 0);
   CHECK(test::file_bytes(desktop.folder / "second.log").find("unsaved edits are kept") != std::string::npos);
+  REQUIRE(ended().size() == 1);
+  CHECK_FALSE(ended()[0].restored);
 }

@@ -335,6 +335,7 @@ TEST_CASE("the_tour_goes_on_as_a_person_asks_and_leaves_what_it_found") {
   CHECK(state.chapter == 1);
   CHECK(state.of == 6);
   CHECK(scene::differs_from_rest(d.document()));  // it was dragged
+  CHECK_FALSE(scene::has_unsaved_edits(w));       // but not by the user
   hand("next_chapter");
   until([&] { return state.playing && state.chapter == 2; });
   hand("next_chapter");  // while it plays: the hand has the cursor
@@ -350,5 +351,8 @@ TEST_CASE("the_tour_goes_on_as_a_person_asks_and_leaves_what_it_found") {
   hand("end_script");
   CHECK_FALSE(show.running());
   CHECK_FALSE(state.shown());
+  CHECK_FALSE(scene::has_unsaved_edits(w));
+  scene::set_reach(d.document(), 3);
+  CHECK(scene::has_unsaved_edits(w));
   CHECK(w.remembered.layout == layout);
 }

@@ -325,7 +325,6 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
       d.open_dragon();
       scene::Workspace& w = d.workspace();
       w.view.dark = dark;
-      w.leftovers = {{"/tmp/1.viete", "a_model_with_quite_a_long_name_of_a_person.viete"}};
       w.pose_notes = {
           "A part of the cage has turned so far that its neighbours no longer say which way round."};
       w.messages.warn(
@@ -339,8 +338,7 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
       keep_picture(d, "notices_" + std::to_string(size.x) + (dark ? "_dark" : "_light"));
       const auto tool = d.viewer().recorder().find("strip/tool_move");
       REQUIRE(tool);
-      for (const char* notice :
-           {"restore_leftover", "put_off_leftover", "discard_leftover", "toast/0", "pose_note/0"}) {
+      for (const char* notice : {"toast/0", "pose_note/0"}) {
         const auto rect = d.viewer().recorder().find(notice);
         REQUIRE_MESSAGE(rect, notice);
         CHECK_MESSAGE(rect->x0 >= tool->x1, notice);

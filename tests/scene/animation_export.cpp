@@ -279,13 +279,14 @@ TEST_CASE("a_frame_that_is_not_ours_is_never_replaced_unasked") {
   test::put_file(cube / "f_05.ply", "of a user");
   const std::string problem = problem_of(what);
   CHECK(test::mentions(problem, "f_05.ply: this file was made or changed otherwise"));
+  CHECK_FALSE(test::mentions(problem, "--"));  // unless a caller offers it
   CHECK_FALSE(fs::exists(cube / "f_01.ply"));
   CHECK(test::file_bytes(cube / "f_05.ply") == "of a user");
-  what.replaces_foreign = true;
+  what.force = Force::given;
   CHECK(problem_of(what) == "");
   CHECK(mesh::read(cube / "f_05.ply").surface.positions == exact_frame(cube, 5));
   test::put_file(cube / "f_06.ply", "edited later");
-  what.replaces_foreign = false;
+  what.force = Force::none;
   CHECK(test::mentions(problem_of(what), "f_06.ply"));
 }
 

@@ -52,16 +52,25 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
   CHECK(w.browser.problem.empty());
 }
 
-TEST_CASE("leftovers_are_restored_discarded_and_put_off_one_at_a_time") {
+TEST_CASE("recovered_edits_are_restored_from_their_notice_and_discarded_or_put_off_all_at_once") {
   Workspace w;
   CHECK_FALSE(test::run_command(w, "restore_leftover"));
   w.leftovers = {{"/a.viete", "a", 0}, {"/b.viete", "b", 0}};
+  CHECK_FALSE(test::run_command(w, "discard_leftovers"));  // no notice lists them
+  REQUIRE(test::run_command(w, "restore_leftover"));
+  CHECK(w.offers_leftovers);
+  CHECK_FALSE(w.requests.open);
   REQUIRE(test::run_command(w, "restore_leftover"));
   CHECK(w.requests.open->what == OpenRequest::What::recovery);
   CHECK(w.requests.open->files.front() == "/a.viete");
-  REQUIRE(test::run_command(w, "put_off_leftover"));
-  REQUIRE(test::run_command(w, "discard_leftover"));
-  CHECK(w.requests.discard == "/b.viete");
+  w.chosen_leftover = "/b.viete";
+  REQUIRE(test::run_command(w, "restore_leftover"));
+  CHECK(w.requests.open->files.front() == "/b.viete");
+  REQUIRE(test::run_command(w, "discard_leftovers"));
+  CHECK(w.requests.discard);
+  REQUIRE(test::run_command(w, "put_off_leftovers"));
+  CHECK_FALSE(w.offers_leftovers);
+  CHECK(w.leftovers.size() == 2);
   CHECK_FALSE(test::run_command(w, "undo_discard"));
   w.discarded = {{{"/b.viete", "b", 0}, "/b.discarded"}};
   REQUIRE(test::run_command(w, "undo_discard"));

@@ -39,6 +39,16 @@ TEST_CASE("a_folded_column_leaves_its_place_to_the_view") {
   CHECK(view_between(layout, {1280, 800}, false).size == glm::vec2(1280, 800));
 }
 
+TEST_CASE("a_row_of_notices_takes_its_height_from_columns_and_view") {
+  for (const bool panels : {true, false}) {
+    const Viewport without = view_between({}, {1280, 800}, panels),
+                   with = view_between({}, {1280, 800}, panels, 40);
+    CHECK(with.origin == without.origin + glm::vec2(0, 40));
+    CHECK(with.size == without.size - glm::vec2(0, 40));
+    CHECK(column_height(with) == column_height(without) - 40);
+  }
+}
+
 TEST_CASE("a_width_stays_within_its_limits_and_leaves_room_for_the_view") {
   PanelLayout layout;
   set_width(layout, Column::methods, 10, 1280);

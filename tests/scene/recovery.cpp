@@ -68,6 +68,42 @@ TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
   for (const std::size_t i : {0u, 2u}) CHECK(leftovers[i].folder == fs::canonical(files.path()));
 }
 
+TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
+  const test::CubeFiles files;
+  const fs::path folder = files / "recovery", kept = folder / "999999999-1.viete",
+                 session = files / "a.viete";
+  fs::create_directories(folder);
+  Workspace w;
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  const auto move = [&] {
+    deform::Pose pose = w.document.pose;
+    pose.positions[0][0] += 0.25;
+    set_pose(w.document, pose);
+  };
+  const auto offered = [&] {
+    test::put_file(kept, session_text(session_of(w), kept, false));
+    const bool any = !find_leftovers(folder).empty();
+    CHECK(fs::exists(kept) == any);
+    return any;
+  };
+  CHECK_FALSE(offered());  // at rest, as the cage's file
+  move();
+  CHECK(offered());
+  REQUIRE(save_session(w, session));
+  w.camera.orbit({30, 0});
+  w.view.wireframe = true;
+  CHECK_FALSE(offered());  // another view of it is no edit
+  move();
+  CHECK(offered());
+  undo(w.document);
+  CHECK_FALSE(offered());
+  set_reach(w.document, 3);
+  CHECK(offered());
+  undo(w.document);
+  fs::remove(session);
+  CHECK(offered());  // its session is gone
+}
+
 TEST_CASE("names_for_work_set_aside_do_not_collide") {
   const test::TemporaryFolder folder;
   const fs::path first = set_aside_file(folder.path());

@@ -195,7 +195,8 @@ public:
         {.tolerance = std::max(what_.tolerance, least_tolerance) * diagonal_,
          .refines = !what_.every_frame,
          .bytes_of_vertex = bytes_of_vertex(what_) * static_cast<double>(step),
-         .most_bytes = most_bytes(what_)},
+         .most_bytes = most_bytes(what_),
+         .to_allow_more = what_.to_allow_more},
         pool_, progress);
   }
 
@@ -296,7 +297,7 @@ AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool
   AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool);
   if (progress) progress->section(0, planning);
   const std::vector<Planned> all = planned_frames(what, model, progress);
-  const std::vector<Planned> missing = files_to_make(made, name, all, what.replaces_foreign);
+  const std::vector<Planned> missing = files_to_make(made, name, all, what.force);
   FrameNotes notes;
   const auto count = static_cast<double>(missing.size());
   for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -385,20 +386,21 @@ AnimationReport write_animation(const AnimationExport& what, base::Progress* pro
 }
 
 std::vector<Planned> files_to_make(base::MadeFiles& made, const base::NumberedName& name,
-                                   std::span<const Planned> files, bool replaces) {
+                                   std::span<const Planned> files, Force force) {
   std::vector<Planned> missing, foreign;
   for (const Planned& file : files) {
     const State state = made.state(file);
     if (state != State::whole) missing.push_back(file);
     if (state == State::foreign) foreign.push_back(file);
   }
-  if (!foreign.empty() && !replaces)
+  if (!foreign.empty() && force != Force::given)
     throw base::Error(
         name.file(foreign.front().number).string(),
         "this file was made or changed otherwise, and would be replaced" +
             (foreign.size() > 1 ? ", as " + base::with_thousands(foreign.size() - 1) + " more would"
                                 : std::string()),
-        "choose another name, move them away, or use --force");
+        std::string("choose another name, or move them away") +
+            (force == Force::offered ? ", or add --force" : ""));
   made.begin(missing);
   return missing;
 }

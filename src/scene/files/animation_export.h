@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "scene/document/timeline.h"
 #include "scene/files/export.h"
+#include "scene/files/output.h"
 
 namespace viete::scene {
 
@@ -32,7 +33,8 @@ struct AnimationExport {
   bool every_frame = false;  ///< morph targets take the motion at these frames alone
   bool normals = true;      ///< of morph targets: without, they take half as much, and light stays as at rest
   double most_bytes = 1e9;  ///< of morph targets and their weights; more is refused
-  bool replaces_foreign = false;  ///< numbered files that somebody else has made are replaced
+  std::string to_allow_more{};  ///< advice for that: "allow more megabytes (--largest)"; empty: none
+  Force force = Force::none;    ///< replace numbered files that Viete has not made
   bool keeps_unfinished =
       true;  ///< where it ends early, what is done of a single file stays for the next run
 
@@ -80,11 +82,11 @@ MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progr
 /// Diagonals of the cage.
 inline constexpr double fast_frame_error = 2e-6;
 
-/// Files of a sequence that are to be made: checks that no other file would be replaced, unless `replaces`;
-/// those that are whole are left out. Throws base::Error.
+/// Files of a sequence that are to be made: checks that no other file would be replaced, unless `force` is
+/// given; those that are whole are left out. Throws base::Error.
 std::vector<base::MadeFiles::Planned> files_to_make(base::MadeFiles& made, const base::NumberedName& name,
                                                     std::span<const base::MadeFiles::Planned> files,
-                                                    bool replaces);
+                                                    Force force);
 
 /// A checksum of a pose upon `before`.
 std::uint64_t pose_key(std::uint64_t before, const WholePose& pose);

@@ -318,8 +318,9 @@ private:
                           base::with_thousands(static_cast<std::size_t>(moving)) +
                           " vertices: " + base::memory_size(bytes) + ", and no more than " +
                           base::memory_size(wish_.most_bytes) + " are allowed",
-                      "allow a larger tolerance, or more megabytes (viete animate --largest), or write a "
-                      "point cache (.pc2)");
+                      "allow a larger tolerance, " +
+                          (wish_.to_allow_more.empty() ? "" : wish_.to_allow_more + ", ") +
+                          "or write a point cache (.pc2)");
   }
 
   // A target whose weights leave 0 to 1 is stretched so that they do not, and its least one, where it is

@@ -21,6 +21,7 @@ struct MorphWish {
   bool refines = true;          ///< puts moments between the given ones, so that it holds between them too
   double bytes_of_vertex = 12;  ///< that each target takes in the file
   double most_bytes = 1e9;      ///< of all targets and weights
+  std::string to_allow_more{};  ///< see AnimationExport
 };
 
 /// At each moment the differences of targets from rest are added, each times its weight; between moments

@@ -37,6 +37,40 @@ void rename_leftover(const fs::path& from, const fs::path& to) {
 }
 
 constexpr const char* discarded_extension = ".discarded";
+constexpr const char* restored_ending = "_restored";
+
+// What edits change; not the view of it.
+Session work_of(const Session& session) {
+  Session work;
+  work.model = session.model, work.cage = session.cage, work.made_cage = session.made_cage;
+  work.scheme = session.scheme, work.mask = session.mask, work.probes = session.probes;
+  work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
+  work.shape = session.shape, work.pose = session.pose;
+  return work;
+}
+
+// The work that the session or the cage on disk holds. Requires a session, or a cage that is in a file.
+Session on_disk(const Session& kept) {
+  if (!kept.origin.empty()) return work_of(read_session(kept.origin));
+  Session rest;
+  rest.model = kept.model, rest.cage = kept.cage;
+  rest.scheme = deform::default_scheme();
+  if (kept.pose) {
+    rest.pose = deform::Pose{open_surface(kept.cage).surface->positions, kept.pose->turns};
+    for (auto& turn : rest.pose->turns) turn = {};
+  }
+  return rest;
+}
+
+bool equals_files(const fs::path& file) {
+  try {
+    const Session kept = read_session(file);
+    if (!kept.warnings.empty() || (kept.origin.empty() && kept.cage.empty())) return false;
+    return session_text(work_of(kept), file, false) == session_text(on_disk(kept), file, false);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
 
 std::tm local(std::time_t time) {
   std::tm parts{};
@@ -83,8 +117,18 @@ void remove_discarded(const fs::path& folder) {
   }
 }
 
+fs::path mark_restored(const fs::path& file) {
+  if (file.stem().string().ends_with(restored_ending)) return file;
+  fs::path marked = file;
+  marked.replace_filename(file.stem().string() + restored_ending + file.extension().string());
+  std::error_code code;
+  fs::rename(file, marked, code);
+  return code ? file : marked;
+}
+
 Leftover describe_leftover(const fs::path& file) {
   Leftover leftover{file, file.filename().string()};
+  leftover.restored = file.stem().string().ends_with(restored_ending);
   struct stat status {};
   if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
   try {
@@ -106,6 +150,10 @@ std::vector<Leftover> find_leftovers(const fs::path& folder) {
     const fs::path& file = entry->path();
     if (is_session(file) && !base::process_runs(process_of(file))) all.push_back(describe_leftover(file));
   }
+  std::error_code ignored;
+  std::erase_if(all, [&](const Leftover& leftover) {
+    return equals_files(leftover.file) && fs::remove(leftover.file, ignored);
+  });
   std::sort(all.begin(), all.end(), [](const Leftover& a, const Leftover& b) {
     return a.time != b.time ? a.time > b.time : a.file < b.file;
   });

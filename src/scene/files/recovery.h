@@ -15,11 +15,12 @@ struct Leftover {
   std::time_t time = 0;            ///< of its last edit
   std::filesystem::path folder{};  ///< of its session or model; empty: not known
   std::string first_edit{};        ///< since that was saved last: "move 3 vertices"; empty: not known
+  bool restored = false;           ///< opened once and closed without further edits
 
   friend bool operator==(const Leftover&, const Leftover&) = default;
 };
 
-/// One that is no longer wanted: moved aside until the program ends, so that it can come back.
+/// A discarded leftover: moved aside until the program ends, so that it can come back.
 struct DiscardedLeftover {
   Leftover leftover;
   std::filesystem::path aside;
@@ -36,9 +37,14 @@ void undo_discard(const DiscardedLeftover& discarded);
 /// Removes for good what was discarded by this program and by those that have ended.
 void remove_discarded(const std::filesystem::path& folder);
 
+/// Renames the file of a leftover that was opened and closed without further edits. Returns the new name, or
+/// the old one if renaming fails.
+std::filesystem::path mark_restored(const std::filesystem::path& file);
+
 Leftover describe_leftover(const std::filesystem::path& file);
 
-/// Newest first; only those whose program has ended. Nothing if there is no such folder.
+/// Newest first; only those whose program has ended. Removes those that equal the files on disk. Empty if
+/// there is no such folder.
 std::vector<Leftover> find_leftovers(const std::filesystem::path& folder);
 
 /// "today 14:32", "yesterday 14:32", "May 03, 14:32", "May 03 2024, 14:32".

@@ -131,9 +131,12 @@ inline constexpr Condition is_reporting{[](const Workspace& w) { return w.report
                                         "No report is being made."};
 inline constexpr Condition is_not_reporting{[](const Workspace& w) { return !w.reporting.running; },
                                             "A report is being made; cancel it first."};
-inline constexpr Condition has_leftover{
+inline constexpr Condition has_leftovers{
     [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
-    "There are no unsaved edits of an earlier run."};
+    "There are no recovered edits."};
+inline constexpr Condition offers_leftovers{
+    [](const Workspace& w) { return has_leftovers(w) && w.offers_leftovers; },
+    "Recovered edits are not shown."};
 inline constexpr Condition has_discarded{[](const Workspace& w) { return !w.discarded.empty(); },
                                          "Nothing was discarded since the program was started."};
 inline constexpr Condition can_undo{

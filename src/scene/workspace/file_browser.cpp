@@ -108,6 +108,7 @@ void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const s
   browser.purpose = purpose;
   browser.problem.clear();
   browser.warned.clear();
+  browser.asked.clear();
   std::error_code ignored;
   if (!folder.empty()) enter(browser, folder);
   if (folder.empty() || !browser.problem.empty()) enter(browser, fs::current_path(ignored));
@@ -221,6 +222,15 @@ std::string format_list(const FileBrowser& browser) {
 
 std::string format_of(const FileBrowser& browser) {
   return mesh::extension_of(browser.path);
+}
+
+bool refuse(FileBrowser& browser, const fs::path& asked, const std::string& problem) {
+  if (asked.empty() || browser.asked != asked) return false;
+  const std::string place = asked.string() + ": ";  // which stands above
+  browser.problem = problem.starts_with(place) ? problem.substr(place.size()) : problem;
+  browser.appearing = !std::exchange(browser.open, true);
+  browser.asked.clear();
+  return true;
 }
 
 void set_format(FileBrowser& browser, const std::string& extension) {

@@ -56,11 +56,12 @@ struct FileBrowser {
   std::vector<Entry>
       entries;       ///< folders first, then files that fit the purpose, each by name without regard to case
   std::string path;  ///< what the text field holds
-  std::string problem;    ///< why the folder could not be listed; empty if it could
-  std::string suggested;  ///< file name to save under; kept while folders are walked
-  FilesInUse in_use;      ///< that are neither proposed nor replaced
-  std::string filter;     ///< only entries that contain it, without regard to case, are shown
-  std::string warned;     ///< the path whose file Enter would have replaced: a second Enter does
+  std::string problem;  ///< why the folder or the file cannot be taken, shown below the path; or empty
+  std::filesystem::path asked;  ///< the file or folder that is being read or written for it; empty: none
+  std::string suggested;        ///< file name to save under; kept while folders are walked
+  FilesInUse in_use;            ///< that are neither proposed nor replaced
+  std::string filter;           ///< only entries that contain it, without regard to case, are shown
+  std::string warned;           ///< the path whose file Enter would have replaced: a second Enter does
   /// Among the entries that are shown: what Enter takes. Past them: none, and Enter saves under the name.
   std::size_t highlighted = 0;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -109,6 +110,8 @@ std::string problem_of_name(const FileBrowser& browser);
 std::string format_list(const FileBrowser& browser);
 /// The extension of the file to be saved, in lower case: "ply".
 std::string format_of(const FileBrowser& browser);
+/// Shows why `asked` could not be read or written; the path stays. False if the dialog did not ask for it.
+bool refuse(FileBrowser& browser, const std::filesystem::path& asked, const std::string& problem);
 /// Another extension for it.
 void set_format(FileBrowser& browser, const std::string& extension);
 

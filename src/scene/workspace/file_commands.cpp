@@ -117,23 +117,21 @@ void add_file_commands(CommandTable& table) {
   table.add("stop_export", {"Cancel the export", "Cancel"},
             "Stop writing the deformed mesh or its animation; every file is whole or as it was.",
             is_exporting, passing([](Workspace& w) { w.requests.stop_export = true; }));
-  table.add("restore_leftover", {"Restore unsaved edits", "Restore these edits"}, "Bring unsaved edits back.",
-            {key('B'), true}, has_leftover, passing([](Workspace& w) {
+  table.add("restore_leftover", {"Restore recovered edits", "Restore"},
+            "Open the recovered edits, or list them first.", {key('B'), true}, has_leftovers,
+            passing([](Workspace& w) {
+              if (!std::exchange(w.offers_leftovers, true)) return;
               w.requests.open = OpenRequest{OpenRequest::What::recovery, {offered_leftover(w).file}};
             }));
-  table.add("put_off_leftover", {"Keep unsaved edits for later", "Keep them for later"},
-            "Keep unsaved edits for the next start.", has_leftover, passing([](Workspace& w) {
-              w.leftovers.erase(w.leftovers.begin() + (&offered_leftover(w) - w.leftovers.data()));
-            }));
-  table.add("discard_leftover", {"Discard unsaved edits", "Discard these edits"},
-            "Drop unsaved edits; until the program ends they can be brought back.", has_leftover,
-            passing([](Workspace& w) { w.requests.discard = offered_leftover(w).file; }));
-  table.add("undo_discard", {"Bring discarded edits back", "Bring them back"},
-            "Take back that unsaved edits were discarded.", {key('B'), true, true}, has_discarded,
+  table.add("discard_leftovers", {"Discard recovered edits", "Discard"},
+            "Discard all recovered edits (can be undone until you quit).", offers_leftovers,
+            passing([](Workspace& w) { w.requests.discard = true; }));
+  table.add("put_off_leftovers", {"Keep recovered edits for later", "Later"},
+            "Hide this row. The next start offers the recovered edits again.", offers_leftovers,
+            passing([](Workspace& w) { w.offers_leftovers = false; }));
+  table.add("undo_discard", "Undo discarding recovered edits", "Bring the discarded edits back.",
+            {key('B'), true, true}, has_discarded,
             passing([](Workspace& w) { w.requests.undo_discard = true; }));
-  table.add("hide_discarded", {"Hide what is said of discarded edits", "OK"},
-            "Hide this line; until the program ends Ctrl+Shift+B brings the edits back.", has_discarded,
-            passing([](Workspace& w) { w.tell_discarded = false; }));
   table.add("screenshot", {"Save a screenshot", "Screenshot"}, "Save a picture of the window.", {Key::f12},
             always, [](Workspace& w) { w.requests.screenshot = true; });
   table.add("quit", "Quit", "Close the program.", {key('Q'), true}, always,

@@ -35,16 +35,17 @@ ColumnWidths shown_columns(const PanelLayout& layout, float window_width) {
   return {shown[0], shown[1]};
 }
 
-float column_height(float window_height) {
-  return std::max(1.0f, window_height - PanelLayout::menu_height - PanelLayout::status_height);
+float column_height(const Viewport& viewport) {
+  return std::max(1.0f, viewport.window.y - viewport.origin.y - PanelLayout::status_height);
 }
 
-Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels) {
-  if (!panels) return {window, {0, 0}, glm::max(glm::vec2(1), window)};
+Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels, float notice) {
+  if (!panels) return {window, {0, notice}, glm::max(glm::vec2(1), window - glm::vec2(0, notice))};
   const ColumnWidths columns = shown_columns(layout, window.x);
   const float below = PanelLayout::status_height + (layout.timeline ? PanelLayout::timeline_height : 0);
-  const glm::vec2 covered(columns.tools + columns.methods, PanelLayout::menu_height + below);
-  return {window, {columns.tools, PanelLayout::menu_height}, glm::max(glm::vec2(1), window - covered)};
+  const float above = PanelLayout::menu_height + notice;
+  const glm::vec2 covered(columns.tools + columns.methods, above + below);
+  return {window, {columns.tools, above}, glm::max(glm::vec2(1), window - covered)};
 }
 
 void toggle_column(PanelLayout& layout, Column column, float window_width) {

@@ -37,11 +37,12 @@ struct ColumnWidths {
 };
 ColumnWidths shown_columns(const PanelLayout& layout, float window_width);
 
-/// Between menu and status bar.
-float column_height(float window_height);
+/// From the top of the view to the status bar.
+float column_height(const Viewport& viewport);
 
-/// What columns, bars and timeline leave of a window; all of it without panels.
-Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels);
+/// What columns, bars and timeline leave of a window, below a row of notices of this height. Without panels
+/// there is only that row.
+Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels, float notice = 0);
 
 /// Shows a column that is not shown, if need be instead of the other; folds away one that is.
 void toggle_column(PanelLayout& layout, Column column, float window_width);

@@ -36,7 +36,7 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::
     workspace.messages.info(std::string("Saved the ") + what + " to " + path.string());
     return true;
   } catch (const std::exception& error) {
-    workspace.messages.error(error.what(), {topic});
+    tell_refusal(workspace, path, error.what(), topic);
     return false;
   }
 }
@@ -110,6 +110,11 @@ bool save_cage(Workspace& workspace, const fs::path& path) {
     document.cage_file.format = "saved here";
     workspace.saved.put_cage(document.cage);
   });
+}
+
+void tell_refusal(Workspace& workspace, const fs::path& file, const std::string& problem,
+                  std::string_view topic) {
+  if (!refuse(workspace.browser, file, problem)) workspace.messages.error(problem, {topic});
 }
 
 bool changed_on_disk(const Workspace& w, const fs::path& session) {

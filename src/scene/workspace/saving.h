@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "scene/document/files_in_use.h"
 #include "scene/files/session.h"
@@ -19,6 +20,11 @@ bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 bool save_chosen_pose(Workspace& workspace, const std::filesystem::path& path);  ///< of the named ones
 /// The cage at rest, which is then that of this file. The pose is not in it.
 bool save_cage(Workspace& workspace, const std::filesystem::path& path);
+
+/// Says why a file that was asked for cannot be read or written: in the file dialog if that asked for it, or
+/// else in the messages.
+void tell_refusal(Workspace& workspace, const std::filesystem::path& file, const std::string& problem,
+                  std::string_view topic);
 
 /// True if Save would replace a session that is not the one that was opened or saved here last.
 bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& session);

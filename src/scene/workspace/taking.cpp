@@ -163,6 +163,8 @@ void take(Workspace& w, Opened&& opened) {
   w.saved.nowhere = opened.recovered;
   if (opened.recovered) {
     w.recovered_from = opened.file;
+    w.offers_leftovers = false;
+    std::erase_if(w.leftovers, [&](const Leftover& leftover) { return leftover.file == opened.file; });
     mark_edits_saved(w, opened.session->first_edit);
   } else {
     mark_saved(w);
