@@ -18,13 +18,13 @@ fresh() {
   stand_in apt-get 'exit 0'
   stand_in apt-cache 'exit 0'
   stand_in cmake 'case "$1" in
-    -S) : >"$4/build.ninja" ;;
+    -S) : >"$4/build.ninja"; printf "0\t1600\t0\tsrc/base/CMakeFiles/a.o\t0\n" >"$4/.ninja_log" ;;
     --build) printf "[1/4] a\n[4/4] b\n"; printf "#!/bin/sh\npwd; echo \"\$@\"\n" >"$2/viete"; chmod +x "$2/viete" ;;
   esac'
   stand_in ctest 'exit 0'
   stand_in sleep 'exit 0'
   stand_in id 'case "$1" in -un) echo somebody ;; *) echo 1000 ;; esac'
-  for tool in sh awk basename cat chmod chown cp dirname env grep ln mkdir mktemp nproc printf pwd readlink rm sed stat tee; do
+  for tool in sh awk basename cat chmod chown cp dirname env grep ln mkdir mktemp nproc printf pwd readlink rm sed sort stat tee; do
     [ -e "$scratch/bin/$tool" ] || ln -s "$(command -v $tool)" "$scratch/bin/$tool"
   done
 }
@@ -92,6 +92,8 @@ fresh
 run "$script" test -L unit
 expect 'the tests are built' called 'VIETE_BUILD_TESTS=ON'
 expect 'with every kernel' called 'VIETE_KERNELS=all'
+expect 'warnings are errors' called 'VIETE_WERROR=ON'
+expect 'with the times of compiling' says 'compiling took: base 2 s'
 expect 'and run side by side, as the caller says' called 'ctest .*-j [0-9]* -L unit'
 
 run "$script" test

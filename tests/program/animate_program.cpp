@@ -51,16 +51,6 @@ struct AnimatedDragon : TemporaryFolder {
     return "animate " + quoted(dragon) + " " + quoted(cage) + " --keys k_##.obj " + rest;
   }
   Outcome animate(const std::string& rest) const { return run(line(rest), "cd " + quoted(path()) + " &&"); }
-
-  // Ended by the signal once `until` is there.
-  Outcome ended(const std::string& rest, const std::string& until, const std::string& signal) const {
-    const fs::path script = *this / "ended.sh";
-    put_file(script, "cd " + quoted(path()) + "\n'" + build_dir().string() + "/viete' " + line(rest) +
-                         " &\np=$!\nwhile ! [ -s " + until +
-                         " ] && kill -0 $p 2>/dev/null; do sleep 0.01; done\nkill -" + signal +
-                         " $p\nwait $p\n");
-    return run("--version >/dev/null; sh " + quoted(script));
-  }
 };
 
 }  // namespace
@@ -155,7 +145,8 @@ TEST_CASE("an_animation_that_was_killed_has_whole_frames_and_is_gone_on_with") {
   for (const char* signal : {"KILL", "INT"}) {
     CAPTURE(signal);
     const std::string out = std::string(signal) + "_##.ply";
-    const Outcome ended = d.ended("-o '" + out + "'", std::string(signal) + "_03.ply", signal);
+    const Outcome ended = ended_by(signal, d.path(), d.line("-o '" + out + "'"),
+                                   std::string(signal) + "_03.ply", std::string(signal) + "_*");
     if (std::string(signal) == "INT")
       CHECK_MESSAGE(mentions(ended, "stopped; what is whole stays"), ended.text);
     const base::NumberedName name(d / out);
@@ -179,7 +170,7 @@ TEST_CASE("an_animation_that_was_killed_has_whole_frames_and_is_gone_on_with") {
 TEST_CASE("a_cache_that_was_killed_is_gone_on_with_to_the_same_bytes") {
   const AnimatedDragon d;
   REQUIRE(d.animate("-o whole.pc2 --frames 1-200").code == 0);
-  d.ended("-o a.pc2 --frames 1-200", "a.pc2.*.unfinished", "KILL");
+  ended_by("KILL", d.path(), d.line("-o a.pc2 --frames 1-200"), "a.pc2.*.unfinished", "a.pc2");
   CHECK_FALSE(fs::exists(d / "a.pc2"));
   const Outcome again = d.animate("-o a.pc2 --frames 1-200");
   CHECK_MESSAGE(again.code == 0, again.text);

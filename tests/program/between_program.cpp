@@ -148,11 +148,7 @@ TEST_CASE("between_that_is_stopped_leaves_whole_files_and_goes_on") {
       run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) + " -o a.ply", at_home)
           .code == 0);
   const std::string line = "between " + quoted(dragon) + " a.ply -o 'f_##.ply' --frames 30";
-  put_file(folder / "ended.sh", "cd " + quoted(folder.path()) + "\n'" + build_dir().string() + "/viete' " +
-                                    line +
-                                    " &\np=$!\nwhile ! [ -s f_03.ply ] && kill -0 $p 2>/dev/null; do sleep "
-                                    "0.01; done\nkill -INT $p\nwait $p\n");
-  const Outcome ended = run("--version >/dev/null; sh " + quoted(folder / "ended.sh"));
+  const Outcome ended = ended_by("INT", folder.path(), line, "f_03.ply", "f_*");
   CHECK_MESSAGE(mentions(ended, "f_##.ply: stopped; what is whole stays"), ended.text);
   const base::NumberedName name(folder / "f_##.ply");
   CHECK(name.find().size() < 30);

@@ -49,6 +49,19 @@ inline std::string quoted(const fs::path& path) {
   return "'" + path.string() + "'";
 }
 
+/// The program in that folder, which is sent the signal once it has written `until`: a result, or `said`, to
+/// which everything goes that it says. If it ends before that, it is started again without the files `made`.
+inline Outcome ended_by(const std::string& signal, const fs::path& folder, const std::string& arguments,
+                        const std::string& until, const std::string& made) {
+  put_file(folder / "ended.sh",
+           "cd " + quoted(folder) + "\nfor try in 1 2 3 4 5 6 7 8 9; do\nrm -rf " + made +
+               "\nVIETE_PROGRESS=1 " + quoted(build_dir() / "viete") + " " + arguments +
+               " > said 2>&1 &\np=$!\nwhile ! [ -s " + until +
+               " ] && kill -0 $p 2>/dev/null; do sleep 0.01; done\nkill -" + signal +
+               " $p\nwait $p\ncode=$?\n[ $code = 0 ] || break\ndone\ncat said\nexit $code\n");
+  return outcome_of("sh " + quoted(folder / "ended.sh") + " 2>&1 </dev/null");
+}
+
 /// The working folder, and no display.
 inline std::string without_display(const fs::path& folder) {
   return "cd " + quoted(folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY";

@@ -122,7 +122,10 @@ TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
     return run(arguments, "cd " + quoted(scratch.path()) + " && HOME=. " + user +
                               "prlimit --nproc=" + std::to_string(processes));
   };
-  if (limited("--version", 1).code != 0) return MESSAGE("another user cannot run the program here");
+  if (limited("--version", 1).code != 0) {
+    MESSAGE("another user cannot run the program here");
+    return;
+  }
   const std::pair<std::string, std::string> lines[] = {
       {"deform " + files + " --pose " + quoted(pose) + " -o ", ".ply"},
       {"cage " + quoted(cage) + " --triangles 60 -o ", ".obj"},

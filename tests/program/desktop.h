@@ -24,7 +24,8 @@ namespace viete::test {
 
 namespace fs = std::filesystem;
 
-inline bool wait_until(const std::function<bool()>& condition, double seconds) {
+/// The default limit is only a guard against a program that hangs.
+inline bool wait_until(const std::function<bool()>& condition, double seconds = 300) {
   for (int i = 0; i < seconds * 20; ++i) {
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -92,7 +93,7 @@ struct Desktop {
     server.emplace("Xvfb -displayfd 3 -screen 0 1440x900x24 -nolisten tcp -fbdir '" + folder.string() +
                        "' 3>'" + number.string() + "'",
                    folder / "xvfb.log");
-    REQUIRE_MESSAGE(wait_until([&] { return fs::exists(number) && fs::file_size(number) > 1; }, 20),
+    REQUIRE_MESSAGE(wait_until([&] { return fs::exists(number) && fs::file_size(number) > 1; }),
                     "Xvfb did not start");
     std::ifstream(number) >> display;
     display = ":" + display;
@@ -112,8 +113,8 @@ struct Desktop {
   }
   /// The screen as the server keeps it, in a file.
   std::string screen() const { return file_bytes(folder / "Xvfb_screen0"); }
-  /// Waits until a window is drawn where there was another picture, and nothing on the screen changes any more:
-  /// the program has done all that it was told.
+  /// Waits until a window is drawn where there was another picture, and nothing on the screen changes any
+  /// more: the program has done all that it was told.
   void rest(const std::string& before = "") {
     std::string seen = before;
     const auto same_again = [&] {
@@ -123,7 +124,7 @@ struct Desktop {
       seen = std::move(now);
       return same;
     };
-    REQUIRE_MESSAGE(wait_until(same_again, 60), "the screen does not come to rest");
+    REQUIRE_MESSAGE(wait_until(same_again), "the screen does not come to rest");
   }
   /// Likewise after keys or a mouse that change what is seen.
   void xdotool_seen(const std::string& arguments) {

@@ -66,16 +66,16 @@ struct RealHand {
   scene::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };
-    for (int i = 0; i < 6 && !written(); ++i) {
+    for (int i = 0; i < 15 && !written(); ++i) {
       act("key ctrl+s");
-      wait_until(written, 10);
+      wait_until(written, 20);
     }
     REQUIRE(written());
     return scene::read_session(session);
   }
   void quit() {
     act("key ctrl+q");
-    REQUIRE(wait_until([&] { return viewer->finished(); }, 30));
+    REQUIRE(wait_until([&] { return viewer->finished(); }));
     CHECK(viewer->exit_code() == 0);
   }
   const std::vector<mesh::Point>& rest() { return offscreen.document().cage->surface.positions; }
@@ -159,7 +159,7 @@ TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_command
   hand.desktop.xdotool_seen("key ctrl+a");
   hand.desktop.xdotool_seen("type b");
   hand.act("key Return");
-  CHECK(wait_until([&] { return fs::exists(hand.desktop.folder / "b.viete"); }, 30));
+  CHECK(wait_until([&] { return fs::exists(hand.desktop.folder / "b.viete"); }));
   hand.quit();
 }
 
@@ -182,14 +182,14 @@ TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::t
   };
   const glm::ivec2 small(1000, 700), screen(1440, 900);
   hand.act("search --onlyvisible --name work windowsize 1000 700");
-  REQUIRE(wait_until([&] { return size() == small; }, 15));
+  REQUIRE(wait_until([&] { return size() == small; }));
   hand.act("mousemove 500 300");
-  hand.desktop.rest();
+  hand.saved();
   hand.act(std::string("key ") + f11_keycode);
-  CHECK(wait_until([&] { return size() == screen; }, 15));
-  hand.desktop.rest();
+  CHECK(wait_until([&] { return size() == screen; }));
+  hand.saved();
   hand.act(std::string("key ") + f11_keycode);
-  CHECK(wait_until([&] { return size() == small; }, 15));
+  CHECK(wait_until([&] { return size() == small; }));
   hand.quit();
   const auto remembered = scene::read_remembered(hand.desktop.folder / "state" / "viete" / "remembered.json");
   CHECK(remembered.window == small);

@@ -22,7 +22,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   const fs::path state = folder / "state";
   const auto kept_pose = [&] { return scene::read_session(kept_files(state).front()).pose->positions; };
   const auto settled = [&](std::size_t files) {
-    return wait_until([&] { return kept_files(state).size() == files; }, 5);
+    return wait_until([&] { return kept_files(state).size() == files; });
   };
   {
     Driver d(remembering(state));
@@ -77,7 +77,7 @@ TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
   d.settle();
   const auto settled = [&](std::size_t files) {
     d.settle();
-    return wait_until([&] { return kept_files(state).size() == files; }, 5);
+    return wait_until([&] { return kept_files(state).size() == files; });
   };
   scene::set_reach(d.document(), 3);
   REQUIRE(settled(1));
@@ -118,7 +118,7 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   CHECK(d.workspace().leftovers.empty());
   CHECK(scene::has_unsaved_edits(d.workspace()));
   CHECK(test::difference(picture, rest_picture(d), 0) == 0);
-  CHECK(wait_until([&] { return kept_files(folder / "state").size() == 1; }, 5));
+  CHECK(wait_until([&] { return kept_files(folder / "state").size() == 1; }));
   CHECK(scene::read_session(kept_files(folder / "state").front()).pose->positions == posed);
 }
 
@@ -233,12 +233,7 @@ TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks
   d.settle();
   drag_some_vertex(d, {30, 20});
   d.frame(5);
-  REQUIRE(wait_until(
-      [&] {
-        d.frame();
-        return !d.workspace().messages.all().empty();
-      },
-      5));
+  REQUIRE(d.until([&] { return !d.workspace().messages.all().empty(); }));
   CHECK(d.workspace().messages.all().back().text.find((folder / "state").string()) != std::string::npos);
   CHECK(test::edit_count(d.document().history) == 1);
 }
@@ -271,7 +266,7 @@ struct Unkept {
     REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     drag_some_vertex(d, {30, 20});
-    REQUIRE(wait_until([&] { return kept_files(state).size() == 1; }, 5));
+    REQUIRE(wait_until([&] { return kept_files(state).size() == 1; }));
     break_recovery(state);
     drag_some_vertex(d, {-20, 10});
   }
@@ -466,7 +461,7 @@ TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_
     CHECK(scene::has_unsaved_edits(again.workspace()));
     REQUIRE(scene::save_session(again.workspace(), session));
     again.frame(3);
-    REQUIRE(wait_until([&] { return kept_files(state).empty(); }, 5));
+    REQUIRE(wait_until([&] { return kept_files(state).empty(); }));
   }
 }
 
@@ -482,19 +477,9 @@ TEST_CASE("what_is_kept_goes_where_another_frame_leaves_nothing_unsaved") {
   REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
   d.frame(3);
   scene::reset_pose(d.document());
-  REQUIRE(wait_until(
-      [&] {
-        d.frame();
-        return kept_files(state).size() == 1;
-      },
-      5));
+  REQUIRE(d.until([&] { return kept_files(state).size() == 1; }));
   d.press_key(scene::Key::right);  // rest is never lost
-  CHECK(wait_until(
-      [&] {
-        d.frame();
-        return kept_files(state).empty();
-      },
-      5));
+  CHECK(d.until([&] { return kept_files(state).empty(); }));
 }
 
 // Runs in a process of its own, see the next test: finishes edit after edit, and says in a log which one is
@@ -537,7 +522,7 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
                       fs::read_symlink("/proc/self/exe").string() +
                       "' --no-skip --test-case=child_that_edits_until_it_is_killed",
                   folder / "out");
-      REQUIRE_MESSAGE(wait_until([&] { return fs::exists(log) && fs::file_size(log) > 60; }, 60),
+      REQUIRE_MESSAGE(wait_until([&] { return fs::exists(log) && fs::file_size(log) > 60; }),
                       test::file_bytes(folder / "out"));
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 200000));
       child.kill_now();
@@ -578,7 +563,7 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   desktop.xdotool("search --sync --onlyvisible --name dragon");
   desktop.rest();
   desktop.drag(from, to);
-  REQUIRE(wait_until([&] { return !kept_files(desktop.folder / "state" / "viete").empty(); }, 20));
+  REQUIRE(wait_until([&] { return !kept_files(desktop.folder / "state" / "viete").empty(); }));
   viewer.kill_now();
   const auto leftovers = scene::find_leftovers(desktop.folder / "state" / "viete" / "recovery");
   REQUIRE(leftovers.size() == 1);
@@ -598,10 +583,10 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
     desktop.drag(to, from);
     return !fs::exists(leftovers[0].file);  // its work is in the file of the running program now
   };
-  REQUIRE(wait_until(edited, 60));
+  REQUIRE(wait_until(edited));
   CHECK(ended().empty());
   desktop.xdotool("key ctrl+q");
-  REQUIRE(wait_until([&] { return again.finished(); }, 20));
+  REQUIRE(wait_until([&] { return again.finished(); }));
   CHECK(again.exit_code() == 0);
   CHECK(test::file_bytes(desktop.folder / "second.log").find("unsaved edits are kept") != std::string::npos);
   REQUIRE(ended().size() == 1);

@@ -57,10 +57,7 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
 TEST_CASE("a_report_that_is_stopped_leaves_nothing") {
   const TemporaryFolder scratch;
   const fs::path folder = scratch / "out";
-  put_file(scratch / "run.sh", "'" + build_dir().string() + "/viete' report -o " + quoted(folder) +
-                                   " 2>&1 &\np=$!\nwhile ! [ -d " + quoted(folder) +
-                                   " ]; do sleep 0.01; done\nsleep 0.5\nkill -INT $p\nwait $p\n");
-  const auto ended = run("--version >/dev/null; sh " + quoted(scratch / "run.sh"));
+  const auto ended = ended_by("INT", scratch.path(), "report -o out", "said", "out");
   CHECK(ended.code == 1);
   CHECK_MESSAGE(mentions(ended, "stopped; no file was changed"), ended.text);
   CHECK_FALSE(fs::exists(folder));

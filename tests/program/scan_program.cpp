@@ -13,12 +13,7 @@ TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged" * doctest::test
   Driver d(options);
   d.workspace().requests.open =
       scene::OpenRequest{scene::OpenRequest::What::model, {folder / "mesh.ply", folder / "cage.obj"}};
-  REQUIRE(test::wait_until(
-      [&] {
-        d.frame();
-        return d.document().has_cage() && !d.viewer().loading();
-      },
-      120));
+  REQUIRE(d.until([&] { return d.document().has_cage() && !d.viewer().loading(); }));
   CHECK(d.document().model.summary.vertices == 537374);
   d.settle();
   REQUIRE(d.viewer().deformer()->positions().size() == 537374);

@@ -272,7 +272,7 @@ TEST_CASE("replacing_a_file_is_said_before_it_is_done") {
   d.frame(2);
   d.click("format_ply");
   d.click("file_choose");
-  d.frame(2);
+  d.settle();
   CHECK(mesh::read(folder / "small_deformed.ply").surface.positions.size() ==
         d.document().model.summary.vertices);
 }

@@ -59,10 +59,10 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
   desktop.xdotool("mousemove 1430 20");
   desktop.rest();
   desktop.xdotool(std::string("key ") + f12_keycode);
-  REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
+  REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }));
   auto real = test::read_png(*desktop.screenshot());
   desktop.xdotool("key ctrl+q");
-  REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
+  REQUIRE(wait_until([&] { return viewer.finished(); }));
   CHECK(viewer.exit_code() == 0);
 
   d.drag(from, to);
@@ -127,10 +127,10 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
   desktop.xdotool("mousemove 1430 20");
   desktop.rest();
   desktop.xdotool(std::string("key ") + f12_keycode);
-  REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }, 20));
+  REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }));
   auto real = test::read_png(*desktop.screenshot());
   desktop.xdotool("key ctrl+q");
-  REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
+  REQUIRE(wait_until([&] { return viewer.finished(); }));
   CHECK(viewer.exit_code() == 0);
 
   auto offscreen = d.picture();
@@ -168,7 +168,7 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     const std::string at_work = desktop.screen();
     viewer.terminate();
     if (can_keep) {
-      REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
+      REQUIRE(wait_until([&] { return viewer.finished(); }));
       CHECK(viewer.exit_code() == 0);
       CHECK(test::file_bytes(log).find("unsaved edits are kept") != std::string::npos);
       continue;
@@ -185,7 +185,7 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     CHECK_FALSE(viewer.finished());
     desktop.xdotool("key Left");
     desktop.xdotool("key Return");  // close without saving
-    REQUIRE(wait_until([&] { return viewer.finished(); }, 20));
+    REQUIRE(wait_until([&] { return viewer.finished(); }));
     CHECK(viewer.exit_code() == 0);
     CHECK(test::file_bytes(log).find("kept") == std::string::npos);
   }
