@@ -16,7 +16,7 @@ using scene::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
 // Larger weights of the staged engine are made only when a method that needs them is chosen.
-constexpr double most_bytes = 256.0 * (1 << 20);
+constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_weights(const TimedPose& timed) {
   return timed.bound.binding->weights.empty() &&
@@ -40,7 +40,7 @@ deform::LinkTimes median_of(const std::vector<deform::LinkTimes>& frames) {
 }  // namespace
 
 MethodTimings time_methods(TimedPose timed, base::Progress& progress) {
-  if (lacks_weights(timed) && weight_bytes(*timed.bound.binding) <= most_bytes)
+  if (lacks_weights(timed) && weight_bytes(*timed.bound.binding) <= most_weight_bytes)
     timed.bound = bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag, timed.bound, {},
                        progress);
   base::WorkerPool pool;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/inputs.h"
+#include "app/options.h"
 #include "app/terminal_progress.h"
 #include "base/error.h"
 #include "mesh/triangle.h"

@@ -25,7 +25,7 @@ bool is_under_cursor(ImVec2 low, ImVec2 high) {
 }
 
 // One segment per stage, as long as its share of the slowest method's time.
-Stage segments(const Context& ui, const deform::LinkTimes& times, double longest, ImVec2 at, float width) {
+Stage segments(const Context& ui, const scene::LinkTimes& times, double longest, ImVec2 at, float width) {
   constexpr float height = 14;
   Stage under_cursor;
   float x = at.x;
@@ -42,7 +42,7 @@ Stage segments(const Context& ui, const deform::LinkTimes& times, double longest
 Stage bar(const Context& ui, std::size_t index, double longest) {
   constexpr float label_width = 88, value_width = 68;
   const scene::MethodTimes& all = ui.workspace.method_times;
-  const deform::LinkTimes& times = all.links[index];
+  const scene::LinkTimes& times = all.links[index];
   const bool runs = compared_methods[index] == ui.workspace.document.method;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, room = width - label_width - value_width;

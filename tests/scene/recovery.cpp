@@ -47,6 +47,9 @@ TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
   const test::CubeFiles files;
   Workspace w;
   REQUIRE(test::load_model(w, files.model, files.cage));
+  deform::Pose moved = w.document.pose;
+  moved.positions[0][0] += 0.25;
+  set_pose(w.document, moved);
   const fs::path folder = files / "recovery";
   fs::create_directories(folder);
   const auto put = [&](const std::string& name, int minutes_ago) {

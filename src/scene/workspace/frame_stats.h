@@ -19,6 +19,7 @@ namespace viete::scene {
 // What panels show of a frame.
 using deform::Link;
 using deform::link_count;
+using deform::LinkTimes;
 using lab::compared_methods;
 using sym3::Method;
 

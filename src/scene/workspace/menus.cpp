@@ -71,7 +71,8 @@ int fit(const Command& command, const std::string& word) {
   if (group.starts_with(word)) return 50;
   if (in_lower(command.name).find(word) != std::string::npos) return 40;
   if (in_lower(command.hint).find(word) != std::string::npos) return 20;
-  return has_letters(label, word) ? 10 : 0;
+  if (!has_letters(label, word)) return 0;
+  return label.front() == word.front() ? 15 : 10;
 }
 
 int fit_of_all(const Command& command, const std::vector<std::string>& words) {
