@@ -20,6 +20,13 @@ std::string error(double relative) {
   return relative == 0 ? "0" : print("%.1e", relative);
 }
 
+std::string rough_error(double relative) {
+  if (std::isnan(relative) || relative == 0) return error(relative);
+  std::string text = print("%.0e", relative);
+  if (const auto zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
+  return text;
+}
+
 std::string length(double value) {
   return print("%.3g", value);
 }

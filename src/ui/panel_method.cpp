@@ -56,7 +56,7 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
   if (active && used) draw.AddCircleFilled({at.x + width - 13, at.y + 14}, 4, ui.colors.accent);
   if (!sample) return;
   ImGui::PushFont(ui.fonts.numbers);
-  const std::string time = nanoseconds(sample->ns_per_matrix), worst = error(sample->worst_error);
+  const std::string time = nanoseconds(sample->ns_per_matrix), worst = rough_error(sample->worst_error);
   draw.AddText({at.x + margin, at.y + second_line}, marks.time ? ui.colors.accent : text, time.c_str());
   draw.AddText({at.x + width - margin - ImGui::CalcTextSize(worst.c_str()).x, at.y + second_line},
                fails(*sample) ? ui.colors.warn

@@ -1,8 +1,6 @@
 // The deformation of a frame with each method, stage by stage, and the rest of the frame.
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
 #include "scene/document/edit.h"
 #include "ui/format.h"
@@ -102,19 +100,27 @@ void tell_stage(const Context& ui, Link stage) {
 
 // What a frame takes besides the deformation, and as a whole: headings above their numbers.
 void rest_of_frame(const Context& ui) {
-  constexpr std::array headings = {"upload", "panels", "draw", "total ms", "frames/s"};
-  std::array<std::string, headings.size()> values;
-  if (const auto& frame = ui.workspace.stats.median())
-    values = {base::few_digits(frame->upload), base::few_digits(frame->panels), base::few_digits(frame->draw),
-              base::few_digits(frame->frame), base::few_digits(1000 / std::max(frame->frame, 1e-3))};
+  struct Column {
+    const char* heading;
+    float right;  // as a part of the width
+    std::string value{};
+  };
+  std::array<Column, 5> columns{
+      {{"upload", 0.17f}, {"panels", 0.36f}, {"draw", 0.53f}, {"total", 0.75f}, {"frames/s", 1}}};
+  if (const auto& frame = ui.workspace.stats.median()) {
+    columns[0].value = base::few_digits(frame->upload);
+    columns[1].value = base::few_digits(frame->panels);
+    columns[2].value = base::few_digits(frame->draw);
+    columns[3].value = milliseconds(frame->frame);
+    columns[4].value = base::few_digits(1000 / std::max(frame->frame, 1e-3));
+  }
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, column = width / headings.size();
-  const float line = ImGui::GetTextLineHeight();
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    const float right = at.x + static_cast<float>(i + 1) * column;
-    const float wide = ImGui::CalcTextSize(headings[i]).x;
-    ImGui::GetWindowDrawList()->AddText({right - wide, at.y}, ui.colors.faint, headings[i]);
-    text_right(ui, right, values[i], ui.colors.text, at.y + line);
+  const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight();
+  for (const Column& column : columns) {
+    const float right = at.x + column.right * width;
+    ImGui::GetWindowDrawList()->AddText({right - ImGui::CalcTextSize(column.heading).x, at.y},
+                                        ui.colors.faint, column.heading);
+    text_right(ui, right, column.value, ui.colors.text, at.y + line);
   }
   ImGui::Dummy({width, 2 * line});
   hint(
@@ -123,24 +129,18 @@ void rest_of_frame(const Context& ui) {
       "On a software renderer, drawing uses the processor.");
 }
 
-// "4e-6".
-std::string one_digit(double value) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.0e", value);
-  std::string shown(text);
-  if (const auto zero = shown.find("e-0"); zero != std::string::npos) shown.erase(zero + 2, 1);
-  return shown;
-}
-
 // The error of the exponential, and of the positions that are drawn.
 void errors(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   const scene::MethodSample* sample = running_sample(w);
-  std::string text = "Error  ";
-  if (sample)
-    text += "exp " + (std::isnan(sample->worst_error) ? "NaN" : one_digit(sample->worst_error)) + " \u00b7 ";
-  if (w.fused_error > 0) text += "frame " + one_digit(w.fused_error) + ", single precision";
+  std::string text;
+  if (sample) text = "exp " + rough_error(sample->worst_error) + " \u00b7 ";
+  const bool fits = ImGui::GetContentRegionAvail().x >
+                    ImGui::CalcTextSize("exp 4e-16 \u00b7 frame 4e-6, single precision").x;
+  const std::string precision = fits ? " precision" : "";
+  if (w.fused_error > 0) text += "frame " + rough_error(w.fused_error) + ", single" + precision;
   if (w.fused_error == 0 && scene::shows_links(w)) text += "frame in double precision";
+  if (text.empty()) text = " ";
   text_in(ui.colors.faint, text);
   record(ui, "errors");
   hint(

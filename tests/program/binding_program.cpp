@@ -170,7 +170,7 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   const test::TemporaryFolder folder;
   Driver d(small_window());
   for (int levels = 2;; ++levels) {
-    REQUIRE_MESSAGE(levels < 6, "mean value coordinates of 8192 triangles came at once");
+    REQUIRE_MESSAGE(levels < 7, "mean value coordinates of 32768 triangles came at once");
     test::run_command(d.workspace(), "blend_srl");  // a new document keeps what the last one used
     scene::mark_saved(d.workspace());
     REQUIRE(d.open({dragon, ball_cage(folder.path(), levels)}));

@@ -104,8 +104,8 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   Driver& d = scene.d;
   const auto views = d.viewer().views_drawn();
   const render::Image before = d.picture();
-  d.move(d.place_of("open_model"));
-  d.move(d.place_of("open_cage"));
+  d.move(d.place_of("method_diag"));
+  d.move(d.place_of("method_sd"));
   d.frame(3);
   CHECK(test::difference(before, d.picture(), 0) > 0);
   d.press_key(scene::key('K'), true);
@@ -125,9 +125,9 @@ TEST_CASE("where_nothing_changes_the_view_is_not_drawn") {
   d.settle();
   const auto views = d.viewer().views_drawn();
   d.frame(3);
-  d.move(d.place_of("open_cage"));
+  d.move(d.place_of("method_sd"));
   d.frame();
-  d.move(d.place_of("open_cage") + glm::vec2(1, 0));  // still over the same button
+  d.move(d.place_of("method_sd") + glm::vec2(1, 0));  // still over the same button
   CHECK(d.viewer().views_drawn() == views);
   d.viewer().resize({690, 420});
   d.frame();

@@ -67,7 +67,7 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
     Driver d(remembering(folder / "state"));
     d.open_dragon();
     d.click("tab/methods");
-    d.click("section/Transform");
+    d.click("section/Map");
     d.press_key(scene::key('T'));
     d.frame(2);
     d.workspace().requests.quit = true;
@@ -77,7 +77,7 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
   d.open_dragon();
   CHECK_FALSE(d.workspace().view.dark);
   CHECK_FALSE(d.viewer().recorder().find("method_diag"));
-  CHECK_FALSE(d.viewer().recorder().find("transform_x"));
+  CHECK(d.viewer().recorder().find("map"));
 }
 
 TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {

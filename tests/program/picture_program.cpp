@@ -23,10 +23,13 @@ namespace fs = std::filesystem;
 namespace {
 
 void mask_panels(render::Image& image, float scale) {
-  const int column = static_cast<int>(376 * scale), bar = static_cast<int>(26 * scale);  // the strip with it
+  const int strip = static_cast<int>(60 * scale), bar = static_cast<int>(26 * scale);
+  const int column = image.width - static_cast<int>(322 * scale);
   for (int y = 0; y < image.height; ++y) {
-    const int end = y < bar || y >= image.height - bar ? image.width : column;
-    std::fill_n(image.rgba.begin() + 4 * std::ptrdiff_t(y) * image.width, 4 * end, std::uint8_t{0});
+    const bool in_bar = y < bar || y >= image.height - bar;
+    const auto row = image.rgba.begin() + 4 * std::ptrdiff_t(y) * image.width;
+    std::fill_n(row, 4 * (in_bar ? image.width : strip), std::uint8_t{0});
+    std::fill_n(row + 4 * std::ptrdiff_t(column), 4 * (image.width - column), std::uint8_t{0});
   }
 }
 

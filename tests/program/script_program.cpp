@@ -105,7 +105,6 @@ void in_panels(Driver& d, std::uint32_t v) {
   REQUIRE(d.until([&] { return !d.viewer().working(); }));
   d.frame(3);
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(-33, 21));
-  d.click("section/Poses");
   d.click("keep_pose");
   d.drag(d.place_of("turn"), d.place_of("turn") + glm::vec2(-30, 0));
 }
@@ -114,7 +113,6 @@ void with_files(Driver& d, std::uint32_t) {
   d.viewer().drop({test::assets_dir() / "dragon" / "shape_coiled.pc2"});
   d.frame();
   REQUIRE(d.until([&] { return d.document().library.poses.size() == 1; }));
-  d.click("section/Poses");
   d.drag(d.place_of("pose_weight/0") - glm::vec2(20, 0), d.place_of("pose_weight/0") + glm::vec2(30, 0));
   d.press_key(scene::key('I'));
   d.press_key(scene::Key::right);

@@ -15,7 +15,7 @@ enum class Column { tools, methods };
 
 /// Logical pixels. As a person has arranged it; what of it there is room for is shown.
 struct PanelLayout {
-  static constexpr float least_width = 272, usual_width = 320, largest_width = 560;
+  static constexpr float least_width = 288, usual_width = 320, largest_width = 560;
   static constexpr float least_view = 320;  ///< which is left between the columns
   static constexpr float menu_height = 26, status_height = 26, timeline_height = 156;
 
