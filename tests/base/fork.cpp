@@ -17,8 +17,7 @@ TEST_CASE("fork_waits_for_other_threads_and_not_for_its_own") {
       const ForkDelay delay;
       ++half;
       begun = true, begun.notify_all();
-      for (volatile int i = 0; i < 10'000; i = i + 1) {
-      }
+      for (int i = 0; i < 10'000; ++i) half.load();
       ++half;
     }
   });

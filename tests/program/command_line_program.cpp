@@ -119,7 +119,8 @@ TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
   const std::string user = geteuid() == 0 ? "setpriv --reuid=64321 --clear-groups " : "",
                     files = quoted(dragon) + " " + quoted(cage);
   const auto limited = [&](const std::string& arguments, int processes) {
-    return run(arguments, "cd " + quoted(scratch.path()) + " && HOME=. " + user +
+    return run(arguments, "cd " + quoted(scratch.path()) +
+                              " && env -u XDG_STATE_HOME -u XDG_CACHE_HOME HOME=$PWD " + user +
                               "prlimit --nproc=" + std::to_string(processes));
   };
   if (limited("--version", 1).code != 0) {
