@@ -159,6 +159,7 @@ int write_pictures(const AnimateOptions& options) {
   const PicturesReport report = write_pictures(*offscreen, run, work->progress());
   work.reset();  // its line gives way to what is said
   print_messages(offscreen->viewer().workspace());
+  print_notes(report.notes);
   print_summary(options.output,
                 {run.frames.size(), report.there, base::counted(run.frames.size(), "picture"), {}});
   return exit_ok;

@@ -148,7 +148,7 @@ PicturesReport write_png_files(FrameViewer& viewer, const PictureRun& run, glm::
     made.add(missing[i]);
   }
   report_pictures(progress, 1, 1);
-  return {all.size() - missing.size()};
+  return {all.size() - missing.size(), scene::other_files_note(name, all)};
 }
 
 void write_video(FrameViewer& viewer, const PictureRun& run, glm::ivec2 size, base::Progress& progress) {

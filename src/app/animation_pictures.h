@@ -20,7 +20,8 @@ struct PictureRun {
 };
 
 struct PicturesReport {
-  std::size_t there = 0;  ///< pictures that an earlier run had made
+  std::size_t there = 0;             ///< pictures that an earlier run had made
+  std::vector<std::string> notes{};  ///< one line each
 };
 
 /// Of the viewer's document, whose timeline and camera keys are followed. Pictures are whole files or none,

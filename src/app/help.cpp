@@ -118,9 +118,20 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return name.empty() ? "" : "; did you mean " + name + "?";
 }
 
-// "--output: 1 required TEXT missing", or "--output: At Most 1 required but received 2".
+// "--output: 1 required TEXT missing", "--output: At Most 1 required but received 2", or "--compare: At Least
+// 2 required but received 1".
 std::string wrong_count(const std::string& words) {
   const std::string option = words.substr(0, words.find(':'));
+  const auto number_after = [&](const std::string& limit) {
+    const auto at = words.find(limit);
+    if (at == words.npos) return std::string();
+    const auto from = at + limit.size();
+    return words.substr(from, words.find(' ', from) - from);
+  };
+  if (const std::string least = number_after("At least "); !least.empty())
+    return option + " needs " + least + " values or more";
+  if (const std::string most = number_after("At Most "); !most.empty() && most != "1")
+    return option + " takes no more than " + most + " values";
   return option + (words.find("missing") == words.npos ? " is given more than once" : " needs a value");
 }
 

@@ -137,8 +137,25 @@ void ChildProgram::finish(const WhileWaiting& waiting) {
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
 }
 
+namespace {
+
+// Its lines as one: "this; that".
+std::string in_one_line(const std::string& lines) {
+  std::string text;
+  for (const char c : lines) {
+    const bool ends = c == '\n' || c == '\r';
+    if (!ends)
+      text += c;
+    else if (!text.ends_with("; "))
+      text += "; ";
+  }
+  return text;
+}
+
+}  // namespace
+
 void ChildProgram::fail() {
-  const std::string text = said();
+  const std::string text = in_one_line(said());
   throw Error(name_, text.empty() ? "it ended before its work was done" : "it says: " + printable(text, 600),
               "check that its installation is whole, and the disk has space");
 }

@@ -271,15 +271,28 @@ private:
     const Grid grid = grid_around(model_.box, 40, 2 * wish_.margin, false);
     const Clearance field =
         clearance({tree_, model_.closed}, grid, {wish_.margin, 0}, pool_, stages_.until(0.3));
+    Shell fewest = shell;
+    std::size_t too_near = 0;
     for (const double margin : {0.5 * wish_.margin, parts_margin_steps * grid.step}) {
       WorkingCage cage(shell, tree_, field, margin);
       collapse_to(cage, wish_.triangles, Accuracy::quadrics, stages_.until(0.8));
-      too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.95));
+      const std::size_t near = keep_margin(cage, wish_.margin, stages_.until(0.95));
       Shell made = convex(cage.shell().positions);
-      if (is_sound(made, false)) return made;
+      if (made.triangles.size() < fewest.triangles.size() && is_sound(made, false))
+        fewest = std::move(made), too_near = near;
+      if (fewest.triangles.size() <= wish_.triangles) break;
     }
-    too_near_ = 0;
-    return shell;
+    if (fewest.triangles.size() > wish_.triangles && wish_.triangles <= box_serves) return box_around(shell);
+    too_near_ = too_near;
+    return fewest;
+  }
+
+  static Shell box_around(const Shell& shell) {
+    const auto [low, high] = mesh::bounds(shell.positions);
+    std::vector<Point> corners;
+    for (int i = 0; i < 8; ++i)
+      corners.push_back({i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]});
+    return convex(corners);
   }
 
   // As it will be read: with the rounding of the way out of the frame.
@@ -372,7 +385,9 @@ private:
   // Parts of the model that are smaller than a step may be passed over, unless the cage keeps a step away.
   static constexpr double parts_margin_steps = 1.25;
   static constexpr std::size_t few_triangles = 150;  // with which more care is taken
-  static constexpr double coarser = 0.62;            // the grid of what has to be quick
+  static constexpr std::size_t box_serves =
+      24;                                  // so many triangles or fewer: a box, where no such hull is found
+  static constexpr double coarser = 0.62;  // the grid of what has to be quick
   double margin_steps_ = 0.1;
   std::vector<Point> passed_over_;
   std::size_t known_passed_over_ = 0;

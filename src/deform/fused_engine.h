@@ -13,8 +13,8 @@
 namespace viete::deform {
 
 /// The staged chain with method `fast`, in float: from the blend to the positions in one pass over the
-/// weights, the sums staying in registers. Agrees with the staged engine to 1e-6 of the diagonal, and to the
-/// binding's tolerance where that is compressed.
+/// weights, the sums staying in registers. Agrees with the staged engine to 1e-6 of the diagonal, and to
+/// twice the binding's tolerance where that is compressed.
 ///
 /// Dragging costs what moved: the first frame of a drag forms the sums of all handles that do not move and
 /// keeps them, and from then on only the rows that move are added. Nothing accumulates. Leaves whose lists

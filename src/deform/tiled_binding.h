@@ -16,7 +16,7 @@
 namespace viete::deform {
 
 /// What compression may change: largest distance of a vertex's weights from what stands for them, root of the
-/// sum of squares. Positions then move by a tenth to a half as many diagonals.
+/// sum of squares. Positions then move by a tenth to twice as many diagonals.
 inline constexpr double usual_tolerance = 3e-5;
 
 /// Vertices of which exact weights are compared with what stands for them.

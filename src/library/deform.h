@@ -103,11 +103,11 @@ public:
   const std::vector<std::string>& notes() const;
 
   /// Positions of the cage's vertices to those of the model: three numbers a vertex. In double, as files are
-  /// written (the bits of `viete deform`); in float as the window draws, three to nine times as fast: off by
-  /// some 1e-7 of the cage's diagonal, and for ways that spread along the model by up to 1e-4. normals may
-  /// be empty, or get one of length 1 for each vertex. turns, if not null: whole turns of the cage's
-  /// parts that the pose before had, one rotation vector each; this pose's come back. Without them each part
-  /// turns the least.
+  /// written (the bits of `viete deform`); in float as the window draws, with compressed weights, three to
+  /// nine times as fast: off by up to 1e-4 of the larger diagonal of the cage, at rest or posed, usually by
+  /// 1e-5, and by the rounding of the coordinates to float. normals may be empty, or get one of length 1 for
+  /// each vertex. turns, if not null: whole turns of the cage's parts that the pose before had, one rotation
+  /// vector each; this pose's come back. Without them each part turns the least.
   void deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals = {},
               std::vector<Point3>* turns = nullptr);
   void deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals = {},

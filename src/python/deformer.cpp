@@ -247,10 +247,9 @@ std::string init_text() {
          "\nthreads: at most so many, to 1024; 0 for all processors. fork() waits for a deform() of another "
          "thread "
          "to end; the child works with one.\n"
-         "dtype: of what deform() makes: float64 with the bits of viete deform; or float32, three to nine "
-         "times as "
-         "fast and off by some 1e-7 of the cage's diagonal, by up to 1e-4 where weights spread along the "
-         "model.\n\n"
+         "dtype: of what deform() makes: float64 with the bits of viete deform; or float32 with compressed "
+         "weights, three to nine times as fast and off by up to 1e-4 of the diagonal of the cage, at rest or "
+         "posed, usually by 1e-5.\n\n"
          "It cannot be copied or pickled.";
 }
 

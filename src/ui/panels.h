@@ -83,6 +83,7 @@ float map_legend(const Context& ui, float bottom);  ///< of the colours on the m
 scene::SelectMode select_mode();                    ///< as Shift and Ctrl are held
 void select_overlay(const Context& ui);             ///< box, lasso and brush, being drawn or about to be
 std::string select_hint(const scene::Workspace& workspace);  ///< what the mouse does with them; empty: none
+std::string mouse_text(const scene::Workspace& workspace);   ///< what the mouse would do now, in phrases
 void view_overlay(const Context& ui);                        ///< box selection, first-start hints
 
 }  // namespace viete::ui

@@ -35,7 +35,18 @@ std::string shape_words(const scene::TransformDrag& drag) {
   return "Left and right say how much,  " + handle + "Shift slows,  " + about + "a click keeps it,  " + rest;
 }
 
-// What the mouse would do now, in a few words.
+// Logs of rotations are not the same seen from elsewhere: see the manual, blending.
+bool changes_shape_when_turned(const scene::Workspace& w) {
+  const scene::Document& d = w.document;
+  if (w.tool != scene::Tool::rotate || !d.has_cage() || d.selection.kind() == scene::ElementKind::probe)
+    return false;
+  const auto& rest = d.cage->surface.positions;
+  return d.scheme.exponential() && d.pose.positions != rest &&
+         scene::selected_vertices(*d.cage, d.selection).size() == rest.size();
+}
+
+}  // namespace
+
 std::string mouse_text(const scene::Workspace& w) {
   const scene::Keymap& keymap = w.remembered.keymap;
   if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != scene::Shape::none)
@@ -64,6 +75,9 @@ std::string mouse_text(const scene::Workspace& w) {
            "drag " +
            std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
   if (w.interaction.over_axes) return "Click looks along an axis, drag orbits";
+  if (w.interaction.handle && changes_shape_when_turned(w))
+    return scene::handle_name(w.tool, *w.interaction.handle) +
+           ":  drag;  this may also change the shape of the posed model slightly: orbit to see another side";
   if (w.interaction.handle)
     return scene::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
@@ -77,6 +91,8 @@ std::string mouse_text(const scene::Workspace& w) {
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   return words;
 }
+
+namespace {
 
 // As many of the phrases, between which there are two spaces, as there is room for.
 std::string fitting(std::string text, float width) {

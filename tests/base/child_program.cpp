@@ -56,6 +56,8 @@ TEST_CASE("a_child_that_is_not_there_or_fails_is_said_with_its_own_words") {
         "viete-no-such-program: this program is not installed; install it");
   CHECK(test::mentions(problem_of({"sh", "-c", "cat > /dev/null; echo so bad >&2; exit 3"}, 10), "so bad"));
   CHECK(test::mentions(problem_of({"sh", "-c", "echo too early >&2; exit 1"}, 3'000'000), "too early"));
+  CHECK(test::mentions(problem_of({"sh", "-c", "printf 'one\\n\\ntwo\\r\\nthree\\n' >&2; exit 1"}, 0),
+                       "it says: one; two; three; check"));
   CHECK(problem_of({"true"}, 3'000'000) != "");
 }
 

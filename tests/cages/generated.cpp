@@ -64,6 +64,19 @@ TEST_CASE("every_kind_of_model_gets_a_hull_and_boxes") {
   }
 }
 
+TEST_CASE("a_hull_of_twelve_triangles_has_no_more_whatever_the_model") {
+  base::WorkerPool pool(2);
+  for (const NamedModel& model : generated_models()) {
+    CAPTURE(model.name);
+    for (const std::size_t triangles : {12, 20}) {
+      const cages::Wish wish{.kind = cages::Kind::hull, .triangles = triangles};
+      const auto made = cages::make(model.surface, wish, pool);
+      CHECK(made.surface.triangles.size() <= triangles);
+      CHECK(complaints(made, model.surface, wish).empty());
+    }
+  }
+}
+
 TEST_CASE("large_cages_are_sound_too") {
   check_sound(
       {"sphere with handles", joined(sphere(3), stretched(torus(30, 10), {0.3, 0.3, 0.3}, {1, 0, 0}))},

@@ -202,6 +202,17 @@ TEST_CASE("frames_of_another_animation_are_not_trusted_and_of_somebody_else_not_
   CHECK(file_bytes(files / "f_07.obj") == file_bytes(files / "fresh_07.obj"));
 }
 
+TEST_CASE("files_of_an_earlier_run_that_are_not_among_the_frames_are_told_of") {
+  const AnimatedFiles files;
+  CHECK_FALSE(mentions(files.animate("-o f_##.ply --frames 1-6"), "there before"));
+  CHECK(mentions(files.animate("-o f_##.ply --frames 1-5"), "f_06.ply was there before"));
+  CHECK(mentions(files.animate("-o f_##.ply --frames 2-6 --step 2"),
+                 "3 files from f_01.ply to f_05.ply were there"));
+  CHECK_FALSE(mentions(files.animate("-o s_##.png --frames 4-6 --size 64x48 --no-grid"), "there before"));
+  CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid"),
+                 "s_06.png was there before"));
+}
+
 TEST_CASE("several_programs_share_the_frames") {
   const AnimatedFiles files;
   put_file(files / "share.sh", "for r in 1-6 7-12 13-17; do '" + build_dir().string() +

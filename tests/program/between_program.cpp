@@ -63,6 +63,12 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
   CHECK(distance(f.read("m.ply"), f.shape(25)) < 1e-6);
 }
 
+TEST_CASE("an_old_file_that_is_not_among_the_shapes_between_is_told_of") {
+  const ShapeFiles f;
+  CHECK_FALSE(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 3"), "there before"));
+  CHECK(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 2"), "f_3.ply was there before"));
+}
+
 TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
   const ShapeFiles f;
   for (const char* way : {"", " --straight", " --linear", " --rest b.obj"}) {

@@ -1,6 +1,7 @@
 // The hand at work: gizmo, typed numbers, edges and faces, orthographic view, axis widget, with real events.
 #include <cmath>
 
+#include "deform/ways.h"
 #include "mesh/formats/write.h"
 #include "program/driver.h"
 #include "scene/ball.h"
@@ -14,6 +15,7 @@
 #include "support/folder.h"
 #include "support/grips.h"
 #include "support/pictures.h"
+#include "ui/panels.h"
 
 using namespace viete;
 using scene::ElementKind;
@@ -114,6 +116,26 @@ TEST_CASE("a_ring_rotates_the_selection_about_its_centre_and_ctrl_snaps") {
   d.key(Driver::left_ctrl, false);
   d.frame();
   CHECK(farthest_apart(d.mesh(), turned(rest, center, std::copysign(45, degrees))) < 1e-12);
+}
+
+TEST_CASE("a_ring_of_the_whole_posed_cage_tells_to_orbit_instead") {
+  Interaction d;
+  const auto tells = [&] {
+    return ui::mouse_text(d.workspace()).find("orbit to see another side") != std::string::npos;
+  };
+  d.select_whole_cage();
+  d.move(d.on_ring(1, 12).first);
+  d.frame();
+  CHECK_FALSE(tells());  // at rest
+  deform::Pose pose = d.document().pose;
+  pose.positions[0][0] += 1;
+  d.workspace().document.pose = pose;
+  d.move(d.on_ring(1, 12).first);
+  d.frame();
+  REQUIRE(d.workspace().interaction.handle);
+  CHECK(tells());
+  d.workspace().document.scheme = deform::entry(deform::Way::mean_value).scheme;
+  CHECK_FALSE(tells());
 }
 
 TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_are_counted") {

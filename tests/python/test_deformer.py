@@ -78,6 +78,18 @@ class Dragon(WithFolder):
             self.assertLess(np.abs(np.linalg.norm(n, axis=1) - 1).max(), 1e-5)
         self.assertLess(np.median(np.abs(normals - exact_normals)), 1e-3)
 
+    def test_float32_is_as_near_to_float64_as_the_help_says(self):
+        rest = np.asarray(self.cage.vertices)
+        size = lambda points: np.linalg.norm(np.ptp(points, axis=0))
+        noise = 0.03 * size(rest) * np.random.default_rng(1).normal(size=rest.shape)
+        poses = [self.pose, viete.read(ASSETS / "pose_coil.obj").vertices, rest + noise, 3 * rest]
+        for way in ("smooth", "paper", "mean-value", "rigid", "arap", "local"):
+            exact, fast = self.bound(way=way), self.bound(way=way, dtype="float32")
+            for i, pose in enumerate(poses):
+                with self.subTest(way=way, pose=i):
+                    error = np.linalg.norm(fast.deform(pose) - exact.deform(pose), axis=1).max()
+                    self.assertLess(error, 1e-4 * max(size(rest), size(pose)))
+
     def test_sessions_are_what_animate_writes(self):
         session = viete.Session(ASSETS / "loop.viete")
         self.assertEqual(session.range, [1, 121])

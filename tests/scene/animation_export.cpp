@@ -9,10 +9,12 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "deform/ways.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "scene/animated_cube.h"
+#include "scene/files/animated_model.h"
 #include "support/full_disk.h"
 #include "support/gltf.h"
 #include "support/text.h"
@@ -56,6 +58,26 @@ std::vector<mesh::Point> picked(const std::vector<mesh::Point>& all, const std::
   std::vector<mesh::Point> some;
   for (const auto v : which) some.push_back(all[v]);
   return some;
+}
+
+// A sphere of more vertices than errors are measured at.
+mesh::Surface globe(std::uint32_t rings, std::uint32_t around) {
+  std::vector<mesh::Point> points;
+  for (std::uint32_t i = 0; i < rings; ++i) {
+    for (std::uint32_t j = 0; j < around; ++j) {
+      const double u = (i + 0.5) / rings * 3.1416, v = 6.2832 * j / around;
+      points.push_back({std::sin(u) * std::cos(v), std::sin(u) * std::sin(v), std::cos(u)});
+    }
+  }
+  std::vector<mesh::Triangle> triangles;
+  for (std::uint32_t i = 0; i + 1 < rings; ++i) {
+    for (std::uint32_t j = 0; j < around; ++j) {
+      const std::uint32_t a = i * around + j, b = i * around + (j + 1) % around;
+      triangles.push_back({a, a + around, b + around});
+      triangles.push_back({a, b + around, b});
+    }
+  }
+  return mesh::from_triangles(std::move(points), triangles);
 }
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -133,6 +155,35 @@ TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
   }
   CHECK(mesh::PointCache(cube / "a.pc2").head().start == 1);
   CHECK(mesh::PointCache(cube / "a.mdd").head().seconds[12] == 0.5f);
+}
+
+TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer") {
+  test::AnimatedCube cube;
+  mesh::write(cube / "fine.obj", globe(40, 60));
+  cube.document.model = open_document(cube / "fine.obj", cube.cage).model;
+  const deform::Cage& cage = *cube.document.cage;
+  const auto rest = test::whole(deform::rest_pose(cage)),
+             bent = test::whole(test::turned_cage(cage, 90, 20, 2));
+  // At rest where the engine is chosen: at the first, the middle and the last frame.
+  cube.document.timeline.keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
+  base::WorkerPool pool(2);
+  std::size_t in_float = 0;
+  for (const auto& way : deform::all_ways()) {
+    CAPTURE(way.name);
+    cube.document.scheme = way.scheme;
+    const AnimationExport what = animation_export_of(cube.document, cube / "a.pc2");
+    const std::string summary = write_animation(what).summary;
+    constexpr std::string_view words = "off by up to ";
+    const auto at = summary.find(words);
+    if (at == summary.npos) continue;
+    ++in_float;
+    const double stated = std::stod(summary.substr(at + words.size())) * cage.diagonal;
+    AnimatedModel exact(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool);
+    const mesh::PointCache cache(cube / "a.pc2");
+    for (std::size_t i = 0; i < 17; i += 2)
+      CHECK(farthest(cache.frame(i), exact.positions(1 + double(i))) <= stated);
+  }
+  CHECK(in_float >= 4);
 }
 
 TEST_CASE("straight_keys_collapse_where_log_space_turns") {

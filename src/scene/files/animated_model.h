@@ -30,8 +30,9 @@ public:
                 std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   Precision precision() const { return deformer_ ? Precision::fast : Precision::exact; }
-  /// Of Precision::fast: the largest distance from double that was measured, in diagonals of the cage.
-  double fast_error() const { return error_; }
+  /// Of Precision::fast, in diagonals of the cage: how far from double frames may be, floats() with what
+  /// their rounding adds. By error_sample vertices of all frames so far, times what others may have more.
+  double fast_error() const;
 
   /// What moves the model at that frame.
   WholePose pose(double frame) const;
@@ -59,7 +60,8 @@ private:
   std::optional<Animation> animation_;
   std::unique_ptr<deform::Deformer> deformer_;    // null: exact
   std::unique_ptr<deform::ExactDeformer> exact_;  // null until it is asked for
-  double error_ = 0;
+  double error_ = 0;                              // the largest measured
+  double farthest_ = 0;                           // coordinate that was rounded to a float
   std::vector<float> floats_;
   std::vector<std::string> notes_;
 };

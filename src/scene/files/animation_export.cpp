@@ -47,9 +47,15 @@ std::string scientific(double value) {
   return text;
 }
 
+// Rounded up: an upper bound.
+std::string at_most(double value) {
+  return value > 0 ? scientific(value + 0.05 * std::pow(10.0, std::floor(std::log10(value))))
+                   : scientific(value);
+}
+
 std::string engine_text(const AnimatedModel& model) {
   if (model.precision() == AnimatedModel::Precision::exact) return "deformed in double";
-  return "deformed in float, off by up to " + scientific(model.fast_error()) + " of the cage's diagonal";
+  return "deformed in float, off by up to " + at_most(model.fast_error()) + " of the cage's diagonal";
 }
 
 // Frame after frame the same may be said.
@@ -226,7 +232,7 @@ public:
                              scientific(plan.farthest) + ": it is not kept everywhere");
     report.summary = base::counted(report.targets, "morph target") + " that " +
                      (report.targets == 1 ? "takes " : "take ") + base::counted(report.frames, "pose") +
-                     " with straight lines between them, off by up to " + scientific(plan.error / diagonal_) +
+                     " with straight lines between them, off by up to " + at_most(plan.error / diagonal_) +
                      " of the model's diagonal; " + engine_text(*model_);
   }
 
@@ -318,6 +324,7 @@ AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool
     made.add(missing[i], leads_to);
   }
   AnimationReport report{.frames = all.size(), .there = all.size() - missing.size()};
+  notes.add(other_files_note(name, all));
   report.notes = notes.take();
   report.summary = base::counted(all.size(), "frame") + ", deformed in double";
   return report;
@@ -403,6 +410,17 @@ std::vector<Planned> files_to_make(base::MadeFiles& made, const base::NumberedNa
             (force == Force::offered ? ", or add --force" : ""));
   made.begin(missing);
   return missing;
+}
+
+std::vector<std::string> other_files_note(const base::NumberedName& name, std::span<const Planned> files) {
+  std::vector<std::string> others;
+  for (const base::NumberedFile& file : name.find())
+    if (!std::ranges::binary_search(files, file.number, {}, &Planned::number))
+      others.push_back(file.path.filename().string());
+  if (others.empty()) return {};
+  if (others.size() == 1) return {others.front() + " was there before and is not one of these frames"};
+  return {base::counted(others.size(), "file") + " from " + others.front() + " to " + others.back() +
+          " were there before and are not among these frames"};
 }
 
 std::uint64_t pose_key(std::uint64_t before, const WholePose& pose) {

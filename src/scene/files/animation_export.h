@@ -88,6 +88,11 @@ std::vector<base::MadeFiles::Planned> files_to_make(base::MadeFiles& made, const
                                                     std::span<const base::MadeFiles::Planned> files,
                                                     Force force);
 
+/// Tells of files of the sequence that are none of `files`, such as an earlier run's with more frames: a
+/// line, or nothing. Throws base::Error.
+std::vector<std::string> other_files_note(const base::NumberedName& name,
+                                          std::span<const base::MadeFiles::Planned> files);
+
 /// A checksum of a pose upon `before`.
 std::uint64_t pose_key(std::uint64_t before, const WholePose& pose);
 
