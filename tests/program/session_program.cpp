@@ -256,7 +256,8 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
 TEST_CASE("replacing_a_file_is_said_before_it_is_done") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
-  test::put_file(folder / "small_deformed.ply", "precious");
+  const std::string precious = "ply\nformat ascii 1.0\nend_header\n";
+  test::put_file(folder / "small_deformed.ply", precious);
   Driver d;
   REQUIRE(d.open({small.model, small.cage}));
   d.settle();
@@ -267,7 +268,7 @@ TEST_CASE("replacing_a_file_is_said_before_it_is_done") {
   d.frame(2);
   CHECK(d.viewer().recorder().find("file_replaces"));
   d.click("file_cancel");
-  CHECK(test::file_bytes(folder / "small_deformed.ply") == "precious");
+  CHECK(test::file_bytes(folder / "small_deformed.ply") == precious);
   d.press_key(scene::key('E'), true);
   d.frame(2);
   d.click("format_ply");

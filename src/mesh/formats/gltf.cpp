@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/quantity.h"
+#include "mesh/formats/foreign_content.h"
 #include "mesh/formats/gltf_accessors.h"
 #include "mesh/formats/gltf_file.h"
 #include "mesh/formats/gltf_original.h"
@@ -360,6 +361,13 @@ bool looks_like_gltf(const Source& source) {
 
 ReadResult read_gltf(const Source& source) {
   return GltfReader(source, take_apart(source)).read();
+}
+
+bool is_certainly_gltf(const Beginning& file) {
+  using namespace std::string_view_literals;
+  if (file.bytes().starts_with("glTF\2\0\0\0"sv))
+    return file.bytes().size() >= 20 && file.bytes().substr(16, 4) == "JSON"sv;
+  return text_in_json(file.bytes(), {"asset", "version"}).starts_with("2.");
 }
 
 }  // namespace viete::mesh

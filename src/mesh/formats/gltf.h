@@ -18,4 +18,7 @@ ReadResult read_gltf(const Source& source);
 /// True if it is a GLB or JSON with an asset.
 bool looks_like_gltf(const Source& source);
 
+/// True if it is a GLB of version 2, or JSON whose asset has such a version.
+bool is_certainly_gltf(const Beginning& file);
+
 }  // namespace viete::mesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -45,6 +46,23 @@ public:
 private:
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;
+};
+
+/// The beginning of a file, from which its format is judged without reading all of it.
+class Beginning {
+public:
+  /// Empty if the file cannot be read.
+  explicit Beginning(const std::filesystem::path& file);
+
+  std::string_view bytes() const { return bytes_; }
+  std::uint64_t file_size() const { return file_size_; }
+  bool is_whole_file() const { return bytes_.size() == file_size_; }
+  /// Without a last line that is cut off.
+  Source whole_lines() const;
+
+private:
+  std::string bytes_;
+  std::uint64_t file_size_ = 0;
 };
 
 /// The extension of a path in lower case, without the dot.
