@@ -22,7 +22,7 @@ struct Source {
   /// Keeps the bytes for who writes the file again; null: they are there for reading alone.
   std::shared_ptr<const void> owner = nullptr;
   std::filesystem::path folder = {};  ///< of files that this one names; empty: they are not looked for
-  bool played = false;  ///< its morph targets and their animation are: no warning that they are not
+  bool played = false;  ///< who reads it plays its morph targets: the surface is that without them
 
   /// Reading from disk is the first fifth, this is the rest: done in [0, 1]. Throws base::Cancelled.
   void report(double done) const {
