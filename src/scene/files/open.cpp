@@ -232,19 +232,39 @@ Opened open_shape_keys(const fs::path& file, const Document& current, base::Prog
   return opened;
 }
 
+// A cage that is not where it was may lie beside the model that was located.
+void locate(Session& session, const LocatedFiles& located) {
+  std::error_code ignored;
+  if (!located.model.empty()) {
+    session.model = fs::absolute(located.model).lexically_normal();
+    const fs::path beside = located.model.parent_path() / session.cage.filename();
+    if (!session.cage.empty() && !fs::exists(session.cage, ignored) && fs::exists(beside, ignored))
+      session.cage = beside;
+  }
+  if (located.cage.empty()) return;
+  session.cage = fs::absolute(located.cage).lexically_normal();
+  session.made_cage.reset();
+}
+
 // Problems of its model or cage name the session too.
 Document document_of_session(const Session& session, const fs::path& file, base::Progress* progress) {
+  const auto open = [&](const char* key, const fs::path& named, base::Progress* told) {
+    std::error_code ignored;
+    if (!fs::exists(named, ignored)) throw SessionFileError(file, key, named);
+    return open_surface(named, told);
+  };
   const char* key = "model";
   try {
-    Document document = document_of(open_surface(session.model, progress));
+    Document document = document_of(open(key, session.model, progress));
     key = "cage";
-    if (!session.cage.empty()) set_cage(document, open_surface(session.cage));
+    if (!session.cage.empty()) set_cage(document, open(key, session.cage, nullptr));
     key = "made_cage";
     if (session.made_cage) set_cage(document, *session.made_cage);
     return document;
+  } catch (const SessionFileError&) {
+    throw;
   } catch (const base::Error& error) {
-    throw base::Error(file.string() + ": " + key, error.what(),
-                      std::string("or correct \"") + key + "\" in the session");
+    throw base::Error(file.string() + ": " + key + ": " + error.place(), error.problem(), error.advice());
   }
 }
 
@@ -271,7 +291,8 @@ void tell_shapes(Opened& opened, const Document& document, base::Progress* progr
   (void)Animation(document.timeline, opened.vectors);
 }
 
-Opened open_session(const fs::path& file, bool recovered, base::Progress* progress) {
+Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& located,
+                    base::Progress* progress) {
   Opened opened;
   opened.file = file;
   opened.recovered = recovered;
@@ -279,6 +300,7 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   opened.content = content_of(file);  // before it is read: what changes in between is noticed
   opened.session = read_session(file);
   Session& session = *opened.session;
+  locate(session, located);
   Document document = document_of_session(session, file, progress);
   document.method = session.method;
   document.scheme = session.scheme;
@@ -426,7 +448,8 @@ bool names_session(const OpenRequest& request) {
 Opened read(const OpenRequest& request, const Document& current, base::Progress* progress) {
   const auto& files = request.files;
   const fs::path first = files.empty() ? fs::path() : files.front();
-  if (names_session(request)) return open_session(first, request.what == What::recovery, progress);
+  if (names_session(request))
+    return open_session(first, request.what == What::recovery, request.located, progress);
   switch (request.what) {
     case What::cage: return open_cage(first, current, progress);
     case What::pose: return open_pose(first, current);
@@ -449,6 +472,12 @@ void check(const Opened& opened, void (*check_document)(const Document&)) {
 }
 
 }  // namespace
+
+SessionFileError::SessionFileError(const fs::path& session, std::string_view of, const fs::path& named)
+    : base::Error(session.string() + ": " + std::string(of), named.string() + ": there is no such file",
+                  "open the session in the window, and locate the file there"),
+      key(of),
+      file(named) {}
 
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress) {
   if (progress) progress->section(0, 0.8);  // the rest is what is computed from it
