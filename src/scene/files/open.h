@@ -44,6 +44,7 @@ struct OpenRequest {
   std::vector<std::filesystem::path> files;
   AskedSettings settings{};   ///< for a model; the rest is as in what is open now, or as the session has it
   LocatedFiles located{};     ///< for a session
+  Fins fins = Fins::refused;  ///< of a cage
 };
 
 /// Everything that a file gave, ready to be taken into a workspace.

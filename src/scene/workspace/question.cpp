@@ -40,6 +40,11 @@ Question ask_to_locate(std::string_view key, const std::string& problem) {
           "The file may have been moved or renamed. Locate it to open the session:", problem};
 }
 
+Question ask_to_remove_fins(const std::string& problem) {
+  return {Asked::fins, "Open the cage without its fins?",
+          "Faces that stick out can be removed as the cage is opened. The file does not change.", problem};
+}
+
 std::size_t answer_count(Asked kind) {
   return kind <= Asked::replace ? 3 : 2;
 }
@@ -52,9 +57,10 @@ const char* label(Asked kind, Answer answer) {
     case Asked::open: return saves ? "Save" : "Open without saving";
     case Asked::replace: return saves ? "Save as" : "Save anyway";
     case Asked::locate_model:
-    case Asked::locate_cage: break;
+    case Asked::locate_cage: return "Locate file...";
+    case Asked::fins: break;
   }
-  return "Locate file...";
+  return "Remove fins";
 }
 
 }  // namespace viete::scene

@@ -16,7 +16,8 @@ struct Question {
     open,          ///< another document is to be taken, and unsaved edits could not be set aside
     replace,       ///< a session is to be saved over one that has changed on disk
     locate_model,  ///< of a session, which is not where it was
-    locate_cage    ///< likewise
+    locate_cage,   ///< likewise
+    fins           ///< a cage is opened that has some
   };
   Kind kind = Kind::close;
   std::string title, text;
@@ -33,6 +34,7 @@ Question ask_after_failed_save(const std::string& work, Question::Kind kind, con
 
 /// key: "model" or "cage".
 Question ask_to_locate(std::string_view key, const std::string& problem);
+Question ask_to_remove_fins(const std::string& problem);
 
 /// Of questions of another kind the first two are all.
 std::size_t answer_count(Question::Kind kind);
