@@ -138,7 +138,10 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
   auto result = loader_.poll(wait);
   w.loading = loader_.state();
   if (!result) return;
-  if (result->value) {
+  if (result->value && result->value->question) {
+    w.question = std::move(result->value->question);
+    w.unopened = std::move(result->value->request);
+  } else if (result->value) {
     const bool replaces_edits = result->value->opened.document && scene::has_unsaved_edits(w);
     if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result->value));
     waiting_ = std::move(result->value);
@@ -169,6 +172,13 @@ void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
   if (!w.question) return;
   const Kind kind = std::exchange(w.question, std::nullopt)->kind;
   if (answer == scene::Answer::cancel) return give_up(w);
+  if (kind == Kind::locate_model) return browse_to_locate(w, scene::FileBrowser::Purpose::locate_model);
+  if (kind == Kind::locate_cage) return browse_to_locate(w, scene::FileBrowser::Purpose::locate_cage);
+  if (kind == Kind::fins) {
+    w.requests.open = std::exchange(w.unopened, std::nullopt);
+    w.requests.open->fins = scene::Fins::removed;
+    return;
+  }
   if (kind == Kind::replace) {
     if (answer == scene::Answer::save) return scene::browse_to_save_session(w);
     return save_session(w, w.saved.session, true);
@@ -193,7 +203,9 @@ void FileDesk::go_on_after_saving(scene::Workspace& w) {
 
 void FileDesk::give_up(scene::Workspace& w) {
   w.after_saving.reset();
-  if (std::exchange(waiting_, std::nullopt)) w.messages.info("Opened nothing; everything is as it was.");
+  const bool unopened = std::exchange(w.unopened, std::nullopt).has_value();
+  if (std::exchange(waiting_, std::nullopt) || unopened)
+    w.messages.info("Opened nothing; everything is as it was.");
 }
 
 void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over_changes) {

@@ -63,6 +63,16 @@ void print(const scene::OpenedSurface& surface) {
   }
 }
 
+// Of what deform would refuse.
+void print_why_none(const scene::OpenedSurface& cage) {
+  scene::Document document;
+  try {
+    scene::set_cage(document, cage);
+  } catch (const base::Error& error) {
+    std::printf("  finding     %s; %s\n", error.problem().c_str(), error.advice().c_str());
+  }
+}
+
 void print(const std::vector<scene::Finding>& findings) {
   if (findings.empty()) std::printf("  findings    none\n");
   for (const auto& finding : findings) {
@@ -81,6 +91,7 @@ int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
   if (!cage_file.empty()) {
     cage = scene::open_surface(cage_file);
     print(cage);
+    print_why_none(cage);
   }
   int code = exit_ok;
   for (const auto& file : files) {

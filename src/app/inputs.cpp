@@ -23,6 +23,10 @@ void add_files(CLI::App& app, Inputs& inputs) {
                       mesh::a_mesh() + ", or a session (.viete), which names its own cage and pose");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
   add_file_option(app, "CAGE", inputs.cage, "Cage around it, at rest");
+  add_file_option(app, "--model", inputs.located.model,
+                  "Use this model instead of the one that the session names");
+  add_file_option(app, "--cage", inputs.located.cage,
+                  "Use this cage instead of the one that the session names");
   if (inputs.use == Use::binding || inputs.use == Use::animation) return;
   add_file_option(app, "--pose", inputs.pose, "Posed version of the cage, same vertices in the same order");
 }
@@ -72,8 +76,12 @@ void check_usage(const Inputs& inputs) {
   if (inputs.session()) {
     if (inputs.cage.empty() && inputs.pose.empty()) return;
     throw CLI::ValidationError(inputs.cage.empty() ? "--pose" : "CAGE",
-                               "the session " + inputs.model.string() + " names its own: leave it out");
+                               "the session " + inputs.model.string() + " names its own: leave it out" +
+                                   (inputs.cage.empty() ? "" : ", or replace it by --cage"));
   }
+  if (!inputs.located.model.empty() || !inputs.located.cage.empty())
+    throw CLI::ValidationError(inputs.located.model.empty() ? "--cage" : "--model",
+                               "can only be used with a session (.viete)");
   const bool file = inputs.use == Use::file;
   const bool needs_cage = file || inputs.use == Use::binding || inputs.use == Use::animation;
   if (needs_cage && inputs.cage.empty()) throw CLI::RequiredError("CAGE");
@@ -83,7 +91,12 @@ void check_usage(const Inputs& inputs) {
 }
 
 scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
-  scene::Opened opened = scene::open_files(inputs.request(), {});
+  scene::Opened opened;
+  try {
+    opened = scene::open_files(inputs.request(), {});
+  } catch (const scene::SessionFileError& error) {
+    throw base::Error(error.place(), error.problem(), "name it with --" + std::string(error.key) + " FILE");
+  }
   check(opened);
   const scene::Document& document = *opened.document;
   const bool deforms = inputs.use == Use::file || inputs.use == Use::animation;
@@ -112,6 +125,8 @@ FilesInUse files_read(const Inputs& inputs) {
   files.add(inputs.model, inputs.session() ? scene::the_session : scene::the_model);
   files.add(inputs.cage, scene::the_cage);
   files.add(inputs.pose, scene::the_pose);
+  files.add(inputs.located.model, scene::the_model);
+  files.add(inputs.located.cage, scene::the_cage);
   return files;
 }
 

@@ -30,15 +30,16 @@ struct Inputs {
   Use use = Use::picture;
   std::filesystem::path model{}, cage{}, pose{};  ///< model may be a session
   scene::AskedSettings settings{};                ///< a session keeps what is left open as it has it
+  scene::LocatedFiles located{};                  ///< for a session
 
   bool session() const { return scene::is_session(model); }
-  scene::OpenRequest request() const { return {scene::OpenRequest::What::model, files(), settings}; }
+  scene::OpenRequest request() const { return {scene::OpenRequest::What::model, files(), settings, located}; }
   std::vector<std::filesystem::path> files() const { return {model, cage, pose}; }
 };
 
-/// MODEL, CAGE, --pose, --method, --way or --elements, --weights and --blend, what weights are set by, --turn
-/// and --stretch, --stitched and what holds a stitched mesh: those that the use has. The target must outlive
-/// parsing.
+/// MODEL, CAGE, --pose, --model and --cage of a session, --method, --way or --elements, --weights and
+/// --blend, what weights are set by, --turn and --stretch, --stitched and what holds a stitched mesh: those
+/// that the use has. The target must outlive parsing.
 void add_input_options(CLI::App& app, Inputs& inputs);
 
 /// After parsing. Throws CLI::ParseError where something is missing, or is named beside a session that names

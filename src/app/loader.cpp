@@ -37,7 +37,14 @@ void Loader::Part::begin(std::string name) {
 Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Document& current,
                             const SavedBindings& saved, Part& part, base::Progress& progress) {
   Loaded loaded;
-  loaded.opened = scene::open_files(request, current, &progress);
+  try {
+    loaded.opened = scene::open_files(request, current, &progress);
+  } catch (const scene::SessionFileError& error) {
+    loaded.question = scene::ask_to_locate(error.key, error.problem());
+  } catch (const scene::FinError& error) {
+    loaded.question = scene::ask_to_remove_fins(error.place() + ": " + error.problem());
+  }
+  if (loaded.question) return loaded.request = request, loaded;
   const scene::Opened& opened = loaded.opened;
   scene::check_drawable(opened);
   if (!opened.document) return loaded;

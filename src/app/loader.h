@@ -21,8 +21,10 @@ class Loader {
 public:
   struct Loaded {
     scene::Opened opened;
-    ModelShading shading;  ///< of a new model
-    Bound bound;           ///< of a new model or cage
+    ModelShading shading;                       ///< of a new model
+    Bound bound;                                ///< of a new model or cage
+    std::optional<scene::Question> question{};  ///< nothing was opened: how it can be
+    scene::OpenRequest request{};               ///< likewise: what was asked for
   };
   using Job = base::BackgroundJob<Loaded>;
 

@@ -34,9 +34,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.bindings = {.folder = bindings_folder(), .named = options.binding};
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
-  if (!scene::open_now(workspace, options.inputs.request())) {
-    throw base::Error("", workspace.messages.all().back().text);
-  }
+  scene::take(workspace, open(options.inputs, scene::check_drawable));
   FirstMotion motion(options.first_pose);
   motion.step(workspace, true, 0);
   motion.finish(workspace);

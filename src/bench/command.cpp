@@ -78,7 +78,7 @@ int run_accuracy(const BenchOptions& options) {
   std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n",
               options.in_float ? -24 : -53, std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table, options.in_float);
-  write_json(options.files.json, to_json(tables));
+  write_json(options.files.json, {{"figure", "accuracy"}, {"tables", to_json(tables)}});
   return exit_ok;
 }
 

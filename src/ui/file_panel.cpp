@@ -25,6 +25,8 @@ const char* title(Purpose purpose) {
     case Purpose::poses: return "Import poses: a file, or all of its folder###file_panel";
     case Purpose::shapes: return "Import shapes of the model: a file, or all of its folder###file_panel";
     case Purpose::animation: return "Import an animation of the cage or the model###file_panel";
+    case Purpose::locate_model: return "Locate the model of the session###file_panel";
+    case Purpose::locate_cage: return "Locate the cage of the session###file_panel";
     case Purpose::save_session: return "Save the session###file_panel";
     case Purpose::save_pose: return "Save the posed cage###file_panel";
     case Purpose::save_named_pose: return "Export the chosen pose###file_panel";
@@ -35,7 +37,8 @@ const char* title(Purpose purpose) {
   return "###file_panel";
 }
 
-void request(scene::Requests& requests, Purpose purpose, const std::filesystem::path& path) {
+void request(scene::Workspace& w, Purpose purpose, const std::filesystem::path& path) {
+  scene::Requests& requests = w.requests;
   switch (purpose) {
     case Purpose::model: requests.open = scene::OpenRequest{What::model, {path}}; break;
     case Purpose::cage: requests.open = scene::OpenRequest{What::cage, {path}}; break;
@@ -43,6 +46,12 @@ void request(scene::Requests& requests, Purpose purpose, const std::filesystem::
     case Purpose::poses: requests.open = scene::OpenRequest{What::poses, {path}}; break;
     case Purpose::shapes: requests.open = scene::OpenRequest{What::shapes, {path}}; break;
     case Purpose::animation: requests.open = scene::OpenRequest{What::animation, {path}}; break;
+    case Purpose::locate_model:
+    case Purpose::locate_cage:
+      if ((requests.open = std::exchange(w.unopened, std::nullopt)))
+        (purpose == Purpose::locate_model ? requests.open->located.model : requests.open->located.cage) =
+            path;
+      break;
     case Purpose::save_session: requests.save_session = path; break;
     case Purpose::save_pose: requests.save_pose = path; break;
     case Purpose::save_named_pose: requests.save_named_pose = path; break;
@@ -55,7 +64,7 @@ void request(scene::Requests& requests, Purpose purpose, const std::filesystem::
 // The panel stays until that has been read or written.
 void ask(scene::Workspace& w, const std::filesystem::path& path) {
   if (!w.browser.asked.empty()) return;
-  request(w.requests, w.browser.purpose, path);
+  request(w, w.browser.purpose, path);
   w.browser.asked = path;
 }
 

@@ -38,7 +38,7 @@ float button_width(const scene::Question& question, Answer answer) {
 std::optional<Answer> answer_row(const Context& ui) {
   std::optional<Answer> answer;
   const float left = ImGui::GetCursorPosX();
-  for (std::size_t i = 0; i < answers.size(); ++i) {
+  for (std::size_t i = 0; i < answer_count(ui.workspace.question->kind); ++i) {
     if (i > 0) ImGui::SameLine();
     if (answers[i] == Answer::go_on)
       ImGui::SetCursorPosX(left + question_width - button_width(*ui.workspace.question, answers[i]));
@@ -52,7 +52,8 @@ std::optional<Answer> answer_by_key(scene::Question& question) {
   using scene::Key;
   const bool back = key_pressed(Key::left) || (key_pressed(Key::tab) && ImGui::GetIO().KeyShift);
   const bool forth = key_pressed(Key::right) || (key_pressed(Key::tab) && !ImGui::GetIO().KeyShift);
-  if (back || forth) question.chosen = (question.chosen + (forth ? 1 : answers.size() - 1)) % answers.size();
+  const std::size_t count = answer_count(question.kind);
+  if (back || forth) question.chosen = (question.chosen + (forth ? 1 : count - 1)) % count;
   if (key_pressed(Key::escape)) return Answer::cancel;
   if (key_pressed(Key::enter) || key_pressed(Key::pad_enter)) return answers[question.chosen];
   return std::nullopt;

@@ -407,6 +407,62 @@ TEST_CASE("a_binding_is_kept_if_it_took_long_and_there_is_a_folder") {
   }
 }
 
+TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
+  for (const What what : {What::model, What::recovery}) {
+    Desk d;
+    d.open_cubes();
+    d.edit();
+    const auto pose = d.workspace.document.pose;
+    REQUIRE(scene::save_session(d.workspace, d.files / "a.viete"));
+    std::filesystem::rename(d.files.model, d.files / "new.obj");
+    std::filesystem::rename(d.files.cage, d.files / "grid.obj");
+    d.begin();
+    d.open({d.files / "a.viete"}, what);
+    REQUIRE(d.asks(QuestionKind::locate_model));
+    CHECK(d.workspace.question->why.find("model.obj: there is no such file") != std::string::npos);
+    CHECK(d.workspace.messages.all().empty());
+    d.answer(scene::Answer::cancel);
+    CHECK(d.last_message() == "Opened nothing; everything is as it was.");
+    d.open({d.files / "a.viete"}, what);
+    for (const auto& [kind, name] : {std::pair{QuestionKind::locate_model, "new.obj"},
+                                     std::pair{QuestionKind::locate_cage, "grid.obj"}}) {
+      REQUIRE(d.asks(kind));
+      d.answer(scene::Answer::save);
+      CHECK(d.workspace.browser.open);
+      const bool beside = d.workspace.browser.folder == std::filesystem::canonical(d.files.path());
+      CHECK(beside == (what == What::model));
+      const bool model = kind == QuestionKind::locate_model;
+      CHECK(d.workspace.browser.purpose ==
+            (model ? scene::FileBrowser::Purpose::locate_model : scene::FileBrowser::Purpose::locate_cage));
+      d.workspace.requests.open = std::exchange(d.workspace.unopened, std::nullopt);
+      auto& located = d.workspace.requests.open->located;
+      (model ? located.model : located.cage) = d.files / name;
+      d.frame();
+      d.desk->finish_loading(d.workspace);
+    }
+    CHECK_FALSE(d.workspace.question);
+    CHECK(d.workspace.document.model.path == d.files / "new.obj");
+    CHECK(d.workspace.document.pose.positions == pose.positions);
+    CHECK(d.workspace.saved.nowhere == (what == What::recovery));
+  }
+}
+
+TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
+  Desk d;
+  test::put_file(d.files / "fin.obj", test::file_bytes(d.files.cage) + "v 0 3 3\nf 7 8 9\n");
+  d.open({d.files.model});
+  d.open({d.files / "fin.obj"}, What::cage);
+  REQUIRE(d.asks(QuestionKind::fins));
+  d.answer(scene::Answer::cancel);
+  CHECK_FALSE(d.workspace.document.has_cage());
+  d.open({d.files / "fin.obj"}, What::cage);
+  d.answer(scene::Answer::save);
+  d.desk->finish_loading(d.workspace);
+  REQUIRE(d.workspace.document.has_cage());
+  CHECK(d.workspace.document.cage->surface.positions.size() == 8);
+  CHECK(d.last_message().find("1 face of fin.obj that stuck out removed") != std::string::npos);
+}
+
 TEST_CASE("an_export_takes_the_place_of_nothing_that_is_open") {
   Desk d;
   test::put_file(d.files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");

@@ -58,6 +58,17 @@ TEST_CASE("a_session_names_its_cage_and_pose_itself") {
   CHECK(mentions(refusal(Use::file, "s.viete --pose p.obj"), "--pose: the session s.viete names its own"));
 }
 
+TEST_CASE("files_of_a_session_can_be_located_and_no_others") {
+  for (const Use use : {Use::window, Use::picture, Use::file, Use::binding, Use::animation}) {
+    const auto inputs = parsed(use, "s.viete --model m.ply --cage c.obj");
+    CHECK(inputs.request().located.model == "m.ply");
+    CHECK(inputs.request().located.cage == "c.obj");
+  }
+  CHECK(mentions(refusal(Use::picture, "a.obj --model m.ply"), "--model: can only be used with a session"));
+  CHECK(
+      mentions(refusal(Use::binding, "a.obj c.obj --cage d.obj"), "--cage: can only be used with a session"));
+}
+
 TEST_CASE("a_binding_has_neither_pose_nor_method_nor_blend") {
   for (const char* other : {"--pose p.obj", "--method diag", "--blend srl"})
     CHECK_FALSE(refusal(Use::binding, std::string("a.obj c.obj ") + other).empty());

@@ -6,6 +6,9 @@
 #include <string>
 
 #include "base/error.h"
+#include "mesh/formats/format_table.h"
+#include "mesh/formats/write.h"
+#include "scene/cube.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -44,17 +47,105 @@ TEST_CASE("a_result_takes_the_place_of_its_kind_only") {
   test::put_file(files / "plot.svg", "<?xml version=\"1.0\"?><svg/>");
   CHECK_NOTHROW(check_output(files / "picture.png", Content::picture, {}, false));
   CHECK_NOTHROW(check_output(files / "plot.svg", Content::svg, {}, false));
-  CHECK_THROWS_WITH_AS(check_output(files / "letter.png", Content::picture, {}, false),
-                       doctest::Contains("is not a PNG picture"), base::Error);
+  CHECK_THROWS_WITH_AS(
+      check_output(files / "letter.png", Content::picture, {}, false),
+      doctest::Contains("letter.png: this file is text, not a PNG picture, and would be replaced"),
+      base::Error);
   CHECK_THROWS_AS(check_output(files / "letter.png", Content::svg, {}, false), base::Error);
   CHECK_THROWS_AS(check_output(files / "picture.png", Content::json, {}, false), base::Error);
   CHECK_NOTHROW(check_output(files / "letter.png", Content::picture, {}, true));
 }
 
+TEST_CASE("files_of_others_are_kept_whatever_their_name_is") {
+  const test::TemporaryFolder files;
+  const std::pair<std::string, const char*> contents[] = {
+      {"\x89PNG\r\n\x1a\nrest", "a picture (PNG)"},
+      {std::string("\x7F"
+                   "ELF\2\1\1\0\0",
+                   9),
+       "a program (ELF)"},
+      {"PK\3\4rest", "a compressed file (zip"},
+      {"#include <stdio.h>\nint main() {\nv = 1;\nf(v);\n}\n", "text"},
+      {"Dear all,\nv 1 2 3\nis a vertex\n", "text"},
+      {R"({"name": "a package", "version": "2.0.0"})", "JSON"},
+      {R"({"format": "viete session", "version": 1, "model": "a.obj"})", "a session"},
+      {std::string("\0\1\2\3\4\5\6\7", 8), "binary data"},
+      {"<!DOCTYPE html><svg></svg>", "a web page"}};
+  const auto refused = [&](const fs::path& file, Content content) -> std::string {
+    try {
+      check_output(file, content, {}, scene::Force::none);
+    } catch (const base::Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const auto& [bytes, name] : contents) {
+    const auto check = [&](const std::string& ending, Content content) {
+      const fs::path file = files / ("a." + ending);
+      test::put_file(file, bytes);
+      const std::string problem = refused(file, content);
+      CHECK_MESSAGE(problem.find(std::string("this file is ") + name) != std::string::npos,
+                    ending << ": " << problem);
+      CHECK_NOTHROW(check_output(file, content, {}, scene::Force::given));
+    };
+    for (const char* ending : {"obj", "ply", "off", "stl", "glb", "gltf"}) check(ending, Content::surface);
+    for (const char* ending : {"pc2", "mdd", "glb", "mp4", "webm", "mkv", "gif"})
+      check(ending, Content::animation);
+    for (const Content content :
+         {Content::json, Content::svg, Content::distances, Content::binding, Content::page})
+      check("json", content);
+  }
+}
+
+TEST_CASE("a_surface_takes_the_place_of_one_in_the_same_format_only") {
+  const test::TemporaryFolder files;
+  const mesh::Surface surface = test::cube(1);
+  for (const mesh::Format& from : mesh::all_formats()) {
+    if (!from.write) continue;
+    mesh::write(files / ("from." + std::string(from.extension)), surface);
+    for (const mesh::Format& to : mesh::all_formats()) {
+      if (!to.write) continue;
+      const fs::path file = files / ("to." + std::string(to.extension));
+      fs::copy_file(files / ("from." + std::string(from.extension)), file,
+                    fs::copy_options::overwrite_existing);
+      CAPTURE(from.extension);
+      CAPTURE(to.extension);
+      if (from.name == to.name) {
+        CHECK_NOTHROW(check_output(file, Content::surface, {}, scene::Force::none));
+      } else {
+        const std::string problem =
+            "this file is " + std::string(from.name) + ", not " + std::string(to.name) + ", and";
+        CHECK_THROWS_WITH_AS(check_output(file, Content::surface, {}, scene::Force::none),
+                             doctest::Contains(problem.c_str()), base::Error);
+      }
+    }
+  }
+}
+
+TEST_CASE("animations_and_drawings_take_the_place_of_their_kind") {
+  const test::TemporaryFolder files;
+  const std::pair<std::string, std::string> contents[] = {
+      {"mp4", std::string("\0\0\0\x20", 4) + "ftypisom"},
+      {"webm", "\x1A\x45\xDF\xA3rest"},
+      {"mkv", "\x1A\x45\xDF\xA3rest"},
+      {"gif", "GIF89a"},
+      {"mdd", std::string("\0\0\0\1\0\0\0\1", 8) + std::string(16, '\0')},
+      {"pc2",
+       std::string("POINTCACHE2\0\1\0\0\0\1\0\0\0\0\0\0\0\0\0\x80?\1\0\0\0", 32) + std::string(12, '\0')}};
+  for (const auto& [ending, bytes] : contents) {
+    test::put_file(files / ("a." + ending), bytes);
+    CHECK_NOTHROW(check_output(files / ("a." + ending), Content::animation, {}, scene::Force::none));
+  }
+  for (const char* svg : {"<svg xmlns=''/>", "<?xml version='1.0'?>\n<svg/>", "<!-- a -->\n <svg/>"}) {
+    test::put_file(files / "a.svg", svg);
+    CHECK_NOTHROW(check_output(files / "a.svg", Content::svg, {}, scene::Force::none));
+  }
+}
+
 TEST_CASE("who_is_refused_is_told_what_the_file_is_and_another_name") {
   const test::TemporaryFolder files;
   test::put_file(files / "a.obj", "v 0 0 0\n");
-  test::put_file(files / "a-2.obj", "of a user");
+  test::put_file(files / "a-2.obj", "v 0 0 0\n");
   fs::create_hard_link(files / "a.obj", files / "second.obj");
   scene::FilesInUse in_use;
   in_use.add(files / "second.obj", scene::the_model);
@@ -97,6 +188,6 @@ TEST_CASE("a_session_takes_the_place_of_a_session_only") {
   test::put_file(files / "letter.viete", "Dear all");
   test::put_file(files / "old.viete", R"({"format": "viete session", "version": 1, "model": "a.obj"})");
   CHECK_THROWS_WITH_AS(check_output(files / "letter.viete", Content::session, {}, false),
-                       doctest::Contains("is not a session"), base::Error);
+                       doctest::Contains("this file is text, not a session"), base::Error);
   CHECK_NOTHROW(check_output(files / "old.viete", Content::session, {}, false));
 }

@@ -19,6 +19,11 @@ Surface odd_surface() {
       .surface;
 }
 
+std::string name_of_format(const std::filesystem::path& file) {
+  const Format* found = format_of_content(file, Beginning(file));
+  return found ? std::string(found->name) : "";
+}
+
 std::string asset(const std::string& file) {
   return test::file_bytes(test::assets_dir() / file);
 }
@@ -44,6 +49,87 @@ TEST_CASE("rows_say_what_becomes_of_a_surface") {
       CHECK_THROWS_WITH_AS(check_keeps_vertices(file), doctest::Contains(".obj, .ply or .off"), base::Error);
     }
     CHECK(read({file.string(), "xyz", test::file_bytes(file)}).surface.positions == back.surface.positions);
+  }
+}
+
+TEST_CASE("every_file_that_is_read_has_the_content_of_its_format") {
+  const auto all = test::shared_data();
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(all)) {
+    const Format* named = find_format(entry.path());
+    if (!entry.is_regular_file() || !named || !named->read) continue;
+    if (entry.path().stem() == "obj_long_comment_line") continue;  // longer than the beginning
+    CAPTURE(entry.path());
+    std::string format;
+    try {
+      format = read(entry.path()).format;
+    } catch (const std::exception&) {
+      continue;
+    }
+    CHECK(name_of_format(entry.path()) == format_of_description(format)->name);
+  }
+}
+
+TEST_CASE("kept_lines_and_values_do_not_hide_the_format_of_a_file") {
+  const test::TemporaryFolder folder;
+  std::string rows;
+  for (int i = 0; i < 20; ++i) rows += "v 0 1 " + std::to_string(i) + "\nl 1 2\nvt 0 1\nf -1/1 1//\n";
+  const std::string binary_stl = std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(48, '\0') +
+                                 std::string("\3\0abc", 5) + std::string(50, '\0');
+  const std::pair<std::string, const char*> files[] = {
+      {"# comment\n\nunknown 1 2\n" + rows, "OBJ"},
+      {"v 0 0 0\nv 1 0 \\\n 0 # here\nV 0 1 0 1 0.5 0\ng a b\nusemtl red\nF 1 2 3\n", "OBJ"},
+      {"# long\n" + std::string(2 << 20, '\n') + rows, ""},
+      {rows + std::string(1 << 20, '#') + "\n" + rows, "OBJ"},
+      {"ply\nformat binary_little_endian 1.0\ncomment x\nelement vertex 0\nend_header\n", "PLY"},
+      {"OFF\n3 1 0 # counts\n0 0 0\n1 0 0 0 1 0\n3 0 1 2\n", "OFF"},
+      {"3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n", "OFF"},
+      {"solid\nfacet normal 0 0 1\n outer loop\n vertex 0 0 0\n", "STL"},
+      {binary_stl, "STL"},
+      {R"({"buffers": [{"version": "1"}], "asset": {"extras": {"version": 3}, "version": "2.0"}})", "glTF"},
+  };
+  for (const auto& [bytes, name] : files) {
+    test::put_file(folder / "file", bytes);
+    CAPTURE(bytes.substr(0, 60));
+    CHECK(name_of_format(folder / "file") == name);
+  }
+}
+
+TEST_CASE("other_content_is_of_no_format_whatever_its_words_are") {
+  const test::TemporaryFolder folder;
+  const std::string elf =
+      "\x7F"
+      "ELF\2\1\1" +
+      std::string(57, '\0') + "\1\0\0\0\4\0\0\0" + std::string("\x40\0\0\0\0\0\0\0\x40\0\0\0\0\0\0\0", 16) +
+      std::string(9000, '\1');
+  const std::string files[] = {
+      "#include <stdio.h>\n#define v 1\n",
+      "#include <stdio.h>\nint main(void) {\nv = 1;\nf(2);\nreturn 0;\n}\n",
+      "# Notes\n\nA vertex is a line such as\n\nv 0 0 1\n\nand a face one such as\n\nf 1 2 3\n",
+      "v is a letter\nf is another one\n",
+      "# only comments\n",
+      "f 1 2 3\ng a\n",
+      "v 0 0 0\nv 0 0 1\nv 1 2 3" + std::string(10, '\0'),
+      "ply\nwood has an odd number of layers\nend_header\n",
+      "off we go\n",
+      "OFF\n8 6 12 numbers of a cube\n",
+      "1 2 3\n4 5 6\n",
+      "solid advice\n",
+      "solid advice\nfacet by facet\nvertexes\n",
+      "glTF is a format for scenes\n",
+      R"({"asset": "2.0", "version": "2.0"})",
+      R"([{"asset": {"version": "2.0"}}])",
+      R"({"a": {"asset": {"version": "2.0"}}})",
+      R"({"asset": {"version": "1.1"}, "root": {}, "geometricError": 2})",
+      R"({"format": "viete session", "model": "\"asset\": {\"version\": \"2.0\"}"})",
+      "POINTCACHE2 is a word",
+      elf,
+      std::string(2000, '\0'),
+      "Dear all,\n",
+      "\x89PNG\r\n\x1a\n" + std::string(300, 'x')};
+  for (const std::string& bytes : files) {
+    test::put_file(folder / "file", bytes);
+    CAPTURE(bytes.substr(0, 60));
+    CHECK(name_of_format(folder / "file") == "");
   }
 }
 

@@ -63,10 +63,15 @@ public:
 
   std::vector<float> floats(int accessor) const {
     const auto& a = model.accessors.at(static_cast<std::size_t>(accessor));
-    REQUIRE(a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT);
     const auto parts =
         static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(a.type)));
     std::vector<float> all(a.count * parts, 0.0F);
+    if (a.componentType == TINYGLTF_COMPONENT_TYPE_SHORT) {
+      const auto shorts = view<std::int16_t>(a.bufferView, a.byteOffset, all.size());
+      std::ranges::transform(shorts, all.begin(), [](auto x) { return static_cast<float>(x) / 32767; });
+      return all;
+    }
+    REQUIRE(a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT);
     if (a.bufferView >= 0) all = view<float>(a.bufferView, a.byteOffset, all.size());
     if (!a.sparse.isSparse) return all;
     const auto count = static_cast<std::size_t>(a.sparse.count);
@@ -94,10 +99,23 @@ public:
     const auto mesh = static_cast<std::size_t>(model.nodes.at(node).mesh);
     const auto& p = primitive(mesh, i);
     const auto base = floats(p.attributes.at(attribute));
+    REQUIRE(model.meshes.at(mesh).weights.size() == p.targets.size());
+    return weighed(p, base, attribute, weights(node, key, animation));
+  }
+
+  // The same where nothing plays.
+  std::vector<double> shown(std::size_t node, const char* attribute) const {
+    const auto& n = model.nodes.at(node);
+    const auto& mesh = model.meshes.at(static_cast<std::size_t>(n.mesh));
+    const auto& w = n.weights.empty() ? mesh.weights : n.weights;
+    const auto& p = mesh.primitives.at(0);
+    return weighed(p, floats(p.attributes.at(attribute)), attribute, {w.begin(), w.end()});
+  }
+
+  std::vector<double> weighed(const tinygltf::Primitive& p, const std::vector<float>& base,
+                              const char* attribute, const std::vector<float>& w) const {
     std::vector<double> sum(base.begin(), base.end());
-    const auto w = weights(node, key, animation);
     REQUIRE(w.size() == p.targets.size());
-    REQUIRE(model.meshes.at(mesh).weights.size() == w.size());
     for (std::size_t t = 0; t < w.size(); ++t) {
       if (p.targets[t].count(attribute) == 0) continue;
       const auto delta = floats(p.targets[t].at(attribute));
@@ -141,7 +159,121 @@ std::vector<Point> of_patch(const std::vector<Point>& p) {
   return {p[0], p[1], p[2], p[3], p[1], p[4], p[3], p[5]};
 }
 
+// Two nodes of a mesh with a target of floats, one of few vertices, and one of normalised integers.
+GltfParts weighed_patch() {
+  GltfParts p = test::patch();
+  std::vector<float> lift, lean;
+  for (int i = 0; i < 8; ++i) lift.insert(lift.end(), {0, 1, 0}), lean.insert(lean.end(), {0.3F, 0, -0.2F});
+  std::vector<std::int16_t> back(24, 0);
+  for (std::size_t i = 0; i < 24; i += 3) back[i] = -32767;
+  const std::size_t up = p.accessor(lift, 5126, "VEC3", 3), leaning = p.accessor(lean, 5126, "VEC3", 3);
+  const std::size_t whole = p.accessor(back, 5122, "VEC3", 3);
+  p.json["accessors"][whole]["normalized"] = true;
+  const std::size_t where = p.view(std::vector<std::uint16_t>{5}), what = p.view(std::vector<float>{0, 0, 4});
+  const std::size_t few = p.json["accessors"].size();
+  p.json["accessors"].push_back({{"componentType", 5126},
+                                 {"count", 8},
+                                 {"type", "VEC3"},
+                                 {"sparse",
+                                  {{"count", 1},
+                                   {"indices", {{"bufferView", where}, {"componentType", 5123}}},
+                                   {"values", {{"bufferView", what}}}}}});
+  auto& mesh = p.json["meshes"][0];
+  mesh["primitives"][0]["targets"] = {
+      {{"POSITION", up}, {"NORMAL", leaning}}, {{"POSITION", few}}, {{"POSITION", whole}}};
+  mesh["weights"] = {0.5, 0.25, 1};
+  p.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {9, 0, 0}}, {"weights", {1, 0, -1}}}};
+  p.json["scenes"] = {{{"nodes", {0, 1}}}};
+  return p;
+}
+
+std::vector<Point> shape_of_weighed_patch() {
+  return {{-1, 0.5, 0}, {0, 0.5, 0}, {-1, 1.5, 0}, {0, 1.5, 0}, {1, 0.5, 1}, {1, 1.5, 0},
+          {10, 1, 0},   {11, 1, 0},  {10, 2, 0},   {11, 2, 0},  {12, 1, 0},  {12, 2, 0}};
+}
+
 }  // namespace
+
+TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
+  for (const bool binary : {true, false}) {
+    const GltfParts parts = weighed_patch();
+    const ReadResult r = test::read_kept(binary ? parts.glb() : parts.text(), binary ? "glb" : "gltf");
+    check_near(r.surface.positions, shape_of_weighed_patch());
+    CHECK(holds(r.warnings.at(0), "morph targets have their default weights and are not played"));
+    const Vec3 n = r.attributes->normals.at(0);
+    CHECK(n[0] / n[2] == doctest::Approx(0.15 / 0.9));
+    CHECK(norm(n) == doctest::Approx(1));
+    CHECK(r.original->morphs()->at_target(0)[0] == Point{0, 1, 0});
+  }
+  GltfParts still = weighed_patch();
+  still.json["meshes"][0]["weights"] = {0, 0};
+  still.json["nodes"][1].erase("weights");
+  const ReadResult r = test::read_kept(still.glb(), "glb");
+  CHECK(r.surface.positions[4] == Point{2, 0, 0});
+  CHECK(holds(r.warnings.at(0), "morph targets are not played here"));
+}
+
+TEST_CASE("vertices_that_default_weights_part_or_join_are_not_welded") {
+  GltfParts parts = test::patch();
+  std::vector<float> open(24, 0);
+  open[3] = -1, open[0] = 1;  // the left side of the seam leaves the right one, and comes to the first vertex
+  const std::size_t delta = parts.accessor(open, 5126, "VEC3", 3);
+  parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
+  parts.json["meshes"][0]["weights"] = {0.5};
+  const ReadResult r = test::read_kept(parts.glb(), "glb");
+  REQUIRE(r.surface.positions.size() == 7);
+  CHECK(r.surface.positions[0] == Point{0.5, 0, 0});
+  CHECK(r.surface.positions[1] == Point{0.5, 0, 0});
+  CHECK(r.original->morphs()->at_target(0)[0] == Point{1, 0, 0});
+}
+
+TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a.glb", weighed_patch().glb());
+  const ReadResult r = read(folder / "a.glb");
+  write(folder / "rest.glb", {r.surface, r.surface.positions, {}}, r.original.get(), {});
+  CHECK(test::file_bytes(folder / "rest.glb") == test::file_bytes(folder / "a.glb"));
+  std::vector<Point> posed = bent(r.surface, 0.5);
+  posed[11] = r.surface.positions[11];
+  write(folder / "b.glb", {r.surface, posed, {}}, r.original.get(), {});
+  const MorphJudge judge(folder / "b.glb"), before(folder / "a.glb");
+  check_near(read(folder / "b.glb").surface.positions, posed, 1e-5);
+  CHECK(judge.model.nodes[1].weights == before.model.nodes[1].weights);
+  const std::vector<Point> first(posed.begin(), posed.begin() + 6);
+  GltfParts plain = test::patch();  // the first node's shape without targets
+  const auto shown = before.shown(0, "POSITION");
+  const auto leaning = before.shown(0, "NORMAL");
+  plain.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
+      plain.accessor(std::vector<float>(shown.begin(), shown.end()), 5126, "VEC3", 3);
+  plain.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
+      plain.accessor(std::vector<float>(leaning.begin(), leaning.end()), 5126, "VEC3", 3);
+  test::put_file(folder / "plain.glb", plain.glb());
+  const ReadResult p = read(folder / "plain.glb");
+  write(folder / "plain_b.glb", {p.surface, first, {}}, p.original.get(), {});
+  const MorphJudge expected(folder / "plain_b.glb");
+  const auto found = judge.shown(0, "NORMAL"), wanted = expected.shown(0, "NORMAL");
+  const auto written = judge.floats(
+      judge.primitive(static_cast<std::size_t>(judge.model.nodes[0].mesh), 0).attributes.at("NORMAL"));
+  for (std::size_t i = 0; i < 24; i += 3) {
+    const Vec3 a{found[i], found[i + 1], found[i + 2]}, b{wanted[i], wanted[i + 1], wanted[i + 2]};
+    CHECK(norm((1 / norm(a)) * a - b) < 1e-6);
+    CHECK(std::hypot(written[i], written[i + 1], written[i + 2]) == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("a_motion_beside_targets_with_default_weights_is_played_as_it_is") {
+  const test::TemporaryFolder folder;
+  test::put_file(folder / "a.glb", weighed_patch().glb());
+  const ReadResult r = read(folder / "a.glb");
+  const Wave wave(r.surface);
+  write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), wave.animation);
+  const auto clip = read(folder / "b.glb").original->morphs();
+  REQUIRE(clip);
+  for (std::size_t key = 0; key < 4; ++key) check_near(clip->at_key(key), wave.positions[key], 1e-5);
+  const MorphJudge judge(folder / "b.glb");
+  check_near(judge.shown(0, 0, "POSITION", 1),
+             of_patch({wave.positions[1].begin(), wave.positions[1].begin() + 6}), 1e-5);
+}
 
 TEST_CASE("keys_become_targets_that_another_reader_plays_and_all_else_is_kept") {
   const test::TemporaryFolder folder;
@@ -250,7 +382,7 @@ TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
   REQUIRE(judge.model.animations.size() == 2);
   CHECK(judge.weights(0, 1, 0) == std::vector<float>{1, 0, 0});
   CHECK(judge.weights(0, 2, 0) == std::vector<float>{0.5F, 0, 0});
-  CHECK(judge.weights(0, 2, 1) == std::vector<float>{0, 0, 1});
+  CHECK(judge.weights(0, 2, 1) == std::vector<float>{0.5F, 0, 1});
   CHECK(judge.model.nodes[0].weights == std::vector<double>{0.5, 0, 0});
   CHECK(judge.model.meshes[0].extras.Get("targetNames").Get(0).Get<std::string>() == "target 1");
   check_near(judge.shown(0, 0, "POSITION", 1, 1), of_patch(wave.positions[1]));

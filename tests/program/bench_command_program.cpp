@@ -235,7 +235,7 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
     for (const char* part : {"| zero ", "| gap ", "| spread ", "| scale ", "NaN 100 %", "Pade", "Direct"})
       CHECK(mentions(outcome, part));
     std::ifstream in(json);
-    const auto tables = nlohmann::json::parse(in);
+    const auto tables = nlohmann::json::parse(in)["tables"];
     REQUIRE(tables.size() == 5);
     const double u = *precision ? 0x1p-24 : 0x1p-53;
     for (const auto& table : tables) {

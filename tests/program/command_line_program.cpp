@@ -463,6 +463,20 @@ TEST_CASE("info_names_counts_and_goes_on_after_a_file_that_cannot_be_read") {
   CHECK(mentions(outcome, "topology    genus 0, no holes"));
 }
 
+TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_fin") {
+  const TemporaryFolder scratch;
+  mesh::write(scratch / "model.obj", cube(1));
+  mesh::write(scratch / "cage.obj", cube(2));
+  put_file(scratch / "fin.obj", file_bytes(scratch / "cage.obj") + "v 0 5 5\nf 7 8 9\n");
+  const std::string model = quoted(scratch / "model.obj"), fin = quoted(scratch / "fin.obj");
+  const auto alone = run("info " + fin), around = run("info " + model + " --cage " + fin);
+  CHECK(mentions(alone, "1 edge with more than two faces\n"));
+  CHECK(mentions(alone, "edge 6-7\n"));
+  CHECK(mentions(around, "finding     the cage has a fin: an odd number of triangles meet at edge 6-7"));
+  CHECK(mentions(around, "cage: 1 edge with more than two faces"));
+  CHECK_FALSE(mentions(run("info " + model + " --cage " + quoted(scratch / "cage.obj")), "has a fin"));
+}
+
 TEST_CASE("info_says_sizes_with_the_unit_that_the_head_of_the_file_names") {
   const TemporaryFolder scratch;
   const fs::path model = scratch.path() / "model.obj";

@@ -99,9 +99,8 @@ TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
     put_file(files / "a.png", "precious");
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "there is a file of this name already, which is not a"),
-                  line << '\n'
-                       << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, "and would be replaced; choose another name"), line << '\n'
+                                                                                        << outcome.text);
     CHECK(file_bytes(files / "a.txt") == "precious");
     CHECK(file_bytes(files / "a.png") == "precious");
   }

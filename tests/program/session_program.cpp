@@ -158,6 +158,57 @@ TEST_CASE("a_session_on_the_command_line_stands_alone_and_its_errors_name_it") {
   }
 }
 
+TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_session") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  Driver d;
+  REQUIRE(d.open({small.model, small.cage}));
+  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  fs::rename(small.model, folder / "new.ply");
+  const auto said = [&](const std::string& arguments) {
+    return run("cd '" + folder.path().string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY '" +
+               test::build_dir().string() + "/viete' " + arguments);
+  };
+  for (const std::string line : {"render a.viete --size 64x48 -o a.png", "deform a.viete -o a.ply",
+                                 "animate a.viete --turntable --frames 1-1 --size 64x48 -o a_#.png",
+                                 "bind a.viete -o a.bind", "view a.viete"}) {
+    const std::string refused = said(line);
+    CHECK_MESSAGE(
+        refused.find("small.ply: there is no such file; name it with --model FILE") < refused.size(),
+        refused);
+    const std::string done = said(line + " --model new.ply");
+    CHECK_MESSAGE(done.starts_with("0 "), line << done);
+  }
+  fs::rename(small.cage, folder / "grid.obj");
+  const std::string refused = said("deform a.viete -o b.ply --model new.ply");
+  CHECK_MESSAGE(refused.find("there is no such file; name it with --cage FILE") < refused.size(), refused);
+  CHECK(said("deform a.viete -o b.ply --model new.ply --cage grid.obj").starts_with("0 "));
+  CHECK(file_bytes(folder / "b.ply") == file_bytes(folder / "a.ply"));
+  CHECK(said("deform a.viete -o new.ply --model new.ply --cage grid.obj").starts_with("1 "));
+}
+
+TEST_CASE("a_moved_model_is_located_in_the_window") {
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  Driver d;
+  REQUIRE(d.open({small.model, small.cage}));
+  d.settle();
+  drag_some_vertex(d, {30, 20});
+  const auto pose = d.document().pose;
+  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  fs::rename(small.model, folder / "new.ply");
+  Driver other;
+  CHECK_FALSE(other.open({folder / "a.viete"}));
+  other.frame(2);
+  other.click("question_save");
+  other.frame(2);
+  other.click("file/new.ply");
+  other.click("file_choose");
+  other.settle();
+  CHECK(other.document().model.path == fs::canonical(folder / "new.ply"));
+  CHECK(other.document().pose.positions == pose.positions);
+}
+
 TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one") {
   const test::TemporaryFolder folder;
   const std::string head = R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() +
@@ -256,7 +307,8 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
 TEST_CASE("replacing_a_file_is_said_before_it_is_done") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
-  test::put_file(folder / "small_deformed.ply", "precious");
+  const std::string precious = "ply\nformat ascii 1.0\nend_header\n";
+  test::put_file(folder / "small_deformed.ply", precious);
   Driver d;
   REQUIRE(d.open({small.model, small.cage}));
   d.settle();
@@ -267,7 +319,7 @@ TEST_CASE("replacing_a_file_is_said_before_it_is_done") {
   d.frame(2);
   CHECK(d.viewer().recorder().find("file_replaces"));
   d.click("file_cancel");
-  CHECK(test::file_bytes(folder / "small_deformed.ply") == "precious");
+  CHECK(test::file_bytes(folder / "small_deformed.ply") == precious);
   d.press_key(scene::key('E'), true);
   d.frame(2);
   d.click("format_ply");

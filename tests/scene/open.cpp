@@ -352,6 +352,82 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
   }
 }
 
+TEST_CASE("located_files_take_the_place_of_those_that_a_session_names") {
+  const test::CubeFiles files;
+  Workspace w;
+  REQUIRE(open_now(w, {What::model, {files.model, files.cage, files.pose}}));
+  REQUIRE(save_session(w, files / "a.viete"));
+  test::put_file(files / "r.viete", session_text(session_of(w), files / "r.viete", false));
+  const auto open = [&](What what, const LocatedFiles& located) {
+    const fs::path file = files / (what == What::recovery ? "r.viete" : "a.viete");
+    return open_files({what, {file}, {}, located}, {});
+  };
+  const auto missing = [&](What what, const LocatedFiles& located) -> std::string {
+    try {
+      open(what, located);
+    } catch (const SessionFileError& error) {
+      CHECK(error.place().ends_with(".viete: " + std::string(error.key)));
+      return std::string(error.key) + " " + error.file.filename().string();
+    }
+    return "";
+  };
+  fs::create_directory(files / "moved");
+  fs::rename(files.model, files / "moved/new.obj");
+  fs::rename(files.cage, files / "moved/cage.obj");
+  for (const What what : {What::model, What::recovery}) {
+    CHECK(missing(what, {}) == "model model.obj");
+    CHECK(missing(what, {{}, files / "moved/cage.obj"}) == "model model.obj");
+    CHECK(missing(what, {files / "none.obj", {}}) == "model none.obj");
+    const Opened beside = open(what, {files / "moved/new.obj", {}});
+    CHECK(beside.document->model.path == files / "moved/new.obj");
+    CHECK(beside.document->cage_file.path == files / "moved/cage.obj");
+    CHECK(beside.document->pose.positions == w.document.pose.positions);
+    CHECK(beside.warnings.empty());
+  }
+  fs::rename(files / "moved/cage.obj", files / "moved/grid.obj");
+  for (const What what : {What::model, What::recovery}) {
+    CHECK(missing(what, {files / "moved/new.obj", {}}) == "cage cage.obj");
+    const Opened both = open(what, {files / "moved/new.obj", files / "moved/grid.obj"});
+    CHECK(both.document->cage_file.path == files / "moved/grid.obj");
+    CHECK(both.document->pose.positions == w.document.pose.positions);
+  }
+}
+
+TEST_CASE("a_cage_with_a_fin_opens_without_it_where_that_is_asked_for") {
+  const test::CubeFiles files;
+  const mesh::Surface plain = test::cube(1.5);
+  const auto with = [&](std::vector<mesh::Point> points, const std::vector<mesh::Triangle>& more) {
+    std::vector<mesh::Triangle> triangles = plain.triangles;
+    triangles.insert(triangles.end(), more.begin(), more.end());
+    points.insert(points.begin(), plain.positions.begin(), plain.positions.end());
+    return mesh::from_triangles(std::move(points), triangles);
+  };
+  const std::pair<mesh::Surface, std::size_t> cages[] = {
+      {with({{0, 3, 3}}, {{6, 7, 8}}), 1},                         // a triangle that sticks out
+      {with({{0, 3, 3}, {1, 4, 4}}, {{6, 7, 8}, {7, 9, 8}}), 2},   // two
+      {with({{0, 3, 3}, {0, 3, -3}}, {{6, 7, 8}, {2, 3, 9}}), 2},  // at two edges
+      {with({}, {{0, 1, 6}, {1, 7, 6}}), 2},                       // a wall through the middle
+  };
+  for (const auto& [cage, fins] : cages) {
+    mesh::write(files / "fin.obj", cage);
+    for (const std::vector<fs::path>& paths :
+         {std::vector{files.model, files / "fin.obj"}, {files / "fin.obj"}}) {
+      const What what = paths.size() == 2 ? What::model : What::cage;
+      const Document current = open_document(files.model, {});
+      CHECK_THROWS_AS(open_files({what, paths}, current), FinError);
+      const Opened opened = open_files({what, paths, {}, {}, Fins::removed}, current);
+      CHECK(opened.document->cage->surface.positions == plain.positions);
+      CHECK(opened.document->cage->surface.triangles == plain.triangles);
+      CHECK(opened.document->cage->closed);
+      CHECK(opened.document->cage_file.path.empty());
+      CHECK(test::mentions(opened.warnings.at(0),
+                           std::to_string(fins) + (fins == 1 ? " face of" : " faces of")));
+    }
+  }
+  CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, Fins::removed}, {})
+            .document->cage_file.path == files.cage);
+}
+
 TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_where_they_are") {
   test::CubeFiles files;
   Workspace w;

@@ -213,7 +213,7 @@ TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
   CHECK(test::mentions(refuses(save_pose, files / "key_9.obj"), "(the keys)"));
   CHECK(test::mentions(refuses(save_cage, files.model), "(the model)"));
   CHECK(test::mentions(refuses(save_cage, files.pose), "(the pose)"));
-  CHECK(test::mentions(refuses(save_session, files / "letter.viete"), "which is not a session"));
+  CHECK(test::mentions(refuses(save_session, files / "letter.viete"), "this file is text, not a session"));
   CHECK(test::mentions(refuses(save_session, files / "model.viete"), "(the model)"));
   CHECK(save_pose(w, files.pose));
   CHECK(save_cage(w, files.cage));

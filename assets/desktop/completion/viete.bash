@@ -7,7 +7,7 @@ _viete_caches='@(obj|ply|off|stl|glb|gltf|pc2|mdd)'
 _viete_value() {
   local words=
   case $prev in
-    --pose | --cage | --rest | --examples) _filedir "$_viete_meshes" ;;
+    --pose | --model | --cage | --rest | --examples) _filedir "$_viete_meshes" ;;
     --binding | --keys) _filedir ;;
     --published) _filedir -d ;;
     --camera) _filedir viete ;;
@@ -55,22 +55,22 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --scale --frames'
+      options+=' --pose --model --cage --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
+      options+=' --output --force --pose --model --cage --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
         --transparent --pass --line-width --error-map --no-cage --no-grid'
       ;;
-    deform) options+=' --output --digits --force --pose --mask --stream --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
+    deform) options+=' --output --digits --force --pose --model --cage --mask --stream --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
-      options+=' --output --force --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
+      options+=' --output --force --model --cage --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
         --size --scale --binding --line-width --look --camera --shading --map --compare --panels --light --wireframe --error-map --no-cage --no-grid'
       ;;
     between) options+=' --output --frames --at --rest --loop --linear --straight --rate --digits --force' ;;
     mix) options+=' --output --shape --straight --digits --force' ;;
     pose) options+=' --output --examples --pin --pull --firmness --freedom --restraint --digits --force' ;;
-    bind) options+=' --output --force --way --elements --weights --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
+    bind) options+=' --output --force --model --cage --way --elements --weights --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
     cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
     replay) options+=' --output --scale --force' ;;

@@ -4,7 +4,7 @@
 local any="_files -g '*.(#i)(obj|ply|off|stl|glb|gltf|viete)(-.)'" mesh="_files -g '*.(#i)(obj|ply|off|stl|glb|gltf)(-.)'"
 local -a help=('(-h --help)'{-h,--help}'[what it can do]')
 local cache="_files -g '*.(#i)(obj|ply|off|stl|glb|gltf|pc2|mdd)(-.)'"
-local -a files=("1:model or session:$any" "2:cage:$mesh")
+local -a files=("1:model or session:$any" "2:cage:$mesh" "--model=[of the session]:model:$mesh" "--cage=[of the session]:cage:$mesh")
 local -a meshes=("1:model:$mesh" "2:cage:$mesh")
 local -a force=('--force[replace other files too]')
 local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_files')

@@ -1,6 +1,8 @@
 #include "mesh/formats/foreign_content.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
 
 #include "base/error.h"
 
@@ -61,6 +63,9 @@ constexpr Signature signatures[] = {
     {"# vtk DataFile"sv, "a VTK file"sv, export_it},
     {"$MeshFormat"sv, "a Gmsh file"sv, export_it},
     {"MeshVersionFormatted"sv, "a Medit file"sv, export_it},
+    {"\x7F"
+     "ELF"sv,
+     "a program (ELF)"sv, "name a model"sv},
     {"DRACO"sv, "a Draco file"sv, export_it},
     {"OCTM"sv, "an OpenCTM file"sv, export_it},
     {"POINTCACHE2"sv, "a point cache (PC2), positions of a model frame after frame"sv,
@@ -108,8 +113,21 @@ bool is_utf16_without_mark(std::string_view bytes) {
          zeros[0] * zeros[1] == 0;
 }
 
-[[noreturn]] void refuse_as(const std::string& name, const Signature& is) {
-  throw base::Error(name, "this is " + std::string(is.what), std::string(is.advice));
+// Null: nothing that is known.
+const Signature* signature_of(std::string_view bytes) {
+  static constexpr Signature utf16{"", "UTF-16 text"sv, utf8}, xml{"", "text in XML or HTML"sv, export_it};
+  const auto find = [&](std::span<const Signature> all, const auto& is) -> const Signature* {
+    const auto found = std::ranges::find_if(all, [&](const Signature& s) { return is(bytes, s.begins); });
+    return found == all.end() ? nullptr : &*found;
+  };
+  if (const Signature* found = find(signatures, begins)) return found;
+  if (is_utf16_without_mark(bytes)) return &utf16;
+  bytes = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
+  if (!bytes.starts_with('<')) return nullptr;
+  bytes = bytes.substr(0, 4096);
+  if (const Signature* found = find(signatures, begins)) return found;
+  const Signature* found = find(elements, holds);
+  return found ? found : &xml;
 }
 
 }  // namespace
@@ -119,20 +137,42 @@ void refuse_foreign(const std::string& name, std::string_view bytes) {
   if (bytes.find_first_not_of('\0') == std::string_view::npos)
     throw base::Error(name, "the file holds nothing but zeros: it was never written to its end",
                       "export or copy it again");
-  for (const Signature& s : signatures) {
-    if (begins(bytes, s.begins)) refuse_as(name, s);
-  }
-  if (is_utf16_without_mark(bytes)) refuse_as(name, {"", "UTF-16 text", utf8});
-  bytes = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
-  if (!bytes.starts_with('<')) return;
+  if (const Signature* is = signature_of(bytes))
+    throw base::Error(name, "this is " + std::string(is->what), std::string(is->advice));
+}
+
+bool looks_binary(std::string_view bytes) {
   bytes = bytes.substr(0, 4096);
-  for (const Signature& s : signatures) {
-    if (begins(bytes, s.begins)) refuse_as(name, s);
-  }
-  for (const Signature& s : elements) {
-    if (holds(bytes, s.begins)) refuse_as(name, s);
-  }
-  refuse_as(name, {"", "text in XML or HTML", export_it});
+  return std::any_of(bytes.begin(), bytes.end(),
+                     [](unsigned char c) { return c < 32 && (c < 8 || c > 13) && c != 26 && c != 27; });
+}
+
+std::string_view name_of_content(std::string_view beginning) {
+  if (const Signature* is = signature_of(beginning)) return is->what;
+  if (looks_binary(beginning)) return "binary data";
+  const auto first = beginning.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && beginning[first] == '{' ? "JSON" : "text";
+}
+
+std::string text_in_json(std::string_view beginning, std::initializer_list<std::string_view> keys) {
+  using Json = nlohmann::json;
+  std::string found;
+  std::size_t known = 0;  // of the keys that lead to where the parser is
+  const auto visit = [&](int depth, Json::parse_event_t event, const Json& parsed) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::key) {
+      known = std::min(known, level - 1);
+      if (known == level - 1 && level <= keys.size() &&
+          parsed.get_ref<const std::string&>() == keys.begin()[level - 1])
+        known = level;
+      return known == level;
+    }
+    if (event == Json::parse_event_t::value && known == keys.size() && level == known && parsed.is_string())
+      found = parsed.get<std::string>();
+    return event == Json::parse_event_t::object_start && level == known;
+  };
+  const Json ignored = Json::parse(beginning.begin(), beginning.end(), visit, false);
+  return found;
 }
 
 }  // namespace viete::mesh

@@ -32,6 +32,8 @@ struct Format {
 
   ReadResult (*read)(const Source&) = nullptr;  ///< of a surface; null: none is in it
   bool (*recognised)(const Source&) = nullptr;  ///< by its content; null: a name must tell
+  /// More strictly: a result may replace the file. False for other content that begins alike.
+  bool (*is_certain)(const Beginning&) = nullptr;
   void (*write)(const Content&, TextWriter&) = nullptr;
 
   bool may_be_binary = false;  ///< although its content is not recognised

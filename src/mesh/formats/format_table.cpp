@@ -8,6 +8,7 @@
 #include "mesh/formats/obj.h"
 #include "mesh/formats/off.h"
 #include "mesh/formats/ply.h"
+#include "mesh/formats/point_cache.h"
 #include "mesh/formats/stl.h"
 
 namespace viete::mesh {
@@ -20,6 +21,7 @@ constexpr Format gltf_as(std::string_view extension, void (*write)(const Content
           .name = "glTF",
           .read = read_gltf,
           .recognised = looks_like_gltf,
+          .is_certain = is_certainly_gltf,
           .write = write,
           .may_be_binary = true,
           .holds_morphs = true,
@@ -52,6 +54,7 @@ std::span<const Format> all_formats() {
       {.extension = "obj",
        .name = "OBJ",
        .read = read_obj,
+       .is_certain = is_certainly_obj,
        .write = write_obj,
        .keeps_order = true,
        .images = Format::Images::beside,
@@ -61,6 +64,7 @@ std::span<const Format> all_formats() {
        .name = "PLY",
        .read = read_ply,
        .recognised = looks_like_ply,
+       .is_certain = is_certainly_ply,
        .write = write_ply,
        .keeps_order = true,
        .images = Format::Images::beside,
@@ -69,6 +73,7 @@ std::span<const Format> all_formats() {
        .name = "OFF",
        .read = read_off,
        .recognised = looks_like_off,
+       .is_certain = is_certainly_off,
        .write = write_off,
        .keeps_order = true,
        .all_held = polygons | points | colors | polygon_colors},
@@ -76,6 +81,7 @@ std::span<const Format> all_formats() {
        .name = "STL",
        .read = read_stl,
        .recognised = looks_like_stl,
+       .is_certain = is_certainly_stl,
        .write = write_stl,
        .may_be_binary = true,
        .up = 'z'},
@@ -107,6 +113,17 @@ const Format& surface_format(const std::filesystem::path& file) {
 bool writes_itself(const Original* original, const std::filesystem::path& file) {
   const Format* to = original ? find_format(file) : nullptr;
   return to && to->name == original->format();
+}
+
+const Format* format_of_content(const std::filesystem::path& file, const Beginning& beginning) {
+  for (const Format& f : all_formats())
+    if (f.is_certain && f.is_certain(beginning)) return &f;
+  try {
+    const bool is_pc2 = PointCache(file).head().format == PointCacheFormat::pc2;
+    return format_by_extension(is_pc2 ? "pc2" : "mdd");
+  } catch (const base::Error&) {
+    return nullptr;
+  }
 }
 
 const Format* format_of_description(std::string_view description) {

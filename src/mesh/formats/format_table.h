@@ -25,6 +25,9 @@ const Format& surface_format(const std::filesystem::path& file);
 /// True if the original (or null) can write itself under this name.
 bool writes_itself(const Original* original, const std::filesystem::path& file);
 
+/// The format that the content certainly is of, whatever the file is called; null: no known one.
+const Format* format_of_content(const std::filesystem::path& file, const Beginning& beginning);
+
 /// The row of what a ReadResult says that a file is: "glTF binary".
 const Format* format_of_description(std::string_view description);
 

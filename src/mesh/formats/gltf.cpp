@@ -8,8 +8,10 @@
 
 #include "base/error.h"
 #include "base/quantity.h"
+#include "mesh/formats/foreign_content.h"
 #include "mesh/formats/gltf_accessors.h"
 #include "mesh/formats/gltf_file.h"
+#include "mesh/formats/gltf_morphs.h"
 #include "mesh/formats/gltf_original.h"
 #include "mesh/formats/gltf_scene.h"
 #include "mesh/formats/surface_builder.h"
@@ -145,13 +147,43 @@ private:
     const GltfJson& mesh = element_of(file_.document, "meshes", p.mesh);
     pieces_.clear();
     const std::size_t first = points_.size(), first_corner = map_.corner_vertex.size();
+    take_weights(p, mesh);
     for (const GltfJson& primitive : list_of(mesh, "primitives")) {
       if (accessor_of(primitive, "POSITION") < 0) continue;  // nothing to be seen, as the format says
       add_group(p, mesh, primitive);
       add_polygons(primitive, piece_of(placement, primitive), p.map.determinant() < 0);
-      morphs_ |= !list_of(primitive, "targets").empty();
     }
     weld(first, first_corner);
+  }
+
+  // Empty where they leave the mesh as it is.
+  void take_weights(const GltfPlacement& p, const GltfJson& mesh) {
+    std::size_t count = 0;
+    for (const GltfJson& primitive : list_of(mesh, "primitives"))
+      count = std::max(count, list_of(primitive, "targets").size());
+    spend(count);
+    weights_ = default_weights(file_.document, p, count);
+    if (std::ranges::all_of(weights_, [](double w) { return w == 0; })) weights_.clear();
+    morphs_ |= count > 0;
+    is_shaped_ |= !weights_.empty();
+    shaped_.clear();
+  }
+
+  // Many nodes may place the mesh.
+  std::shared_ptr<const std::vector<GltfTarget>> targets_of(const GltfJson& primitive) {
+    auto& targets = targets_[&primitive];
+    if (targets) return targets;
+    std::vector<GltfTarget> all;
+    for (const GltfJson& target : list_of(primitive, "targets"))
+      all.push_back({index_of(target, "POSITION"), index_of(target, "NORMAL"), index_of(target, "TANGENT")});
+    return targets = std::make_shared<const std::vector<GltfTarget>>(std::move(all));
+  }
+
+  // Of positions or normals, at the default weights; empty where these change nothing.
+  std::vector<double> differences(int GltfTarget::*of) {
+    const GltfPiece& piece = map_.pieces.back();
+    for (const double weight : weights_) spend(weight == 0 ? 0 : piece.count);
+    return morph_differences(accessors_, piece, of, weights_);
   }
 
   void add_group(const GltfPlacement& p, const GltfJson& mesh, const GltfJson& primitive) {
@@ -192,7 +224,8 @@ private:
     if (const auto found = pieces_.find(key); found != pieces_.end()) return found->second;
     Piece piece{points_.size(), accessors_.count(positions), texture >= 0, normals >= 0};
     spend(piece.count);
-    map_.pieces.push_back({placement, piece.first, piece.count, positions, normals, tangents});
+    map_.pieces.push_back(
+        {placement, piece.first, piece.count, positions, normals, tangents, targets_of(primitive)});
     const AffineMap& map = map_.placements[placement].map;
     add_points(positions, map);
     add_texture(piece, texture, transform);
@@ -206,19 +239,30 @@ private:
   void spend(std::size_t elements) {
     spent_ += elements;
     if (spent_ > budget_ + instanced_vertices)
-      throw base::Error(file_.name, "its nodes place meshes so often that more than 4 million vertices arise",
-                        "open fewer of them");
+      throw base::Error(
+          file_.name,
+          "its nodes place meshes, or morph them, so often that more than 4 million vertices arise",
+          "open fewer of them");
   }
 
   void add_points(int accessor, const AffineMap& map) {
-    const std::vector<double> numbers = accessors_.numbers(accessor, 3);
+    std::vector<double> numbers = accessors_.numbers(accessor, 3);
+    add_points(accessor, map, numbers, points_);
+    if (weights_.empty()) return;
+    const std::vector<double> added = differences(&GltfTarget::positions);
+    for (std::size_t i = 0; i < added.size(); ++i) numbers[i] += added[i];
+    add_points(accessor, map, numbers, shaped_);
+  }
+
+  void add_points(int accessor, const AffineMap& map, const std::vector<double>& numbers,
+                  std::vector<Point>& points) const {
     const bool moves = !map.is_identity();
     for (std::size_t i = 0; i < numbers.size(); i += 3) {
       Point p{numbers[i], numbers[i + 1], numbers[i + 2]};
       if (moves) p = map.of_point(p);
       if (!is_place(p))
         accessors_.fail("accessor", accessor, "position " + std::to_string(i / 3) + " is no place");
-      points_.push_back(p);
+      points.push_back(p);
     }
   }
 
@@ -245,8 +289,11 @@ private:
   void add_normals(const Piece& piece, int accessor, const AffineMap& map) {
     attributes_->normals.resize(piece.first + piece.count, Vec3{0, 0, 0});
     if (accessor < 0) return;
-    const std::vector<double> numbers = matching(piece, accessor, 3);
-    const bool turns = !map.is_identity();
+    std::vector<double> numbers = matching(piece, accessor, 3);
+    const std::vector<double> added =
+        source_.played ? std::vector<double>() : differences(&GltfTarget::normals);
+    for (std::size_t i = 0; i < added.size(); ++i) numbers[i] += added[i];
+    const bool turns = !map.is_identity() || !added.empty();
     for (std::size_t i = 0; i < piece.count; ++i) {
       Vec3 n{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
       if (turns) n = map.of_normal(n);
@@ -300,10 +347,22 @@ private:
     ++polygons_;
   }
 
+  // At the same place, with the default weights and without them.
+  std::vector<std::uint32_t> lowest_vertices(std::size_t first) const {
+    auto lowest = lowest_in_place(std::span(points_).subspan(first));
+    if (shaped_.empty()) return lowest;
+    const auto shaped = lowest_in_place(shaped_);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> in_both;
+    for (std::uint32_t i = 0; i < lowest.size(); ++i)
+      lowest[i] = in_both.try_emplace({lowest[i], shaped[i]}, i).first->second;
+    return lowest;
+  }
+
   void weld(std::size_t first, std::size_t first_corner) {
     if (points_.size() >= none)
       throw base::Error(file_.name, "more than 4294967294 vertices", "split the model");
-    const auto lowest = lowest_in_place(std::span(points_).subspan(first));
+    const auto lowest = lowest_vertices(first);
+    const bool is_shaped = !shaped_.empty() && !source_.played;
     map_.surface_vertex.resize(points_.size());
     for (std::size_t i = 0; i < lowest.size(); ++i) {
       if (lowest[i] != i) {
@@ -311,7 +370,7 @@ private:
         continue;
       }
       map_.surface_vertex[first + i] = static_cast<std::uint32_t>(builder_.vertex_count());
-      builder_.position(points_[first + i]);
+      builder_.position(is_shaped ? shaped_[i] : points_[first + i]);
       attributes_->colors.push_back(colors_[first + i]);
     }
     for (std::size_t c = first_corner; c < map_.corner_vertex.size(); ++c) {
@@ -324,7 +383,9 @@ private:
     if (unseen_primitives_ > 0)
       builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
                     " of points or lines: moved along, but not drawn");
-    if (morphs_ && !source_.played) builder_.warn(file_.name + ": morph targets are not played here");
+    if (morphs_ && !source_.played)
+      builder_.warn(file_.name + (is_shaped_ ? ": morph targets have their default weights and are not played"
+                                             : ": morph targets are not played here"));
   }
 
   void drop_what_is_not_there() {
@@ -344,9 +405,12 @@ private:
   std::vector<Point> points_;  // of the file's vertices, where their nodes put them
   std::vector<Color> colors_;  // the same
   std::map<PieceKey, Piece> pieces_;
+  std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // of primitives
+  std::vector<double> weights_;  // of the placement's targets; empty: none acts
+  std::vector<Point> shaped_;    // as points_ of the placement, with these weights; empty without
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
   std::uint32_t polygons_ = 0;
-  bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false;
+  bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false, is_shaped_ = false;
 };
 
 }  // namespace
@@ -356,6 +420,13 @@ bool looks_like_gltf(const Source& source) {
   const auto first = source.bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return first != std::string_view::npos && source.bytes[first] == '{' &&
          source.bytes.find("\"asset\"") != std::string_view::npos;
+}
+
+bool is_certainly_gltf(const Beginning& file) {
+  using namespace std::string_view_literals;
+  if (file.bytes().starts_with("glTF\2\0\0\0"sv))
+    return file.bytes().size() >= 20 && file.bytes().substr(16, 4) == "JSON"sv;
+  return text_in_json(file.bytes(), {"asset", "version"}).starts_with("2.");
 }
 
 ReadResult read_gltf(const Source& source) {

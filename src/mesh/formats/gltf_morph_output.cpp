@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "mesh/formats/gltf_morphs.h"
 #include "mesh/formats/written_positions.h"
 
 namespace viete::mesh {
@@ -157,13 +158,16 @@ void GltfMorphs::animate(const MorphMotion& motion, std::span<const std::size_t>
   const std::vector<float> times(motion.seconds.begin(), motion.seconds.end());
   const std::size_t input = add_floats(times, 1), count = motion.targets.size();
   GltfJson made = {{"name", motion.name}, {"channels", GltfJson::array()}, {"samplers", GltfJson::array()}};
-  std::map<std::size_t, std::size_t> samplers;  // by the number of targets before ours
+  std::map<std::vector<double>, std::size_t> samplers;  // by the weights of targets before ours
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto [at, added] = samplers.try_emplace(before[i], made["samplers"].size());
+    const GltfPlacement placement{
+        static_cast<int>(nodes[i]), index_of(document_["nodes"][nodes[i]], "mesh"), {}};
+    const std::vector<double> others = default_weights(document_, placement, before[i]);
+    const auto [at, added] = samplers.try_emplace(others, made["samplers"].size());
     if (added) {
       std::vector<float> weights;
       for (std::size_t k = 0; k < times.size(); ++k) {
-        weights.insert(weights.end(), before[i], 0.0F);
+        weights.insert(weights.end(), others.begin(), others.end());
         const auto own = motion.weights.begin() + static_cast<std::ptrdiff_t>(k * count);
         weights.insert(weights.end(), own, own + static_cast<std::ptrdiff_t>(count));
       }

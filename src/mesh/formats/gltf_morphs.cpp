@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "base/error.h"
@@ -71,7 +70,8 @@ public:
         counts_(map_->placements.size(), 0),
         resting_(map_->placements.size()),
         tracks_(map_->placements.size()) {
-    for (const GltfPiece& piece : map_->pieces) take_targets(piece);
+    for (const GltfPiece& piece : map_->pieces)
+      counts_[piece.placement] = std::max(counts_[piece.placement], piece.targets->size());
     for (std::size_t p = 0; p < counts_.size(); ++p) take_placement(p);
     take_animations();
     times_of_.clear();
@@ -94,51 +94,12 @@ public:
   }
 
 private:
-  const GltfJson& mesh_of(std::size_t placement) const {
-    return list_of(document_, "meshes")[static_cast<std::size_t>(map_->placements[placement].mesh)];
-  }
-  const GltfJson& node_of(std::size_t placement) const {
-    return list_of(document_, "nodes")[static_cast<std::size_t>(map_->placements[placement].node)];
-  }
-
-  // Of the first primitive that has the piece's vertices. Pieces of the same vertices share the list.
-  void take_targets(const GltfPiece& piece) {
-    const int mesh = map_->placements[piece.placement].mesh;
-    const auto [at, added] =
-        targets_by_.try_emplace({mesh, piece.positions, piece.normals, piece.tangents}, targets_of_.size());
-    piece_targets_.push_back(at->second);
-    if (added) {
-      targets_of_.emplace_back();
-      for (const GltfJson& primitive : list_of(mesh_of(piece.placement), "primitives")) {
-        const GltfJson& attributes = member_of(primitive, "attributes");
-        const auto is = [&](const char* key, int accessor) {
-          return count_of(attributes, key) ==
-                 (accessor < 0 ? std::nullopt : std::optional<std::uint64_t>(accessor));
-        };
-        if (!is("POSITION", piece.positions) || !is("NORMAL", piece.normals) ||
-            !is("TANGENT", piece.tangents))
-          continue;
-        for (const GltfJson& target : list_of(primitive, "targets")) {
-          const auto accessor = count_of(target, "POSITION");
-          targets_of_.back().push_back(accessor ? static_cast<int>(*accessor) : -1);
-        }
-        break;
-      }
-    }
-    counts_[piece.placement] = std::max(counts_[piece.placement], targets_of_[at->second].size());
-  }
-
-  // What its weights are where nothing plays, and the names of its targets.
+  // The names of its targets, and its weights where nothing plays.
   void take_placement(std::size_t p) {
-    Numbers weights(counts_[p], 0);
-    const GltfJson& own = list_of(node_of(p), "weights");
-    const GltfJson& given = own.empty() ? list_of(mesh_of(p), "weights") : own;
-    for (std::size_t i = 0; i < std::min(weights.size(), given.size()); ++i) {
-      const double weight = given[i].is_number() ? given[i].get<double>() : 0.0;
-      if (std::isfinite(weight)) weights[i] = weight;
-    }
-    resting_[p] = std::move(weights);
-    const GltfJson& names = list_of(member_of(mesh_of(p), "extras"), "targetNames");
+    const GltfPlacement& placement = map_->placements[p];
+    resting_[p] = default_weights(document_, placement, counts_[p]);
+    const GltfJson& mesh = element_of(document_, "meshes", placement.mesh);
+    const GltfJson& names = list_of(member_of(mesh, "extras"), "targetNames");
     for (std::size_t i = targets_.size(); i < counts_[p]; ++i) {
       const bool named = i < names.size() && names[i].is_string() && !names[i].get<std::string>().empty();
       targets_.push_back(named ? names[i].get<std::string>() : "target " + std::to_string(i + 1));
@@ -233,9 +194,11 @@ private:
     for (const std::uint32_t v : map_->surface_vertex) vertices = std::max(vertices, std::size_t{v} + 1);
     std::vector<Point> result(vertices);
     std::vector<char> is_placed(vertices, 0);
-    for (std::size_t i = 0; i < map_->pieces.size(); ++i) {
-      const GltfPiece& piece = map_->pieces[i];
-      const Numbers numbers = morphed(piece, targets_of_[piece_targets_[i]], weights[piece.placement]);
+    for (const GltfPiece& piece : map_->pieces) {
+      Numbers numbers = accessors_.numbers(piece.positions, 3);
+      const Numbers added =
+          morph_differences(accessors_, piece, &GltfTarget::positions, weights[piece.placement]);
+      for (std::size_t k = 0; k < added.size(); ++k) numbers[k] += added[k];
       for (std::size_t k = 0; k < piece.count; ++k) {
         const std::uint32_t v = map_->surface_vertex[piece.first + k];
         if (std::exchange(is_placed[v], 1) != 0) continue;
@@ -250,20 +213,6 @@ private:
     return result;
   }
 
-  Numbers morphed(const GltfPiece& piece, const std::vector<int>& targets, const Numbers& weights) const {
-    Numbers sum = accessors_.numbers(piece.positions, 3);
-    for (std::size_t t = 0; t < targets.size(); ++t) {
-      if (weights[t] == 0 || targets[t] < 0) continue;
-      if (accessors_.count(targets[t]) != piece.count)
-        accessors_.fail("accessor", targets[t],
-                        "has " + std::to_string(accessors_.count(targets[t])) + " differences for " +
-                            std::to_string(piece.count) + " positions");
-      const Numbers deltas = accessors_.numbers(targets[t], 3);
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights[t] * deltas[i];
-    }
-    return sum;
-  }
-
   std::shared_ptr<const GltfFile> file_;
   std::shared_ptr<const GltfMap> map_;
   GltfAccessors accessors_;
@@ -271,15 +220,43 @@ private:
   std::vector<std::size_t> counts_;                 // targets of each placement
   std::vector<Numbers> resting_;                    // their weights where nothing plays
   std::vector<std::optional<WeightTrack>> tracks_;  // and where the animation does
-  std::vector<std::vector<int>> targets_of_;        // accessors of differences; -1: this one moves nothing
-  std::vector<std::size_t> piece_targets_;          // which of these each piece has
-  std::map<std::tuple<int, int, int, int>, std::size_t> targets_by_;
   std::map<int, SharedNumbers> times_of_;
   std::set<int> seen_times_;
   bool is_curved_ = false;
 };
 
 }  // namespace
+
+std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
+                                    std::size_t count) {
+  std::vector<double> weights(count, 0);
+  const GltfJson& own = list_of(element_of(document, "nodes", placement.node), "weights");
+  const GltfJson& given =
+      own.empty() ? list_of(element_of(document, "meshes", placement.mesh), "weights") : own;
+  for (std::size_t i = 0; i < std::min(count, given.size()); ++i) {
+    const double weight = given[i].is_number() ? given[i].get<double>() : 0.0;
+    if (std::isfinite(weight)) weights[i] = weight;
+  }
+  return weights;
+}
+
+std::vector<double> morph_differences(const GltfAccessors& accessors, const GltfPiece& piece,
+                                      int GltfTarget::*of, std::span<const double> weights) {
+  Numbers sum;
+  for (std::size_t t = 0; t < std::min(piece.targets->size(), weights.size()); ++t) {
+    const int accessor = (*piece.targets)[t].*of;
+    if (weights[t] == 0 || accessor < 0) continue;
+    const std::size_t count = accessors.count(accessor);
+    if (count != piece.count)
+      accessors.fail(
+          "accessor", accessor,
+          "has " + std::to_string(count) + " differences for " + std::to_string(piece.count) + " positions");
+    const Numbers differences = accessors.numbers(accessor, 3);
+    sum.resize(differences.size(), 0);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights[t] * differences[i];
+  }
+  return sum;
+}
 
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -13,6 +14,7 @@
 #include "base/quantity.h"
 #include "mesh/formats/gltf_accessors.h"
 #include "mesh/formats/gltf_morph_output.h"
+#include "mesh/formats/gltf_morphs.h"
 #include "mesh/formats/gltf_sharing.h"
 #include "mesh/formats/written_positions.h"
 #include "mesh/normals.h"
@@ -115,15 +117,18 @@ private:
     bool has_normals = false, has_tangents = false;
     for (const GltfPiece* piece : moved_) {
       const AffineMap& map = map_.placements[piece->placement].map;
-      const auto take = [&](int accessor, std::vector<Vec3>& to, auto move) {
+      const auto take = [&](int accessor, int GltfTarget::*of, std::vector<Vec3>& to, auto move) {
         if (accessor < 0) return false;
         const std::vector<double> numbers = accessors_.numbers(accessor, 3);
+        const std::vector<double> added = differences(*piece, of);
         for (std::size_t i = 0; i < piece->count; ++i)
-          to[piece->first + i] = move(Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
+          to[piece->first + i] = move(vector_at(numbers, i) + vector_at(added, i));
         return true;
       };
-      has_normals |= take(piece->normals, normals, [&](const Vec3& n) { return map.of_normal(n); });
-      has_tangents |= take(piece->tangents, tangents, [&](const Vec3& t) { return map.of_vector(t); });
+      has_normals |= take(piece->normals, &GltfTarget::normals, normals,
+                          [&](const Vec3& n) { return map.of_normal(n); });
+      has_tangents |= take(piece->tangents, &GltfTarget::tangents, tangents,
+                           [&](const Vec3& t) { return map.of_vector(t); });
     }
     if (has_normals)
       normals_ = deformed_normals(rest_, posed_, normals, map_.corner_vertex, map_.surface_vertex);
@@ -133,12 +138,31 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
+  // What targets of the file add, at their default weights, to what is written.
+  std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
+    const GltfPlacement& placement = map_.placements[piece.placement];
+    return morph_differences(accessors_, piece, of,
+                             default_weights(file_.document, placement, piece.targets->size()));
+  }
+
+  static Vec3 vector_at(std::span<const double> numbers, std::size_t i) {
+    return numbers.empty() ? Vec3{0, 0, 0} : Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+  }
+
+  // Of unit length, and in this direction once the targets have added theirs.
+  static Vec3 before_targets(const Vec3& unit, const Vec3& added) {
+    const double along = dot(unit, added), rest = along * along - dot(added, added) + 1;
+    const double length = rest < 0 ? 1 : along + std::sqrt(rest);
+    return length > 0 ? unit_or_zero(length * unit - added) : unit;
+  }
+
   std::vector<float> positions_of(const GltfPiece& piece, const AffineMap& inverse) const {
     std::vector<float> values = floats(piece.positions, 3);
+    const std::vector<double> added = differences(piece, &GltfTarget::positions);
     for (std::size_t i = 0; i < piece.count; ++i) {
       if (!moves(piece.first + i)) continue;
       const std::uint32_t v = map_.surface_vertex[piece.first + i];
-      const Point local = inverse.of_point(posed_[v]);
+      const Point local = inverse.of_point(posed_[v]) - vector_at(added, i);
       check_written(file_.name, v, local, largest_float);
       set(values, 3 * i, local);
     }
@@ -147,10 +171,11 @@ private:
 
   std::vector<float> normals_of(const GltfPiece& piece, const AffineMap& inverse) const {
     std::vector<float> values = floats(piece.normals, 3);
+    const std::vector<double> added = differences(piece, &GltfTarget::normals);
     for (std::size_t i = 0; i < piece.count; ++i) {
       const Vec3& n = normals_[piece.first + i];
       if (changed(unmoved_normals_[piece.first + i], n))
-        set(values, 3 * i, unit_or_zero(inverse.of_normal(n)));
+        set(values, 3 * i, before_targets(unit_or_zero(inverse.of_normal(n)), vector_at(added, i)));
     }
     return values;
   }
@@ -163,10 +188,13 @@ private:
 
   std::vector<float> tangents_of(const GltfPiece& piece, const AffineMap& inverse) const {
     std::vector<float> values = floats(piece.tangents, 4);
+    const std::vector<double> added = differences(piece, &GltfTarget::tangents);
     for (std::size_t i = 0; i < piece.count; ++i) {
       const std::size_t v = piece.first + i;
       if (changed(unmoved_tangents_[v], tangents_[v]))
-        set(values, 4 * i, local_tangent(inverse, tangents_[v], normal_of(piece, normals_, v)));
+        set(values, 4 * i,
+            before_targets(local_tangent(inverse, tangents_[v], normal_of(piece, normals_, v)),
+                           vector_at(added, i)));
     }
     return values;
   }
@@ -241,29 +269,33 @@ private:
     if (with_normals && !tangents_.empty())
       tangents = deformed_tangents(rest_, now, unmoved_tangents_, map_.corner_vertex, map_.surface_vertex);
     for (const MorphedPiece& p : pieces) {
-      const auto values = [&](const std::vector<float>& base, const auto& moved, const auto& local) {
+      const auto values = [&](const std::vector<float>& base, int GltfTarget::*of, const auto& moved,
+                              const auto& local) {
         std::vector<double> all(base.begin(), base.end());
+        const std::vector<double> added = differences(*p.piece, of);
         for (std::size_t i = 0; 3 * i < all.size(); ++i) {
           const std::size_t v = p.piece->first + i;
           if (!moved(v)) continue;
-          const Vec3 to = local(v);
+          const Vec3 to = local(v) - vector_at(added, i);
           std::copy(to.begin(), to.end(), all.begin() + static_cast<std::ptrdiff_t>(3 * i));
         }
         return all;
       };
       const auto place = [&](std::size_t v) { return map_.surface_vertex[v]; };
-      out.add_target(p.vertices,
-                     values(
-                         p.vertices.positions, [&](auto v) { return now[place(v)] != posed_[place(v)]; },
-                         [&](auto v) { return p.inverse.of_point(now[place(v)]); }),
-                     values(
-                         p.vertices.normals, [&](auto v) { return normals[v] != normals_[v]; },
-                         [&](auto v) { return unit_or_zero(p.inverse.of_normal(normals[v])); }),
-                     values(
-                         p.vertices.tangents, [&](auto v) { return tangents[v] != tangents_[v]; },
-                         [&](auto v) {
-                           return local_tangent(p.inverse, tangents[v], normal_of(*p.piece, normals, v));
-                         }));
+      out.add_target(
+          p.vertices,
+          values(
+              p.vertices.positions, &GltfTarget::positions,
+              [&](auto v) { return now[place(v)] != posed_[place(v)]; },
+              [&](auto v) { return p.inverse.of_point(now[place(v)]); }),
+          values(
+              p.vertices.normals, &GltfTarget::normals, [&](auto v) { return normals[v] != normals_[v]; },
+              [&](auto v) { return unit_or_zero(p.inverse.of_normal(normals[v])); }),
+          values(
+              p.vertices.tangents, &GltfTarget::tangents, [&](auto v) { return tangents[v] != tangents_[v]; },
+              [&](auto v) {
+                return local_tangent(p.inverse, tangents[v], normal_of(*p.piece, normals, v));
+              }));
     }
   }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -41,10 +42,16 @@ struct GltfPlacement {
 /// base::Error where nodes form anything but trees, or are not there.
 std::vector<GltfPlacement> placements_of(const GltfFile& file);
 
+/// Accessors of the differences that a morph target adds to its vertices; -1: none.
+struct GltfTarget {
+  int positions = -1, normals = -1, tangents = -1;
+};
+
 /// Vertices that primitives of one placement share: consecutive vertices of the file, as counted here.
 struct GltfPiece {
   std::size_t placement = 0, first = 0, count = 0;
-  int positions = -1, normals = -1, tangents = -1;  ///< accessors; -1: none
+  int positions = -1, normals = -1, tangents = -1;         ///< accessors; -1: none
+  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< of the first of these primitives
 };
 
 struct GltfMap {

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/quantity.h"
+#include "mesh/formats/foreign_content.h"
 #include "mesh/formats/obj_attributes.h"
 #include "mesh/formats/obj_original.h"
 #include "mesh/formats/obj_words.h"
@@ -165,6 +166,32 @@ private:
 
 ReadResult read_obj(const Source& source) {
   return ObjReader(source).read();
+}
+
+bool is_certainly_obj(const Beginning& file) {
+  const Source source = file.whole_lines();
+  TextCursor text(source, obj_rules);
+  std::size_t vertices = 0, statements = 0, unknown = 0;
+  const auto numbers = [&](int count) {
+    for (int i = 0; i < count; ++i) (void)text.coordinate();
+  };
+  try {
+    for (; text.next_filled_line(); text.next_line(), ++statements) {
+      switch (obj_word(text.word())) {
+        case ObjWord::vertex: numbers(3), ++vertices; break;
+        case ObjWord::normal: numbers(3); break;
+        case ObjWord::texture_point: numbers(1); break;
+        case ObjWord::face:
+          for (; !text.at_line_end(); (void)text.rest_of_word()) (void)text.leading_integer("corner");
+          break;
+        case ObjWord::unknown: ++unknown; break;
+        default: break;
+      }
+    }
+  } catch (const base::Error&) {
+    return false;
+  }
+  return vertices > 0 && 10 * unknown <= statements && !looks_binary(source.bytes);
 }
 
 bool looks_like_obj(const Source& source) {

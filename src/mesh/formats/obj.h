@@ -21,6 +21,9 @@ ReadResult read_obj(const Source& source);
 /// True if the first line that holds more than a comment starts with a word that only OBJ files use.
 bool looks_like_obj(const Source& source);
 
+/// True if nine of ten lines are statements of OBJ with the numbers that they need, and one is a vertex.
+bool is_certainly_obj(const Beginning& file);
+
 /// The shortest digits that read back as the same numbers, unless other digits are asked for. Of the
 /// attributes all but materials' colours and images; materials must have names, see name_materials().
 void write_obj(const Content& content, TextWriter& out);

@@ -325,6 +325,24 @@ bool looks_like_off(const Source& source) {
   return text.next_filled_line() && off_form(text.word()).has_value();
 }
 
+bool is_certainly_off(const Beginning& file) {
+  const Source source = file.whole_lines();
+  TextCursor text(source, off_rules);
+  if (!text.next_filled_line()) return false;
+  TextCursor ahead = text;
+  if (off_form(ahead.word())) text = ahead;
+  double counts[2] = {};
+  std::size_t numbers = 0;
+  for (; text.next_filled_line(); ++numbers) {
+    const auto number = number_in(text.word());
+    if (!number) return false;
+    if (numbers < 2) counts[numbers] = *number;
+  }
+  const double least = 3 + 3 * counts[0] + counts[1];
+  return counts[0] >= 0 && counts[1] >= 0 && numbers > 2 &&
+         (!file.is_whole_file() || static_cast<double>(numbers) >= least);
+}
+
 void write_off(const Content& content, TextWriter& out) {
   const Surface& surface = content.surface;
   const auto& positions = content.positions;

@@ -22,6 +22,9 @@ ReadResult read_off(const Source& source);
 /// True if the first word is OFF or one of its forms.
 bool looks_like_off(const Source& source);
 
+/// True if numbers alone follow, and enough of them for the counts that they begin with.
+bool is_certainly_off(const Beginning& file);
+
 void write_off(const Content& content, TextWriter& out);
 
 }  // namespace viete::mesh

@@ -225,4 +225,17 @@ bool looks_like_ply(const Source& source) {
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
 }
 
+bool is_certainly_ply(const Beginning& file) {
+  const Source source{"", "", file.bytes()};
+  if (!looks_like_ply(source)) return false;
+  TextCursor text(source, {});
+  bool has_format = false;
+  for (; text.next_filled_line(); text.next_line()) {
+    const std::string_view word = text.word();
+    has_format |= word == "format";
+    if (word == "end_header") return has_format;
+  }
+  return false;
+}
+
 }  // namespace viete::mesh

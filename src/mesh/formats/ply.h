@@ -20,6 +20,9 @@ ReadResult read_ply(const Source& source);
 /// True if the bytes start as every PLY file must.
 bool looks_like_ply(const Source& source);
 
+/// True if a whole header begins the file.
+bool is_certainly_ply(const Beginning& file);
+
 /// Binary, little-endian, positions in double; normals, colours and texture points where there is one a
 /// vertex.
 void write_ply(const Content& content, TextWriter& out);

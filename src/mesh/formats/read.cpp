@@ -13,13 +13,6 @@ namespace viete::mesh {
 
 namespace {
 
-// Control characters that no text has.
-bool looks_binary(std::string_view bytes) {
-  bytes = bytes.substr(0, 4096);
-  return std::any_of(bytes.begin(), bytes.end(),
-                     [](unsigned char c) { return c < 32 && (c < 8 || c > 13) && c != 26 && c != 27; });
-}
-
 ReadResult by_extension(const Source& source) {
   refuse_foreign(source.name, source.bytes);
   const Format* named = format_by_extension(source.extension);

@@ -16,7 +16,8 @@ namespace viete::mesh {
 /// base::Cancelled. Never believes a size before the bytes are there: takes memory in proportion to the file.
 /// Coordinates past 1e100 are refused, so that volumes stay finite. A file without faces is read as a set of
 /// points, with a warning. progress may be null. `played`:
-/// who reads it plays its morph targets, which is not so elsewhere and then told.
+/// who reads it plays its morph targets: the surface is that without them; elsewhere they have their default
+/// weights, with a warning.
 ReadResult read(const std::filesystem::path& path, base::Progress* progress = nullptr, bool played = false);
 
 /// The same for bytes that are in memory.

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <new>
 
 #include "base/error.h"
@@ -73,6 +74,22 @@ FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t
     size_ += got;
     if (progress) progress->report(0.2 * static_cast<double>(size_) / static_cast<double>(size));
   }
+}
+
+Beginning::Beginning(const fs::path& file) {
+  constexpr std::size_t enough = 1 << 20;
+  std::error_code code;
+  const auto size = fs::file_size(file, code);
+  if (!code) file_size_ = size;
+  bytes_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(file_size_, enough)));
+  std::ifstream in(file, std::ios::binary);
+  in.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
+  bytes_.resize(static_cast<std::size_t>(in.gcount()));
+}
+
+Source Beginning::whole_lines() const {
+  const std::size_t last = is_whole_file() ? bytes_.size() : bytes_.find_last_of("\r\n");
+  return {"", "", bytes().substr(0, last)};
 }
 
 std::string extension_of(const fs::path& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -21,7 +22,7 @@ struct Source {
   /// Keeps the bytes for who writes the file again; null: they are there for reading alone.
   std::shared_ptr<const void> owner = nullptr;
   std::filesystem::path folder = {};  ///< of files that this one names; empty: they are not looked for
-  bool played = false;  ///< its morph targets and their animation are: no warning that they are not
+  bool played = false;  ///< who reads it plays its morph targets: the surface is that without them
 
   /// Reading from disk is the first fifth, this is the rest: done in [0, 1]. Throws base::Cancelled.
   void report(double done) const {
@@ -45,6 +46,23 @@ public:
 private:
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;
+};
+
+/// The beginning of a file, from which its format is judged without reading all of it.
+class Beginning {
+public:
+  /// Empty if the file cannot be read.
+  explicit Beginning(const std::filesystem::path& file);
+
+  std::string_view bytes() const { return bytes_; }
+  std::uint64_t file_size() const { return file_size_; }
+  bool is_whole_file() const { return bytes_.size() == file_size_; }
+  /// Without a last line that is cut off.
+  Source whole_lines() const;
+
+private:
+  std::string bytes_;
+  std::uint64_t file_size_ = 0;
 };
 
 /// The extension of a path in lower case, without the dot.

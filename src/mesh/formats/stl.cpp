@@ -9,11 +9,11 @@
 #include "base/error.h"
 #include "mesh/formats/attributes.h"
 #include "mesh/formats/printed.h"
+#include "mesh/formats/stl_layout.h"
 #include "mesh/formats/stl_original.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/point_index.h"
-#include "mesh/formats/stl_layout.h"
 
 namespace viete::mesh {
 
@@ -227,6 +227,19 @@ ReadResult read_stl(const Source& source) {
 
 bool looks_like_stl(const Source& source) {
   return is_exact_binary(source) || starts_solid(source);
+}
+
+bool is_certainly_stl(const Beginning& file) {
+  const Source source = file.whole_lines();
+  if (!starts_solid(source) || holds_nul(source)) return begins_stl_triangles(file.bytes(), file.file_size());
+  TextCursor text(source, {});
+  std::string word;
+  for (; text.next_filled_line(); text.next_line()) {
+    word = lower_stl_word(text.word());
+    constexpr std::array words{"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"};
+    if (std::ranges::find(words, word) == words.end()) return false;
+  }
+  return word != "solid";
 }
 
 void write_stl(const Content& content, TextWriter& out) {

@@ -24,6 +24,10 @@ ReadResult read_stl(const Source& source);
 /// solid.
 bool looks_like_stl(const Source& source);
 
+/// True if the words of a text are those of STL, or if the numbers of the first triangles of a binary file
+/// make sense.
+bool is_certainly_stl(const Beginning& file);
+
 /// Text, because binary STL would round the positions to float. Keeps triangles only: unused vertices are
 /// lost.
 void write_stl(const Content& content, TextWriter& out);

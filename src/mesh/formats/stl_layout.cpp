@@ -31,6 +31,15 @@ namespace {
   throw base::Error(source.name, problem, "it seems to be cut short or damaged: export or copy it again");
 }
 
+// Read from a wrong place, bytes give numbers of no size that a model, or a normal, has.
+bool makes_sense(const char* triangle) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    const double size = std::abs(stl_float(triangle + 4 * i));
+    if (size != 0 && !(size > 1e-37 && size < (i < 3 ? 1e6 : 1e30))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 StlTriangles::StlTriangles(const Source& source) {
@@ -68,13 +77,22 @@ bool StlTriangles::follow_attributes(std::string_view bytes) {
   return true;
 }
 
-// Read from a wrong place, bytes give numbers of no size that a model, or a normal, has.
 bool StlTriangles::make_sense(std::string_view bytes) const {
-  for (std::size_t t = 0; t < count_; ++t) {
-    for (std::size_t i = 0; i < 12; ++i) {
-      const double size = std::abs(stl_float(bytes.data() + offset(t) + 4 * i));
-      if (size != 0 && !(size > 1e-37 && size < (i < 3 ? 1e6 : 1e30))) return false;
-    }
+  for (std::size_t t = 0; t < count_; ++t)
+    if (!makes_sense(bytes.data() + offset(t))) return false;
+  return true;
+}
+
+bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
+  if (beginning.size() < stl_head_bytes) return false;
+  const std::uint32_t count = stl_word(beginning.data() + 80);
+  const std::uint64_t least = stl_head_bytes + std::uint64_t{stl_triangle_bytes} * count;
+  if (count == 0 || least >= file_size) return least == file_size;
+  std::size_t at = stl_head_bytes;
+  for (std::uint32_t t = 0; t < count && at + stl_triangle_bytes <= beginning.size(); ++t) {
+    if (!makes_sense(beginning.data() + at)) return false;
+    at += stl_triangle_bytes;
+    at += stl_short(beginning.data() + at - 2);
   }
   return true;
 }

@@ -40,6 +40,10 @@ private:
   std::vector<std::size_t> starts_;  // where attributes follow
 };
 
+/// True if the size of the file is what the count asks for, or if the first triangles make sense with the
+/// attributes that they count.
+bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size);
+
 /// A word of a text STL in small letters, at most 16 of them.
 std::string lower_stl_word(std::string_view word);
 

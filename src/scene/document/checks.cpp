@@ -70,7 +70,7 @@ std::string title(const Finding& finding) {
       case Defect::self_intersection: return one ? "face cut by another" : "faces that cut each other";
       case Defect::open: return one ? "open edge" : "open edges";
       case Defect::nonmanifold_edge:
-        return one ? "edge of three or more faces" : "edges of three or more faces";
+        return one ? "edge with more than two faces" : "edges with more than two faces";
       case Defect::pinched_vertex:
         return one ? "vertex where parts only touch" : "vertices where parts only touch";
       case Defect::misoriented:

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/progress.h"
 #include "deform/binding.h"
 #include "deform/cage.h"
@@ -108,12 +109,20 @@ Document document_of(OpenedSurface model);
 void check_drawable(const Document& document);
 /// The same for deforming in double, up to 1e60 and down to 1e-60.
 void check_deformable(const Document& document);
-void set_cage(Document& document, OpenedSurface cage);
+/// Of a cage with a fin: an odd number of triangles, three or more, at an edge.
+struct FinError : base::Error {
+  using base::Error::Error;
+};
+/// What becomes of fins: patches of faces that end in an edge of three or more, the smallest first, until no
+/// edge has an odd number of them. What is left without them is in no file.
+enum class Fins { refused, removed };
+/// Throws base::Error if it is no cage, and FinError.
+void set_cage(Document& document, OpenedSurface cage, Fins fins = Fins::refused);
 
 /// Reads a model and, if the path is not empty, a cage, into a new document. Throws base::Error; the caller's
 /// open document is untouched until it takes the new one.
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
-                       base::Progress* progress = nullptr);
+                       base::Progress* progress = nullptr, Fins fins = Fins::refused);
 
 /// What an edit may change, as it is now.
 DocumentState state_of(const Document& document);

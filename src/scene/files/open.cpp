@@ -82,10 +82,10 @@ void take_warnings(Opened& opened) {
   take_cage_warnings(opened);
 }
 
-Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) {
+Opened open_model(const std::vector<fs::path>& files, base::Progress* progress, Fins fins) {
   const auto named = [&](std::size_t i) { return i < files.size() ? files[i] : fs::path(); };
   Opened opened;
-  opened.document = open_document(named(0), named(1), progress);
+  opened.document = open_document(named(0), named(1), progress, fins);
   take_warnings(opened);
   if (named(2).empty()) return opened;
   if (!opened.document->has_cage()) {
@@ -96,22 +96,22 @@ Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) 
   return opened;
 }
 
-Opened open_cage(OpenedSurface cage, const Document& current) {
+Opened open_cage(OpenedSurface cage, const Document& current, Fins fins) {
   Opened opened;
   opened.document = document_of(current.model);
   opened.document->mask = current.mask;
   opened.document->probes = current.probes;
-  set_cage(*opened.document, std::move(cage));
+  set_cage(*opened.document, std::move(cage), fins);
   opened.lost = keep_shapes(*opened.document, current);
   take_cage_warnings(opened);
   return opened;
 }
 
-Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress) {
+Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress, Fins fins) {
   if (!current.model.surface) {
     throw base::Error(file.string(), "a cage needs a model and none is open", "open the model first");
   }
-  return open_cage(open_surface(file, progress), current);
+  return open_cage(open_surface(file, progress), current, fins);
 }
 
 Opened open_pose(const fs::path& file, const Document& current) {
@@ -232,19 +232,39 @@ Opened open_shape_keys(const fs::path& file, const Document& current, base::Prog
   return opened;
 }
 
+// A cage that is not where it was may lie beside the model that was located.
+void locate(Session& session, const LocatedFiles& located) {
+  std::error_code ignored;
+  if (!located.model.empty()) {
+    session.model = fs::absolute(located.model).lexically_normal();
+    const fs::path beside = located.model.parent_path() / session.cage.filename();
+    if (!session.cage.empty() && !fs::exists(session.cage, ignored) && fs::exists(beside, ignored))
+      session.cage = beside;
+  }
+  if (located.cage.empty()) return;
+  session.cage = fs::absolute(located.cage).lexically_normal();
+  session.made_cage.reset();
+}
+
 // Problems of its model or cage name the session too.
 Document document_of_session(const Session& session, const fs::path& file, base::Progress* progress) {
+  const auto open = [&](const char* key, const fs::path& named, base::Progress* told) {
+    std::error_code ignored;
+    if (!fs::exists(named, ignored)) throw SessionFileError(file, key, named);
+    return open_surface(named, told);
+  };
   const char* key = "model";
   try {
-    Document document = document_of(open_surface(session.model, progress));
+    Document document = document_of(open(key, session.model, progress));
     key = "cage";
-    if (!session.cage.empty()) set_cage(document, open_surface(session.cage));
+    if (!session.cage.empty()) set_cage(document, open(key, session.cage, nullptr));
     key = "made_cage";
     if (session.made_cage) set_cage(document, *session.made_cage);
     return document;
+  } catch (const SessionFileError&) {
+    throw;
   } catch (const base::Error& error) {
-    throw base::Error(file.string() + ": " + key, error.what(),
-                      std::string("or correct \"") + key + "\" in the session");
+    throw base::Error(file.string() + ": " + key + ": " + error.place(), error.problem(), error.advice());
   }
 }
 
@@ -271,7 +291,8 @@ void tell_shapes(Opened& opened, const Document& document, base::Progress* progr
   (void)Animation(document.timeline, opened.vectors);
 }
 
-Opened open_session(const fs::path& file, bool recovered, base::Progress* progress) {
+Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& located,
+                    base::Progress* progress) {
   Opened opened;
   opened.file = file;
   opened.recovered = recovered;
@@ -279,6 +300,7 @@ Opened open_session(const fs::path& file, bool recovered, base::Progress* progre
   opened.content = content_of(file);  // before it is read: what changes in between is noticed
   opened.session = read_session(file);
   Session& session = *opened.session;
+  locate(session, located);
   Document document = document_of_session(session, file, progress);
   document.method = session.method;
   document.scheme = session.scheme;
@@ -324,7 +346,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return a == b || fs::equivalent(a, b, ignored);
 }
 
-Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
+Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins fins) {
   const mesh::Surface& s = *surface.surface;
   const std::string name = name_of(surface);
   if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
@@ -342,7 +364,7 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
                     s.positions.size() < current.model.surface->positions.size() &&
                     encloses(s, *current.model.surface);
   if (cage) {
-    Opened opened = open_cage(std::move(surface), current);
+    Opened opened = open_cage(std::move(surface), current, fins);
     opened.taken_as = "Took " + name + " as the cage: it encloses the model";
     return opened;
   }
@@ -353,7 +375,7 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
   return opened;
 }
 
-Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage) {
+Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage, Fins fins) {
   if (cage.surface->positions.size() > model.surface->positions.size()) std::swap(model, cage);
   std::string reason = "has fewer vertices and encloses it";
   if (!encloses(*cage.surface, *model.surface)) {
@@ -365,7 +387,7 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage) {
   opened.taken_as =
       "Took " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
   opened.document = document_of(std::move(model));
-  set_cage(*opened.document, std::move(cage));
+  set_cage(*opened.document, std::move(cage), fins);
   take_warnings(opened);
   return opened;
 }
@@ -385,7 +407,8 @@ Opened open_dropped_shapes(const std::vector<fs::path>& files, const Document& c
   return opened;
 }
 
-Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
+Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress,
+                    Fins fins) {
   const std::string dropped = std::to_string(files.size()) + " files were dropped";
   const char* advice =
       "drop one session, one model, one pose, a model and its cage, or shapes of the open model";
@@ -408,12 +431,12 @@ Opened open_dropped(const std::vector<fs::path>& files, const Document& current,
   const double middle = files.size() == 2 ? 0.4 : 0.8;
   if (progress) progress->section(0, middle);
   OpenedSurface first = open_surface(files[0], progress);
-  if (files.size() == 1) return open_dropped_surface(std::move(first), current);
+  if (files.size() == 1) return open_dropped_surface(std::move(first), current, fins);
   if (progress) progress->section(middle, 0.8);
   OpenedSurface second = open_surface(files[1], progress);
   if (is_shape_of(current, *first.surface) && is_shape_of(current, *second.surface))
     return open_dropped_shapes(files, current, progress);
-  return open_dropped_pair(std::move(first), std::move(second));
+  return open_dropped_pair(std::move(first), std::move(second), fins);
 }
 
 bool names_session(const OpenRequest& request) {
@@ -426,15 +449,16 @@ bool names_session(const OpenRequest& request) {
 Opened read(const OpenRequest& request, const Document& current, base::Progress* progress) {
   const auto& files = request.files;
   const fs::path first = files.empty() ? fs::path() : files.front();
-  if (names_session(request)) return open_session(first, request.what == What::recovery, progress);
+  if (names_session(request))
+    return open_session(first, request.what == What::recovery, request.located, progress);
   switch (request.what) {
-    case What::cage: return open_cage(first, current, progress);
+    case What::cage: return open_cage(first, current, progress, request.fins);
     case What::pose: return open_pose(first, current);
     case What::poses: return open_poses(files, current, progress);
     case What::animation: return open_animation(first, current, progress);
     case What::shapes: return open_shapes(files, current, progress);
-    case What::dropped: return open_dropped(files, current, progress);
-    default: return open_model(files, progress);
+    case What::dropped: return open_dropped(files, current, progress, request.fins);
+    default: return open_model(files, progress, request.fins);
   }
 }
 
@@ -449,6 +473,12 @@ void check(const Opened& opened, void (*check_document)(const Document&)) {
 }
 
 }  // namespace
+
+SessionFileError::SessionFileError(const fs::path& session, std::string_view of, const fs::path& named)
+    : base::Error(session.string() + ": " + std::string(of), named.string() + ": there is no such file",
+                  "open the session in the window, and locate the file there"),
+      key(of),
+      file(named) {}
 
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress) {
   if (progress) progress->section(0, 0.8);  // the rest is what is computed from it

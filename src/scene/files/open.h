@@ -7,12 +7,26 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/progress.h"
 #include "scene/document/animation.h"
 #include "scene/document/settings.h"
 #include "scene/files/session.h"
 
 namespace viete::scene {
+
+/// Files in place of those that a session names; empty: as it names them.
+struct LocatedFiles {
+  std::filesystem::path model, cage;
+};
+
+/// A model or cage that a session names is not there.
+struct SessionFileError : base::Error {
+  SessionFileError(const std::filesystem::path& session, std::string_view key,
+                   const std::filesystem::path& file);
+  std::string_view key;  ///< "model" or "cage"
+  std::filesystem::path file;
+};
 
 /// Files to be opened: see open_files().
 struct OpenRequest {
@@ -28,7 +42,9 @@ struct OpenRequest {
   };
   What what = What::model;
   std::vector<std::filesystem::path> files;
-  AskedSettings settings{};  ///< for a model; the rest is as in what is open now, or as the session has it
+  AskedSettings settings{};   ///< for a model; the rest is as in what is open now, or as the session has it
+  LocatedFiles located{};     ///< for a session
+  Fins fins = Fins::refused;  ///< of a cage
 };
 
 /// Everything that a file gave, ready to be taken into a workspace.
@@ -54,7 +70,7 @@ struct Opened {
 
 /// Reads what is asked for. `current` is what is open now: a cage needs its model, a pose its cage; it is not
 /// changed, so that whatever goes wrong leaves everything as it was. progress may be null. Throws base::Error
-/// and base::Cancelled. Thread-safe.
+/// (of a session also SessionFileError) and base::Cancelled. Thread-safe.
 ///
 /// Dropped files are judged by content and count. One: a session; a point cache, as keys or, if it is of the
 /// model, as shapes; a pose, if it has as many vertices as the open cage and the same faces; a shape, if it

@@ -1,16 +1,16 @@
 #include "scene/files/output.h"
 
-#include <fstream>
+#include <algorithm>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "deform/binding_file.h"
+#include "mesh/formats/foreign_content.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "scene/document/document.h"
-#include "scene/files/session.h"
 
 namespace viete::scene {
 
@@ -18,36 +18,67 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string beginning_of(const fs::path& file) {
-  std::string bytes(512, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
-  return bytes;
+// Of videos by their beginning.
+bool is_video(std::string_view bytes, std::string_view extension) {
+  if (extension == "gif") return bytes.starts_with("GIF8");
+  return extension == "mp4" ? bytes.substr(0, 8).ends_with("ftyp") : bytes.starts_with("\x1A\x45\xDF\xA3");
 }
 
-bool holds_content(const fs::path& file, Content content) {
-  const std::string bytes = beginning_of(file);
+bool is_svg(std::string_view bytes) {
+  bytes = bytes.substr(0, 4096);
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
+  return bytes.starts_with("<svg") ||
+         ((bytes.starts_with("<?xml") || bytes.starts_with("<!--") || bytes.starts_with("<!DOCTYPE svg")) &&
+          bytes.find("<svg") != std::string_view::npos);
+}
+
+bool is_session_text(std::string_view bytes) {
+  return mesh::text_in_json(bytes, {"format"}) == "viete session";
+}
+
+bool may_be_replaced(const fs::path& file, const mesh::Beginning& beginning, Content content) {
+  const std::string_view bytes = beginning.bytes();
   switch (content) {
     case Content::surface:
-    case Content::animation: return !is_session(file);
+    case Content::animation: {
+      const mesh::Format* named = mesh::find_format(file);
+      if (!named) return is_video(bytes, mesh::extension_of(file));
+      const mesh::Format* found = mesh::format_of_content(file, beginning);
+      return found && found->name == named->name;
+    }
     case Content::binding: return deform::is_binding(bytes);
     case Content::picture: return bytes.starts_with("\x89PNG\r\n\x1a\n");
-    case Content::json: return mesh::extension_of(file) == "json";
-    case Content::session:
-      return mesh::FileBytes(file, nullptr).view().find(R"("viete session")") != std::string_view::npos;
-    case Content::page: return bytes.find(R"(content="viete report")") != std::string::npos;
+    case Content::json: return !mesh::text_in_json(bytes, {"figure"}).empty();
+    case Content::session: return is_session_text(bytes);
+    case Content::page: return bytes.substr(0, 512).find(R"(content="viete report")") != bytes.npos;
     case Content::distances: return bytes.starts_with("Pf\n");
     case Content::svg: break;
   }
-  return bytes.find("<svg") != std::string::npos;
+  return is_svg(bytes);
 }
 
-const char* name_of_content(Content content) {
-  constexpr const char* names[] = {"a surface",    "a saved binding", "a PNG picture",
-                                   "a JSON file",  "an SVG picture",  "distances (PFM)",
-                                   "an animation", "a session",       "a page of a report"};
-  return names[static_cast<std::size_t>(content)];
+std::string name_of(const fs::path& file, Content content) {
+  constexpr const char* names[] = {"",
+                                   "a saved binding",
+                                   "a PNG picture",
+                                   "measurements by Viete",
+                                   "a drawing (SVG)",
+                                   "distances (PFM)",
+                                   "",
+                                   "a session",
+                                   "a page of a report"};
+  const std::string name = names[static_cast<std::size_t>(content)];
+  if (!name.empty()) return name;
+  if (const mesh::Format* format = mesh::find_format(file)) return std::string(format->name);
+  return "a video (" + mesh::extension_of(file) + ")";
+}
+
+std::string name_of_found(const fs::path& file, const mesh::Beginning& beginning) {
+  if (beginning.bytes().empty()) return "not readable";
+  if (is_session_text(beginning.bytes())) return name_of(file, Content::session);
+  if (deform::is_binding(beginning.bytes())) return name_of(file, Content::binding);
+  if (const mesh::Format* format = mesh::format_of_content(file, beginning)) return std::string(format->name);
+  return std::string(mesh::name_of_content(beginning.bytes()));
 }
 
 // "dragon-2.obj", where nothing is of this name.
@@ -75,8 +106,12 @@ void check_output(const fs::path& file, Content content, const FilesInUse& files
   base::check_replaceable(file);
   std::error_code code;
   const auto size = fs::file_size(file, code);
-  if (force == Force::given || code || size == 0 || holds_content(file, content)) return;
-  refuse(file, std::string("there is a file of this name already, which is not ") + name_of_content(content),
+  if (force == Force::given || code || size == 0) return;
+  const mesh::Beginning beginning(file);
+  if (may_be_replaced(file, beginning, content)) return;
+  refuse(file,
+         "this file is " + name_of_found(file, beginning) + ", not " + name_of(file, content) +
+             ", and would be replaced",
          file, force);
 }
 

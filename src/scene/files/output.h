@@ -23,9 +23,9 @@ enum class Content { surface, binding, picture, json, svg, distances, animation,
 enum class Force { none, offered, given };
 
 /// Before the work starts: throws base::Error where the file cannot be written, where it is one of those in
-/// use, or where it holds something else than what replaces it. The last two not with `force`. An empty name
-/// passes. A surface replaces any file of its extension, which chose the format; so do JSON and animations
-/// (MDD, video); the others are known by what they hold. The error proposes another name.
+/// use, or where its content is of another kind than the result. The last two not with `force`. An empty name
+/// passes, and so does an empty file. The beginning of the file tells its kind, never its name. The error
+/// names what was found and proposes another name.
 void check_output(const std::filesystem::path& file, Content content, const FilesInUse& files, Force force);
 inline void check_output(const std::filesystem::path& file, Content content, const FilesInUse& files,
                          bool force) {

@@ -36,6 +36,8 @@ struct FileBrowser {
     poses,
     shapes,
     animation,
+    locate_model,  ///< of a session
+    locate_cage,
     save_session,
     save_pose,
     save_named_pose,

@@ -80,6 +80,12 @@ void browse_to_save_named_pose(Workspace& w) {
   browse_to_save(w, Purpose::save_named_pose, file_of_cage(w.document), "_" + name + ".obj");
 }
 
+void browse_to_locate(Workspace& w, Purpose purpose) {
+  const fs::path& session = w.unopened->files.front();
+  const bool recovery = w.unopened->what == OpenRequest::What::recovery;  // lies among files of the program
+  recovery ? show(w.browser, purpose, w.remembered.folder) : browse_beside(w, purpose, session);
+}
+
 const Leftover& offered_leftover(const Workspace& w) {
   const auto chosen = std::ranges::find(w.leftovers, w.chosen_leftover, &Leftover::file);
   return chosen == w.leftovers.end() ? w.leftovers.front() : *chosen;

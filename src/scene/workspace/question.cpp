@@ -34,18 +34,33 @@ Question ask_after_failed_save(const std::string& work, Asked kind, const std::s
   return {kind, title_before(work, kind), "They are not saved yet:", why};
 }
 
+Question ask_to_locate(std::string_view key, const std::string& problem) {
+  return {key == "model" ? Asked::locate_model : Asked::locate_cage,
+          "The " + std::string(key) + " of this session was not found",
+          "The file may have been moved or renamed. Locate it to open the session:", problem};
+}
+
+Question ask_to_remove_fins(const std::string& problem) {
+  return {Asked::fins, "Open the cage without its fins?",
+          "Faces that stick out can be removed as the cage is opened. The file does not change.", problem};
+}
+
+std::size_t answer_count(Asked kind) {
+  return kind <= Asked::replace ? 3 : 2;
+}
+
 const char* label(Asked kind, Answer answer) {
-  switch (answer) {
-    case Answer::save: return kind == Asked::replace ? "Save as" : "Save";
-    case Answer::cancel: return "Cancel";
-    case Answer::go_on: break;
-  }
+  if (answer == Answer::cancel) return "Cancel";
+  const bool saves = answer == Answer::save;
   switch (kind) {
-    case Asked::close: return "Close without saving";
-    case Asked::open: return "Open without saving";
-    case Asked::replace: break;
+    case Asked::close: return saves ? "Save" : "Close without saving";
+    case Asked::open: return saves ? "Save" : "Open without saving";
+    case Asked::replace: return saves ? "Save as" : "Save anyway";
+    case Asked::locate_model:
+    case Asked::locate_cage: return "Locate file...";
+    case Asked::fins: break;
   }
-  return "Save anyway";
+  return "Remove fins";
 }
 
 }  // namespace viete::scene

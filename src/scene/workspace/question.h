@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace viete::scene {
 
@@ -11,9 +12,12 @@ enum class Answer { save, cancel, go_on };
 
 struct Question {
   enum class Kind {
-    close,   ///< the program is to end, and unsaved edits could not be kept
-    open,    ///< another document is to be taken, and unsaved edits could not be set aside
-    replace  ///< a session is to be saved over one that has changed on disk
+    close,         ///< the program is to end, and unsaved edits could not be kept
+    open,          ///< another document is to be taken, and unsaved edits could not be set aside
+    replace,       ///< a session is to be saved over one that has changed on disk
+    locate_model,  ///< of a session, which is not where it was
+    locate_cage,   ///< likewise
+    fins           ///< a cage is opened that has some
   };
   Kind kind = Kind::close;
   std::string title, text;
@@ -28,6 +32,12 @@ Question ask_before_replacing(const std::filesystem::path& session);
 /// Again, because saving has failed.
 Question ask_after_failed_save(const std::string& work, Question::Kind kind, const std::string& why);
 
+/// key: "model" or "cage".
+Question ask_to_locate(std::string_view key, const std::string& problem);
+Question ask_to_remove_fins(const std::string& problem);
+
+/// Of questions of another kind the first two are all.
+std::size_t answer_count(Question::Kind kind);
 /// What is written on the button of an answer.
 const char* label(Question::Kind kind, Answer answer);
 

@@ -246,6 +246,7 @@ struct Workspace {
   std::vector<std::string> closed_notes;     ///< of these, put away as long as they stand
   std::vector<DiscardedLeftover> discarded;  ///< newest last; gone when the program ends
   std::optional<Question> question;          ///< waits for an answer; nothing else is done meanwhile
+  std::optional<OpenRequest> unopened;       ///< what the question is of, when it is opened in another way
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
   Palette palette;
