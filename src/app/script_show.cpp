@@ -28,6 +28,7 @@ bool has_opened(const Script& script, const scene::Workspace& w) {
 void ScriptShow::begin(Script script, bool by_chapter) {
   end();
   scene::Workspace& w = viewer_.workspace();
+  w.messages.succeeded("script");
   before_ = w.remembered;
   player_.emplace(std::move(script), viewer_);
   opened_ = waits_for_work_ = false;
@@ -38,7 +39,7 @@ void ScriptShow::begin(Script script, bool by_chapter) {
   try {
     player_->open();
   } catch (const base::Error& error) {
-    w.messages.error(error.what());
+    w.messages.error(error.what(), {"script"});
     return end();
   }
 }
@@ -47,7 +48,7 @@ void ScriptShow::begin_tour() {
   try {
     begin(read_script(assets_folder() / "tour" / "tour.script"), true);
   } catch (const base::Error& error) {
-    viewer_.workspace().messages.error(error.what());
+    viewer_.workspace().messages.error(error.what(), {"script"});
   }
 }
 
@@ -152,7 +153,7 @@ float ScriptShow::step(float seconds) {
   try {
     return play(seconds);
   } catch (const base::Error& error) {
-    viewer_.workspace().messages.error(error.what());
+    viewer_.workspace().messages.error(error.what(), {"script"});
     end();
     return seconds;
   }

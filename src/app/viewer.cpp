@@ -225,7 +225,7 @@ void Viewer::switch_recording() {
     if (begins) script_.begin(workspace_, fs::current_path(ignored));
     const fs::path file = begins ? fs::path() : script_.end();
     workspace_.messages.info(begins ? "Recording; the red button at the top ends it."
-                                    : "Recorded " + file.filename().string() + ".");
+                                    : "Recorded " + file.string() + ".");
     workspace_.messages.succeeded("record");
   } catch (const base::Error& error) {
     workspace_.messages.error(error.what(), {"record"});
@@ -290,9 +290,11 @@ void Viewer::follow_document() {
 void Viewer::settle_cage_edit() {
   if (workspace_.interaction.drag) return;
   try {
-    if (scene::settle_cage_edit(workspace_.document)) settle(3);
+    if (!scene::settle_cage_edit(workspace_.document)) return;
+    workspace_.messages.succeeded("change the cage");
+    settle(3);
   } catch (const std::exception& error) {
-    workspace_.messages.error(error.what());
+    workspace_.messages.error(error.what(), {"change the cage", scene::Scope::cage});
   }
 }
 

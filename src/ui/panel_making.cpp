@@ -102,7 +102,11 @@ void panel_making(const Context& ui) {
     record(ui, "cage_quads");
     hint("Triangles are paired where two make a good quad.");
   }
-  for (const std::string& line : making.notes) note(ui, line, ui.colors.warn);
+  if (scene::shows_made(ui.workspace.document, making)) {  // not after an undo
+    for (const auto& lines : {making.notes, making.lost})
+      for (const std::string& line : lines) note(ui, line, ui.colors.warn);
+    if (!making.lost.empty()) record(ui, "making_lost");
+  }
   command_row(ui, {"finish_cage", "cancel_cage"});
 }
 

@@ -195,12 +195,21 @@ TEST_CASE("a pose is kept beside a cage that is made anew: undo brings both back
   plain.open_dragon("pose_alert");
   const auto cage = plain.document().cage;
   const auto pose = plain.document().pose.positions;
+  scene::find_command("set_key")->run(plain.workspace());
   plain.click("make_cage");
   plain.frame();
   plain.finish_making();
   plain.frame(3);
   CHECK(plain.document().cage != cage);
   CHECK(plain.document().cage_file.path.empty());
+  CHECK(plain.viewer().recorder().find("making_lost"));  // the key is gone
+  plain.press_key('Z', true);
+  plain.frame(2);
+  CHECK(plain.document().timeline.keys.size() == 1);
+  CHECK_FALSE(plain.viewer().recorder().find("making_lost"));
+  plain.press_key('Y', true);
+  plain.frame(2);
+  CHECK(plain.viewer().recorder().find("making_lost"));
   plain.click("finish_cage");
   plain.press_key('Z', true);
   plain.frame(2);

@@ -334,7 +334,7 @@ void check_refused(Driver& d, const std::filesystem::path& file) {
   REQUIRE(d.viewer().recorder().find("file_problem"));
   CHECK(d.viewer().recorder().find("file_problem")->y0 >= d.viewer().recorder().find("file_path")->y1);
   CHECK(browser.problem.find("--") == std::string::npos);
-  CHECK_FALSE(browser.problem.starts_with(file.string()));
+  CHECK_FALSE(browser.problem.starts_with(file.string() + ": "));
   CHECK_MESSAGE(d.workspace().messages.all().empty(), browser.problem);
   d.press_key(scene::Key::escape);
   d.frame(2);

@@ -8,10 +8,39 @@ TEST_CASE("a_message_that_repeats_is_counted_not_listed") {
   Messages messages;
   for (int i = 0; i < 1000; ++i) messages.warn("again");
   messages.info("other");
+  messages.dismiss(0);
   messages.warn("again");
   REQUIRE(messages.all().size() == 3);
   CHECK(messages.all()[0].times == 1000);
   CHECK(messages.revision() == 1002);
+}
+
+TEST_CASE("a_message_that_stands_is_not_said_twice") {
+  Messages messages;
+  messages.warn("again");
+  messages.info("other");
+  messages.warn("again");
+  REQUIRE(messages.all().size() == 2);
+  CHECK(messages.all().back().text == "again");
+  CHECK(messages.all().back().times == 2);
+}
+
+TEST_CASE("an_undo_takes_infos_and_warnings_out_of_sight_but_no_error") {
+  Messages messages;
+  messages.info("Added 2 poses.");
+  messages.warn("Poses are gone.");
+  messages.error("cannot write", {"export"});
+  messages.leave_sight();
+  REQUIRE(messages.all().size() == 3);
+  for (const Message& message : messages.all())
+    CHECK(message.in_sight == (message.severity == Severity::error));
+}
+
+TEST_CASE("what_is_only_logged_is_in_the_list_and_not_in_sight") {
+  Messages messages;
+  messages.log(Severity::warning, "off by 1e-4");
+  REQUIRE(messages.all().size() == 1);
+  CHECK_FALSE(messages.all().back().in_sight);
 }
 
 TEST_CASE("old_messages_are_dropped") {

@@ -22,6 +22,7 @@ struct CageMaking {
   bool closing = false;  ///< done, but for the care that a preview was not made with
   CageWish wish;
   std::vector<std::string> notes{};              ///< on the cage that was made last
+  std::vector<std::string> lost{};               ///< what went with the cage before these
   std::shared_ptr<const deform::Cage> made{};    ///< the last one; what an undo leads away from is left alone
   std::shared_ptr<const deform::Cage> before{};  ///< that of the document when it was opened
 };

@@ -74,7 +74,8 @@ void change_cage(Workspace& w) {
     w.messages.error(error.what(), {"change the cage", Scope::cage});
   }
   if (const std::string lost = lost_sets(groups, w.document.groups); !lost.empty())
-    w.messages.warn("Nothing is left of these sets: " + lost + "; undo brings them back");
+    w.messages.warn("Nothing is left of these sets: " + lost + "; undo brings them back",
+                    {.scope = Scope::cage});
   w.interaction.hovered.reset();
 }
 

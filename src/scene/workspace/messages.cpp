@@ -21,8 +21,12 @@ bool is_over(const Message& message, double now) {
 void Messages::say(Severity severity, std::string text, Concern concern) {
   ++revision_;
   text = base::printable(text);
-  const bool again = !all_.empty() && all_.back().severity == severity && all_.back().text == text;
-  if (!again) {
+  const auto again = std::ranges::find_if(all_, [&](const Message& m) {
+    return (m.in_sight || &m == &all_.back()) && m.severity == severity && m.text == text;
+  });
+  if (again != all_.end()) {
+    std::rotate(again, again + 1, all_.end());
+  } else {
     if (all_.size() >= 200) all_.erase(all_.begin());
     all_.push_back(
         {severity, std::move(text), 0, std::string(concern.topic), concern.scope, 0, revision_, true});
@@ -34,10 +38,19 @@ void Messages::say(Severity severity, std::string text, Concern concern) {
   message.in_sight = true;
 }
 
+void Messages::log(Severity severity, std::string text) {
+  say(severity, std::move(text));
+  all_.back().in_sight = false;
+}
+
 void Messages::succeeded(std::string_view topic) {
   for (Message& message : all_) {
     if (message.severity == Severity::error && message.topic == topic) message.in_sight = false;
   }
+}
+
+void Messages::leave_sight() {
+  for (Message& message : all_) message.in_sight &= message.severity == Severity::error;
 }
 
 void Messages::forget(Scope scope, unsigned revision) {

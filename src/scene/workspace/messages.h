@@ -28,8 +28,8 @@ struct Message {
   bool in_sight = true;   ///< over the view; else in the list of all alone
 };
 
-/// Keeps the last 200. A message that repeats the one before it is counted, not listed again. Each is in
-/// sight for a while; an error until the same thing has succeeded, or it is dismissed.
+/// Keeps the last 200. A message that repeats one in sight, or the last one, is counted, not listed again.
+/// Each is in sight for a while; an error until the same thing has succeeded, or it is dismissed.
 class Messages {
 public:
   static constexpr double info_seconds = 4, warning_seconds = 12;
@@ -38,10 +38,14 @@ public:
   void info(std::string text, Concern concern = {}) { say(Severity::info, std::move(text), concern); }
   void warn(std::string text, Concern concern = {}) { say(Severity::warning, std::move(text), concern); }
   void error(std::string text, Concern concern = {}) { say(Severity::error, std::move(text), concern); }
+  /// Only in the list of all.
+  void log(Severity severity, std::string text);
   void clear() { all_.clear(); }
 
   /// Errors of this topic are history.
   void succeeded(std::string_view topic);
+  /// An edit was undone or redone: infos and warnings on it are history.
+  void leave_sight();
   void dismiss(std::size_t index) { all_[index].in_sight = false; }
   /// The model, or the cage, is another one: what was said of it, up to this revision, goes.
   void forget(Scope scope, unsigned revision);

@@ -19,11 +19,13 @@ namespace {
 // What is under the cursor may be of another kind then.
 void step_back(Workspace& w) {
   undo(w.document);
+  w.messages.leave_sight();
   w.interaction.hovered.reset();
 }
 
 void step_forth(Workspace& w) {
   redo(w.document);
+  w.messages.leave_sight();
   w.interaction.hovered.reset();
 }
 
