@@ -1,5 +1,6 @@
 #include "app/exporter.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/numbered_files.h"
@@ -7,24 +8,27 @@
 
 namespace viete::app {
 
-void Exporter::add(scene::Export what) {
+void Exporter::add(scene::Export what, std::vector<std::string> told) {
   const std::filesystem::path file = what.file;
-  add({file, "no file was changed", [what = std::move(what)](base::Progress& progress) {
-         return Written{"Saved the deformed model to " + what.file.string(),
-                        scene::write_deformed(what, &progress)};
-       }});
+  add({file, "no file was changed",
+       [what = std::move(what)](base::Progress& progress) {
+         return Written{"", scene::write_deformed(what, &progress)};
+       },
+       std::move(told)});
 }
 
-void Exporter::add(scene::AnimationExport what) {
+void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
   const std::filesystem::path file = what.model.file;
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "frames that are there are whole" : "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
          scene::AnimationReport report = scene::write_animation(what, &progress);
-         std::string said = "Saved the animation to " + what.model.file.string() + ": " + report.summary;
-         if (report.there > 0) said += "; " + base::with_thousands(report.there) + " were there already";
-         return Written{std::move(said), std::move(report.notes)};
-       }});
+         const std::string name = what.model.file.filename().string();
+         std::string summary = name + ": " + report.summary;
+         if (report.there > 0) summary += "; " + base::with_thousands(report.there) + " were there already";
+         return Written{std::move(summary), std::move(report.notes)};
+       },
+       std::move(told)});
 }
 
 void Exporter::add(PictureExport what) {
@@ -32,8 +36,7 @@ void Exporter::add(PictureExport what) {
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "pictures that are there are whole" : "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
-         std::vector<std::string> notes = write_pictures_aside(what, progress);
-         return Written{"Saved the animation to " + what.file.string(), std::move(notes)};
+         return Written{"", write_pictures_aside(what, progress)};
        }});
 }
 
@@ -56,14 +59,24 @@ scene::WorkState Exporter::state() const {
   return {true, std::move(what), job_.done(), job_.seconds(), job_.seconds()};
 }
 
+// What a person cannot act on at once is only in the list.
+void Exporter::tell(scene::Messages& messages, Written&& written) const {
+  std::erase_if(written.notes,
+                [&](const std::string& note) { return std::ranges::count(now_.told, note) > 0; });
+  if (!written.summary.empty()) messages.log(scene::Severity::info, written.summary);
+  for (const auto& note : written.notes) messages.log(scene::Severity::warning, note);
+  std::string said = "Saved " + now_.file.filename().string();
+  if (!written.notes.empty()) said += " (" + base::counted(written.notes.size(), "note") + ", see Messages)";
+  messages.info(said + ".");
+}
+
 std::optional<Exporter::Failure> Exporter::follow(scene::Messages& messages, bool wait) {
-  const auto result = job_.poll(wait);
+  auto result = job_.poll(wait);
   if (!result) return std::nullopt;
   std::optional<Failure> failure;
   if (result->value) {
-    for (const auto& note : result->value->notes) messages.warn(note);
     messages.succeeded("export");
-    messages.info(result->value->said);
+    tell(messages, *std::move(result->value));
   } else if (result->stopped) {
     messages.info("Stopped exporting " + now_.file.filename().string() + "; " + now_.stopped + ".");
   } else {

@@ -26,9 +26,9 @@ public:
     std::string problem;
   };
 
-  /// The file must have passed check_output().
-  void add(scene::Export what);
-  void add(scene::AnimationExport what);
+  /// The file must have passed check_output(). `told`: notes that the window shows already.
+  void add(scene::Export what, std::vector<std::string> told = {});
+  void add(scene::AnimationExport what, std::vector<std::string> told = {});
   void add(PictureExport what);
   /// Asks the one that is being written to stop, which it does within moments; those that wait follow.
   void stop() { job_.stop(); }
@@ -40,16 +40,18 @@ public:
 
 private:
   struct Written {
-    std::string said;
+    std::string summary;
     std::vector<std::string> notes;
   };
   struct Work {
     std::filesystem::path file;
     std::string stopped;  ///< what is said then
     std::function<Written(base::Progress&)> write;
+    std::vector<std::string> told{};
   };
   void add(Work work);
   void start_next();
+  void tell(scene::Messages& messages, Written&& written) const;
 
   std::deque<Work> waiting_;
   Work now_;  ///< that is being done, but for how

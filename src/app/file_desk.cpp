@@ -106,7 +106,7 @@ void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
   scene::Export what = scene::export_of(w.document, file);
   what.up = w.camera.pose().up;
   scene::check_output(file, scene::Content::surface, scene::files_open(w), scene::Force::none);
-  exporter_.add(std::move(what));
+  exporter_.add(std::move(what), w.pose_notes);
 }
 
 PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::path& file) const {
@@ -131,7 +131,7 @@ void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path&
   what.tolerance = w.browser.morphs.tolerance;
   what.normals = w.browser.morphs.normals;
   what.keeps_unfinished = false;  // who stops it here does not go on with it
-  exporter_.add(std::move(what));
+  exporter_.add(std::move(what), w.pose_notes);
 }
 
 void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
@@ -256,14 +256,15 @@ void FileDesk::discard(scene::Workspace& w) {
       w.discarded.push_back(scene::discard(leftover));
       return false;
     } catch (const base::Error& error) {
-      w.messages.error(error.what());
+      w.messages.error(error.what(), {"discard"});
       return true;
     }
   };
   const std::size_t before = w.leftovers.size();
   std::erase_if(w.leftovers, [&](const auto& leftover) { return !problem(leftover); });
   if (w.leftovers.size() == before) return;
-  w.messages.info("Discarded the recovered edits. File > Undo discarding recovered edits brings them back.");
+  if (w.leftovers.empty()) w.messages.succeeded("discard");
+  w.messages.info("Discarded the recovered edits.");
 }
 
 void FileDesk::undo_discard(scene::Workspace& w) {
@@ -273,7 +274,7 @@ void FileDesk::undo_discard(scene::Workspace& w) {
       w.leftovers.insert(w.leftovers.begin(), w.discarded.back().leftover);
     }
   } catch (const base::Error& error) {
-    w.messages.error(error.what());
+    w.messages.error(error.what(), {"discard"});
   }
   w.offers_leftovers = !w.leftovers.empty();
 }

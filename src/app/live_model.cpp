@@ -107,6 +107,7 @@ void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
   around_ = {};
   given_up_.reset();
   workspace.pose_notes.clear();
+  workspace.pose_report = {};
   if (bound.binds(workspace.document)) install(workspace, std::move(bound));
 }
 

@@ -389,9 +389,12 @@ void file_panel(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const auto& v = ui.workspace.viewport;
-  ImGui::SetNextWindowPos({v.origin.x + 0.5f * v.size.x, v.origin.y + 0.5f * v.size.y}, ImGuiCond_Appearing,
-                          {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(640.0f, display.x), std::min(460.0f, display.y)}, ImGuiCond_Appearing);
+  const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)};
+  const ImVec2 low{v.origin.x + 0.5f * (v.size.x - size.x), v.origin.y + 0.5f * (v.size.y - size.y)};
+  ImGui::SetNextWindowPos(
+      {std::clamp(low.x, 0.0f, display.x - size.x), std::clamp(low.y, 0.0f, display.y - size.y)},
+      ImGuiCond_Appearing);
+  ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
   bool open = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   ImGui::Begin(title(browser.purpose), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);

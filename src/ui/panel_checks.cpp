@@ -19,11 +19,11 @@ std::size_t mattering(const scene::CheckState& checks) {
 }
 
 // "2 findings", "all is well": what can be read while the section is closed.
-std::string summary(const scene::CheckState& checks) {
+std::string summary(const scene::CheckState& checks, std::size_t of_pose) {
   if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
-  const std::size_t n = checks.findings.size();
+  const std::size_t n = checks.findings.size() + of_pose;
   if (n == 0) return "all is well";
-  if (mattering(checks) == 0) return n == 1 ? "1 note" : count(n) + " notes";
+  if (mattering(checks) + of_pose == 0) return n == 1 ? "1 note" : count(n) + " notes";
   return n == 1 ? "1 finding" : count(n) + " findings";
 }
 
@@ -144,8 +144,13 @@ void panel_checks(const Context& ui) {
   if (checks.fresh) ui.workspace.remembered.layout.sections["Checks"] = matter > 0;
   checks.fresh = false;
   const bool open = section(ui, "Checks", false);
-  section_note(ui, summary(checks), matter > 0 ? ui.colors.warn : 0);
+  const auto& of_pose = ui.workspace.pose_notes;
+  section_note(ui, summary(checks, of_pose.size()), matter + of_pose.size() > 0 ? ui.colors.warn : 0);
   if (!open) return;
+  for (std::size_t i = 0; i < of_pose.size(); ++i) {
+    note(ui, of_pose[i], ui.colors.warn);
+    record(ui, "pose_note/" + std::to_string(i));
+  }
   if (checks.running) return note(ui, "Model and cage are being looked through.");
   if (checks.findings.empty()) {
     note(ui, ui.workspace.document.has_cage() ? "Model and cage are closed, oriented manifolds; the cage "

@@ -66,6 +66,7 @@ void draw_panels(const Context& ui) {
   const DrawnBefore before{background.VtxBuffer.Size, background.IdxBuffer.Size,
                            static_cast<int>(background._VtxCurrentIdx)};
   path_overlay(ui);
+  torn_overlay(ui);
   probe_overlay(ui);
   hand_overlay(ui);
   gizmo_overlay(ui);

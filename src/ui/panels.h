@@ -78,6 +78,7 @@ void hand_overlay(const Context& ui);      ///< partners, radius and pivot in th
 void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
+void torn_overlay(const Context& ui);               ///< where the mesh may fold, see pose_notes()
 void mark_overlay(const Context& ui);               ///< marks on the model, and the length between two
 float map_legend(const Context& ui, float bottom);  ///< of the colours on the mesh
 scene::SelectMode select_mode();                    ///< as Shift and Ctrl are held

@@ -1,5 +1,4 @@
-// At the bottom of the view: what was said just now, and what there is to say of the pose while that is so.
-// Nothing else moves for it.
+// At the bottom of the view: messages of the last seconds, in two lines each. Nothing else moves for them.
 #include <algorithm>
 
 #include "ui/overlay_painter.h"
@@ -16,7 +15,7 @@ constexpr std::size_t most_toasts = 3;
 struct Toast {
   std::string name, text;
   ImU32 color;
-  bool closes = true, listed = true;  // among all messages
+  bool closes = true;
 };
 
 // They come and go by the clock, which is not that of a script: a click goes through them.
@@ -32,12 +31,30 @@ void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
   draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, 1.5f);
 }
 
+// As much of it as two lines hold; the list of messages has the rest.
+std::string in_two_lines(const std::string& text, float width) {
+  const auto fits = [&](const std::string& part) {
+    return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y < 2.5f * ImGui::GetTextLineHeight();
+  };
+  if (fits(text)) return text;
+  std::size_t low = 0, high = text.size();
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (fits(text.substr(0, middle) + "...") ? low : high) = middle;
+  }
+  const std::size_t space = text.rfind(' ', low);
+  if (space != std::string::npos && space > low / 2) low = space;
+  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // within a letter
+  return text.substr(0, low) + "...";
+}
+
 // Ends above `bottom`, which it moves up.
 Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float beside = mark_width + 2 * toast_padding + (toast.closes ? close_width : 0);
   const float room = std::min(widest_toast, notice_room(ui)) - beside;
-  const ImVec2 text = ImGui::CalcTextSize(toast.text.c_str(), nullptr, false, room);
+  const std::string shown = in_two_lines(toast.text, room);
+  const ImVec2 text = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
   const ImVec2 size{text.x + beside, text.y + 16};
   const ImVec2 low{std::floor(v.origin.x + 0.5f * (v.size.x - size.x)), bottom - size.y};
   bottom = low.y - toast_gap;
@@ -58,36 +75,20 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   if (ImGui::InvisibleButton("text", {size.x - (toast.closes ? close_width : 0), size.y}))
     pressed = Pressed::text;
   record(ui, toast.name);
-  if (toast.closes && toast.listed) hint("Click to see all messages.");
+  if (toast.closes) hint("Click to see all messages.");
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + mark_width + toast_padding, low.y + 8},
-               ui.colors.text, toast.text.c_str(), nullptr, room + 1);
+               ui.colors.text, shown.c_str(), nullptr, room + 1);
   if (toast.closes) {
     ImGui::SameLine(0, 0);
     if (ImGui::InvisibleButton("close", {close_width, size.y})) pressed = Pressed::close;
     record(ui, toast.name + "/close");
     cross(draw, {high.x - 0.5f * close_width - 2, 0.5f * (low.y + high.y)},
           ImGui::IsItemHovered() ? ui.colors.text : ui.colors.faint);
-    hint(toast.listed ? "Put it away; it stays in the list of messages."
-                      : "Put it away until it begins anew.");
+    hint("Put it away; it stays in the list of messages.");
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
   return pressed;
-}
-
-// Of the pose, while it is so.
-void standing_notes(const Context& ui, float& bottom) {
-  const auto& notes = ui.workspace.pose_notes;
-  auto& closed = ui.workspace.closed_notes;
-  const auto is_in = [](const auto& all, const std::string& note) {
-    return std::ranges::find(all, note) != all.end();
-  };
-  std::erase_if(closed, [&](const std::string& note) { return !is_in(notes, note); });
-  for (std::size_t i = 0; i < notes.size() && ui.workspace.view.panels; ++i) {
-    if (is_in(closed, notes[i])) continue;
-    const Toast toast{"pose_note/" + std::to_string(i), notes[i], ui.colors.warn, true, false};
-    if (draw_toast(ui, toast, bottom) == Pressed::close) closed.push_back(notes[i]);
-  }
 }
 
 // Newest lowest.
@@ -104,7 +105,6 @@ std::vector<std::size_t> in_sight(const scene::Messages& messages) {
 void toasts(const Context& ui, float bottom) {
   scene::Workspace& w = ui.workspace;
   if (!w.attended) return;
-  standing_notes(ui, bottom);
   const auto newest = in_sight(w.messages);
   for (std::size_t i = 0; i < std::min(most_toasts, newest.size()); ++i) {
     const scene::Message& message = w.messages.all()[newest[i]];

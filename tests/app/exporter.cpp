@@ -32,7 +32,34 @@ TEST_CASE("exports_are_written_in_turn_and_each_is_said") {
   CHECK_FALSE(e.exporter.running());
   CHECK(std::filesystem::exists(e.files / "a.obj"));
   CHECK(std::filesystem::exists(e.files / "b.ply"));
-  CHECK(e.messages.all().size() == 2);
+  REQUIRE(e.messages.all().size() == 2);
+  CHECK(e.messages.all()[0].text == "Saved a.obj.");
+  CHECK(e.messages.all()[1].text == "Saved b.ply.");
+}
+
+TEST_CASE("notes_on_an_export_are_listed_and_not_in_sight_and_those_of_the_pose_not_repeated") {
+  Exports e;
+  deform::Pose& pose = e.workspace.document.changed_pose();
+  for (auto& p : pose.positions)
+    if (p[1] > 0) p = {-p[0], p[1], -p[2]};  // the top turns by 180 degrees
+  e.workspace.document.put_method(sym3::Method::sd);
+  const scene::Export what = scene::export_of(e.workspace.document, e.files / "a.obj");
+  const std::vector<std::string> notes = scene::write_deformed(what);
+  REQUIRE_FALSE(notes.empty());
+  const auto export_with = [&](std::vector<std::string> told) {
+    e.messages.clear();
+    e.exporter.add(what, std::move(told));
+    REQUIRE_FALSE(e.exporter.follow(e.messages, true));
+    for (const auto& message : e.messages.all())
+      CHECK(message.in_sight == (message.severity == scene::Severity::info));
+    return e.messages.all();
+  };
+  const auto all = export_with({});
+  CHECK(all.size() == notes.size() + 1);
+  CHECK(all.back().text.starts_with("Saved a.obj ("));
+  const auto known = export_with(notes);
+  REQUIRE(known.size() == 1);
+  CHECK(known.back().text == "Saved a.obj.");
 }
 
 TEST_CASE("one_that_fails_is_returned_and_the_next_is_written") {

@@ -33,7 +33,7 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::
                  anew ? Force::given : Force::none);
     step();
     workspace.messages.succeeded(topic);
-    workspace.messages.info(std::string("Saved the ") + what + " to " + path.string());
+    workspace.messages.info("Saved " + path.filename().string() + ".");
     return true;
   } catch (const std::exception& error) {
     tell_refusal(workspace, path, error.what(), topic);

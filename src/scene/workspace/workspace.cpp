@@ -151,6 +151,7 @@ void take_report(Workspace& workspace, const deform::LogReport& report) {
   Document& document = workspace.document;
   document.pose.turns = report.turns;
   workspace.pose_notes = pose_notes(report, *document.cage, document.pose);
+  workspace.pose_report = report;
 }
 
 }  // namespace viete::scene

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "deform/log_maps.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_making.h"
 #include "scene/document/camera.h"
@@ -243,7 +244,7 @@ struct Workspace {
   std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
   Revision opened = 0;                       ///< another document was opened
   std::vector<std::string> pose_notes;       ///< what the deformer had to decide in this pose, one line each
-  std::vector<std::string> closed_notes;     ///< of these, put away as long as they stand
+  deform::LogReport pose_report;             ///< the same, to be marked at the cage
   std::vector<DiscardedLeftover> discarded;  ///< newest last; gone when the program ends
   std::optional<Question> question;          ///< waits for an answer; nothing else is done meanwhile
   std::optional<OpenRequest> unopened;       ///< what the question is of, when it is opened in another way
