@@ -6,10 +6,10 @@
 #include <thread>
 #include <utility>
 
-#include "app/first_motion.h"
 #include "base/error.h"
 #include "scene/hand/projector.h"
 #include "scene/workspace/command.h"
+#include "scene/workspace/taking.h"
 
 namespace viete::app {
 
@@ -58,7 +58,7 @@ void ScriptPlayer::open() {
 }
 
 void ScriptPlayer::begin() {
-  if (!script_.poses.empty()) add_loop(viewer_.workspace(), script_.poses);
+  if (!script_.poses.empty()) scene::add_motion(viewer_.workspace(), script_.poses);
   viewer_.workspace().scripting.playing = true;
 }
 

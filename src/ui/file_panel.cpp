@@ -371,6 +371,7 @@ void file_panel(const Context& ui) {
   ImGui::SetNextWindowSize({std::min(640.0f, display.x), std::min(460.0f, display.y)}, ImGuiCond_Appearing);
   bool open = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  scene::refresh(browser);
   ImGui::Begin(title(browser.purpose), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
   path_field(ui);
   const bool typing_path = ImGui::IsItemActive() || ImGui::IsItemDeactivated();

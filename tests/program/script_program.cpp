@@ -11,8 +11,10 @@
 #include "app/script_show.h"
 #include "base/error.h"
 #include "program/driver.h"
+#include "program/small_scene.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
+#include "support/pictures.h"
 #include "support/text.h"
 
 using namespace viete;
@@ -105,7 +107,6 @@ void in_panels(Driver& d, std::uint32_t v) {
   REQUIRE(d.until([&] { return !d.viewer().working(); }));
   d.frame(3);
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(-33, 21));
-  d.click("section/Poses");
   d.click("keep_pose");
   d.drag(d.place_of("turn"), d.place_of("turn") + glm::vec2(-30, 0));
 }
@@ -114,7 +115,6 @@ void with_files(Driver& d, std::uint32_t) {
   d.viewer().drop({test::assets_dir() / "dragon" / "shape_coiled.pc2"});
   d.frame();
   REQUIRE(d.until([&] { return d.document().library.poses.size() == 1; }));
-  d.click("section/Poses");
   d.drag(d.place_of("pose_weight/0") - glm::vec2(20, 0), d.place_of("pose_weight/0") + glm::vec2(30, 0));
   d.press_key(scene::key('I'));
   d.press_key(scene::Key::right);
@@ -206,6 +206,29 @@ TEST_CASE("a_recording_that_cannot_be_written_ends_and_says_so") {
   std::signal(SIGXFSZ, handler);
   CHECK_FALSE(d.workspace().scripting.recording);
   CHECK(test::mentions(d.workspace().messages.all().back().text, "not all of it could be written"));
+}
+
+TEST_CASE("a_screenshot_without_panels_shows_no_tool") {
+  const WorkingFolder folder;
+  test::SmallScene small;
+  Driver& d = small.d;
+  const auto screenshot = [&] {
+    d.press_key(scene::Key::f12);
+    d.settle();
+    const std::vector<fs::path> files = folder.files(".png");
+    REQUIRE(files.size() == 1);
+    render::Image image = test::read_png(files.front());
+    fs::remove(files.front());
+    return image;
+  };
+  d.workspace().view.panels = false;
+  d.settle();
+  const render::Image plain = screenshot();
+  d.press_key('A', true);
+  d.settle();
+  REQUIRE_FALSE(d.document().selection.empty());
+  CHECK(test::difference(plain, d.picture(), 12) > 0.01);  // the window has them
+  CHECK(test::difference(plain, screenshot(), 12) == 0);
 }
 
 TEST_CASE("a_replay_writes_no_file_of_a_persons") {
