@@ -20,7 +20,7 @@ using Turn = ScriptPlayer::Turn;
 using After = Turn::What;
 
 constexpr float usual_frame = 1.0f / 64;  // of what has no frames of its own
-constexpr int looks_in_place = 8;               // frames until what has just opened has its size
+constexpr int looks_in_place = 8;         // frames until what has just opened has its size
 constexpr int most_looks = 120;           // frames until a widget is there, or in sight
 
 // The middle of the column that it is in, where the wheel scrolls.

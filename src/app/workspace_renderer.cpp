@@ -179,8 +179,8 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   const auto& document = workspace.document;
   // Vertices stand back where edges or faces are what is selected.
   const bool vertices = !workspace.tools || document.selection.kind() == scene::ElementKind::vertex;
-  const auto selected =
-      workspace.tools ? scene::selected_vertices(*document.cage, document.selection) : std::vector<std::uint32_t>{};
+  const auto selected = workspace.tools ? scene::selected_vertices(*document.cage, document.selection)
+                                        : std::vector<std::uint32_t>{};
   Hand hand{workspace.view.dark, {}, {}};
   auto& discs = hand.discs;
   discs.assign(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});

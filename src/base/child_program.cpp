@@ -56,7 +56,8 @@ bool is_installed(std::string_view program) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/bin:/usr/bin");  // as posix_spawnp() looks without it
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (access(((folder.empty() ? "." : folder) + '/' + std::string(program)).c_str(), X_OK) == 0) return true;
+    if (access(((folder.empty() ? "." : folder) + '/' + std::string(program)).c_str(), X_OK) == 0)
+      return true;
   return false;
 }
 

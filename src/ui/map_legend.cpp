@@ -127,7 +127,8 @@ void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   draw.AddRectFilled(low, {low.x + size.width, low.y + size.height}, faded(ui.colors.card, 0.92f), 8);
   ImGui::PushFont(ui.fonts.text);
-  draw.AddText({low.x + legend_margin, low.y + 8}, ui.colors.text, shortened(title(shown, field, method), size.width - 2 * legend_margin).c_str());
+  draw.AddText({low.x + legend_margin, low.y + 8}, ui.colors.text,
+               shortened(title(shown, field, method), size.width - 2 * legend_margin).c_str());
   draw.AddText({low.x + legend_margin, low.y + 27}, ui.colors.faint,
                extent(shown, size.width - 2 * legend_margin).c_str());
   ImGui::PopFont();

@@ -36,7 +36,7 @@ void history_menu(const Context& ui) {
   std::size_t wanted = position;
   const std::size_t last = labels.size() > most ? std::min(position, labels.size() - most) : 0;
   for (std::size_t n = labels.size() + 1; n-- > last;) {  // after n edits
-    const std::string label = n == 0 ? "As it was opened" : capitalised(labels[n - 1]);
+    const std::string label = n == 0 ? "Before the first edit" : capitalised(labels[n - 1]);
     if (ImGui::MenuItem((label + "##" + std::to_string(n)).c_str(), nullptr, n == position)) wanted = n;
     record(ui, "history/" + std::to_string(n));
   }

@@ -118,9 +118,9 @@ std::optional<double> share_slider(const Context& ui, const char* name, const ch
                                    std::span<const double> all, const char* hint_text) {
   const auto above = std::ranges::lower_bound(all, share);
   int stop = static_cast<int>(std::min(above, all.end() - 1) - all.begin());
-  const Slid slid = stops(ui, name, label, stop, static_cast<int>(all.size()) - 1, true,
-                          {100 * share, 100 * all.front(), 100 * all.back()}, scene::text_of_percent(share),
-                          hint_text);
+  const Slid slid =
+      stops(ui, name, label, stop, static_cast<int>(all.size()) - 1, true,
+            {100 * share, 100 * all.front(), 100 * all.back()}, scene::text_of_percent(share), hint_text);
   if (slid.typed) return std::clamp(0.01 * *slid.typed, all.front(), all.back());
   return slid.moved ? std::optional(all[static_cast<std::size_t>(stop)]) : std::nullopt;
 }
@@ -175,10 +175,9 @@ bool amount_slider(const Context& ui, const char* name, const char* label, doubl
   const double shown = used ? amount : 1;
   int stop = static_cast<int>(std::lround(shown / step));
   const std::string percent = std::to_string(std::lround(100 * shown)) + " %";
-  const Slid slid =
-      stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)), used,
-            {100 * shown, 0, 100 * scene::largest_amount}, percent,
-            used ? what : "Points of the cage only move: they do not turn or stretch.");
+  const Slid slid = stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)),
+                          used, {100 * shown, 0, 100 * scene::largest_amount}, percent,
+                          used ? what : "Points of the cage only move: they do not turn or stretch.");
   if (slid.moved) amount = std::round(100 * step * stop) / 100;
   if (slid.typed) amount = 0.01 * *slid.typed;
   return slid.moved || slid.typed;

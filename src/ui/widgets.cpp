@@ -116,7 +116,8 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
 
 std::string hint_of(const Context& ui, const scene::Command& command) {
   const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
-  const std::string does = command.subject ? command.label_now(ui.workspace) + ".  " + command.hint : command.hint;
+  const std::string does =
+      command.subject ? command.label_now(ui.workspace) + ".  " + command.hint : command.hint;
   const std::string what = does + (keys.empty() ? "" : "  (" + keys + ")");
   return command.enabled(ui.workspace) ? what : what + "\n" + std::string(command.enabled.otherwise);
 }

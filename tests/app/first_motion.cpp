@@ -58,7 +58,8 @@ TEST_CASE("the_first_motion_leads_from_rest_into_the_pose_and_is_no_edit") {
   CHECK_FALSE(s.motion.moving());
 }
 
-TEST_CASE("the_loop_of_the_bundled_model_is_added_when_asked_for_and_plays_from_where_the_first_motion_ends") {
+TEST_CASE(
+    "the_loop_of_the_bundled_model_is_added_when_asked_for_and_plays_from_where_the_first_motion_ends") {
   Start s;
   CHECK(s.w.document.timeline.empty());
   s.motion.step(s.w, true, 0);
@@ -111,8 +112,8 @@ TEST_CASE("the_loop_keeps_own_poses_and_unsaved_work") {
 TEST_CASE("another_model_and_another_cage_get_no_loop_and_stay_as_they_are") {
   Start other;
   other.w.example = folder / "loop.viete";
-  REQUIRE(scene::open_now(other.w,
-                          {scene::OpenRequest::What::model, {folder / "dragon.ply", folder / "pose_coil.obj"}}));
+  REQUIRE(scene::open_now(
+      other.w, {scene::OpenRequest::What::model, {folder / "dragon.ply", folder / "pose_coil.obj"}}));
   test::run_command(other.w, "add_example");
   CHECK(other.w.messages.all().back().severity == scene::Severity::error);
   CHECK(other.w.document.library.poses.empty());
@@ -122,8 +123,8 @@ TEST_CASE("another_model_and_another_cage_get_no_loop_and_stay_as_they_are") {
   CHECK_FALSE(other.w.document.history.can_undo());
   const test::TemporaryFolder elsewhere;
   std::filesystem::copy(folder / "cage.obj", elsewhere / "dragon.ply.obj");
-  REQUIRE(scene::open_now(other.w, {scene::OpenRequest::What::model,
-                                    {elsewhere / "dragon.ply.obj", folder / "cage.obj"}}));
+  REQUIRE(scene::open_now(
+      other.w, {scene::OpenRequest::What::model, {elsewhere / "dragon.ply.obj", folder / "cage.obj"}}));
   CHECK_FALSE(test::run_command(other.w, "add_example"));
 }
 

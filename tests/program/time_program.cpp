@@ -175,6 +175,24 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   CHECK(d.viewer().recorder().find("time/track"));
   d.show("loop_added");
   d.press_key(scene::Key::space);
+  REQUIRE_FALSE(d.workspace().playback.playing);
+  // Sliders show what is played: the first pose is the key at both ends of the loop.
+  d.go_to(1);
+  CHECK(scene::shown_weights(d.workspace()) == std::vector<double>{1, 0, 0});
+  d.go_to(110);
+  const double share = scene::shown_weights(d.workspace())[0];
+  CHECK(share > 0.2);
+  CHECK(share < 0.9);
+  d.show("weights_played");
+  const auto played = d.pose();
+  d.click("pose_weight/0/typed");
+  d.press_key('A', true);
+  d.type("100");
+  d.press_key(scene::Key::enter);
+  CHECK(d.document().library.poses[0].weight == 1);
+  CHECK(d.pose() != played);
+  d.press_key('Z', true);
+  CHECK(d.pose() == played);
   d.press_key('Z', true);
   CHECK(d.timeline().empty());
 }

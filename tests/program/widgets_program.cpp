@@ -213,6 +213,45 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   CHECK(scheme.amounts.turn == doctest::Approx(1));
 }
 
+TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
+  Held d;
+  for (const char* dialog : {"open_model", "command_palette", "edit_keys", "show_messages"}) {
+    CAPTURE(dialog);
+    d.move(d.place_of("keep_pose"));
+    d.frame(3);
+    REQUIRE(has_tooltip());
+    d.run(dialog);
+    d.frame(3);
+    CHECK_FALSE(has_tooltip());
+    if (std::string_view(dialog) == "open_model") {
+      d.move(d.place_of("file_up"));
+      d.frame(3);
+      CHECK(has_tooltip());
+    }
+    d.press_key(scene::Key::escape);
+    d.frame(3);
+  }
+}
+
+TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
+  Held d;
+  d.workspace().remembered.layout.sections["Cage"] = true;
+  d.document().selection.apply(std::vector<std::uint32_t>{0}, scene::SelectMode::replace);
+  for (const double x : {-0.0036471234, -123.456789, -1.23456789e-5, 0.5}) {
+    CAPTURE(x);
+    d.document().changed_pose().positions[0][0] = x;
+    d.frame(3);
+    d.click("transform_x");
+    const std::string text = d.workspace().typed.at("transform_x").text;
+    const auto rect = d.viewer().recorder().find("transform_x");
+    CHECK(ImGui::CalcTextSize(text.c_str()).x <=
+          rect->x1 - rect->x0 - 2 * ImGui::GetStyle().FramePadding.x + 0.01f);
+    CHECK(std::stod(text) == doctest::Approx(x).epsilon(0.01));
+    d.press_key(scene::Key::escape);
+    d.frame(2);
+  }
+}
+
 TEST_CASE("esc_closes_what_has_dropped_down_and_changes_nothing") {
   Held d;
   d.workspace().remembered.layout.sections["Display"] =

@@ -8,13 +8,13 @@
 
 #include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
+#include "scene/document/record.h"
+#include "scene/document/selection_sets.h"
 #include "scene/posed_cube.h"
+#include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
-#include "scene/document/record.h"
-#include "scene/document/selection_sets.h"
-#include "scene/workspace/playing.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -144,7 +144,7 @@ TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
   CHECK(said() == "Key set at frame 40.");
   CHECK(p.w.time_view.seen.last >= 40);
   CHECK(opens_by("turntable"));
-  CHECK(said() == "Camera keys set from frame 1 to 60.");
+  CHECK(said() == "Camera keys set from frame 1 to 40.");
 }
 
 TEST_CASE("a_pose_that_is_in_no_key_is_unsaved_work_whatever_has_taken_its_place") {

@@ -132,7 +132,7 @@ SharedPose without_mix(const Document& document, const DocumentState& mixed, Kno
   if (!mixed.library.mixes()) return now;
   if (const SharedPose known = unmixed_pose(document)) return known;
   const NamedPose* alone = mixed_alone(mixed.library);
-  if (alone && *alone->pose == *now) return rest_of(document);
+  if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
   return std::make_shared<const WholePose>(mix_of(document, mixed, vectors, now, -1));
 }
 

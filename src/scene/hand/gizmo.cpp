@@ -105,7 +105,8 @@ std::optional<Constraint> pick_ring(const Gizmo& gizmo, const glm::vec2& cursor,
   if (axis) return axis;
   if (off <= tolerance) return Constraint{};
   if (!reach) return std::nullopt;
-  return nearest_axis(gizmo_tolerance, [&](int i) { return distance_to_ring(gizmo.rings[i], cursor, false); });
+  return nearest_axis(gizmo_tolerance,
+                      [&](int i) { return distance_to_ring(gizmo.rings[i], cursor, false); });
 }
 
 std::optional<Constraint> pick_arm(const Gizmo& gizmo, const glm::vec2& cursor, float tolerance) {

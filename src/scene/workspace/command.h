@@ -57,7 +57,7 @@ struct Command : Effect {
   Condition enabled;
   std::string_view group{};  ///< heading in the help
   Shortcut shortcut{}, alternative{};
-  std::string_view submenu{};  ///< where commands of one choice share one
+  std::string_view submenu{};                          ///< where commands of one choice share one
   std::string (*subject)(const Workspace&) = nullptr;  ///< what it acts on now: "Rotate" of "Undo"
 
   /// "Undo Rotate", or `called` instead of the label.

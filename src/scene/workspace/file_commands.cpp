@@ -61,7 +61,8 @@ void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const s
 void save_animation(Workspace& w) {
   browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
   const glm::ivec2 size = glm::clamp(glm::ivec2(w.viewport.window), least_picture, largest_picture);
-  w.browser.pictures = PictureChoice{.grid = w.view.grid, .light = !w.view.dark, .width = size.x, .height = size.y};
+  w.browser.pictures =
+      PictureChoice{.grid = w.view.grid, .light = !w.view.dark, .width = size.x, .height = size.y};
 }
 
 // The document is the bundled model in its cage, and no key would be replaced.
@@ -69,7 +70,8 @@ constexpr Condition can_add_example{
     [](const Workspace& w) {
       const fs::path& model = w.document.model.path;
       std::error_code ignored;
-      return has_cage(w) && w.document.timeline.empty() && !is_editing_cage(w.document) && !in_hand(w) &&
+      return !w.example.empty() && has_cage(w) && w.document.timeline.empty() &&
+             !is_editing_cage(w.document) && !in_hand(w) &&
              fs::equivalent(model, w.example.parent_path() / model.filename(), ignored);
     },
     "For the bundled dragon while it has no keys; undo or delete yours first."};
@@ -116,8 +118,8 @@ void add_file_commands(CommandTable& table) {
             }));
   table.add("open_pose", "Open pose", "Open a posed version of this cage.", {key('P'), true}, has_cage,
             browse_for<Purpose::pose>);
-  table.add("add_example", "Add the dragon's loop", "Add the poses and keys of a loop of five seconds, and play it.",
-            can_add_example, add_example);
+  table.add("add_example", "Add the dragon's loop",
+            "Add the poses and keys of a loop of five seconds, and play it.", can_add_example, add_example);
   table.add("save_session", {"Save session", "Save"},
             "Save model, cage, pose, settings and camera as a session.", {key('S'), true}, has_model, save);
   table.add("save_session_as", {"Save session as", "Save as"}, "Save the session under another name.",

@@ -148,7 +148,7 @@ namespace {
 double weight_in(const PoseKey& key, const NamedPose& named) {
   const auto mixed = std::ranges::find(key.mix, named.name, &MixedPose::name);
   if (mixed != key.mix.end()) return mixed->weight;
-  return key.mix.empty() && *key.pose == *named.pose ? 1 : 0;
+  return key.mix.empty() && same_pose(*key.pose, *named.pose) ? 1 : 0;
 }
 
 }  // namespace

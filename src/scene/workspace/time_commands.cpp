@@ -44,11 +44,11 @@ constexpr Condition has_time{[](const Workspace& w) {
                              },
                              "There are no keys: pose the model and set one (I)."};
 // Keys of the keyboard that change time do nothing where time is not seen.
-constexpr Condition shows_time{
-    [](const Workspace& w) {
-      return has_model(w) && w.remembered.layout.timeline && !is_editing_cage(w.document) && !in_hand(w);
-    },
-    "Show the timeline first."};
+constexpr Condition shows_time{[](const Workspace& w) {
+                                 return has_model(w) && w.remembered.layout.timeline &&
+                                        !is_editing_cage(w.document) && !in_hand(w);
+                               },
+                               "Show the timeline first."};
 constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && shows_time(w); },
                                "Show the timeline and set a key first (I)."};
 constexpr Condition has_pose_keys{
@@ -148,8 +148,9 @@ void key_camera(Workspace& w) {
 
 void key_turntable(Workspace& w) {
   const Timeline& t = w.document.timeline;
-  set_keys(w, [&] { set_turntable(w.document, w.camera.pose()); },
-           "Camera keys set from frame " + std::to_string(t.first) + " to " + std::to_string(t.last) + '.');
+  set_keys(
+      w, [&] { set_turntable(w.document, w.camera.pose()); },
+      "Camera keys set from frame " + std::to_string(t.first) + " to " + std::to_string(t.last) + '.');
 }
 
 void delete_keys(Workspace& w) {
@@ -253,8 +254,8 @@ void add_time_commands(CommandTable& table) {
             deletes_keys, delete_keys);
   table.add("previous_frame", "Previous frame", "One frame back.", {Key::left}, shows_time, step<-1>);
   table.add("next_frame", "Next frame", "One frame on.", {Key::right}, shows_time, step<1>);
-  table.add("previous_key", "Previous key", "Back to the last key before this frame.", {Key::down}, shows_keys,
-            to_key<false>);
+  table.add("previous_key", "Previous key", "Back to the last key before this frame.", {Key::down},
+            shows_keys, to_key<false>);
   table.add("next_key", "Next key", "On to the next key.", {Key::up}, shows_keys, to_key<true>);
   table.add("first_frame", "First frame", "To where playing begins.", {Key::left, false, true}, shows_time,
             to_end<&Timeline::first>);

@@ -242,17 +242,17 @@ struct Workspace {
   Scripting scripting;
   Saved saved;
   Remembered remembered;
-  std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
-  std::filesystem::path chosen_leftover;     ///< of several; none of these: the newest
-  std::filesystem::path example;             ///< session of the bundled model, with poses and keys; may be empty
-  std::filesystem::path binding_file;        ///< a saved binding that was named; empty: none
-  std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
-  Revision opened = 0;                       ///< another document was opened
-  std::vector<std::string> pose_notes;       ///< what the deformer had to decide in this pose, one line each
-  std::vector<std::string> closed_notes;     ///< of these, put away as long as they stand
-  std::vector<DiscardedLeftover> discarded;  ///< newest last; gone when the program ends
-  bool tell_discarded = false;               ///< the last of them is to be shown
-  std::optional<Question> question;          ///< waits for an answer; nothing else is done meanwhile
+  std::vector<Leftover> leftovers;        ///< unsaved work that can be brought back, newest first
+  std::filesystem::path chosen_leftover;  ///< of several; none of these: the newest
+  std::filesystem::path example;          ///< session of the bundled model, with poses and keys; may be empty
+  std::filesystem::path binding_file;     ///< a saved binding that was named; empty: none
+  std::filesystem::path recovered_from;   ///< the leftover that is open, until its work is safe elsewhere
+  Revision opened = 0;                    ///< another document was opened
+  std::vector<std::string> pose_notes;    ///< what the deformer had to decide in this pose, one line each
+  std::vector<std::string> closed_notes;  ///< of these, put away as long as they stand
+  std::vector<DiscardedLeftover> discarded;    ///< newest last; gone when the program ends
+  bool tell_discarded = false;                 ///< the last of them is to be shown
+  std::optional<Question> question;            ///< waits for an answer; nothing else is done meanwhile
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
   Palette palette;
@@ -265,7 +265,7 @@ struct Workspace {
   bool farewell = false;       ///< the window is about to close, and edits are kept
   std::map<std::string, TypedText> typed;  ///< by the name of the field
   TypedSlider typed_slider;
-  std::optional<BeforeHold> before_hold;   ///< since the mouse button went down
+  std::optional<BeforeHold> before_hold;  ///< since the mouse button went down
   ChoicePictures choice_pictures;
   About about;
 };
