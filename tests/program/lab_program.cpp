@@ -275,7 +275,7 @@ TEST_CASE("the_key_for_a_vertex_opens_its_section_wherever_the_columns_were") {
   scene::PanelLayout& layout = d.workspace().remembered.layout;
   for (const bool folded : {false, true}) {
     layout.sections.clear();
-    layout.folded[static_cast<std::size_t>(scene::Column::lab)] = folded;
+    layout.folded[static_cast<std::size_t>(scene::Column::methods)] = folded;
     d.frame(3);
     REQUIRE_FALSE(d.viewer().recorder().find("drop_vertex"));
     d.move(d.workspace().viewport.middle());

@@ -34,9 +34,9 @@ void show_sum_at(Workspace& w, std::optional<std::uint32_t> vertex) {
   w.vertex.vertex = vertex;
   w.vertex.appearing = true;
   PanelLayout& layout = w.remembered.layout;
-  for (const char* section : {"Lab", "Vertex"}) layout.sections[section] = true;
-  if (shown_columns(layout, w.viewport.window.x).lab <= 0)
-    toggle_column(layout, Column::lab, w.viewport.window.x);
+  for (const char* section : {"Analysis", "Vertex inspector"}) layout.sections[section] = true;
+  if (shown_columns(layout, w.viewport.window.x).methods <= 0)
+    toggle_column(layout, Column::methods, w.viewport.window.x);
 }
 
 std::optional<std::uint32_t> pointed_vertex(const Workspace& w, const glm::vec2& at) {
