@@ -13,7 +13,7 @@ near='"camera": {"target": [0.3, 0.2, 0.28], "distance": 2.2, "yaw": 0.6, "pitch
 picture() {  # NAME FRAME STRAIGHT
   sed -e "s|\"dragon.ply\"|\"$dragon/dragon.ply\"|" -e "s|\"cage.obj\"|\"$dragon/cage.obj\"|" -e "s|\"poses\": |$near&|" \
     -e "s|\"frame\": 1, \"repeat\"|\"frame\": $2, \"straight\": $3, \"repeat\"|" "$dragon/loop.viete" > "$scratch/at.viete"
-  "$viete" render "$scratch/at.viete" --size 320x300 --no-cage --no-grid --force -o "$here/time_$1.png" 2>/dev/null
+  "$viete" render "$scratch/at.viete" --size 320x300 --no-grid --force -o "$here/time_$1.png" 2>/dev/null
 }
 
 for frame in 42 46 50; do

@@ -5,4 +5,4 @@ here=$(cd "$(dirname "$0")" && pwd)
 viete=${1:-$here/../../build/viete}
 dragon=$here/../dragon
 "$viete" render "$dragon/dragon.ply" "$dragon/cage.obj" --pose "$dragon/pose_alert.obj" \
-  --panels --size 1440x900 --force -o "$here/viewer.png" 2>/dev/null
+  --show-cage --panels --size 1440x900 --force -o "$here/viewer.png" 2>/dev/null

@@ -9,7 +9,7 @@ picture() {  # NAME OPTION...
   name=$1
   shift
   "$viete" render "$dragon/dragon.ply" "$dragon/cage.obj" --pose "$dragon/pose_flight.obj" "$@" \
-    --look front --size 420x400 --no-cage --no-grid --force -o "$here/way_$name.png" 2>/dev/null
+    --look front --size 420x400 --no-grid --force -o "$here/way_$name.png" 2>/dev/null
 }
 
 picture mean_value --way mean-value

@@ -29,8 +29,7 @@ std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const scene::Select
 bool CageMarks::set(const scene::Workspace& workspace, const render::Theme& theme) {
   Marks marks;
   marks.positions = workspace.document.pose.positions;
-  add_faces(workspace, marks);
-  add_edges(workspace, theme, marks);
+  if (workspace.tools) add_faces(workspace, marks), add_edges(workspace, theme, marks);
   if (marks == marks_) return false;
   marks_ = std::move(marks);
   upload();

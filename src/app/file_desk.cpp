@@ -111,6 +111,7 @@ void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
 
 PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::path& file) const {
   PictureExport what{file, program_, scene::session_of(w)};
+  what.session.view.cage = false;
   if (const auto& choice = w.browser.pictures) {
     scene::ViewOptions& view = what.session.view;
     view.cage = choice->cage, view.grid = choice->grid, view.dark = !choice->light;

@@ -1,5 +1,5 @@
 // On the first start the bundled model moves once from rest into a pose: what the program does is seen, and
-// every number is alive. And its poses and a few seconds of motion of its own.
+// every number is alive.
 #pragma once
 
 #include <filesystem>
@@ -32,11 +32,6 @@ private:
   std::optional<deform::Pose> goal_;
   double passed_ = 0;
 };
-
-/// Gives what is open the poses and keys of a session, if it is that session's model in its cage and nothing
-/// was done to it yet. The session itself is not opened, so that Save asks for a name; no edit, and nothing
-/// to save. Says whether it did; false also where the session cannot be read.
-bool add_loop(scene::Workspace& workspace, const std::filesystem::path& session);
 
 /// False where motion is not wanted: $VIETE_REDUCED_MOTION is set and not 0.
 bool motion_is_wanted();

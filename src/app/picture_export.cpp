@@ -44,6 +44,7 @@ std::vector<std::string> write_pictures_aside(const PictureExport& what, base::P
   base::replace_file(session, scene::session_text(what.session, session), base::Durability::process);
   std::vector<std::string> words{what.program.string(), "animate", session.string(), "-o",
                                  fs::absolute(what.file).string()};
+  if (what.session.view.cage) words.push_back("--show-cage");
   if (what.panels) words.push_back("--panels");
   return run_aside(words, progress);
 }

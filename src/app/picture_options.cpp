@@ -28,7 +28,7 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   view.panels = options.panels || (options.panels_of_session && view.panels);
   view.hints = false;
   view.dark &= !options.light;
-  view.cage &= !options.no_cage;
+  view.cage = options.cage;
   view.wireframe |= options.wireframe;
   if (options.error_map) view.field = lab::Field::exp_error;
   view.field = base::value_of_word<lab::Field>(options.map).value_or(view.field);
@@ -102,7 +102,7 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   scene::Workspace& workspace = offscreen->viewer().workspace();
   scene::take(workspace, std::move(opened));
   workspace.view = view_of(options, session);
-  workspace.attended = false;
+  workspace.attended = workspace.tools = false;
   split(workspace, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;
@@ -129,6 +129,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   auto* shading = command.add_option("--shading", options.shading,
                                      "clay, porcelain, jade, file (as it says), checker, normals or zebra");
   one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
+  command.add_flag("--show-cage", options.cage, "Draw the cage");
   command.add_flag("--panels", options.panels, "With the panels");
   command.add_flag("--light", options.light, "Light theme");
   command.add_flag("--wireframe", options.wireframe, "With the edges of the mesh");
@@ -145,7 +146,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
       "Two to four ways or methods, such as smooth,rigid; or log,straight: a view of each");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--error-map", options.error_map, "The same as --map exp-error");
-  command.add_flag("--no-cage", options.no_cage, "Without the cage");
   auto* width = command.add_option_function<double>(
       "--line-width",
       [&options](double points) {

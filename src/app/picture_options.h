@@ -17,7 +17,7 @@ namespace viete::app {
 
 struct PictureOptions {
   ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
-  bool panels = false, light = false, error_map = false, no_cage = false, wireframe = false, no_grid = false;
+  bool panels = false, light = false, error_map = false, cage = false, wireframe = false, no_grid = false;
   std::string look = "home", shading, map;
   std::vector<std::string> compare;             ///< ways or methods, a view each
   std::filesystem::path camera;                 ///< a session whose camera is taken; empty: none

@@ -78,6 +78,7 @@ void add_render_command(CLI::App& app, Action& action) {
   command->callback([o, command, &action] {
     check_usage(o->inputs);
     take_given(*command, o->picture);
+    o->picture.cage |= mesh::extension_of(o->output) == "svg";  // which is a picture of it
     // What is told of a pixel is that of one place.
     if (o->pass != render::Pass::none && o->pass != render::Pass::occlusion) o->picture.viewer.samples = 0;
     const bool is_split = !o->picture.compare.empty();

@@ -47,7 +47,7 @@ int play_into(const ReplayOptions& options) {
   ViewerOptions viewer_options{.size = script.window, .scale = options.scale, .probe = false};
   OffscreenViewer offscreen(viewer_options);
   Viewer& viewer = offscreen.viewer();
-  viewer.workspace().attended = false;
+  viewer.workspace().attended = viewer.workspace().tools = false;
   ScriptPlayer player(std::move(script), viewer);
   player.open();
   offscreen.settle();

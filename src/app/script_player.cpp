@@ -6,10 +6,10 @@
 #include <thread>
 #include <utility>
 
-#include "app/first_motion.h"
 #include "base/error.h"
 #include "scene/hand/projector.h"
 #include "scene/workspace/command.h"
+#include "scene/workspace/taking.h"
 
 namespace viete::app {
 
@@ -20,7 +20,7 @@ using Turn = ScriptPlayer::Turn;
 using After = Turn::What;
 
 constexpr float usual_frame = 1.0f / 64;  // of what has no frames of its own
-constexpr int looks_in_place = 8;               // frames until what has just opened has its size
+constexpr int looks_in_place = 8;         // frames until what has just opened has its size
 constexpr int most_looks = 120;           // frames until a widget is there, or in sight
 
 // The middle of the column that it is in, where the wheel scrolls.
@@ -58,7 +58,7 @@ void ScriptPlayer::open() {
 }
 
 void ScriptPlayer::begin() {
-  if (!script_.poses.empty()) add_loop(viewer_.workspace(), script_.poses);
+  if (!script_.poses.empty()) scene::add_motion(viewer_.workspace(), script_.poses);
   viewer_.workspace().scripting.playing = true;
 }
 

@@ -51,7 +51,6 @@ int view(WindowOptions options) {
     inputs.model = bundled.model;
     inputs.cage = bundled.cage;
     if (!bundled.poses.empty()) options.first_pose = bundled.poses.front();  // by name: the alert one
-    options.loop = bundled.loop;
   }
   std::string reason;
   if (run_window(options, reason)) return exit_ok;

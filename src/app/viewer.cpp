@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <ctime>
+#include <tuple>
 #include <utility>
 
 #include "app/aside.h"
+#include "app/assets.h"
 #include "app/build_facts.h"
 #include "app/manual.h"
 #include "base/atomic_file.h"
@@ -65,6 +67,10 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
                                         {render::diverging_palette(33), &field_colors_.diverging}})
     for (const glm::vec3& c : palette) colors->push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
+  try {
+    workspace_.example = bundled_model().loop;
+  } catch (const std::exception&) {  // it is not offered then
+  }
   place_viewport();
   input_.listen([this](platform::InputEvent& event) {
     if (script_.on()) script_.take(event, workspace_, recorder_);
@@ -79,6 +85,7 @@ glm::ivec2 Viewer::device_size() const {
 
 void Viewer::resize(glm::ivec2 logical_size) {
   if (script_.on() && options_.size != logical_size) script_.take_size(logical_size);
+  if (options_.size != logical_size) settle(3);  // panels take some frames to find their sizes
   options_.size = logical_size;
   place_viewport();
 }
@@ -111,11 +118,15 @@ void Viewer::frame(float seconds) {
   if (new_fields || inspected) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
+  const std::pair shown(workspace_.attended, workspace_.tools);
+  // A picture without the panels has neither notices nor tools.
+  if (take_screenshot_ && !workspace_.view.panels) workspace_.attended = workspace_.tools = false;
   upload(times);
   panels(times);
   const bool seen_anew = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
   moves_ = seen_anew || deformed_ || cage_moved;
   draw(times);
+  std::tie(workspace_.attended, workspace_.tools) = shown;
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
   if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_)) workspace_.stats.add(times);
@@ -187,7 +198,9 @@ bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
   const bool reports = files_.loading() || files_.exporting() || files_.measuring() || model_.binding() ||
                        sides_.binding(workspace_) || cages_.running() || analysis_.reports();
-  if (reports && base::wall_seconds() - last_frame_ > progress_seconds) return true;
+  const double passed = base::wall_seconds() - last_frame_;
+  if (reports && passed > progress_seconds) return true;
+  if (workspace_.browser.open && passed > 1) return true;  // files come and go
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
          analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
@@ -436,11 +449,7 @@ void Viewer::upload(scene::FrameTimes& times) {
 void Viewer::panels(scene::FrameTimes& times) {
   base::Stopwatch watch;
   recorder_.begin_frame();
-  // Who has hidden the panels wants no notices in a picture either.
-  const bool attended = std::exchange(workspace_.attended,
-                                      workspace_.attended && (workspace_.view.panels || !take_screenshot_));
   ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.dark), &recorder_, field_colors_});
-  workspace_.attended = attended;
   ImGui::Render();
   times.panels = watch.lap_ms();
 }

@@ -40,7 +40,6 @@ public:
       : window_(window),
         viewer_(window.gl(), viewer_options(window, options.binding)),
         first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()),
-        loop_(options.loop),
         show_(viewer_) {
     listen();
     scene::Remembered& remembered = viewer_.workspace().remembered;
@@ -64,7 +63,6 @@ private:
   platform::Window& window_;
   Viewer viewer_;
   FirstMotion first_motion_;
-  std::filesystem::path loop_;  // empty once the model has it, or never will
   ScriptShow show_;
   bool exposed_ = true, asks_ = false;
 };
@@ -115,7 +113,6 @@ void WindowViewer::call_for_attention() {
 
 void WindowViewer::draw(float seconds, bool exposed) {
   const bool ready = !viewer_.working() && viewer_.deformer() && viewer_.deformer()->ran();
-  if (ready && !loop_.empty()) add_loop(viewer_.workspace(), std::exchange(loop_, {}));
   first_motion_.step(viewer_.workspace(), ready && !show_.running(), seconds);
   viewer_.frame(show_.step(seconds));
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());

@@ -44,7 +44,7 @@ render::Paint paint_of(scene::Shading shading, bool file_says_something) {
 
 // How much of the motion each vertex of the cage makes; nothing where nothing goes along softly.
 std::vector<float> soft_shares(const scene::Workspace& w) {
-  if (!w.handling.soft.on || scene::moving_vertices(w.document).empty()) return {};
+  if (!w.tools || !w.handling.soft.on || scene::moving_vertices(w.document).empty()) return {};
   std::vector<float> shares(w.document.pose.positions.size(), 0.0f);
   const auto& drag = w.interaction.drag;
   for (const auto& g : drag ? drag->grip().vertices : scene::grip_of(w).vertices)
@@ -178,18 +178,19 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   const render::Theme theme = theme_of(workspace);
   const auto& document = workspace.document;
   // Vertices stand back where edges or faces are what is selected.
-  const bool vertices = document.selection.kind() == scene::ElementKind::vertex;
+  const bool vertices = !workspace.tools || document.selection.kind() == scene::ElementKind::vertex;
+  const auto selected = workspace.tools ? scene::selected_vertices(*document.cage, document.selection)
+                                        : std::vector<std::uint32_t>{};
   Hand hand{workspace.view.dark, {}, {}};
   auto& discs = hand.discs;
   discs.assign(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
-  for (const auto v : scene::selected_vertices(*document.cage, document.selection)) {
-    discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
-  }
+  for (const auto v : selected) discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
   const std::vector<float> shares = soft_shares(workspace);
   soften(shares, theme, discs);
   for (const auto v : document.groups.hidden) discs[v].radius = 0;
   if (hidden_ != document.groups.hidden) set_shown_edges(document);
-  if (const auto v = workspace.interaction.hovered; vertices && v && *v < discs.size()) discs[*v].ring = true;
+  const auto hovered = workspace.tools ? workspace.interaction.hovered : std::nullopt;
+  if (vertices && hovered && *hovered < discs.size()) discs[*hovered].ring = true;
   if (!shares.empty()) hand.ends = ramp_of_ends(shares, theme, shown_edges_);
   if (marks_.set(workspace, theme)) ++content_;
   if (hand_ == hand) return;

@@ -11,7 +11,9 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -49,6 +51,15 @@ struct SpawnSettings {
 };
 
 }  // namespace
+
+bool is_installed(std::string_view program) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/bin:/usr/bin");  // as posix_spawnp() looks without it
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access(((folder.empty() ? "." : folder) + '/' + std::string(program)).c_str(), X_OK) == 0)
+      return true;
+  return false;
+}
 
 ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::string& advice,
                            const std::vector<std::string>& variables)

@@ -10,6 +10,9 @@
 
 namespace viete::base {
 
+/// True if there is a program of that name in PATH.
+bool is_installed(std::string_view program);
+
 /// Called several times a second by who waits for a program; what it throws ends the waiting.
 using WhileWaiting = std::function<void()>;
 

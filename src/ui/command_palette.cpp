@@ -28,7 +28,7 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (highlighted) draw.AddRectFilled(at, {at.x + width, at.y + palette_row}, ui.colors.card_active, 4);
   const float y = at.y + 0.5f * (palette_row - ImGui::GetFontSize());
-  const std::string label(command.label), group(command.group);
+  const std::string label = command.label_now(ui.workspace), group(command.group);
   draw.AddText({at.x + 8, y}, enabled ? ui.colors.text : faded(ui.colors.faint, 0.7f), label.c_str());
   const float after = std::max(160.0f, ImGui::CalcTextSize(label.c_str()).x + 16);
   draw.AddText({at.x + 8 + after, y}, faded(ui.colors.faint, enabled ? 0.9f : 0.5f), group.c_str());

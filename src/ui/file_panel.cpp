@@ -383,6 +383,16 @@ void button_row(const Context& ui) {
                                                    : choose_typed(ui.workspace);
 }
 
+// Where the program's window was made smaller than it was.
+void keep_within(const ImVec2& display) {
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const ImVec2 fitting{std::min(size.x, display.x), std::min(size.y, display.y)};
+  if (fitting.x < size.x || fitting.y < size.y) ImGui::SetWindowSize(fitting);
+  const ImVec2 inside{std::clamp(at.x, 0.0f, display.x - fitting.x),
+                      std::clamp(at.y, 0.0f, display.y - fitting.y)};
+  if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
+}
+
 }  // namespace
 
 void file_panel(const Context& ui) {
@@ -397,7 +407,9 @@ void file_panel(const Context& ui) {
   ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
   bool open = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  scene::refresh(browser);
   ImGui::Begin(title(browser.purpose), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  keep_within(display);
   path_field(ui);
   const bool typing_path = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
   path_note(ui);

@@ -222,8 +222,7 @@ private:
 
 // Its terms, at a vertex: the one that is picked, or what is in the middle of the view.
 void show_sum(scene::Workspace& w) {
-  w.remembered.layout.sections["Vertex"] = true;
-  if (!w.vertex.vertex) w.vertex.vertex = scene::pointed_vertex(w, w.viewport.middle());
+  scene::show_sum_at(w, w.vertex.vertex ? w.vertex.vertex : scene::pointed_vertex(w, w.viewport.middle()));
 }
 
 }  // namespace

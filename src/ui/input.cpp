@@ -49,7 +49,9 @@ void set_key(scene::Workspace& workspace) {
 // While the mouse is at work keys are its own: they must not change what it holds.
 void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || ImGui::IsAnyItemActive() || pointer.active() || workspace.question) return;
+  if (io.WantTextInput || ImGui::IsAnyItemActive() || types_into_slider(workspace) || pointer.active() ||
+      workspace.question)
+    return;
   for (const auto& command : scene::commands()) {
     const scene::Shortcuts keys = workspace.remembered.keymap.of(command);
     if (!matches(keys.first, io) && !matches(keys.second, io)) continue;

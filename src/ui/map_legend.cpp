@@ -103,8 +103,11 @@ void pointer(const Legend& l, double value) {
 }
 
 std::string title(const scene::FieldView& shown, lab::Field field, scene::Method method) {
-  if (field != lab::Field::exp_error) return std::string(base::entry_of(field).label);
-  return "Error of exp by " + method_label(shown.stats.vertices ? shown.stats.method : method);
+  std::string text(base::entry_of(field).label);
+  if (field == lab::Field::exp_error)
+    text += " by " + method_label(shown.stats.vertices ? shown.stats.method : method);
+  const std::string_view unit = lab::entry(field).unit;
+  return unit.empty() ? text : text + ", " + std::string(unit);
 }
 
 std::string extent(const scene::FieldView& shown, float room) {
@@ -124,7 +127,8 @@ void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   draw.AddRectFilled(low, {low.x + size.width, low.y + size.height}, faded(ui.colors.card, 0.92f), 8);
   ImGui::PushFont(ui.fonts.text);
-  draw.AddText({low.x + legend_margin, low.y + 8}, ui.colors.text, title(shown, field, method).c_str());
+  draw.AddText({low.x + legend_margin, low.y + 8}, ui.colors.text,
+               shortened(title(shown, field, method), size.width - 2 * legend_margin).c_str());
   draw.AddText({low.x + legend_margin, low.y + 27}, ui.colors.faint,
                extent(shown, size.width - 2 * legend_margin).c_str());
   ImGui::PopFont();

@@ -1,4 +1,12 @@
 // The bar at the top, and the menu that a click with the right button opens: commands by their groups.
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/document/record.h"
+#include "scene/workspace/command_conditions.h"
 #include "scene/workspace/menus.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -9,6 +17,57 @@ namespace {
 
 bool is_shown(const Context& ui, const scene::Command& command) {
   return !command.passing || command.enabled(ui.workspace);
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+// The last edits, the newest first: the one that the document is at is marked, and a click goes to another.
+void history_menu(const Context& ui) {
+  constexpr std::size_t most = 50;
+  scene::Workspace& w = ui.workspace;
+  const std::vector<std::string> labels = w.document.history.labels();
+  const std::size_t position = w.document.history.position();
+  const bool open = ImGui::BeginMenu("History", !labels.empty() && !scene::in_hand(w));
+  record(ui, "menu/history");
+  if (!open) return;
+  std::size_t wanted = position;
+  const std::size_t last = labels.size() > most ? std::min(position, labels.size() - most) : 0;
+  for (std::size_t n = labels.size() + 1; n-- > last;) {  // after n edits
+    const std::string label = n == 0 ? "Before the first edit" : capitalised(labels[n - 1]);
+    if (ImGui::MenuItem((label + "##" + std::to_string(n)).c_str(), nullptr, n == position)) wanted = n;
+    record(ui, "history/" + std::to_string(n));
+  }
+  ImGui::EndMenu();
+  if (wanted == position) return;
+  scene::go_to_edit(w.document, wanted);
+  w.interaction.hovered.reset();
+}
+
+void recent_menu(const Context& ui) {
+  scene::Workspace& w = ui.workspace;
+  const bool open = ImGui::BeginMenu("Open recent", !w.remembered.recent.empty());
+  record(ui, "menu/recent");
+  if (!open) return;
+  std::optional<std::size_t> chosen;
+  for (std::size_t i = 0; i < w.remembered.recent.size(); ++i) {
+    const scene::RecentFile& recent = w.remembered.recent[i];
+    const std::string name = recent.file.filename().string() + "##" + std::to_string(i);
+    const std::string folder = shortened(recent.file.parent_path().filename().string(), 160);
+    if (ImGui::MenuItem(name.c_str(), folder.c_str())) chosen = i;
+    record(ui, "menu/recent/" + std::to_string(i));
+    hint(recent.file.string() + (recent.cage.empty() ? "" : "  in  " + recent.cage.string()));
+  }
+  ImGui::EndMenu();
+  if (chosen) open_recent(w, *chosen);
+}
+
+// Menus of what there is just now, behind a command.
+void list_behind(const Context& ui, const scene::Command& command) {
+  if (command.name == "open_model") recent_menu(ui);
+  if (command.name == "redo") history_menu(ui);
 }
 
 // Commands of one choice, which follow one another, in a menu of their own.
@@ -29,6 +88,7 @@ void items(const Context& ui, const scene::Menu& menu) {
     if ((submenu.empty() || open) &&
         menu_item(ui, *command, submenu.empty() ? std::string_view(command->label) : command->brief))
       command->run(ui.workspace);
+    if (submenu.empty()) list_behind(ui, *command);
   }
   if (open) ImGui::EndMenu();
 }
@@ -56,7 +116,7 @@ constexpr Offer offers[] = {{"undo", false},           {"redo", false},
 bool menu_item(const Context& ui, const scene::Command& command, std::string_view called) {
   const bool enabled = command.enabled(ui.workspace);
   const bool on = command.on(ui.workspace);
-  const std::string label = std::string(called) + "##" + std::string(command.name);
+  const std::string label = command.label_now(ui.workspace, called) + "##" + std::string(command.name);
   const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
   const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
   record(ui, "menu/" + std::string(command.name), enabled);

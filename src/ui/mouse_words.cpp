@@ -43,6 +43,7 @@ std::vector<MouseLine> mouse_lines(const scene::Keymap& keymap) {
   lines.push_back({"Ctrl, Shift while dragging", "snap to steps; go a tenth of the way"});
   lines.push_back({"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, done"});
   lines.push_back({"Esc or right button", "during a drag: everything as it was"});
+  lines.push_back({"Double click on a slider", "type its number (or Ctrl+click)"});
   lines.push_back({"Right click", "a menu of what can be done there"});
   add_looking(keymap, lines);
   return lines;

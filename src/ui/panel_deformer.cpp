@@ -69,23 +69,29 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   ImGui::EndCombo();
 }
 
-// A slider of so many stops, with its value beside it. True if it was moved.
-bool stops(const Context& ui, const char* name, const char* label, int& stop, int last, bool used,
-           const std::string& value, const std::string& hint_text) {
+struct Number {
+  double value, least, most;
+};
+
+// A slider of so many stops, with its value beside it, which can be typed as a number.
+Slid stops(const Context& ui, const char* name, const char* label, int& stop, int last, bool used,
+           const Number& number, const std::string& value, const std::string& hint_text) {
   ImGui::BeginDisabled(!used);
   row_label(label, chooser_label);
   constexpr float value_width = 84;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(-value_width);
   const std::string id = std::string("##") + name;
-  const bool moved = ImGui::SliderInt(id.c_str(), &stop, 0, last, "", ImGuiSliderFlags_NoInput);
-  record(ui, name, used);
+  const auto draw = [&] {
+    return ImGui::SliderInt(id.c_str(), &stop, 0, last, "", ImGuiSliderFlags_NoInput);
+  };
+  const Slid slid = slider(ui, name, number.value, number.least, number.most, draw, used);
   ImGui::EndDisabled();
   hint(hint_text);
   ImGui::BeginDisabled(!used);
   value_beside(right, value);
   ImGui::EndDisabled();
-  return moved;
+  return slid;
 }
 
 void reach_slider(const Context& ui) {
@@ -95,24 +101,28 @@ void reach_slider(const Context& ui) {
   const auto reaches = scene::usual_reaches();
   const double reach = used ? document.scheme.weighting.reach : scene::whole_cage;
   int stop = static_cast<int>(scene::nearest_reach(reach));
-  const bool moved = stops(
+  const Slid slid = stops(
       ui, "reach", "Reach", stop, static_cast<int>(reaches.size()) - 1, used,
+      {reach, scene::lowest_reach, scene::whole_cage},
       reach < scene::whole_cage ? scene::text_of_reach(reach) + " x nearest" : "whole cage",
       used ? "How far each face of the cage reaches. At 3, a part of the model follows the faces that are "
              "at most 3 times as far away as the nearest ones, and no others: edits stay where they are "
              "made. The whole cage: every face moves all of the model, if only a little."
            : std::string(condition.otherwise));
-  if (moved) scene::set_reach(document, reaches[static_cast<std::size_t>(stop)]);
+  if (slid.moved) scene::set_reach(document, reaches[static_cast<std::size_t>(stop)]);
+  if (slid.typed) scene::set_reach(document, *slid.typed);
 }
 
-// A slider of these shares: the one that it was moved to.
+// A slider of these shares: the one that it was moved to, or that was typed in percent.
 std::optional<double> share_slider(const Context& ui, const char* name, const char* label, double share,
                                    std::span<const double> all, const char* hint_text) {
   const auto above = std::ranges::lower_bound(all, share);
   int stop = static_cast<int>(std::min(above, all.end() - 1) - all.begin());
-  const bool moved = stops(ui, name, label, stop, static_cast<int>(all.size()) - 1, true,
-                           scene::text_of_percent(share), hint_text);
-  return moved ? std::optional(all[static_cast<std::size_t>(stop)]) : std::nullopt;
+  const Slid slid =
+      stops(ui, name, label, stop, static_cast<int>(all.size()) - 1, true,
+            {100 * share, 100 * all.front(), 100 * all.back()}, scene::text_of_percent(share), hint_text);
+  if (slid.typed) return std::clamp(0.01 * *slid.typed, all.front(), all.back());
+  return slid.moved ? std::optional(all[static_cast<std::size_t>(stop)]) : std::nullopt;
 }
 
 void radius_slider(const Context& ui) {
@@ -130,13 +140,14 @@ void falloff_slider(const Context& ui) {
   const bool used = entry(document.scheme.weighting.weights).has.exponent;
   const int exponent = used ? document.scheme.weighting.exponent : 2;
   int stop = exponent - 1;
-  const bool moved =
+  const Slid slid =
       stops(ui, "exponent", "Falloff", stop, scene::most_exponent - 1, used,
-            used ? "power " + std::to_string(exponent) : "-",
+            {double(exponent), 1, scene::most_exponent}, used ? "power " + std::to_string(exponent) : "-",
             used ? "The power of distances in these weights: the higher, the more each part of the model "
                    "follows what is nearest."
                  : "These weights are no powers of distances.");
-  if (moved) scene::set_exponent(document, stop + 1);
+  if (slid.moved) scene::set_exponent(document, stop + 1);
+  if (slid.typed) scene::set_exponent(document, static_cast<int>(std::lround(*slid.typed)));
 }
 
 void weight_limits(const Context& ui) {
@@ -164,11 +175,12 @@ bool amount_slider(const Context& ui, const char* name, const char* label, doubl
   const double shown = used ? amount : 1;
   int stop = static_cast<int>(std::lround(shown / step));
   const std::string percent = std::to_string(std::lround(100 * shown)) + " %";
-  if (!stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)), used,
-             percent, used ? what : "Points of the cage only move: they do not turn or stretch."))
-    return false;
-  amount = std::round(100 * step * stop) / 100;
-  return true;
+  const Slid slid = stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)),
+                          used, {100 * shown, 0, 100 * scene::largest_amount}, percent,
+                          used ? what : "Points of the cage only move: they do not turn or stretch.");
+  if (slid.moved) amount = std::round(100 * step * stop) / 100;
+  if (slid.typed) amount = 0.01 * *slid.typed;
+  return slid.moved || slid.typed;
 }
 
 void amount_sliders(const Context& ui) {
@@ -213,11 +225,13 @@ void stitching(const Context& ui) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
   int iterations = document.scheme.iterations;
-  const bool moved = ImGui::SliderInt("##iterations", &iterations, 1, scene::most_iterations,
-                                      iterations == 1 ? "%d iteration" : "%d iterations",
-                                      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-  if (moved) scene::set_iterations(document, iterations);
-  record(ui, "iterations");
+  const Slid slid = slider(ui, "iterations", iterations, 1, scene::most_iterations, [&] {
+    return ImGui::SliderInt("##iterations", &iterations, 1, scene::most_iterations,
+                            iterations == 1 ? "%d iteration" : "%d iterations",
+                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+  });
+  if (slid.typed) iterations = static_cast<int>(std::lround(*slid.typed));
+  if (slid.moved || slid.typed) scene::set_iterations(document, iterations);
   hint(
       "How often the model is solved for in each frame. From the second time on, rotations of its triangles "
       "are "

@@ -14,18 +14,19 @@ namespace {
 
 constexpr float making_label = 84, making_value = 52;
 
-// A slider with its value at the right of it; true while it is moved.
-bool slider(const Context& ui, const char* text, const std::string& name, float& value, float least,
-            float most, ImGuiSliderFlags flags, const std::string& shown, const char* sentence) {
+// A slider with its value at the right of it.
+Slid slider_row(const Context& ui, const char* text, const std::string& name, float& value, float least,
+                float most, ImGuiSliderFlags flags, const std::string& shown, const char* sentence) {
   row_label(text, making_label);
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(-making_value);
-  const bool moved = ImGui::SliderFloat(("##" + name).c_str(), &value, least, most, "",
-                                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | flags);
-  record(ui, name);
+  flags |= ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+  const Slid slid = slider(ui, name, value, least, most, [&] {
+    return ImGui::SliderFloat(("##" + name).c_str(), &value, least, most, "", flags);
+  });
   hint(sentence);
   value_beside(right, shown);
-  return moved;
+  return slid;
 }
 
 // Steps that a hand can find again: 12, 14 ... 100, 110 ... 2,000.
@@ -37,10 +38,12 @@ std::size_t rounded_triangles(float value) {
 void triangles(const Context& ui, scene::CageWish& wish) {
   constexpr float most = 2000;  // more take long, and are no cage that a person poses
   auto value = static_cast<float>(wish.triangles);
-  if (slider(ui, "Triangles", "cage_triangles", value, scene::least_triangles, most,
-             ImGuiSliderFlags_Logarithmic, count(wish.triangles),
-             "How many the cage has: fewer are posed more quickly, more follow the model more closely."))
-    wish.triangles = rounded_triangles(value);
+  const Slid slid =
+      slider_row(ui, "Triangles", "cage_triangles", value, scene::least_triangles, most,
+                 ImGuiSliderFlags_Logarithmic, count(wish.triangles),
+                 "How many the cage has: fewer are posed more quickly, more follow the model more closely.");
+  if (slid.moved) wish.triangles = rounded_triangles(value);
+  if (slid.typed) wish.triangles = static_cast<std::size_t>(std::lround(*slid.typed));
 }
 
 std::string percent(double share) {
@@ -52,8 +55,11 @@ std::string percent(double share) {
 void share(const Context& ui, const char* text, const char* name, double& share, double least, double most,
            const char* sentence) {
   auto value = static_cast<float>(100 * share);
-  if (slider(ui, text, name, value, static_cast<float>(100 * least), static_cast<float>(100 * most),
-             ImGuiSliderFlags_Logarithmic, percent(share), sentence)) {
+  const Slid slid =
+      slider_row(ui, text, name, value, static_cast<float>(100 * least), static_cast<float>(100 * most),
+                 ImGuiSliderFlags_Logarithmic, percent(share), sentence);
+  if (slid.typed) share = std::clamp(0.01 * *slid.typed, least, most);
+  if (slid.moved) {
     const double step = value < 1 ? 0.05 : 0.5;  // percent
     share = std::clamp(0.01 * step * std::round(static_cast<double>(value) / step), least, most);
   }
@@ -64,9 +70,10 @@ void cells(const Context& ui, scene::CageWish& wish) {
   constexpr const char* labels[] = {"Cells, x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k) {
     auto value = static_cast<float>(wish.cells[k]);
-    if (slider(ui, labels[k], names[k], value, 1, 12, 0, count(wish.cells[k]),
-               "Into how many cells the box is cut along this axis."))
-      wish.cells[k] = static_cast<std::size_t>(std::lround(value));
+    const Slid slid = slider_row(ui, labels[k], names[k], value, 1, 12, 0, count(wish.cells[k]),
+                                 "Into how many cells the box is cut along this axis.");
+    if (slid.moved || slid.typed)
+      wish.cells[k] = static_cast<std::size_t>(std::lround(slid.typed.value_or(value)));
   }
   ImGui::Checkbox("Along the model's own axes", &wish.own_axes);
   record(ui, "cage_own_axes");

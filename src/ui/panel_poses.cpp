@@ -70,15 +70,19 @@ void picture(const Context& ui, std::size_t row, const scene::NamedPose& named, 
   draw_pose(ui, named, low, ui.workspace.chosen_pose == row, hovered);
 }
 
-void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, PoseWish& wish) {
+void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, double shown, PoseWish& wish) {
   const std::string id = "pose_weight/" + std::to_string(row);
-  const double percent = 100 * named.weight;
+  const double percent = 1e-6 * std::round(1e8 * shown);
   auto slid = static_cast<float>(percent);
   ImGui::SetNextItemWidth(-percent_width - ImGui::GetStyle().ItemInnerSpacing.x);
   const std::string moves = named.part.empty() ? "" : count(named.part.size()) + " vertices";
-  if (ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, moves.c_str(), ImGuiSliderFlags_NoInput))
-    wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
-  record(ui, id);
+  constexpr double least = 100 * scene::PoseLibrary::least_weight,
+                   most = 100 * scene::PoseLibrary::largest_weight;
+  const Slid done = slider(ui, id, percent, least, most, [&] {
+    return ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, moves.c_str(), ImGuiSliderFlags_NoInput);
+  });
+  if (done.moved) wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
+  if (done.typed) wish.weight = std::pair(row, 0.01 * *done.typed);
   const std::string part = named.part.empty() ? "" : " It moves " + moves + ": those that were selected.";
   hint("How much of it is mixed in, in log space: 0 % none, 100 % all, also beyond and below." + part);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -89,7 +93,7 @@ void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, P
   hint("The same in percent, from -200 to 300");
 }
 
-void row(const Context& ui, std::size_t index, PoseWish& wish) {
+void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
   const scene::NamedPose& named = ui.workspace.document.library.poses[index];
   const std::string id = std::to_string(index);
   picture(ui, index, named, wish);
@@ -101,7 +105,7 @@ void row(const Context& ui, std::size_t index, PoseWish& wish) {
   if (const auto name =
           name_field(ui, "pose_name/" + id, named.name, width, "The name of the pose; type another one"))
     wish.name = std::pair(index, *name);
-  weight(ui, index, named, wish);
+  weight(ui, index, named, shown, wish);
   ImGui::PopStyleVar(2);
   ImGui::EndGroup();
 }
@@ -111,7 +115,8 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
   if (wish.weight) {
     const auto [pose, weight] = *wish.weight;
     scene::change_mix(w, [&] {
-      return scene::set_weight(w.document, w.playback.vectors, pose, weight, w.handling.mix_selected);
+      return scene::set_weight(w.document, w.playback.vectors, pose, weight, w.handling.mix_selected,
+                               scene::shown_weights(w));
     });
   }
   if (wish.name) scene::rename_pose(w.document, wish.name->first, wish.name->second);
@@ -123,6 +128,12 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
   }
 }
 
+void no_poses(const Context& ui) {
+  note(ui, "Keep what you have posed under a name; then sliders mix poses, and keys play them.");
+  command_row(ui, {"keep_pose"});
+  if (scene::find_command("add_example")->enabled(ui.workspace)) command_row(ui, {"add_example"});
+}
+
 }  // namespace
 
 void panel_poses(const Context& ui) {
@@ -132,16 +143,15 @@ void panel_poses(const Context& ui) {
   const bool open = section(ui, "Poses");
   if (poses > 0) section_note(ui, count(poses));
   if (!open) return;
-  if (poses == 0)
-    note(ui, "Keep what you have posed under a name; then sliders mix poses, and keys play them.");
+  if (poses == 0) return no_poses(ui);
   const bool free = !scene::in_hand(w) && !scene::is_editing_cage(w.document);
   PoseWish wish;
   w.pose_pictures.tidy();
   // Above the list, which grows where it ends: nothing that is clicked moves away.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   ImGui::BeginDisabled(!free);
-  for (std::size_t i = 0; i < w.document.library.poses.size(); ++i)
-    row(ui, i, wish);  // a button has changed it
+  const std::vector<double> shown = scene::shown_weights(w);  // of those that a button has left
+  for (std::size_t i = 0; i < shown.size(); ++i) row(ui, i, shown[i], wish);
   ImGui::EndDisabled();
   if (free) grant(w, wish);
 }

@@ -26,17 +26,22 @@ bool radius_slider(const Context& ui, const std::string& name, double& radius, b
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::BeginDisabled(!used);
   ImGui::SetNextItemWidth(-value_width);
-  const bool moved = ImGui::SliderFloat(
-      ("##" + name).c_str(), &percent, least, most, "",
-      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
-  record(ui, name, used);
+  constexpr auto flags =
+      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput;
+  const auto draw = [&] {
+    return ImGui::SliderFloat(("##" + name).c_str(), &percent, least, most, "", flags);
+  };
+  const Slid slid = slider(ui, name, percent, least, most, draw, used);
   hint(
       "How far it reaches at rest, in percent of the model's diagonal. The circle in the view is the largest "
       "of the three.");
   value_beside(right, std::to_string(std::lround(percent)) + " %");
   ImGui::EndDisabled();
-  if (moved) radius = unit * static_cast<double>(std::round(percent));
-  return moved;
+  if (slid.moved) radius = unit * static_cast<double>(std::round(percent));
+  if (slid.typed)
+    radius = std::clamp(unit * *slid.typed, scene::least_probe_radius(document),
+                        scene::largest_probe_radius(document));
+  return slid.moved || slid.typed;
 }
 
 void influence(const Context& ui, const char* label, const char* name, scene::Part part) {
@@ -62,9 +67,11 @@ void freedom(const Context& ui) {
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   auto percent = static_cast<float>(100 * value);
   ImGui::SetNextItemWidth(-value_width);
-  if (ImGui::SliderFloat("##pin_freedom", &percent, 0, 100, "", ImGuiSliderFlags_NoInput))
-    value = 0.01 * std::round(static_cast<double>(percent));
-  record(ui, "pin_freedom");
+  const Slid slid = slider(ui, "pin_freedom", 100 * value, 0, 100, [&] {
+    return ImGui::SliderFloat("##pin_freedom", &percent, 0, 100, "", ImGuiSliderFlags_NoInput);
+  });
+  if (slid.moved) value = 0.01 * std::round(static_cast<double>(percent));
+  if (slid.typed) value = 0.01 * *slid.typed;
   hint("How far pins take the model off the shapes of the list: 0 % as these do, 100 % as rigid as can be.");
   value_beside(right, std::to_string(std::lround(100 * value)) + " %");
 }

@@ -62,10 +62,14 @@ void soft_radius(const Context& ui, float width) {
   const std::string shown = length(soft.radius * diagonal);
   std::string format;  // a percent sign would be read as one of ImGui's
   for (const char c : shown) format += c == '%' ? "%%" : std::string(1, c);
-  if (ImGui::SliderFloat("##soft_radius", &value, static_cast<float>(scene::SoftSelection::least_radius), 1,
-                         format.c_str(), flags))
-    soft.radius = std::max(scene::SoftSelection::least_radius, static_cast<double>(value));
-  record(ui, "soft_radius", soft.on);
+  constexpr double least = scene::SoftSelection::least_radius;
+  const auto draw = [&] {
+    return ImGui::SliderFloat("##soft_radius", &value, static_cast<float>(least), 1, format.c_str(), flags);
+  };
+  const Slid slid =
+      slider(ui, "soft_radius", soft.radius * diagonal, least * diagonal, diagonal, draw, soft.on);
+  if (slid.moved) soft.radius = std::max(least, static_cast<double>(value));
+  if (slid.typed) soft.radius = std::clamp(*slid.typed / diagonal, least, 1.0);
   hint("How far from the selection something still moves. During a drag the wheel changes it.");
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
@@ -102,8 +103,9 @@ void ways(const Context& ui, const VertexView& view) {
 }  // namespace
 
 void panel_vertex(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
+  scene::Workspace& w = ui.workspace;
   if (!w.document.has_cage() || !section(ui, "Vertex inspector", false)) return;
+  if (std::exchange(w.vertex.appearing, false)) ImGui::SetScrollHereY(0);
   const VertexView& view = w.vertex;
   if (!view.vertex)
     return note(ui, "Point at the model and press " +

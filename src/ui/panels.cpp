@@ -66,15 +66,12 @@ void draw_panels(const Context& ui) {
   const DrawnBefore before{background.VtxBuffer.Size, background.IdxBuffer.Size,
                            static_cast<int>(background._VtxCurrentIdx)};
   path_overlay(ui);
-  torn_overlay(ui);
-  probe_overlay(ui);
-  hand_overlay(ui);
-  gizmo_overlay(ui);
+  if (ui.workspace.tools) torn_overlay(ui), probe_overlay(ui), hand_overlay(ui), gizmo_overlay(ui);
   vertex_overlay(ui);
   repeat_in_views(ui, before);
   axis_overlay(ui);
   split_overlay(ui);
-  view_overlay(ui);
+  if (ui.workspace.tools) view_overlay(ui);
   mark_overlay(ui);
   if (ui.workspace.view.panels) {
     menu_bar(ui);

@@ -83,15 +83,20 @@ void brush_fields(const Context& ui) {
   const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
   constexpr auto flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
   ImGui::SetNextItemWidth(width);
-  ImGui::SliderFloat("##brush_radius", &brush.radius, scene::Brush::least_radius, 150, "%.0f px", flags);
-  record(ui, "brush_radius");
+  float radius = brush.radius;
+  constexpr float least = scene::Brush::least_radius, most = 150;
+  const Slid reach = slider(ui, "brush_radius", radius, least, most, [&] {
+    return ImGui::SliderFloat("##brush_radius", &radius, least, most, "%.0f px", flags);
+  });
+  if (reach.moved || reach.typed) brush.radius = static_cast<float>(reach.typed.value_or(radius));
   hint("How far the brush reaches in the picture. Shift and the wheel change it, too.");
   ImGui::SameLine(0, spacing);
   ImGui::SetNextItemWidth(width);
   int percent = static_cast<int>(std::lround(100 * brush.share));
-  if (ImGui::SliderInt("##brush_share", &percent, 0, 100, "follows %d %%", flags))
-    brush.share = static_cast<float>(percent) / 100;
-  record(ui, "brush_share");
+  const Slid share = slider(ui, "brush_share", percent, 0, 100, [&] {
+    return ImGui::SliderInt("##brush_share", &percent, 0, 100, "follows %d %%", flags);
+  });
+  if (share.moved || share.typed) brush.share = static_cast<float>(share.typed.value_or(percent) / 100);
   hint(
       "How much of its motion the model keeps where it is painted: 0 % stays at rest. With Ctrl the brush "
       "paints 100 %.");

@@ -22,8 +22,13 @@ const scene::Command& require(std::string_view name) {
   return *command;
 }
 
-std::string printed(double value) {
+// Five digits, or as many as there is room for.
+std::string printed(double value, float room) {
   char text[64];
+  for (int digits = 5; digits > 1; --digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (ImGui::CalcTextSize(text).x <= room) return text;
+  }
   std::snprintf(text, sizeof text, "%.5g", value);
   return text;
 }
@@ -111,7 +116,9 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
 
 std::string hint_of(const Context& ui, const scene::Command& command) {
   const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
-  const std::string what = std::string(command.hint) + (keys.empty() ? "" : "  (" + keys + ")");
+  const std::string does =
+      command.subject ? command.label_now(ui.workspace) + ".  " + command.hint : command.hint;
+  const std::string what = does + (keys.empty() ? "" : "  (" + keys + ")");
   return command.enabled(ui.workspace) ? what : what + "\n" + std::string(command.enabled.otherwise);
 }
 
@@ -151,14 +158,35 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
                                       color ? color : ui.colors.faint, text.c_str());
 }
 
+namespace {
+
+// Panels behind a dialog, which has a title or is modal, have no hints: these would lie over it.
+bool is_behind_dialog() {
+  const ImGuiContext& g = *GImGui;
+  const ImGuiWindow* own = g.CurrentWindow->RootWindow;
+  if (g.IO.WantTextInput && g.ActiveIdWindow && g.ActiveIdWindow->RootWindow != own) return true;
+  constexpr auto no_dialog = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_ChildWindow |
+                             ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_Popup;
+  const auto is_dialog = [&](const ImGuiWindow* window) {
+    return window->WasActive && ((window->Flags & ImGuiWindowFlags_Modal) || !(window->Flags & no_dialog));
+  };
+  for (int i = g.Windows.Size; i-- > 0;) {
+    if (g.Windows[i] == own) return false;
+    if (is_dialog(g.Windows[i])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool wants_hint() {
   const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
   return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive() &&
-         !(tooltip && tooltip->Active);
+         !(tooltip && tooltip->Active) && !is_behind_dialog();
 }
 
 bool take_escape(scene::Workspace& w) {
-  if (ImGui::IsMouseClicked(0)) scene::take_hold(w);
+  if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) scene::take_hold(w);
   if (w.question || !key_pressed(scene::Key::escape)) return false;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     ImGui::ClosePopupToLevel(0, true);
@@ -284,7 +312,7 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
 // Neither InputDouble, which leaves commas out, nor EnterReturnsTrue, which newer versions know for texts
 // only.
 std::optional<double> number_field(const Context& ui, const std::string& name, double value) {
-  const std::string shown = printed(value);
+  const std::string shown = printed(value, ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x);
   char text[64] = "";
   typed_so_far(ui, name, shown).copy(text, sizeof text - 1);
   constexpr auto flags = ImGuiInputTextFlags_CallbackCharFilter | ImGuiInputTextFlags_AutoSelectAll;
@@ -299,6 +327,51 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
   if (!number)
     ui.workspace.messages.warn('"' + std::string(text) + "\" is not a number; nothing was changed");
   return number;
+}
+
+bool types_into_slider(const scene::Workspace& w) {
+  return !w.typed_slider.name.empty() && w.typed_slider.frame + 1 >= ImGui::GetFrameCount();
+}
+
+namespace {
+
+constexpr int frames_to_focus = 4;
+
+// The keyboard comes to it once the button that was pressed on the slider is up.
+std::optional<double> slider_field(const Context& ui, const std::string& name, double value) {
+  scene::TypedSlider& typing = ui.workspace.typed_slider;
+  typing.frame = ImGui::GetFrameCount();
+  const bool released = !ImGui::IsMouseDown(0);
+  if (released && typing.waits == frames_to_focus) ImGui::SetKeyboardFocusHere();
+  const auto typed = number_field(ui, name + "/field", value);
+  if (ImGui::IsItemActive()) {
+    typing.waits = 0;
+  } else if (released && typing.waits-- <= 0) {
+    typing = {};
+  }
+  return typed;
+}
+
+}  // namespace
+
+Slid slider(const Context& ui, const std::string& name, double value, double least, double most,
+            const std::function<bool()>& draw, bool enabled) {
+  Slid slid;
+  if (types_into_slider(ui.workspace) && ui.workspace.typed_slider.name == name) {
+    slid.typed = slider_field(ui, name, value);
+    if (slid.typed) slid.typed = *slid.typed >= least ? std::min(*slid.typed, most) : least;
+  } else {
+    slid.moved = draw();
+    const bool twice = ImGui::IsMouseDoubleClicked(0);
+    if (ImGui::IsItemActivated() && (twice || ImGui::GetIO().KeyCtrl)) {
+      ImGui::ClearActiveID();
+      if (twice) scene::call_off_hold(ui.workspace);  // the first click has moved it
+      ui.workspace.typed_slider = {name, ImGui::GetFrameCount(), frames_to_focus};
+      slid.moved = false;
+    }
+  }
+  record(ui, name, enabled);
+  return slid;
 }
 
 std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,

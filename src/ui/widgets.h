@@ -1,6 +1,7 @@
 // ImGui's widgets as the panels use them: named for tests, with a hint, and a reason when disabled.
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -109,6 +110,18 @@ bool take_escape(scene::Workspace& workspace);
 /// left by Enter or a click elsewhere; nothing while it is being edited, after Esc, and if no digit was
 /// changed. What is no number is said in the messages.
 std::optional<double> number_field(const Context& ui, const std::string& name, double value);
+
+/// What a person has done to a slider.
+struct Slid {
+  bool moved = false;
+  std::optional<double> typed{};  ///< within its range
+};
+/// A slider whose number `value`, from `least` to `most`, can be typed as well: a double click or Ctrl+click
+/// makes it a field until that is left. `draw` draws it, and says whether it was moved.
+Slid slider(const Context& ui, const std::string& name, double value, double least, double most,
+            const std::function<bool()>& draw, bool enabled = true);
+/// Whether a slider is such a field: the keyboard is its own.
+bool types_into_slider(const scene::Workspace& workspace);
 
 /// A name to be typed over, at most 199 bytes: what was typed, when the field is left; nothing while it is
 /// being edited, and after Esc.

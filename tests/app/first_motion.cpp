@@ -11,7 +11,9 @@
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"
+#include "support/commands.h"
 #include "support/data.h"
+#include "support/folder.h"
 
 using namespace viete;
 
@@ -56,19 +58,19 @@ TEST_CASE("the_first_motion_leads_from_rest_into_the_pose_and_is_no_edit") {
   CHECK_FALSE(s.motion.moving());
 }
 
-TEST_CASE("the_bundled_model_has_a_loop_that_plays_from_where_the_first_motion_ends") {
+TEST_CASE(
+    "the_loop_of_the_bundled_model_is_added_when_asked_for_and_plays_from_where_the_first_motion_ends") {
   Start s;
-  CHECK(app::add_loop(s.w, folder / "loop.viete"));
-  CHECK_FALSE(app::add_loop(s.w, folder / "loop.viete"));  // it has one
+  CHECK(s.w.document.timeline.empty());
   s.motion.step(s.w, true, 0);
-  s.motion.step(s.w, true, 0.3);
-  scene::follow_time(s.w, 0.3);
-  CHECK_FALSE(s.at_goal());
   s.motion.step(s.w, true, 1);
   CHECK(s.at_goal());
+  CHECK_FALSE(test::run_command(s.w, "add_example"));  // where the loop is nobody knows yet
+  s.w.example = folder / "loop.viete";
+  CHECK(test::run_command(s.w, "add_example"));
   scene::follow_time(s.w, 0);
-  CHECK_FALSE(scene::has_unsaved_edits(s.w));
-  scene::start_playing(s.w);
+  CHECK(s.w.document.library.poses.size() == 3);
+  CHECK(s.w.remembered.layout.timeline);
   CHECK(s.at_goal());  // it begins there
   double farthest = 0;
   for (int i = 0; i < 60; ++i) {
@@ -79,20 +81,51 @@ TEST_CASE("the_bundled_model_has_a_loop_that_plays_from_where_the_first_motion_e
                                                s.w.document.cage->surface.positions.back()));
   }
   CHECK(farthest > 0.2);
-  CHECK_FALSE(s.w.document.history.can_undo());
   CHECK(s.w.saved.session.empty());  // Save asks for a name
+  scene::stop_playing(s.w);
+  CHECK_FALSE(test::run_command(s.w, "add_example"));  // it would replace keys
+  scene::undo(s.w.document);
+  CHECK(s.w.document.timeline.empty());
+  CHECK(s.w.document.library.poses.empty());
+  CHECK(test::run_command(s.w, "add_example"));
 }
 
-TEST_CASE("another_model_and_one_that_was_changed_get_no_loop") {
-  Start changed;
-  scene::record_edit(changed.w.document, "move");
-  CHECK_FALSE(app::add_loop(changed.w, folder / "loop.viete"));
+TEST_CASE("the_loop_keeps_own_poses_and_unsaved_work") {
+  Start s;
+  s.w.example = folder / "loop.viete";
+  test::run_command(s.w, "keep_pose");
+  scene::record_edit(s.w.document, "move");
+  s.w.document.changed_pose().positions[0][0] += 0.1;
+  const auto posed = s.w.document.pose.positions;
+  test::run_command(s.w, "add_example");
+  scene::follow_time(s.w, 0.1);
+  CHECK(s.w.document.library.poses.size() == 4);
+  CHECK(scene::has_unsaved_edits(s.w));
+  bool comes_back = false;
+  while (!comes_back && s.w.document.history.can_undo()) {
+    scene::undo(s.w.document);
+    comes_back = s.w.document.pose.positions == posed;
+  }
+  CHECK(comes_back);
+}
+
+TEST_CASE("another_model_and_another_cage_get_no_loop_and_stay_as_they_are") {
   Start other;
-  REQUIRE(scene::open_now(other.w,
-                          {scene::OpenRequest::What::model, {folder / "cage.obj", folder / "cage.obj"}}));
-  CHECK_FALSE(app::add_loop(other.w, folder / "loop.viete"));
-  CHECK_FALSE(app::add_loop(other.w, folder / "none.viete"));
+  other.w.example = folder / "loop.viete";
+  REQUIRE(scene::open_now(
+      other.w, {scene::OpenRequest::What::model, {folder / "dragon.ply", folder / "pose_coil.obj"}}));
+  test::run_command(other.w, "add_example");
+  CHECK(other.w.messages.all().back().severity == scene::Severity::error);
   CHECK(other.w.document.library.poses.empty());
+  CHECK(other.w.document.timeline.empty());
+  CHECK_FALSE(other.w.remembered.layout.timeline);
+  CHECK_FALSE(scene::add_motion(other.w, folder / "none.viete"));
+  CHECK_FALSE(other.w.document.history.can_undo());
+  const test::TemporaryFolder elsewhere;
+  std::filesystem::copy(folder / "cage.obj", elsewhere / "dragon.ply.obj");
+  REQUIRE(scene::open_now(
+      other.w, {scene::OpenRequest::What::model, {elsewhere / "dragon.ply.obj", folder / "cage.obj"}}));
+  CHECK_FALSE(test::run_command(other.w, "add_example"));
 }
 
 TEST_CASE("a_hand_ends_the_first_motion_or_keeps_it_from_beginning") {

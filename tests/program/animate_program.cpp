@@ -13,6 +13,8 @@
 #include "program/command_line.h"
 #include "scene/animated_cube.h"
 #include "scene/files/open.h"
+#include "scene/files/session.h"
+#include "support/pictures.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -54,6 +56,44 @@ struct AnimatedDragon : TemporaryFolder {
 };
 
 }  // namespace
+
+TEST_CASE("pictures_and_turntables_show_no_tool_and_the_cage_only_if_it_is_asked_for") {
+  const AnimatedFiles files;
+  scene::Session session;
+  session.model = files / "model.obj", session.cage = files / "cage.obj";
+  session.view.panels = false;
+  const auto drawn = [&](const std::string& command) {
+    put_file(files / "s.viete", scene::session_text(session, files / "s.viete"));
+    const Outcome outcome = run(command + " --size 200x150 --force", "cd " + quoted(files.path()) + " &&");
+    CHECK_MESSAGE(outcome.code == 0, outcome.text);
+    return read_png(files / (command.starts_with("render") ? "p.png" : "t_02.png"));
+  };
+  const std::string commands[] = {"render s.viete -o p.png", "render s.viete --show-cage -o p.png",
+                                  "animate s.viete --turntable --frames 1-2 -o t_##.png"};
+  std::vector<render::Image> plain;
+  for (const std::string& command : commands) plain.push_back(drawn(command));
+  CHECK(difference(plain[0], plain[1], 12) > 0.005);
+  const auto shows_no_tool = [&] {
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      CAPTURE(commands[i]);
+      CHECK(difference(drawn(commands[i]), plain[i], 12) == 0);
+    }
+  };
+  session.handling.soft.on = true;
+  session.handling.pivot = scene::Pivot::point;
+  session.handling.point = mesh::Point{0, 0, 0};
+  session.handling.mirror = scene::MirrorPlane::x;
+  session.selection = {0, 1};
+  for (const auto kind : {scene::ElementKind::vertex, scene::ElementKind::edge, scene::ElementKind::face}) {
+    CAPTURE(static_cast<int>(kind));
+    session.selecting = kind;
+    shows_no_tool();
+  }
+  session.probes.all.emplace_back();
+  session.selecting = scene::ElementKind::probe;
+  session.selection = {0};
+  shows_no_tool();
+}
 
 TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   const AnimatedFiles files;

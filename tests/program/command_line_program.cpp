@@ -275,7 +275,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   CHECK(difference(plain, picture("--compare smooth,rigid"), 12) > 0.05);
   CHECK(difference(picture("--compare diag,fast"), picture("--compare diag,sd,fast"), 12) > 0.05);
   // Nothing in the corner, the model in the middle, and between them edges that are neither.
-  const auto clear = picture("--transparent --no-cage");
+  const auto clear = picture("--transparent");
   CHECK(clear.rgba[3] == 0);
   std::size_t whole = 0, partly = 0;
   for (std::size_t i = 3; i < clear.rgba.size(); i += 4) {

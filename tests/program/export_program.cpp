@@ -151,13 +151,12 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(fs::exists(folder / "f_02.png"));
   CHECK_FALSE(fs::exists(folder / "f_04.png"));
 
-  // As the dialog says: without the cage, on a light ground, of another size, and never with panels unasked.
+  // As the dialog says: on a light ground, of another size, and neither with cage nor panels unasked.
   scene::find_command("save_animation")->run(d.workspace());
   d.frame(2);
   d.press_key('A', true);
   d.type((folder / "h_##.png").string());
   d.frame(2);
-  d.click("picture_cage");
   d.click("picture_light");
   REQUIRE(d.workspace().browser.pictures);
   CHECK_FALSE(d.workspace().browser.pictures->cage);

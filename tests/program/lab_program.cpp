@@ -269,6 +269,26 @@ TEST_CASE("another_document_is_shown_in_the_views_that_there_are") {
   for (const auto& side : d.workspace().split.sides) CHECK(side.shown.stats.most > 1e-4);
 }
 
+TEST_CASE("the_key_for_a_vertex_opens_its_section_wherever_the_columns_were") {
+  Driver d;
+  d.open_dragon("pose_alert");
+  scene::PanelLayout& layout = d.workspace().remembered.layout;
+  for (const bool folded : {false, true}) {
+    layout.sections.clear();
+    layout.folded[static_cast<std::size_t>(scene::Column::methods)] = folded;
+    d.frame(3);
+    REQUIRE_FALSE(d.viewer().recorder().find("drop_vertex"));
+    d.move(d.workspace().viewport.middle());
+    d.press_key('Y', false, false, true);
+    d.frame(3);
+    REQUIRE(d.workspace().vertex.vertex);
+    const auto close = d.viewer().recorder().find("drop_vertex");
+    REQUIRE(close);
+    CHECK(close->visible);
+    d.click("drop_vertex");
+  }
+}
+
 TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   Driver d;
   d.open_dragon("pose_alert");
@@ -295,7 +315,6 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   for (const auto& way : view.ways) CHECK(way.error < 1e-12);
   CHECK(view.ways[3].error == doctest::Approx(std::pow(10, d.workspace().field.stats.most)).epsilon(0.2));
   CHECK(view.ways[3].route.starts_with("degree 21"));
-  d.click("section/Vertex inspector");
   const auto before = d.picture();
   d.click("drop_vertex");
   d.settle();

@@ -1,10 +1,16 @@
 // Columns, menus, toasts and the palette, by mouse and keys.
+#include <cstdlib>
+#include <map>
+
 #include "base/clock.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "program/driver.h"
+#include "render/image.h"
+#include "scene/document/record.h"
 #include "scene/workspace/menus.h"
 #include "scene/workspace/remembered.h"
+#include "scene/workspace/saving.h"
 #include "support/folder.h"
 #include "support/full_disk.h"
 
@@ -31,6 +37,14 @@ app::ViewerOptions remembering(const std::filesystem::path& state) {
   auto options = Driver::default_options();
   options.state = state;
   return options;
+}
+
+// A cube in a cage of its own.
+void open_cube(Driver& d, const std::filesystem::path& folder) {
+  mesh::Surface cage = mesh::read(test::dragon_cage).surface;
+  mesh::write(folder / "cube.obj", cage);
+  REQUIRE(d.open({folder / "cube.obj"}));
+  d.frame(3);
 }
 
 }  // namespace
@@ -114,6 +128,48 @@ TEST_CASE("a_menu_runs_a_command") {
   d.frame(2);
   d.click("menu/method_sd");
   CHECK(d.document().method == sym3::Method::sd);
+}
+
+TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  open_cube(d, folder.path());
+  d.open_dragon();
+  for (int i = 1; i <= 60; ++i) {
+    scene::record_edit(d.document(), "rotate " + std::to_string(i));
+    d.document().changed_pose().positions[0][0] += 0.001;
+  }
+  const auto menu = [&](const char* title, const char* list) {
+    for (const char* name : {title, list}) {
+      const auto rect = d.viewer().recorder().find(std::string("menu/") + name);
+      REQUIRE(rect);
+      d.click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
+      d.frame(3);
+    }
+  };
+  menu("Edit", "history");
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(std::filesystem::path(pictures) / "history.png", d.picture());
+  const auto& recorder = d.viewer().recorder();
+  CHECK(recorder.find("history/60"));
+  CHECK(recorder.find("history/10"));
+  CHECK_FALSE(recorder.find("history/9"));
+  d.click("history/45");
+  d.frame(2);
+  CHECK(d.document().history.position() == 45);
+  CHECK(scene::find_command("undo")->label_now(d.workspace()) == "Undo Rotate 45");
+  menu("Edit", "history");
+  d.click("history/50");
+  d.frame(2);
+  CHECK(d.document().history.position() == 50);
+  scene::mark_saved(d.workspace());
+  menu("File", "recent");
+  if (const char* pictures = std::getenv("VIETE_PICTURES"))
+    render::write_png(std::filesystem::path(pictures) / "recent.png", d.picture());
+  const auto file = d.workspace().remembered.recent.at(1).file;
+  d.click("menu/recent/1");
+  d.settle();
+  CHECK(d.document().model.path == file);
 }
 
 TEST_CASE("the_strip_switches_tools") {
@@ -247,18 +303,6 @@ TEST_CASE("messages_of_a_cage_that_is_gone_go_with_it") {
   d.frame(2);
   for (const auto& m : d.workspace().messages.all()) CHECK(m.text != "The cage is open");
 }
-
-namespace {
-
-// A cube in a cage of its own.
-void open_cube(Driver& d, const std::filesystem::path& folder) {
-  mesh::Surface cage = mesh::read(test::dragon_cage).surface;
-  mesh::write(folder / "cube.obj", cage);
-  REQUIRE(d.open({folder / "cube.obj"}));
-  d.frame(3);
-}
-
-}  // namespace
 
 TEST_CASE("a_name_a_format_and_enter_export_whatever_the_list_begins_with") {
   const test::TemporaryFolder folder;
@@ -394,6 +438,41 @@ TEST_CASE("a_new_model_is_seen_as_if_nothing_had_been_open_before") {
   const scene::CameraPose home, now = d.workspace().camera.pose();
   CHECK(now.yaw == doctest::Approx(home.yaw));
   CHECK(now.pitch == doctest::Approx(home.pitch));
+}
+
+TEST_CASE("the_mirror_of_a_model_is_not_that_of_the_next_one") {
+  const test::TemporaryFolder folder;
+  Driver d;
+  d.open_dragon();
+  d.workspace().handling.mirror = scene::MirrorPlane::x;
+  REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));
+  CHECK(d.workspace().handling.mirror == scene::MirrorPlane::x);
+  open_cube(d, folder.path());
+  CHECK(d.workspace().handling.mirror == scene::MirrorPlane::none);
+}
+
+TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
+  Driver d;
+  d.open_dragon();
+  for (const glm::ivec2 size : {glm::ivec2(1500, 1000), glm::ivec2(700, 420), glm::ivec2(1280, 700)}) {
+    d.viewer().resize(size);
+    d.frame();
+    for (int i = 0; i < 20 && d.viewer().wants_frame(); ++i) d.frame();
+    std::map<std::string, ui::WidgetRect> before = d.viewer().recorder().all();
+    d.frame(3);
+    for (const auto& [name, rect] : d.viewer().recorder().all()) {
+      if (!before.contains(name)) continue;  // it was measured since
+      CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
+    }
+    if (!d.workspace().browser.open) d.press_key('O', true);  // and stays open
+    d.frame(3);
+    for (const char* name : {"file_path", "file_choose"}) {
+      const auto rect = d.viewer().recorder().find(name);
+      REQUIRE(rect);
+      CHECK(rect->x1 <= static_cast<float>(size.x));
+      CHECK(rect->y1 <= static_cast<float>(size.y));
+    }
+  }
 }
 
 TEST_CASE("a_probe_from_the_menu_stands_where_the_menu_was_asked_for") {

@@ -11,8 +11,10 @@
 #include "app/script_show.h"
 #include "base/error.h"
 #include "program/driver.h"
+#include "program/small_scene.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
+#include "support/pictures.h"
 #include "support/text.h"
 
 using namespace viete;
@@ -204,6 +206,29 @@ TEST_CASE("a_recording_that_cannot_be_written_ends_and_says_so") {
   std::signal(SIGXFSZ, handler);
   CHECK_FALSE(d.workspace().scripting.recording);
   CHECK(test::mentions(d.workspace().messages.all().back().text, "not all of it could be written"));
+}
+
+TEST_CASE("a_screenshot_without_panels_shows_no_tool") {
+  const WorkingFolder folder;
+  test::SmallScene small;
+  Driver& d = small.d;
+  const auto screenshot = [&] {
+    d.press_key(scene::Key::f12);
+    d.settle();
+    const std::vector<fs::path> files = folder.files(".png");
+    REQUIRE(files.size() == 1);
+    render::Image image = test::read_png(files.front());
+    fs::remove(files.front());
+    return image;
+  };
+  d.workspace().view.panels = false;
+  d.settle();
+  const render::Image plain = screenshot();
+  d.press_key('A', true);
+  d.settle();
+  REQUIRE_FALSE(d.document().selection.empty());
+  CHECK(test::difference(plain, d.picture(), 12) > 0.003);  // the window has them
+  CHECK(test::difference(plain, screenshot(), 12) == 0);
 }
 
 TEST_CASE("a_replay_writes_no_file_of_a_persons") {

@@ -142,6 +142,61 @@ TEST_CASE("poses_are_kept_with_a_picture_and_mixed_by_sliders") {
   CHECK(d.document().library.poses.size() == 3);
 }
 
+// As the README's first minute has it, on the dragon as it opens.
+TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
+  Timed d;
+  CHECK(d.timeline().empty());
+  CHECK(d.document().library.poses.empty());
+  d.press_key(scene::Key::right);
+  CHECK(d.document().frame == 1);  // nothing of time is seen
+  d.press_key('I');
+  d.frame(3);
+  CHECK(d.viewer().recorder().find("time/track"));
+  CHECK(d.workspace().messages.all().back().text == "Key set at frame 1.");
+  CHECK_FALSE(d.viewer().recorder().find("add_example"));
+  d.press_key(scene::Key::right);
+  CHECK(d.document().frame == 2);
+  d.open_pose("pose_alert");
+  d.press_key('I');
+  REQUIRE(d.timeline().keys.size() == 2);
+  CHECK(d.timeline().keys[1].frame == 2);
+  d.press_key('T', false, true);
+  d.press_key(scene::Key::left);
+  CHECK(d.document().frame == 2);
+
+  for (int i = 0; i < 3; ++i) d.press_key('Z', true);
+  REQUIRE(d.timeline().empty());
+  d.show("no_poses");
+  d.click("add_example");
+  CHECK(d.timeline().keys.size() > 2);
+  CHECK(d.document().library.poses.size() == 3);
+  CHECK(d.workspace().playback.playing);
+  d.frame(3);
+  CHECK(d.viewer().recorder().find("time/track"));
+  d.show("loop_added");
+  d.press_key(scene::Key::space);
+  REQUIRE_FALSE(d.workspace().playback.playing);
+  // Sliders show what is played: the first pose is the key at both ends of the loop.
+  d.go_to(1);
+  CHECK(scene::shown_weights(d.workspace()) == std::vector<double>{1, 0, 0});
+  d.go_to(110);
+  const double share = scene::shown_weights(d.workspace())[0];
+  CHECK(share > 0.2);
+  CHECK(share < 0.9);
+  d.show("weights_played");
+  const auto played = d.pose();
+  d.click("pose_weight/0/typed");
+  d.press_key('A', true);
+  d.type("100");
+  d.press_key(scene::Key::enter);
+  CHECK(d.document().library.poses[0].weight == 1);
+  CHECK(d.pose() != played);
+  d.press_key('Z', true);
+  CHECK(d.pose() == played);
+  d.press_key('Z', true);
+  CHECK(d.timeline().empty());
+}
+
 TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   Timed d;
   const auto rest = d.pose();

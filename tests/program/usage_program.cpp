@@ -61,7 +61,7 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
       {"deform a b", "--output is required\nRun viete deform --help"},
       {"render --bogus", "viete render has no option --bogus\nRun viete render --help"},
       {"render --bogus 3 a.obj", "viete render has no option --bogus"},
-      {"render a b -o x.png --no-cages", "--no-cages; did you mean --no-cage?"},
+      {"render a b -o x.png --no-grids", "--no-grids; did you mean --no-grid?"},
       {"render a b --out x.png", "no option --out; did you mean --output?"},
       {"render a b --look=top --siez=3x3 -o a.png", "no option --siez=3x3; did you mean --size?"},
       {"render a b -o", "--output needs a value\n"},

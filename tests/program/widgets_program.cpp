@@ -128,6 +128,132 @@ TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
   d.check_called_off("probe_turn_radius", right);
 }
 
+TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_range") {
+  Held d;
+  d.run("toggle_timeline");  // all of the columns is beside the view
+  const auto begin = [&](const std::string& slider, bool twice) {
+    d.place_of(slider);  // scrolls to it
+    const auto rect = d.viewer().recorder().find(slider);
+    const glm::vec2 at{rect->x0 + 0.9f * (rect->x1 - rect->x0), 0.5f * (rect->y0 + rect->y1)};
+    const State before(d.workspace());
+    d.frame(30);  // a click before is none of these
+    if (twice) {
+      d.click(at), d.click(at);
+    } else {
+      d.key(Driver::left_ctrl, true);
+      d.click(at);
+      d.key(Driver::left_ctrl, false);
+    }
+    d.frame(3);
+    CHECK_MESSAGE(State(d.workspace()) == before, slider, " has jumped");
+  };
+  const auto type = [&](const std::string& slider, const std::string& text, bool twice = true) {
+    CAPTURE(slider);
+    begin(slider, twice);
+    const scene::Tool tool = d.workspace().tool;
+    const auto kind = d.document().selection.kind();
+    const auto method = d.document().method;
+    for (const char c : text) {
+      if (c != '.') d.key(c, true);
+      d.type(std::string(1, c));
+      if (c != '.') d.key(c, false);
+    }
+    d.press_key(scene::Key::enter);
+    d.frame(3);
+    CHECK(d.workspace().tool == tool);
+    CHECK(d.document().selection.kind() == kind);
+    CHECK(d.document().method == method);
+    CHECK(d.workspace().typed_slider.name.empty());
+  };
+  auto& scheme = d.document().scheme;
+  type("reach", "2.75");
+  CHECK(scheme.weighting.reach == 2.75);
+  type("reach", "0.5", false);
+  CHECK(scheme.weighting.reach == scene::lowest_reach);
+  type("exponent", "5");
+  CHECK(scheme.weighting.exponent == 5);
+  type("exponent", "99", false);
+  CHECK(scheme.weighting.exponent == scene::most_exponent);
+  type("turn", "33");
+  CHECK(scheme.amounts.turn == doctest::Approx(0.33));
+  type("stretch", "1000");
+  CHECK(scheme.amounts.stretch == scene::largest_amount);
+  type("pose_weight/0", "12.5");
+  CHECK(d.document().library.poses[0].weight == doctest::Approx(0.125));
+  type("pose_weight/0", "999", false);
+  CHECK(d.document().library.poses[0].weight == scene::PoseLibrary::largest_weight);
+  const double diagonal = d.document().space.diagonal();
+  type("soft_radius", "0.5");
+  CHECK(d.workspace().handling.soft.radius == doctest::Approx(0.5 / diagonal));
+  d.run("toggle_stitched");
+  type("iterations", "7");
+  CHECK(scheme.iterations == 7);
+  type("pins", "4");
+  CHECK(scheme.holding.radius == doctest::Approx(0.04));
+  type("hold", "500");
+  CHECK(scheme.holding.weight == 1);
+  d.run("tool_paint");
+  type("brush_radius", "77");
+  CHECK(d.workspace().brush.radius == 77);
+  type("brush_share", "35", false);
+  CHECK(d.workspace().brush.share == doctest::Approx(0.35));
+  d.run("tool_move");
+  d.run("add_probe");
+  type("probe_turn_radius", "21");
+  CHECK(d.document().probes.all[0].turn.radius == doctest::Approx(0.21 * diagonal));
+
+  // Esc leaves the number as it is, and a single click moves the slider as ever.
+  const State before(d.workspace());
+  begin("turn", true);
+  d.type("150");
+  d.press_key(scene::Key::escape);
+  d.frame(3);
+  CHECK(State(d.workspace()) == before);
+  CHECK(d.workspace().typed_slider.name.empty());
+  d.frame(30);
+  d.click("turn");
+  CHECK(scheme.amounts.turn == doctest::Approx(1));
+}
+
+TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
+  Held d;
+  for (const char* dialog : {"open_model", "command_palette", "edit_keys", "show_messages"}) {
+    CAPTURE(dialog);
+    d.move(d.place_of("keep_pose"));
+    d.frame(3);
+    REQUIRE(has_tooltip());
+    d.run(dialog);
+    d.frame(3);
+    CHECK_FALSE(has_tooltip());
+    if (std::string_view(dialog) == "open_model") {
+      d.move(d.place_of("file_up"));
+      d.frame(3);
+      CHECK(has_tooltip());
+    }
+    d.press_key(scene::Key::escape);
+    d.frame(3);
+  }
+}
+
+TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
+  Held d;
+  d.workspace().remembered.layout.sections["Cage"] = true;
+  d.document().selection.apply(std::vector<std::uint32_t>{0}, scene::SelectMode::replace);
+  for (const double x : {-0.0036471234, -123.456789, -1.23456789e-5, 0.5}) {
+    CAPTURE(x);
+    d.document().changed_pose().positions[0][0] = x;
+    d.frame(3);
+    d.click("transform_x");
+    const std::string text = d.workspace().typed.at("transform_x").text;
+    const auto rect = d.viewer().recorder().find("transform_x");
+    CHECK(ImGui::CalcTextSize(text.c_str()).x <=
+          rect->x1 - rect->x0 - 2 * ImGui::GetStyle().FramePadding.x + 0.01f);
+    CHECK(std::stod(text) == doctest::Approx(x).epsilon(0.05));
+    d.press_key(scene::Key::escape);
+    d.frame(2);
+  }
+}
+
 TEST_CASE("esc_closes_what_has_dropped_down_and_changes_nothing") {
   Held d;
   d.workspace().remembered.layout.sections["Display"] =

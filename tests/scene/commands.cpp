@@ -55,6 +55,27 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("undo_and_redo_name_their_step_and_any_edit_of_the_history_can_be_gone_to") {
+  Workspace w = test::cube_workspace();
+  const Command &undo = *find_command("undo"), &redo = *find_command("redo");
+  CHECK(undo.label_now(w) == "Undo");
+  const auto rest = w.document.pose.positions;
+  for (int i = 1; i <= 3; ++i) {
+    record_edit(w.document, "move " + std::to_string(i));
+    w.document.changed_pose().positions[0][0] = 10 * i;
+  }
+  CHECK(undo.label_now(w) == "Undo Move 3");
+  CHECK(redo.label_now(w) == "Redo");
+  CHECK(test::run_command(w, "undo"));
+  CHECK(undo.label_now(w) == "Undo Move 2");
+  CHECK(redo.label_now(w) == "Redo Move 3");
+  for (const std::size_t edits : {3u, 1u, 0u, 2u}) {
+    go_to_edit(w.document, edits);
+    CHECK(w.document.history.position() == edits);
+    CHECK(w.document.pose.positions[0][0] == (edits > 0 ? 10.0 * static_cast<double>(edits) : rest[0][0]));
+  }
+}
+
 TEST_CASE("reset_pose_can_be_undone") {
   Workspace w = test::cube_workspace();
   w.document.pose.positions[3][1] += 0.25;

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 #include "scene/workspace/saving.h"
@@ -75,6 +77,59 @@ TEST_CASE("stl_is_offered_for_surfaces_but_not_for_poses") {
   }
   show(browser, FileBrowser::Purpose::save_session, folder.path());
   CHECK(browser.formats().empty());
+}
+
+TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its_file") {
+  const test::TemporaryFolder folder;
+  put_files(folder);
+  FileBrowser browser;
+  show(browser, FileBrowser::Purpose::model, folder.path());
+  highlight(browser, 2);
+  const std::string path = browser.path;
+  const auto listed_anew = [&](const std::string& all, std::size_t highlighted) {
+    browser.changed = {};  // clocks of files may be coarse
+    refresh(browser);
+    CHECK(names(browser) == all);
+    CHECK(browser.highlighted == highlighted);
+    CHECK(browser.path == path);
+  };
+  test::put_file(folder / "aaa.obj", "x");
+  listed_anew("Sub aaa.obj alpha.ply Beta.obj gamma.viete ", 3);
+  fs::remove(folder / "aaa.obj");
+  fs::remove(folder / "alpha.ply");
+  listed_anew("Sub Beta.obj gamma.viete ", 1);
+  fs::remove(folder / "Beta.obj");
+  fs::remove(folder / "gamma.viete");
+  listed_anew("Sub ", 0);
+  browser.entries.clear();
+  refresh(browser);
+  CHECK(browser.entries.empty());  // nothing has changed since
+}
+
+TEST_CASE("films_are_offered_where_ffmpeg_is_installed") {
+  const test::TemporaryFolder folder;
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", folder.path().c_str(), 1);
+  FileBrowser browser;
+  const auto offers = [&](const char* format) {
+    show(browser, FileBrowser::Purpose::save_animation, folder.path(), "walk.pc2");
+    return std::ranges::count(browser.formats(), format) > 0;
+  };
+  CHECK(offers("png"));
+  CHECK_FALSE(offers("mp4"));
+  CHECK_FALSE(offers("webm"));
+  for (const char* name : {"walk.mp4", "walk.gif"}) {
+    browser.path = name;
+    CHECK(problem_of_name(browser).find("ffmpeg") != std::string::npos);
+  }
+  browser.path = "walk_##.png";
+  CHECK(problem_of_name(browser).empty());
+  test::put_file(folder / "ffmpeg", "#!/bin/sh\n");
+  fs::permissions(folder / "ffmpeg", fs::perms::owner_all);
+  CHECK(offers("mp4"));
+  browser.path = "walk.mp4";
+  CHECK(problem_of_name(browser).empty());
+  setenv("PATH", before.c_str(), 1);
 }
 
 TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {

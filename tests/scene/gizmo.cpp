@@ -67,6 +67,21 @@ TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
   CHECK_FALSE(pick_handle(gizmo, gizmo.center + glm::vec2(130, 0)));
 }
 
+TEST_CASE("with_reach_handles_are_hit_from_farther_and_rings_on_the_far_side_too") {
+  const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
+  const glm::vec2 outside = gizmo.center + glm::vec2(gizmo_view_ring + gizmo_tolerance + 4, 0);
+  CHECK_FALSE(pick_handle(gizmo, outside));
+  CHECK(pick_handle(gizmo, outside, true) == Constraint{});
+  CHECK_FALSE(pick_handle(gizmo, outside + glm::vec2(gizmo_reach, 0), true));
+  for (int i = 0; i < 3; ++i)
+    for (const auto& point : gizmo.rings[i]) CHECK(pick_handle(gizmo, point.at, true));
+  const auto arms = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
+  const glm::vec2 shaft = arms.arms[1].tip - arms.arms[1].base,
+                  beside = 0.5f * (arms.arms[1].tip + arms.arms[1].base) +
+                           11.0f / glm::length(shaft) * glm::vec2(-shaft.y, shaft.x);
+  CHECK(pick_handle(arms, beside, true) == Constraint{Kind::axis, 1});
+}
+
 TEST_CASE("handles_that_point_at_the_viewer_fade_and_cannot_be_hit") {
   const auto gizmo = *make_gizmo(Tool::move, {0, 0, 0}, glm::dmat3(1), camera(0, 0), test::viewport);
   CHECK(gizmo.arms[2].opacity == 0);

@@ -31,6 +31,19 @@ TEST_CASE("undo_and_redo_walk_the_same_path") {
   CHECK_FALSE(h.can_redo());
 }
 
+TEST_CASE("all_edits_are_listed_by_their_labels_and_taking_back_moves_among_them") {
+  History h;
+  for (int i = 0; i < 4; ++i) h.record("edit " + std::to_string(i), at(i));
+  const std::vector<std::string> all = {"edit 0", "edit 1", "edit 2", "edit 3"};
+  CHECK(h.labels() == all);
+  CHECK(h.position() == 4);
+  h.undo(at(4));
+  h.undo(at(3));
+  CHECK(h.labels() == all);
+  CHECK(h.position() == 2);
+  CHECK(h.redo_label() == "edit 2");
+}
+
 TEST_CASE("a_new_edit_ends_redo") {
   History h;
   h.record("one", at(0));

@@ -8,13 +8,13 @@
 
 #include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
+#include "scene/document/record.h"
+#include "scene/document/selection_sets.h"
 #include "scene/posed_cube.h"
+#include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
-#include "scene/document/record.h"
-#include "scene/document/selection_sets.h"
-#include "scene/workspace/playing.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -29,6 +29,7 @@ struct Played {
   Played() {
     timeline() = test::three_keys();
     timeline().rate = 10;
+    w.remembered.layout.timeline = true;
     for (PoseKey& key : timeline().keys) key.easing = Easing::linear;
     follow_time(w, 0);
   }
@@ -104,6 +105,46 @@ TEST_CASE("a_pose_that_is_in_no_key_is_not_lost_by_going_elsewhere") {
     record_edit(p.document(), "move a probe");
     p.document().probes.all[0].pose.move = {1, 2, 3};
   });
+}
+
+TEST_CASE("commands_change_the_frame_while_the_timeline_is_open_and_with_keys_or_without") {
+  Played p;
+  const char* const steps[] = {"next_frame", "previous_frame", "first_frame", "last_frame"};
+  const char* const to_keys[] = {"next_key", "previous_key"};
+  const auto all_are = [&](bool enabled, auto& names) {
+    for (const char* name : names) {
+      CAPTURE(name);
+      CHECK(find_command(name)->enabled(p.w) == enabled);
+    }
+  };
+  all_are(true, steps), all_are(true, to_keys);
+  p.timeline().keys.clear();
+  all_are(true, steps), all_are(false, to_keys);
+  CHECK(test::run_command(p.w, "next_frame"));
+  CHECK(p.document().frame == 2);
+  p.timeline() = test::three_keys();
+  p.w.remembered.layout.timeline = false;
+  all_are(false, steps), all_are(false, to_keys);
+  CHECK(find_command("play")->enabled(p.w));
+}
+
+TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
+  Played p;
+  const auto said = [&] { return p.w.messages.all().back().text; };
+  const auto opens_by = [&](const char* command) {
+    p.w.remembered.layout.timeline = false;
+    return test::run_command(p.w, command) && p.w.remembered.layout.timeline;
+  };
+  CHECK(opens_by("set_key"));
+  CHECK(said() == "Key at frame 1 replaced; undo brings the old one back.");
+  CHECK(opens_by("set_camera_key"));
+  CHECK(said() == "Camera key set at frame 1.");
+  go_to_frame(p.w, 40);
+  CHECK(opens_by("set_key"));
+  CHECK(said() == "Key set at frame 40.");
+  CHECK(p.w.time_view.seen.last >= 40);
+  CHECK(opens_by("turntable"));
+  CHECK(said() == "Camera keys set from frame 1 to 40.");
 }
 
 TEST_CASE("a_pose_that_is_in_no_key_is_unsaved_work_whatever_has_taken_its_place") {
@@ -193,6 +234,59 @@ TEST_CASE("a_mix_ends_where_time_goes_on_and_comes_back_with_undo") {
   CHECK_FALSE(p.document().library.mixes());
   undo(p.document());
   CHECK(p.document().library.poses[1].weight == 0.5);
+}
+
+TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_from_them") {
+  Played p;
+  test::add_two_poses(p.document());
+  p.timeline().keys.clear();
+  auto& vectors = p.w.playback.vectors;
+  const auto weights_are = [&](double turned, double wide) {
+    const std::vector<double> shown = shown_weights(p.w);
+    REQUIRE(shown.size() == 2);
+    CHECK(shown[0] == doctest::Approx(turned));
+    CHECK(shown[1] == doctest::Approx(wide));
+  };
+  REQUIRE(set_weight(p.document(), vectors, 0, 0.4));
+  REQUIRE(set_weight(p.document(), vectors, 1, 0.2));
+  REQUIRE(test::run_command(p.w, "set_key"));
+  go_to_frame(p.w, 11);
+  weights_are(0.4, 0.2);
+  apply_pose(p.w, 1);
+  REQUIRE(test::run_command(p.w, "set_key"));
+  for (PoseKey& key : p.timeline().keys) key.easing = Easing::linear;
+  p.pass(0);
+  weights_are(0, 1);
+  go_to_frame(p.w, 6);
+  p.pass(0);
+  weights_are(0.2, 0.6);
+  CHECK_FALSE(p.document().library.mixes());
+  REQUIRE(test::run_command(p.w, "set_key"));  // what is played is keyed
+  CHECK(p.timeline().keys[1].mix.size() == 2);
+  undo(p.document());
+  p.pass(0);
+
+  // A slider that is moved changes its own pose alone.
+  const auto before = p.positions();
+  REQUIRE(set_weight(p.document(), vectors, 0, 0.2 + 1e-7, false, shown_weights(p.w)));
+  CHECK(distance(before, p.positions()) < 1e-5);
+  weights_are(0.2, 0.6);
+  CHECK(p.document().library.mixes());
+  undo(p.document());
+  CHECK(p.positions() == before);
+  p.pass(0);
+
+  // By name, as long as the pose is the one that was mixed.
+  rename_pose(p.document(), 0, "Wave");
+  p.pass(0);
+  weights_are(0.2, 0.6);
+  go_to_frame(p.w, 1);
+  p.pass(0);
+  update_pose(p.document(), 0);
+  p.pass(0);
+  CHECK(shown_weights(p.w)[0] == 0);
+  remove_pose(p.document(), vectors, 1);
+  CHECK(p.timeline().keys[0].mix.empty());
 }
 
 TEST_CASE("locked_probes_stay_where_time_goes_on") {

@@ -196,6 +196,34 @@ TEST_CASE("edges_are_hovered_clicked_and_dragged") {
   CHECK(m.w.document.history.undo_label() == "move an edge");
 }
 
+TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
+  Mouse m;
+  m.w.document.selection = Selection(ElementKind::edge);
+  m.w.tool = Tool::rotate;
+  m.click(0.5f * (m.vertex(5) + m.vertex(7)));
+  const std::vector<std::uint32_t> selected = m.selected();
+  REQUIRE(selected.size() == 1);
+  const Gizmo gizmo = *gizmo_of(m.w);
+  int tried = 0;
+  for (const auto& ring : gizmo.rings) {
+    for (const auto& point : ring) {
+      const glm::vec2 way = glm::normalize(point.at - gizmo.center);
+      for (const float off : {-11.0f, 11.0f}) {
+        const glm::vec2 at = point.at + off * way;
+        const auto edge = pick_element(m.w.document, m.w.camera, m.w.viewport, at);
+        if (!point.front || pick_handle(gizmo, at) || !edge || edge->index == selected.front()) continue;
+        ++tried;
+        m.drag(at, at + 25.0f * glm::vec2(-way.y, way.x));
+        CHECK(m.selected() == selected);
+        CHECK(m.w.document.history.undo_label() == "rotate an edge");
+        undo(m.w.document);
+        m.move({1, 1});
+      }
+    }
+  }
+  CHECK(tried > 0);
+}
+
 TEST_CASE("a_face_must_be_selected_before_it_is_dragged_and_a_drag_on_another_draws_a_box") {
   Mouse m;
   m.w.document.selection = Selection(ElementKind::face);

@@ -53,6 +53,7 @@ Workspace animated(const test::CubeFiles& files) {
   t.keys[0].handles = {0.1, -1.0 / 3, 0.7, 1.2};
   t.keys[1].easing = Easing::hold;
   t.keys[1].pose = test::whole(test::turned_cube(540), {w.document.probes.all[0].pose});
+  t.keys[2].mix = {{"wide", -0.37}, {"with probe", 1.5}};
   t.unkeyed = {test::key(9, test::turned_cube(-30)),
                {3, test::whole(test::turned_cube(400), {w.document.probes.all[0].pose})}};
   t.cameras = {{1, {{0.1f, 0, 0}, 3, 1, 0.2f}}, {90, {{0, 0, 0}, 5, 40, -0.5f}}};
@@ -74,7 +75,7 @@ bool same(const Workspace& a, const Workspace& b) {
          same_keys(s.keys, t.keys,
                    [](const auto& p, const auto& q) {
                      const bool curve = p.easing != Easing::bezier || p.handles == q.handles;
-                     return p.frame == q.frame && p.easing == q.easing && curve;
+                     return p.frame == q.frame && p.easing == q.easing && p.mix == q.mix && curve;
                    }) &&
          same_keys(s.unkeyed, t.unkeyed, [](const auto& p, const auto& q) { return p.frame == q.frame; }) &&
          s.cameras == t.cameras && s.first == t.first && s.last == t.last && s.rate == t.rate &&

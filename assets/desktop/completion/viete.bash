@@ -60,12 +60,12 @@ _viete_options() {
       ;;
     render)
       options+=' --output --force --pose --model --cage --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
-        --transparent --pass --line-width --error-map --no-cage --no-grid'
+        --transparent --pass --line-width --error-map --show-cage --no-grid'
       ;;
     deform) options+=' --output --digits --force --pose --model --cage --mask --stream --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
       options+=' --output --force --model --cage --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
-        --size --scale --binding --line-width --look --camera --shading --map --compare --panels --light --wireframe --error-map --no-cage --no-grid'
+        --size --scale --binding --line-width --look --camera --shading --map --compare --panels --light --wireframe --error-map --show-cage --no-grid'
       ;;
     between) options+=' --output --frames --at --rest --loop --linear --straight --rate --digits --force' ;;
     mix) options+=' --output --shape --straight --digits --force' ;;

@@ -32,7 +32,7 @@ local -a picture=($binding $scale
   '--compare=[ways or methods side by side]:words:(smooth paper mean-value rigid arap local diag sd improved_sd fast log straight)'
   '--line-width=[of the cage and of edges, in points]:points:(0.5 0.75 1 2)'
   '--panels[with the panels]' '--light[light theme]' '--wireframe[with the edges of the mesh]'
-  '--error-map[with the error as colours]' '--no-cage[without the cage]' '--no-grid[without the grid]')
+  '--error-map[with the error as colours]' '--show-cage[with the cage]' '--no-grid[without the grid]')
 local -a digits=('--digits=[decimals of what moved in text files]:decimals:(all 4 6 9)')
 local -a straight=('--straight[straight lines from key to key, or shape to shape]') rate=('--rate=[frames a second]:rate:')
 local -a count=('--count=[matrices or vertices]:count:')

@@ -32,8 +32,8 @@ using deform::all_blends, deform::all_elements, deform::all_ways, deform::all_we
     deform::complete, deform::entry, deform::only, deform::way_of;
 using deform::all_falloffs, deform::all_probe_mixes, deform::linear_part;
 using deform::Amounts, deform::Blend, deform::Holding, deform::largest_amount, deform::largest_pin_radius,
-    deform::most_exponent, deform::most_iterations, deform::Scheme, deform::text_of_percent,
-    deform::text_of_reach, deform::Weighting, deform::whole_cage;
+    deform::lowest_reach, deform::most_exponent, deform::most_iterations, deform::Scheme,
+    deform::text_of_percent, deform::text_of_reach, deform::Weighting, deform::whole_cage;
 using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
 

@@ -68,6 +68,13 @@ std::string History::first_edit_since(unsigned long recorded) const {
   return undone == redo_.end() ? "" : "undo " + undone->label;
 }
 
+std::vector<std::string> History::labels() const {
+  std::vector<std::string> all;
+  for (const Entry& entry : undo_) all.push_back(entry.label);
+  std::for_each(redo_.rbegin(), redo_.rend(), [&](const Entry& entry) { all.push_back(entry.label); });
+  return all;
+}
+
 DocumentState History::drop_last() {
   ++revision_;
   --recorded_;

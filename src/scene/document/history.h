@@ -52,6 +52,10 @@ public:
   bool can_redo() const { return !redo_.empty(); }
   /// What the next undo would take back; empty if nothing.
   std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
+  std::string redo_label() const { return can_redo() ? redo_.back().label : ""; }
+  /// Of all edits, those that were taken back too, oldest first; and how many of them are not.
+  std::vector<std::string> labels() const;
+  std::size_t position() const { return undo_.size(); }
   /// The last edit, which another one may go on with; nothing where there is none, or some were taken back.
   std::optional<EditStep> last_step() const;
   /// What the next undo would lead back to; null if nothing.

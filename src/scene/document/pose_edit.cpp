@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "base/quantity.h"
@@ -101,6 +102,13 @@ WholePose mix_of(const Document& document, const DocumentState& state, KnownVect
   return pose;
 }
 
+SharedPose rest_of(const Document& document) {
+  WholePose pose;
+  if (document.has_cage()) pose.cage = deform::rest_pose(*document.cage);
+  keep_locked(document, pose);
+  return std::make_shared<const WholePose>(std::move(pose));
+}
+
 bool is_rest_pose(const Document& document, const WholePose& pose) {
   return !pose.shape && (!document.has_cage() || pose.cage.positions == document.cage->surface.positions) &&
          std::ranges::all_of(pose.probes, [](const auto& p) { return p == deform::ProbePose{}; }) &&
@@ -119,11 +127,13 @@ const NamedPose* mixed_alone(const PoseLibrary& library) {
 }
 
 // The mix as it was is left aside: what remains is made by hand.
-SharedPose without_mix(const Document& document, KnownVectors& vectors) {
+SharedPose without_mix(const Document& document, const DocumentState& mixed, KnownVectors& vectors) {
   const SharedPose now = shared_pose(document);
-  if (!document.library.mixes()) return now;
+  if (!mixed.library.mixes()) return now;
   if (const SharedPose known = unmixed_pose(document)) return known;
-  return std::make_shared<const WholePose>(mix_of(document, document, vectors, now, -1));
+  const NamedPose* alone = mixed_alone(mixed.library);
+  if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
+  return std::make_shared<const WholePose>(mix_of(document, mixed, vectors, now, -1));
 }
 
 SharedPose mixed_upon(const Document& document, const DocumentState& state, KnownVectors& vectors,
@@ -142,17 +152,19 @@ bool are_weights(const PoseLibrary& library) {
 
 // Changes weights, and shows it. Says whether it did: not where that would leave what can be drawn.
 template <class Record, class Change>
-bool remix(Document& document, KnownVectors& vectors, Record record, Change change) {
+bool remix(Document& document, KnownVectors& vectors, Record record, Change change,
+           std::span<const double> played = {}) {
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
-  const SharedPose base = without_mix(document, vectors);
   DocumentState changed = state_of(document);
+  for (std::size_t i = 0; i < played.size(); ++i) changed.library.poses[i].weight = played[i];
+  const SharedPose base = without_mix(document, changed, vectors);
   change(changed);
   const SharedPose pose = mixed_upon(document, changed, vectors, base);
   if (!are_weights(changed.library) || !in_range(*pose)) return false;
   record();
   document.library = std::move(changed.library);
-  document.timeline.straight = changed.timeline.straight;
+  document.timeline = std::move(changed.timeline);
   put_whole_pose(document, *pose);
   const bool mixes = document.library.mixes();
   document.library.unmixed = mixes ? base : nullptr;
@@ -246,6 +258,15 @@ std::size_t keep_pose(Document& document, const std::string& name) {
 
 namespace {
 
+// Where keys are made of that pose; to no name: they are not any more.
+void rename_in_keys(Timeline& timeline, const std::string& name, const std::string& to) {
+  for (PoseKey& key : timeline.keys) {
+    for (MixedPose& mixed : key.mix)
+      if (mixed.name == name) mixed.name = to;
+    if (to.empty()) std::erase_if(key.mix, [](const MixedPose& mixed) { return mixed.name.empty(); });
+  }
+}
+
 void add_named(Document& document, std::vector<NamedPose> poses, const char* label) {
   check_room_for_poses(document.library, poses.size());
   record_edit(document, label);
@@ -275,6 +296,7 @@ void update_pose(Document& document, std::size_t pose) {
   const SharedPose now = shared_pose(document);
   end_mix(document);
   document.library.poses[pose].pose = now;
+  rename_in_keys(document.timeline, document.library.poses[pose].name, "");
 }
 
 void apply_pose(Document& document, std::size_t pose) {
@@ -286,8 +308,9 @@ void apply_pose(Document& document, std::size_t pose) {
 void rename_pose(Document& document, std::size_t pose, const std::string& name) {
   if (document.library.poses[pose].name == name || name.empty()) return;
   record_edit(document, "rename a pose");
-  document.library.poses[pose].name.clear();
+  const std::string before = std::exchange(document.library.poses[pose].name, "");
   document.library.poses[pose].name = free_name(document.library, name);
+  rename_in_keys(document.timeline, before, document.library.poses[pose].name);
 }
 
 void move_pose(Document& document, std::size_t pose, std::size_t to) {
@@ -312,14 +335,15 @@ void duplicate_pose(Document& document, std::size_t pose) {
 
 void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose) {
   const auto record = [&] { record_edit(document, "delete a pose"); };
-  const auto erase = [pose](PoseLibrary& library) {
-    library.poses.erase(library.poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  const auto erase = [pose](DocumentState& state) {
+    auto& poses = state.library.poses;
+    rename_in_keys(state.timeline, poses[pose].name, "");
+    poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
   };
-  const auto erase_of = [&](DocumentState& state) { erase(state.library); };
-  if (document.library.poses[pose].weight != 0 && remix(document, vectors, record, erase_of)) return;
+  if (document.library.poses[pose].weight != 0 && remix(document, vectors, record, erase)) return;
   record();
   if (document.library.poses[pose].weight != 0) end_mix(document);
-  erase(document.library);
+  erase(document);
 }
 
 std::vector<std::uint32_t> selected_part(const Document& document) {
@@ -328,20 +352,21 @@ std::vector<std::uint32_t> selected_part(const Document& document) {
 }
 
 bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight,
-                bool selected_alone) {
+                bool selected_alone, std::span<const double> played) {
   if (std::isnan(weight)) return false;
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
-  if (named.weight == weight) return true;
+  if ((played.empty() ? named.weight : played[pose]) == weight) return true;
   const auto record = [&, label = "mix in " + named.name] {
     record_step(document, label, {EditKind::mix, pose});
   };
-  return remix(document, vectors, record, [&](DocumentState& state) {
+  const auto change = [&](DocumentState& state) {
     NamedPose& changed = state.library.poses[pose];
     if (changed.weight == 0 && selected_alone) changed.part = selected_part(document);
     changed.weight = weight;
     if (weight == 0) changed.part.clear();
-  });
+  };
+  return remix(document, vectors, record, change, played);
 }
 
 bool clear_mix(Document& document, KnownVectors& vectors) {

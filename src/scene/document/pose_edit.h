@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,9 @@ void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose);
 /// cage; or, if `selected_alone`, the part of it that is selected, if any of its vertices is. Until it is at
 /// 0 again it moves the same. Weights of the same pose that are chosen one after the other are one edit. Says
 /// whether it did: not where the mix would leave what can be drawn, see in_range(); then nothing has changed.
+/// `played` are the weights of all poses where keys have made what is there: the mix goes on from these.
 bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight,
-                bool selected_alone = false);
+                bool selected_alone = false, std::span<const double> played = {});
 /// Vertices of the cage that are moved then; none: all.
 std::vector<std::uint32_t> selected_part(const Document& document);
 /// All become 0. Likewise.

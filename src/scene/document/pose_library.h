@@ -52,5 +52,7 @@ bool in_range(const WholePose& pose, double farthest = most_drawn);
 /// The same places, to the last bit, and the same whole turns; of what each part is turned by, only these
 /// tell poses apart.
 bool same_pose(const deform::Pose& a, const deform::Pose& b);
+/// Likewise with the same shape and probes, of which those that are missing are at rest.
+bool same_pose(const WholePose& a, const WholePose& b);
 
 }  // namespace viete::scene

@@ -37,6 +37,12 @@ void redo(Document& document) {
   document.restore(document.history.redo(state_of(document)));
 }
 
+void go_to_edit(Document& document, std::size_t edits) {
+  const History& history = document.history;
+  while (history.position() > edits && history.can_undo()) undo(document);
+  while (history.position() < edits && history.can_redo()) redo(document);
+}
+
 void record_selection(Document& document, const Selection& before) {
   if (before == document.selection || (before.empty() && document.selection.empty())) return;
   DocumentState state = state_of(document);

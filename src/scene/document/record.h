@@ -28,6 +28,8 @@ bool moved_since(const Document& document, const DocumentState& before);
 /// Require can_undo() and can_redo() of the history.
 void undo(Document& document);
 void redo(Document& document);
+/// To after the first so many of the edits that the history has.
+void go_to_edit(Document& document, std::size_t edits);
 
 /// Another selection is there already, as an edit: `before` is what undo leads back to. Where nothing is
 /// selected before and after there is nothing to take back.

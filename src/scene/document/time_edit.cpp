@@ -54,9 +54,22 @@ void include(Timeline& timeline, int frame) {
   timeline.last = std::max(timeline.last, frame);
 }
 
-void put_key(Timeline& timeline, int frame, SharedPose pose) {
+std::vector<MixedPose> mixed_poses(const PoseLibrary& library, std::span<const double> weights) {
+  std::vector<MixedPose> mix;
+  for (std::size_t i = 0; i < library.poses.size(); ++i) {
+    const double weight = weights.empty() ? library.poses[i].weight : weights[i];
+    if (weight != 0)
+      mix.push_back({library.poses[i].name,
+                     std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight)});
+  }
+  return mix;
+}
+
+void put_key(Timeline& timeline, int frame, const Document& document, std::span<const double> weights) {
   check_frame(frame);
-  key_for(timeline.keys, frame).pose = std::move(pose);
+  PoseKey& key = key_for(timeline.keys, frame);
+  key.pose = shared_pose(document);
+  key.mix = mixed_poses(document.library, weights);
   include(timeline, frame);
 }
 
@@ -79,15 +92,15 @@ int current_frame(const Document& document) {
   return static_cast<int>(std::lround(document.frame));
 }
 
-void set_key(Document& document, int frame) {
+void set_key(Document& document, int frame, std::span<const double> weights) {
   Timeline timeline = document.timeline;
-  put_key(timeline, frame, shared_pose(document));
+  put_key(timeline, frame, document, weights);
   record_edit(document, "set a key");
   document.timeline = std::move(timeline);
 }
 
 void add_key_to_edit(Document& document, int frame) {
-  put_key(document.timeline, frame, shared_pose(document));
+  put_key(document.timeline, frame, document, {});
   document.history.go_on();
 }
 

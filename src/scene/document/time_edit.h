@@ -13,8 +13,9 @@ namespace viete::scene {
 int current_frame(const Document& document);
 
 /// A key of what is there now, at that frame; one that is there is replaced, its easing kept. The range grows
-/// with it. Throws base::Error beyond Timeline::most_keys, or where the frame is out of range.
-void set_key(Document& document, int frame);
+/// with it. `weights` are those of the library's poses in what is there; empty: as the library mixes them.
+/// Throws base::Error beyond Timeline::most_keys, or where the frame is out of range.
+void set_key(Document& document, int frame, std::span<const double> weights = {});
 /// The same as a part of the edit that was just made.
 void add_key_to_edit(Document& document, int frame);
 /// Its yaw is taken on the branch that is nearest to the camera key before.

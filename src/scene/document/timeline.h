@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/choice.h"
@@ -50,11 +51,20 @@ std::span<const Choice> choices(Repeat);
 using Handles = std::array<double, 4>;
 inline constexpr Handles usual_handles{0.42, 0, 0.58, 1};
 
+/// How much of a pose with that name a key has mixed in.
+struct MixedPose {
+  std::string name;
+  double weight;
+
+  friend bool operator==(const MixedPose&, const MixedPose&) = default;
+};
+
 struct PoseKey {
   int frame;
   SharedPose pose{};
   Easing easing = Easing::smooth;   ///< up to the next key
   Handles handles = usual_handles;  ///< of Easing::bezier
+  std::vector<MixedPose> mix{};     ///< that it was made of, as long as those poses are as they were
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };

@@ -86,13 +86,23 @@ double percent_of(double weight) {
   return typed / 100 == weight ? typed : 100 * weight;
 }
 
+double weight_of(const JsonReader& json) {
+  return json.number(100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
+}
+
+std::vector<MixedPose> mix_of(const JsonReader& json) {
+  std::vector<MixedPose> mix;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const JsonReader item = json.item(i);
+    mix.push_back({item.at("name").text(), weight_of(item.at("weight"))});
+  }
+  return mix;
+}
+
 NamedPose named_pose_of(const JsonReader& json, std::span<const SharedShape> shapes,
                         std::vector<std::string>& warnings) {
   NamedPose named{json.at("name").text(), whole_pose_of(json, shapes, warnings)};
   if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
-  const auto weight_of = [](const JsonReader& v) {
-    return v.number(100 * PoseLibrary::least_weight, 100 * PoseLibrary::largest_weight) / 100;
-  };
   take_part(json, "weight", named.weight, weight_of, "it counts as made by hand", warnings);
   const std::size_t told = warnings.size();
   take_part(json, "part", named.part, &JsonReader::indices, "it counts as made by hand", warnings);
@@ -110,6 +120,7 @@ PoseKey key_of(const JsonReader& json, std::span<const SharedShape> shapes,
   };
   take_part(json, "easing", key.easing, choice_of<Easing>, "smooth instead", warnings);
   take_part(json, "handles", key.handles, handles_of, "the usual curve instead", warnings);
+  take_part(json, "mix", key.mix, mix_of, "it counts as made by hand", warnings);
   return key;
 }
 
@@ -315,6 +326,8 @@ ordered_json timeline_json(const Timeline& timeline, double frame, ShapeTable& s
   for (const PoseKey& key : timeline.keys) {
     ordered_json one = {{"frame", key.frame}, {"easing", entry_of(key.easing).word}};
     if (key.easing == Easing::bezier) one["handles"] = key.handles;
+    for (const MixedPose& mixed : key.mix)
+      one["mix"].push_back({{"name", mixed.name}, {"weight", percent_of(mixed.weight)}});
     one.update(whole_pose_json(*key.pose, shapes));
     json["keys"].push_back(std::move(one));
   }

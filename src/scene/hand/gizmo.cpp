@@ -76,19 +76,20 @@ bool inside(const std::array<glm::vec2, 4>& corners, const glm::vec2& p) {
   return positive == 0 || positive == 4;
 }
 
-float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec2& p) {
+// Of the side of the viewer, or of the other.
+float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec2& p, bool front = true) {
   float nearest = 1e9f;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if (a.front && b.front) nearest = std::min(nearest, distance_to_segment(p, a.at, b.at));
+    if (a.front == front && b.front == front) nearest = std::min(nearest, distance_to_segment(p, a.at, b.at));
   }
   return nearest;
 }
 
 // Of the three axes the one whose line is nearest, if it is near enough.
 template <class Distance>
-std::optional<Constraint> nearest_axis(Distance distance) {
-  float nearest = gizmo_tolerance;
+std::optional<Constraint> nearest_axis(float tolerance, Distance distance) {
+  float nearest = tolerance;
   std::optional<Constraint> best;
   for (int axis = 0; axis < 3; ++axis) {
     const float d = distance(axis);
@@ -97,15 +98,19 @@ std::optional<Constraint> nearest_axis(Distance distance) {
   return best;
 }
 
-std::optional<Constraint> pick_ring(const Gizmo& gizmo, const glm::vec2& cursor) {
-  const auto axis = nearest_axis([&](int i) { return distance_to_ring(gizmo.rings[i], cursor); });
-  if (axis) return axis;
+std::optional<Constraint> pick_ring(const Gizmo& gizmo, const glm::vec2& cursor, bool reach) {
+  const float tolerance = reach ? gizmo_reach : gizmo_tolerance;
+  const auto axis = nearest_axis(tolerance, [&](int i) { return distance_to_ring(gizmo.rings[i], cursor); });
   const float off = std::abs(glm::distance(cursor, gizmo.center) - gizmo_view_ring);
-  return off <= gizmo_tolerance ? std::optional(Constraint{}) : std::nullopt;
+  if (axis) return axis;
+  if (off <= tolerance) return Constraint{};
+  if (!reach) return std::nullopt;
+  return nearest_axis(gizmo_tolerance,
+                      [&](int i) { return distance_to_ring(gizmo.rings[i], cursor, false); });
 }
 
-std::optional<Constraint> pick_arm(const Gizmo& gizmo, const glm::vec2& cursor) {
-  return nearest_axis([&](int i) {
+std::optional<Constraint> pick_arm(const Gizmo& gizmo, const glm::vec2& cursor, float tolerance) {
+  return nearest_axis(tolerance, [&](int i) {
     const auto& arm = gizmo.arms[i];
     return arm.opacity >= faintest ? distance_to_segment(cursor, arm.base, arm.end) : 1e9f;
   });
@@ -147,10 +152,10 @@ float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec
   return glm::distance(p, a + t * along);
 }
 
-std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor) {
-  if (gizmo.tool == Tool::rotate) return pick_ring(gizmo, cursor);
+std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach) {
+  if (gizmo.tool == Tool::rotate) return pick_ring(gizmo, cursor, reach);
   if (glm::distance(cursor, gizmo.center) <= gizmo_center + 1) return Constraint{};
-  if (const auto arm = pick_arm(gizmo, cursor)) return arm;
+  if (const auto arm = pick_arm(gizmo, cursor, reach ? gizmo_reach : gizmo_tolerance)) return arm;
   return pick_plane(gizmo, cursor);
 }
 

@@ -18,6 +18,7 @@ inline constexpr float gizmo_head = 14;        ///< length of an arrow's head
 inline constexpr float gizmo_view_ring = 102;  ///< radius of the ring that turns about the view direction
 inline constexpr float gizmo_center = 9;       ///< radius of the handle in the middle
 inline constexpr float gizmo_tolerance = 7;    ///< how near to a line of it the cursor must be
+inline constexpr float gizmo_reach = 14;       ///< or where nothing small is under the cursor
 
 /// What is drawn and what is hit, in logical pixels. Handles that point at the viewer fade out and cannot be
 /// hit.
@@ -50,8 +51,9 @@ std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::
 
 float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
 
-/// The handle under the cursor.
-std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor);
+/// The handle under the cursor. With `reach` also one that is farther away, and the far side of a ring: where
+/// nothing as small as a vertex is under the cursor.
+std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach = false);
 
 /// "Move along X".
 std::string handle_name(Tool tool, const Constraint& handle);

@@ -57,13 +57,21 @@ struct Command : Effect {
   Condition enabled;
   std::string_view group{};  ///< heading in the help
   Shortcut shortcut{}, alternative{};
-  std::string_view submenu{};  ///< where commands of one choice share one
+  std::string_view submenu{};                          ///< where commands of one choice share one
+  std::string (*subject)(const Workspace&) = nullptr;  ///< what it acts on now: "Rotate" of "Undo"
 
+  /// "Undo Rotate", or `called` instead of the label.
+  std::string label_now(const Workspace& workspace, std::string_view called) const;
+  std::string label_now(const Workspace& workspace) const { return label_now(workspace, label); }
   bool on(const Workspace& workspace) const { return is_on && is_on(workspace); }
 
   // What a row of a table says besides.
   Command& or_by(Shortcut other) {
     alternative = other;
+    return *this;
+  }
+  Command& of(std::string (*what)(const Workspace&)) {
+    subject = what;
     return *this;
   }
   Command& under(std::string_view menu) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 
 #include "scene/workspace/command_tables.h"
 
@@ -15,6 +16,13 @@ std::span<const Command> commands() {
     return table;
   }();
   return all.rows();
+}
+
+std::string Command::label_now(const Workspace& workspace, std::string_view called) const {
+  std::string what = subject ? subject(workspace) : "";
+  if (what.empty()) return std::string(called);
+  what[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(what[0])));
+  return std::string(called) + ' ' + what;
 }
 
 const Command* find_command(std::string_view name) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/child_program.h"
 #include "base/numbered_files.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
@@ -74,7 +75,8 @@ std::vector<std::string_view> FileBrowser::formats() const {
     add(mesh::is_sequence);
     add(mesh::holds_morphs);
     add(purpose == Purpose::animation ? mesh::keeps_order : mesh::holds_one_frame);
-    if (purpose == Purpose::save_animation) names.insert(names.end(), {"png", "mp4", "webm"});
+    if (purpose == Purpose::save_animation) names.push_back("png");
+    if (purpose == Purpose::save_animation && films) names.insert(names.end(), {"mp4", "webm"});
   } else {
     add(mesh::holds_surface);
     if (purpose == Purpose::shapes) add(mesh::is_sequence);
@@ -106,6 +108,7 @@ void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const s
   browser.in_use = std::move(in_use);
   browser.open = browser.appearing = true;
   browser.purpose = purpose;
+  browser.films = base::is_installed("ffmpeg");
   browser.problem.clear();
   browser.warned.clear();
   browser.asked.clear();
@@ -117,6 +120,8 @@ void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const s
 void enter(FileBrowser& browser, const fs::path& folder) {
   try {
     const fs::path absolute = fs::weakly_canonical(fs::absolute(folder));
+    std::error_code ignored;
+    browser.changed = fs::last_write_time(absolute, ignored);
     browser.entries = list(absolute, browser);
     browser.folder = absolute;
     browser.path =
@@ -128,6 +133,25 @@ void enter(FileBrowser& browser, const fs::path& folder) {
   } catch (const fs::filesystem_error& error) {
     browser.problem = folder.string() + ": " + error.code().message() + "; choose another folder";
   }
+}
+
+void refresh(FileBrowser& browser) {
+  std::error_code code;
+  const auto changed = fs::last_write_time(browser.folder, code);
+  if (code || changed == browser.changed) return;
+  const auto before = shown(browser);
+  const std::string name = browser.highlighted < before.size() ? before[browser.highlighted]->name : "";
+  try {
+    browser.entries = list(browser.folder, browser);
+  } catch (const fs::filesystem_error&) {  // gone: what was listed stays, and entering it says why
+  }
+  browser.changed = changed;
+  if (name.empty()) return;
+  const auto now = shown(browser);
+  const auto found = std::ranges::find(now, name, &Entry::name);
+  browser.highlighted = found != now.end()
+                            ? static_cast<std::size_t>(found - now.begin())
+                            : std::min(browser.highlighted, std::max<std::size_t>(now.size(), 1) - 1);
 }
 
 std::vector<const Entry*> shown(const FileBrowser& browser) {
@@ -203,6 +227,9 @@ std::string problem_of_name(const FileBrowser& browser) {
   if (const std::string* used = browser.in_use.find(file))
     return name + " is open (" + *used + ") and stays as it is; " +
            base::unused_name(file).filename().string() + " would be free.";
+  if (browser.makes_pictures() && is_video_format(mesh::extension_of(file)) && !browser.films)
+    return "Films need ffmpeg: install it (apt-get install ffmpeg), or write numbered pictures (" +
+           file.stem().string() + "_####.png).";
   const auto formats = browser.formats();
   const bool known = browser.purpose == Purpose::save_session ||
                      std::find(formats.begin(), formats.end(), mesh::extension_of(file)) != formats.end();

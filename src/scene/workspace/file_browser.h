@@ -23,7 +23,7 @@ struct MorphChoice {
 
 /// How pictures and films are drawn.
 struct PictureChoice {
-  bool cage = true, grid = true, light = false, panels = false;
+  bool cage = false, grid = true, light = false, panels = false;
   int width = 0, height = 0;  ///< logical pixels, least_picture to largest_picture
 };
 inline constexpr int least_picture = 16, largest_picture = 8192;
@@ -55,6 +55,8 @@ struct FileBrowser {
   bool appearing = false;  ///< it was opened just now: the keyboard is to go there
   Purpose purpose = Purpose::model;
   std::filesystem::path folder;
+  std::filesystem::file_time_type changed{};  ///< the folder, when it was listed
+  bool films = false;                         ///< ffmpeg is there to make them
   std::vector<Entry>
       entries;       ///< folders first, then files that fit the purpose, each by name without regard to case
   std::string path;  ///< what the text field holds
@@ -90,6 +92,9 @@ void show(FileBrowser& browser, FileBrowser::Purpose purpose, const std::filesys
           const std::string& suggested = "", FilesInUse in_use = {});
 /// Lists another folder; on failure stays where it is and says why.
 void enter(FileBrowser& browser, const std::filesystem::path& folder);
+
+/// Lists the folder anew if files have come or gone there since; what is typed and highlighted stays.
+void refresh(FileBrowser& browser);
 
 /// The entries that pass the filter, in order.
 std::vector<const FileBrowser::Entry*> shown(const FileBrowser& browser);

@@ -5,7 +5,9 @@
 #include "scene/files/output.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
+#include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
+#include "scene/workspace/taking.h"
 
 namespace viete::scene {
 
@@ -59,7 +61,25 @@ void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const s
 void save_animation(Workspace& w) {
   browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
   const glm::ivec2 size = glm::clamp(glm::ivec2(w.viewport.window), least_picture, largest_picture);
-  w.browser.pictures = PictureChoice{w.view.cage, w.view.grid, !w.view.dark, false, size.x, size.y};
+  w.browser.pictures =
+      PictureChoice{.grid = w.view.grid, .light = !w.view.dark, .width = size.x, .height = size.y};
+}
+
+// The document is the bundled model in its cage, and no key would be replaced.
+constexpr Condition can_add_example{
+    [](const Workspace& w) {
+      const fs::path& model = w.document.model.path;
+      std::error_code ignored;
+      return !w.example.empty() && has_cage(w) && w.document.timeline.empty() &&
+             !is_editing_cage(w.document) && !in_hand(w) &&
+             fs::equivalent(model, w.example.parent_path() / model.filename(), ignored);
+    },
+    "For the bundled dragon while it has no keys; undo or delete yours first."};
+
+void add_example(Workspace& w) {
+  if (!add_motion(w, w.example)) return;
+  show_timeline(w);
+  start_playing(w);
 }
 
 }  // namespace
@@ -104,6 +124,8 @@ void add_file_commands(CommandTable& table) {
             }));
   table.add("open_pose", "Open pose", "Open a posed version of this cage.", {key('P'), true}, has_cage,
             browse_for<Purpose::pose>);
+  table.add("add_example", "Add the dragon's loop",
+            "Add the poses and keys of a loop of five seconds, and play it.", can_add_example, add_example);
   table.add("save_session", {"Save session", "Save"},
             "Save model, cage, pose, settings and camera as a session.", {key('S'), true}, has_model, save);
   table.add("save_session_as", {"Save session as", "Save as"}, "Save the session under another name.",

@@ -21,7 +21,7 @@ constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.h
 void pick_vertex(Workspace& w) {
   const auto vertex = pointed_vertex(w, w.interaction.cursor.value_or(w.viewport.middle()));
   if (!vertex) return w.messages.info("Point at the model to pick a vertex of it.");
-  w.vertex.vertex = vertex;
+  show_sum_at(w, vertex);
 }
 
 void choose_field(Workspace& w, Field field) {
@@ -29,6 +29,15 @@ void choose_field(Workspace& w, Field field) {
 }
 
 }  // namespace
+
+void show_sum_at(Workspace& w, std::optional<std::uint32_t> vertex) {
+  w.vertex.vertex = vertex;
+  w.vertex.appearing = true;
+  PanelLayout& layout = w.remembered.layout;
+  for (const char* section : {"Analysis", "Vertex inspector"}) layout.sections[section] = true;
+  if (shown_columns(layout, w.viewport.window.x).methods <= 0)
+    toggle_column(layout, Column::methods, w.viewport.window.x);
+}
 
 std::optional<std::uint32_t> pointed_vertex(const Workspace& w, const glm::vec2& at) {
   const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
@@ -63,7 +72,7 @@ void add_map_commands(CommandTable& table) {
       {key('Y'), false, false, true}, has_model, pick_vertex);
   table.add("pick_worst", {"Pick the worst vertex of the map", "The worst of the map"},
             "Show what is summed at the vertex where the map says most.", has_map,
-            [](Workspace& w) { w.vertex.vertex = w.field.stats.worst; });
+            [](Workspace& w) { show_sum_at(w, w.field.stats.worst); });
   table.add("drop_vertex", {"Close the sum at a vertex", "Close"}, "Show no vertex's sum.", has_vertex,
             [](Workspace& w) { w.vertex.vertex.reset(); });
 }

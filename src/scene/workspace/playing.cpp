@@ -143,6 +143,28 @@ void go_to_frame(Workspace& w, double frame) {
   leave_for(w, std::clamp<double>(frame, Timeline::least_frame, Timeline::largest_frame));
 }
 
+namespace {
+
+double weight_in(const PoseKey& key, const NamedPose& named) {
+  const auto mixed = std::ranges::find(key.mix, named.name, &MixedPose::name);
+  if (mixed != key.mix.end()) return mixed->weight;
+  return key.mix.empty() && same_pose(*key.pose, *named.pose) ? 1 : 0;
+}
+
+}  // namespace
+
+std::vector<double> shown_weights(const Workspace& w) {
+  const auto& poses = w.document.library.poses;
+  const Timeline& timeline = w.document.timeline;
+  std::vector<double> weights(poses.size());
+  std::ranges::transform(poses, weights.begin(), &NamedPose::weight);
+  if (w.document.library.mixes() || timeline.keys.empty() || has_unkeyed_pose(w)) return weights;
+  for (const KeyShare& share : moment_at(timeline, w.document.frame).shares)
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      weights[i] += share.factor * weight_in(timeline.keys[share.key], poses[i]);
+  return weights;
+}
+
 void replace_pose(Workspace& w, const std::function<void()>& edit) {
   const bool unkeyed = leaves_unkeyed(w);
   PoseKey left{current_frame(w.document), unkeyed ? shared_pose(w.document) : nullptr};
@@ -190,6 +212,11 @@ void lead_back_to_unkeyed(Workspace& w, bool show) {
   see(w);
   w.messages.info(shown ? "The pose of this frame is in no key; set one (I) to keep it."
                         : "Undo leads back to " + base::counted(count, "pose") + " in no key.");
+}
+
+void show_timeline(Workspace& w) {
+  w.remembered.layout.timeline = true;
+  w.time_view.seen = fitting(w.document.timeline);
 }
 
 void start_playing(Workspace& w) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "scene/workspace/workspace.h"
 
@@ -21,6 +22,9 @@ void go_to_frame(Workspace& workspace, double frame);
 /// To the next frame that has a key, or the one before; from the last one to the first.
 void go_to_key(Workspace& workspace, bool forward);
 
+/// How much of each pose of the library is in what is shown: as the mix has it, or as the keys that play do.
+std::vector<double> shown_weights(const Workspace& workspace);
+
 /// An edit that puts another pose in the place of what is there. If that was in no key, and no pose with a
 /// name is like it, Timeline::unkeyed keeps it.
 void replace_pose(Workspace& workspace, const std::function<void()>& edit);
@@ -30,6 +34,9 @@ void apply_pose(Workspace& workspace, std::size_t pose);
 /// Of a document that was just opened: undo leads back to the poses of Timeline::unkeyed. `show` begins with
 /// the last of them where the document's own pose is one of its keys.
 void lead_back_to_unkeyed(Workspace& workspace, bool show);
+
+/// Opens the timeline, with all keys in sight.
+void show_timeline(Workspace& workspace);
 
 void start_playing(Workspace& workspace);
 /// Where it comes to rest is a whole frame.

@@ -19,9 +19,18 @@ SelectMode mode_of(const PointerInput& input) {
   return input.ctrl ? SelectMode::remove : SelectMode::replace;
 }
 
-std::optional<Constraint> handle_under(const Workspace& w, const glm::vec2& cursor) {
+// `small`: something as small as a vertex is there too, which is not taken for a handle nearby.
+std::optional<Constraint> handle_under(const Workspace& w, const glm::vec2& cursor, bool small) {
   const auto gizmo = gizmo_of(w);
-  return gizmo ? pick_handle(*gizmo, cursor) : std::nullopt;
+  if (!gizmo) return std::nullopt;
+  const auto handle = pick_handle(*gizmo, cursor);
+  return handle || small ? handle : pick_handle(*gizmo, cursor, true);
+}
+
+// Edges and faces are long: near a handle one of them is nearly always there.
+bool is_small(const Workspace& w, const std::optional<Pick>& element) {
+  const ElementKind kind = w.document.selection.kind();
+  return element && (kind == ElementKind::vertex || kind == ElementKind::probe);
 }
 
 std::optional<mesh::Point> brush_under(const Workspace& w, const glm::vec2& cursor) {
@@ -141,8 +150,10 @@ void Pointer::hover(Workspace& workspace, const PointerInput& input) {
     interaction.brush = brush_under(workspace, input.position);
     return;
   }
-  interaction.handle = free ? handle_under(workspace, input.position) : std::nullopt;
-  const auto pick = free && !interaction.handle ? element_under(workspace, input.position) : std::nullopt;
+  auto pick = free ? element_under(workspace, input.position) : std::nullopt;
+  interaction.handle =
+      free ? handle_under(workspace, input.position, is_small(workspace, pick)) : std::nullopt;
+  if (interaction.handle) pick.reset();
   interaction.hovered = pick ? std::optional(pick->index) : std::nullopt;
   interaction.crowded = pick && is_crowded(workspace.document, workspace.camera, workspace.viewport,
                                            input.position, sight_.of(workspace));
@@ -232,8 +243,8 @@ void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
   }
   again_ = input.double_click && clicked_;
   clicked_ = false;
-  handle_ = handle_under(workspace, press_);
   grabbed_ = element_under(workspace, press_);
+  handle_ = handle_under(workspace, press_, is_small(workspace, grabbed_));
   crowded_ =
       is_crowded(workspace.document, workspace.camera, workspace.viewport, press_, sight_.of(workspace));
 }

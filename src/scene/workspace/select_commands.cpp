@@ -132,11 +132,13 @@ void select_by(Workspace& w) {
 
 void add_select_commands(CommandTable& table) {
   table.heading("Edit");
-  table.add("undo", "Undo", "Take the last edit back.", {key('Z'), true}, can_undo, step_back);
+  table.add("undo", "Undo", "Take the last edit back.", {key('Z'), true}, can_undo, step_back)
+      .of([](const Workspace& w) { return w.document.history.undo_label(); });
   table
       .add("redo", "Redo", "Repeat the edit that was taken back.", {key('Z'), true, true}, can_redo,
            step_forth)
-      .or_by({key('Y'), true});
+      .or_by({key('Y'), true})
+      .of([](const Workspace& w) { return w.document.history.redo_label(); });
   table.add("reset_pose", "Reset pose", "Put the whole cage and all probes back to rest.", {key('R'), true},
             is_posed, [](Workspace& w) { reset_pose(w.document); });
   table.add("reset_selected", "Reset selected", "Put what is selected back to rest.", {Key::delete_key},

@@ -2,11 +2,14 @@
 
 #include <utility>
 
+#include "base/error.h"
 #include "base/quantity.h"
 #include "scene/document/pose_edit.h"
+#include "scene/document/record.h"
 #include "scene/document/selection_sets.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
+#include "scene/files/pose_json.h"
 #include "scene/workspace/playback.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
@@ -70,12 +73,13 @@ void take_view(Workspace& w, const Session& session) {
   w.view.hints = old.hints && session.view.hints;
 }
 
-// A place of another model says nothing.
+// A place or a plane of another model says nothing.
 void take_handling(Workspace& w, const Opened& opened, bool same_model) {
   if (opened.session) {
     w.handling = opened.session->handling;
   } else if (!same_model) {
     w.handling.point.reset();
+    w.handling.mirror = MirrorPlane::none;
     if (w.handling.pivot == Pivot::point) w.handling.pivot = Pivot::median;
   }
 }
@@ -107,6 +111,7 @@ bool take_poses(Workspace& w, Opened& opened) {
   if (opened.keys.empty()) return false;
   const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
   put_keys(w.document, std::move(opened.keys), "Import animation");
+  show_timeline(w);
   w.messages.info("Took " + base::counted(count, "key") + " of " + name +
                   (before > 0 ? "; undo brings the " + std::to_string(before) + " before back." : "."));
   return true;
@@ -192,6 +197,38 @@ bool open_now(Workspace& workspace, const OpenRequest& request) {
     workspace.messages.error(error.what(), {"open"});
     return false;
   }
+}
+
+bool add_motion(Workspace& w, const std::filesystem::path& file) {
+  Document& document = w.document;
+  try {
+    Session session = read_session(file);
+    const auto is_same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
+      std::error_code ignored;
+      return std::filesystem::equivalent(a, b, ignored);
+    };
+    if (!document.has_cage() || !is_same(session.model, document.model.path) ||
+        !is_same(session.cage, document.cage_file.path))
+      throw base::Error(file.string(), "its poses are of another model or cage",
+                        "open " + session.model.string() + " in " + session.cage.string() + " first");
+    fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface, file.string(),
+              session.warnings);
+    if (!session.warnings.empty()) throw base::Error("", session.warnings.front());
+    const bool was_saved = !has_unsaved_edits(w);
+    record_edit(document, "add the poses and keys of " + file.filename().string());
+    for (NamedPose& pose : session.library.poses) {
+      pose.name = free_name(document.library, pose.name);
+      document.library.poses.push_back(std::move(pose));
+    }
+    document.timeline = std::move(session.timeline);
+    document.frame = session.frame;
+    if (was_saved) mark_saved(w);
+  } catch (const base::Error& error) {
+    w.messages.error(error.what(), {"open"});
+    return false;
+  }
+  w.messages.succeeded("open");
+  return true;
 }
 
 }  // namespace viete::scene

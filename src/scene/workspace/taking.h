@@ -13,4 +13,9 @@ void take(Workspace& workspace, Opened&& opened);
 /// Returns success.
 bool open_now(Workspace& workspace, const OpenRequest& request);
 
+/// Adds the poses of a session of the open model and cage, and its keys in place of those that are there: one
+/// edit, which is saved work if all was saved before. The session itself is not opened, so that Save asks for
+/// a name. On failure everything stays as it was and a message says why. Returns success.
+bool add_motion(Workspace& workspace, const std::filesystem::path& session);
+
 }  // namespace viete::scene

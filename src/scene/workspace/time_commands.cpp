@@ -43,6 +43,14 @@ constexpr Condition has_time{[](const Workspace& w) {
                                       !in_hand(w);
                              },
                              "There are no keys: pose the model and set one (I)."};
+// Keys of the keyboard that change time do nothing where time is not seen.
+constexpr Condition shows_time{[](const Workspace& w) {
+                                 return has_model(w) && w.remembered.layout.timeline &&
+                                        !is_editing_cage(w.document) && !in_hand(w);
+                               },
+                               "Show the timeline first."};
+constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && shows_time(w); },
+                               "Show the timeline and set a key first (I)."};
 constexpr Condition has_pose_keys{
     [](const Workspace& w) { return has_time(w) && !w.document.timeline.keys.empty(); },
     "There are no keys: pose the model and set one (I)."};
@@ -100,34 +108,49 @@ void move_down(Workspace& w) {
   ++*w.chosen_pose;
 }
 
-// Who sets a first key wants to see it.
-void set_keys(Workspace& w, const auto& set) {
+// Opens the timeline, in which all keys are in sight if it was closed.
+void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
-    const bool first = w.document.timeline.empty();
+    const bool shown = w.remembered.layout.timeline && !w.document.timeline.empty();
     stop_playing(w);
     set();
-    if (!first) return;
-    w.remembered.layout.timeline = true;
-    w.time_view.seen = fitting(w.document.timeline);
+    if (!shown) show_timeline(w);
+    w.messages.info(done);
   });
+}
+
+template <class Key>
+std::string key_message(const std::vector<Key>& keys, const char* what, int frame) {
+  const bool replaces = std::ranges::find(keys, frame, &Key::frame) != keys.end();
+  const std::string at = std::to_string(frame);
+  return replaces ? std::string(what) + " at frame " + at + " replaced; undo brings the old one back."
+                  : std::string(what) + " set at frame " + at + '.';
 }
 
 void key_pose(Workspace& w) {
-  set_keys(w, [&] {
-    set_key(w.document, current_frame(w.document));
-    w.time_view.selected = {current_frame(w.document)};
-  });
+  const int frame = current_frame(w.document);
+  const std::vector<double> weights = shown_weights(w);
+  const auto set = [&] {
+    set_key(w.document, frame, weights);
+    w.time_view.selected = {frame};
+  };
+  set_keys(w, set, key_message(w.document.timeline.keys, "Key", frame));
 }
 
 void key_camera(Workspace& w) {
-  set_keys(w, [&] {
-    set_camera_key(w.document, current_frame(w.document), w.camera.pose());
-    w.time_view.selected = {current_frame(w.document)};
-  });
+  const int frame = current_frame(w.document);
+  const auto set = [&] {
+    set_camera_key(w.document, frame, w.camera.pose());
+    w.time_view.selected = {frame};
+  };
+  set_keys(w, set, key_message(w.document.timeline.cameras, "Camera key", frame));
 }
 
 void key_turntable(Workspace& w) {
-  set_keys(w, [&] { set_turntable(w.document, w.camera.pose()); });
+  const Timeline& t = w.document.timeline;
+  set_keys(
+      w, [&] { set_turntable(w.document, w.camera.pose()); },
+      "Camera keys set from frame " + std::to_string(t.first) + " to " + std::to_string(t.last) + '.');
 }
 
 void delete_keys(Workspace& w) {
@@ -229,14 +252,14 @@ void add_time_commands(CommandTable& table) {
   table.add("delete_keys", {"Delete selected keys", "Delete keys"},
             "Delete the selected keys; by its key while the pointer is over the timeline.", {Key::delete_key},
             deletes_keys, delete_keys);
-  table.add("previous_frame", "Previous frame", "One frame back.", {Key::left}, has_time, step<-1>);
-  table.add("next_frame", "Next frame", "One frame on.", {Key::right}, has_time, step<1>);
-  table.add("previous_key", "Previous key", "Back to the last key before this frame.", {Key::down}, has_time,
-            to_key<false>);
-  table.add("next_key", "Next key", "On to the next key.", {Key::up}, has_time, to_key<true>);
-  table.add("first_frame", "First frame", "To where playing begins.", {Key::left, false, true}, has_time,
+  table.add("previous_frame", "Previous frame", "One frame back.", {Key::left}, shows_time, step<-1>);
+  table.add("next_frame", "Next frame", "One frame on.", {Key::right}, shows_time, step<1>);
+  table.add("previous_key", "Previous key", "Back to the last key before this frame.", {Key::down},
+            shows_keys, to_key<false>);
+  table.add("next_key", "Next key", "On to the next key.", {Key::up}, shows_keys, to_key<true>);
+  table.add("first_frame", "First frame", "To where playing begins.", {Key::left, false, true}, shows_time,
             to_end<&Timeline::first>);
-  table.add("last_frame", "Last frame", "To where playing ends.", {Key::right, false, true}, has_time,
+  table.add("last_frame", "Last frame", "To where playing ends.", {Key::right, false, true}, shows_time,
             to_end<&Timeline::last>);
   table.add("fit_range", {"Play from first to last key", "Range of keys"},
             "Play from the first key to the last one.", has_time, fit_range);

@@ -30,6 +30,7 @@ struct VertexView {
   };
 
   std::optional<std::uint32_t> vertex;  ///< that was asked for
+  bool appearing = false;               ///< just now: its section is to be scrolled to
   std::vector<Term> terms;              ///< the largest first
   bool has_logs = false;                ///< else only weights are told
   glm::dmat3 map{1};                    ///< of the whole sum

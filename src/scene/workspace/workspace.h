@@ -96,6 +96,13 @@ struct TypedText {
   int frame = 0;  ///< in which it was seen last
 };
 
+/// A slider that is a field for its number, until that is left.
+struct TypedSlider {
+  std::string name;
+  int frame = 0;  ///< in which it was seen last
+  int waits = 0;  ///< so many frames more for the keyboard
+};
+
 /// What only the program around can do; it takes and clears these once a frame.
 struct Requests {
   bool quit = false;
@@ -238,6 +245,7 @@ struct Workspace {
   Remembered remembered;
   std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
   std::filesystem::path chosen_leftover;     ///< of several; none of these: the newest
+  std::filesystem::path example;             ///< session of the bundled model, with poses and keys; may be empty
   bool offers_leftovers = false;             ///< their notice is shown, until it is answered
   float notice_height = 0;                   ///< logical pixels of its row, as it was drawn last
   std::filesystem::path binding_file;        ///< a saved binding that was named; empty: none
@@ -254,11 +262,13 @@ struct Workspace {
   KeyList key_list;
   bool show_messages = false;  ///< all of them, in a list
   bool attended = true;        ///< somebody is there to read what is said; not so for pictures of a command
+  bool tools = true;           ///< gizmo, selection, hover and handles are drawn; not so in pictures
   bool full_screen = false;    ///< the window is to fill the screen
   bool ask_keys = false;       ///< the first start asks which keys the hands know
   bool farewell = false;       ///< the window is about to close, and edits are kept
   std::map<std::string, TypedText> typed;  ///< by the name of the field
-  std::optional<BeforeHold> before_hold;   ///< since the mouse button went down
+  TypedSlider typed_slider;
+  std::optional<BeforeHold> before_hold;  ///< since the mouse button went down
   ChoicePictures choice_pictures;
   About about;
 };
@@ -313,6 +323,9 @@ void frame_selection(Workspace& workspace, bool eased);
 void frame_worst(Workspace& workspace);
 /// Of the model, nearest to what is drawn at this place of the window; nothing where it is not.
 std::optional<std::uint32_t> pointed_vertex(const Workspace& workspace, const glm::vec2& at);
+
+/// Shows the sum at this vertex of the model, in its section, which is opened and scrolled to.
+void show_sum_at(Workspace& workspace, std::optional<std::uint32_t> vertex);
 
 /// What the deformer had to decide in the frame of this pose: its turns become the pose's, and its notes are
 /// shown.
