@@ -167,7 +167,7 @@ public:
       const scene::Viewport& v = workspace().viewport;
       const float end = v.origin.x + v.size.x, top = v.origin.y;
       const bool in_column = rect->x1 <= v.origin.x || rect->x0 >= end;
-      const float end_of_column = top + scene::column_height(v.window.y);
+      const float end_of_column = top + scene::column_height(v);
       const bool whole = rect->visible && (!in_column || (rect->y0 >= top && rect->y1 <= end_of_column));
       if (whole) return {0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)};
       const float x = rect->x0 >= end ? 0.5f * (end + v.window.x) : 0.5f * v.origin.x;
