@@ -67,7 +67,7 @@ struct FieldInput {
 struct FieldEntry {
   Field field;
   base::Choice choice;
-  std::string_view unit{};  ///< beyond what text() says: "in diagonals"
+  std::string_view unit{};  ///< shown with the title: "in diagonals"
   Source source = Source::nothing;
   Scale scale = Scale::plain;
   bool symmetric = false;  ///< 0 is what it is where nothing happens, in the middle of the colours

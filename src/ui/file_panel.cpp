@@ -383,7 +383,7 @@ void button_row(const Context& ui) {
                                                    : choose_typed(ui.workspace);
 }
 
-// Where the program's window was made smaller than it was.
+// Keeps the dialog inside a window that was made smaller.
 void keep_within(const ImVec2& display) {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   const ImVec2 fitting{std::min(size.x, display.x), std::min(size.y, display.y)};

@@ -120,7 +120,7 @@ struct Slid {
 /// makes it a field until that is left. `draw` draws it, and says whether it was moved.
 Slid slider(const Context& ui, const std::string& name, double value, double least, double most,
             const std::function<bool()>& draw, bool enabled = true);
-/// Whether a slider is such a field: the keyboard is its own.
+/// True while a number is typed into a slider.
 bool types_into_slider(const scene::Workspace& workspace);
 
 /// A name to be typed over, at most 199 bytes: what was typed, when the field is left; nothing while it is

@@ -258,7 +258,7 @@ std::size_t keep_pose(Document& document, const std::string& name) {
 
 namespace {
 
-// Where keys are made of that pose; to no name: they are not any more.
+// Renames the pose in the mixes of all keys; an empty name removes it from them.
 void rename_in_keys(Timeline& timeline, const std::string& name, const std::string& to) {
   for (PoseKey& key : timeline.keys) {
     for (MixedPose& mixed : key.mix)

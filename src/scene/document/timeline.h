@@ -64,7 +64,7 @@ struct PoseKey {
   SharedPose pose{};
   Easing easing = Easing::smooth;   ///< up to the next key
   Handles handles = usual_handles;  ///< of Easing::bezier
-  std::vector<MixedPose> mix{};     ///< that it was made of, as long as those poses are as they were
+  std::vector<MixedPose> mix{};     ///< the named poses that it was made of, while these are unchanged
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };

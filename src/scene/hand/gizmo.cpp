@@ -76,7 +76,7 @@ bool inside(const std::array<glm::vec2, 4>& corners, const glm::vec2& p) {
   return positive == 0 || positive == 4;
 }
 
-// Of the side of the viewer, or of the other.
+// To the side of the viewer, or to the far one.
 float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec2& p, bool front = true) {
   float nearest = 1e9f;
   for (std::size_t i = 0; i < ring.size(); ++i) {

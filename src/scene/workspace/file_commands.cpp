@@ -74,7 +74,7 @@ constexpr Condition can_add_example{
              !is_editing_cage(w.document) && !in_hand(w) &&
              fs::equivalent(model, w.example.parent_path() / model.filename(), ignored);
     },
-    "For the bundled dragon while it has no keys; undo or delete yours first."};
+    "Only for the bundled dragon without keys: open it, or delete its keys first."};
 
 void add_example(Workspace& w) {
   if (!add_motion(w, w.example)) return;

@@ -100,7 +100,7 @@ struct TypedText {
 struct TypedSlider {
   std::string name;
   int frame = 0;  ///< in which it was seen last
-  int waits = 0;  ///< so many frames more for the keyboard
+  int waits = 0;  ///< frames left to get the keyboard
 };
 
 /// What only the program around can do; it takes and clears these once a frame.
@@ -245,9 +245,9 @@ struct Workspace {
   Remembered remembered;
   std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
   std::filesystem::path chosen_leftover;     ///< of several; none of these: the newest
-  std::filesystem::path example;             ///< session of the bundled model, with poses and keys; may be empty
   bool offers_leftovers = false;             ///< their notice is shown, until it is answered
   float notice_height = 0;                   ///< logical pixels of its row, as it was drawn last
+  std::filesystem::path example;             ///< session with poses and keys of the bundled model
   std::filesystem::path binding_file;        ///< a saved binding that was named; empty: none
   std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
   Revision opened = 0;                       ///< another document was opened
