@@ -18,13 +18,6 @@ constexpr double least_weight = 1e-10;   // smaller ones are rounding
 constexpr std::size_t most_flips = 100;  // a half-edge: far more than were ever seen, an end for sure
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 
-std::vector<mesh::Triangle> proper_triangles(const mesh::Surface& surface) {
-  std::vector<mesh::Triangle> proper;
-  std::copy_if(surface.triangles.begin(), surface.triangles.end(), std::back_inserter(proper),
-               [](const mesh::Triangle& t) { return !mesh::repeats_corner(t); });
-  return proper;
-}
-
 // Of sides a, b, c. W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014).
 double area_of(double a, double b, double c) {
   if (a < b) std::swap(a, b);
@@ -205,7 +198,7 @@ private:
 
 IntrinsicLaplacian intrinsic_laplacian(const mesh::Surface& surface) {
   const std::size_t n = surface.positions.size();
-  const auto triangles = proper_triangles(surface);
+  const auto triangles = mesh::proper_triangles(surface);
   if (triangles.empty()) return {sparse_matrix(n, {}), std::vector<double>(n, 0)};
   IntrinsicTriangles intrinsic(surface.positions, triangles);
   intrinsic.make_delaunay();

@@ -1,10 +1,14 @@
 #include "deform/part_coupling.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "mesh/point_tree.h"
+#include "mesh/triangle.h"
+#include "mesh/triangle_tree.h"
 #include "mesh/union_find.h"
 
 namespace viete::deform {
@@ -14,46 +18,76 @@ namespace {
 constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // of the size
 constexpr double farther = 4;                                         // than the nearest part
 constexpr std::size_t most_parts = 6;
+constexpr double corner_will_do = 0.003;  // of the size
 // Chosen by how far models of 2 to 30,000 parts come apart in bends, drags and twists (bench modes, torn).
 constexpr double of_filled_gap = 2;
 
-using Neighbour = mesh::PointTree::Near;
+struct Neighbour {
+  mesh::Triangle triangle;
+  Vec3 shares;
+  double squared_distance;
+};
 
-/// Which vertices lie near a vertex and are not joined to it.
+/// Finds the points that lie near a vertex and are not joined to it.
 class Neighbours {
 public:
   Neighbours(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::vector<std::uint32_t> used)
       : positions_(surface.positions),
         paths_(paths),
         size_(mesh::used_size(surface)),
-        has_parts_(has_parts(used)),
-        tree_(positions_, std::move(used), paths.parts()) {}
+        triangles_(mesh::proper_triangles(surface)),
+        vertex_tree_(positions_, std::move(used)) {
+    const auto first = paths.part(triangles_[0][0]);
+    if (std::ranges::any_of(triangles_, [&](const auto& t) { return paths.part(t[0]) != first; }))
+      triangle_tree_.emplace(positions_, triangles_, nullptr, paths.parts());
+  }
 
-  // The nearest of each part.
-  std::vector<Neighbour> of(std::uint32_t a) const {
+  std::vector<Neighbour> of(std::uint32_t vertex) const {
     std::vector<Neighbour> found;
-    if (has_parts_) found = tree_.nearest_of_groups(positions_[a], reach * size_, paths_.part(a));
-    if (const auto fold = nearest_fold(a)) found.push_back(*fold);
-    std::ranges::sort(found, [](const Neighbour& x, const Neighbour& y) { return x.nearer_than(y); });
+    if (triangle_tree_) found = in_other_parts(vertex);
+    if (const auto fold = nearest_fold(vertex)) found.push_back(*fold);
+    return found;
+  }
+
+private:
+  // The nearest of each part, nearest first.
+  std::vector<Neighbour> in_other_parts(std::uint32_t vertex) const {
+    const mesh::Point& p = positions_[vertex];
+    std::vector<Neighbour> found;
+    for (const auto& near : triangle_tree_->nearest_of_groups(p, reach * size_, paths_.part(vertex))) {
+      const mesh::Triangle& t = triangles_[near.triangle];
+      const auto closest = mesh::closest_on_triangle(p, positions_[t[0]], positions_[t[1]], positions_[t[2]]);
+      found.push_back({t, closest.barycentric, closest.squared_distance});
+      take_corner(found.back());
+    }
+    std::ranges::sort(found, {},
+                      [](const Neighbour& n) { return std::pair(n.squared_distance, n.triangle); });
     found.resize(std::min(found.size(), most_parts));
     std::erase_if(found, [&](const Neighbour& n) {
       return n.squared_distance > farther * farther * found[0].squared_distance;
     });
     return found;
   }
-
-private:
-  bool has_parts(const std::vector<std::uint32_t>& used) const {
-    return std::ranges::any_of(used, [&](auto v) { return paths_.part(v) != paths_.part(used[0]); });
+  // Fewer entries in the matrix, and vertices of layers that match stay opposite each other.
+  void take_corner(Neighbour& n) const {
+    const auto& [a, b, c] = n.triangle;
+    const mesh::Point point =
+        n.shares[0] * positions_[a] + n.shares[1] * positions_[b] + n.shares[2] * positions_[c];
+    const double most = std::max(corner_will_do * corner_will_do * size_ * size_, 0.25 * n.squared_distance);
+    const auto k = static_cast<std::size_t>(std::ranges::max_element(n.shares) - n.shares.begin());
+    if (squared_norm(point - positions_[n.triangle[k]]) > most) return;
+    n.shares = {0, 0, 0};
+    n.shares[k] = 1;
   }
-  // Of its own part, where no short path leads.
-  std::optional<Neighbour> nearest_fold(std::uint32_t a) const {
+  // A vertex of its own part to which no short path leads.
+  std::optional<Neighbour> nearest_fold(std::uint32_t vertex) const {
     std::optional<Neighbour> nearest;
-    tree_.for_within(positions_[a], touching * size_, [&](std::uint32_t b) {
-      if (b == a || paths_.part(b) != paths_.part(a)) return;
-      const Neighbour other{paths_.part(b), b, squared_norm(positions_[a] - positions_[b])};
-      if (nearest && !other.nearer_than(*nearest)) return;
-      if (!paths_.joined(a, b, way_around * size_)) nearest = other;
+    vertex_tree_.for_within(positions_[vertex], touching * size_, [&](std::uint32_t b) {
+      if (b == vertex || paths_.part(b) != paths_.part(vertex)) return;
+      const double square = squared_norm(positions_[vertex] - positions_[b]);
+      if (nearest && std::pair(square, b) > std::pair(nearest->squared_distance, nearest->triangle[0]))
+        return;
+      if (!paths_.joined(vertex, b, way_around * size_)) nearest = Neighbour{{b, b, b}, {1, 0, 0}, square};
     });
     return nearest;
   }
@@ -61,8 +95,9 @@ private:
   std::span<const mesh::Point> positions_;
   const mesh::EdgePaths& paths_;
   double size_;
-  bool has_parts_;
-  mesh::PointTree tree_;
+  std::vector<mesh::Triangle> triangles_;
+  mesh::PointTree vertex_tree_;
+  std::optional<mesh::TriangleTree> triangle_tree_;  // if there are several parts
 };
 
 double area_of(const mesh::Surface& surface) {
@@ -89,12 +124,24 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
   });
   std::vector<Coupling> couplings;
   for (std::size_t i = 0; i < used.size(); ++i) {
-    for (const auto& [part, b, square] : found[i]) {
-      const double strength = filled * std::min(masses[used[i]], masses[b]) / square;
-      couplings.push_back({used[i], b, std::min(strength, most_strength)});
+    for (const auto& [triangle, shares, square] : found[i]) {
+      const auto& [a, b, c] = triangle;
+      const double beside = shares[0] * masses[a] + shares[1] * masses[b] + shares[2] * masses[c];
+      const double strength = filled * std::min(masses[used[i]], beside) / square;
+      couplings.push_back({used[i], triangle, shares, std::min(strength, most_strength)});
     }
   }
   return couplings;
+}
+
+std::vector<Coupling> by_corners(std::span<const Coupling> couplings) {
+  std::vector<Coupling> result;
+  for (const auto& [vertex, t, shares, strength] : couplings) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (shares[k] > 0) result.push_back({vertex, {t[k], t[k], t[k]}, {1, 0, 0}, shares[k] * strength});
+    }
+  }
+  return result;
 }
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings) {
@@ -102,9 +149,14 @@ SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupl
   std::vector<MatrixEntry> entries;
   for (std::uint32_t v = 0; v < stiffness.size(); ++v)
     for_column(stiffness, v, [&](std::uint32_t row, double value) { entries.push_back({row, v, value}); });
-  for (const auto& [a, b, c] : couplings) {
-    entries.push_back({a, a, c}), entries.push_back({b, b, c});
-    entries.push_back({a, b, -c}), entries.push_back({b, a, -c});
+  for (const auto& [vertex, t, shares, strength] : couplings) {
+    const std::array difference = {std::pair(vertex, 1.0), std::pair(t[0], -shares[0]),
+                                   std::pair(t[1], -shares[1]), std::pair(t[2], -shares[2])};
+    for (const auto& [i, by_i] : difference) {
+      for (const auto& [j, by_j] : difference) {
+        if (by_i != 0 && by_j != 0) entries.push_back({i, j, strength * by_i * by_j});
+      }
+    }
   }
   return sparse_matrix(stiffness.size(), entries);
 }
@@ -118,9 +170,10 @@ Bodies bodies(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::s
   std::vector<double> share(n, 0);
   for (std::uint32_t v = 0; v < n; ++v) share[paths.part(v)] += masses[v];
   mesh::UnionFind sets(n);
-  for (const auto& [a, b, strength] : couplings) {
-    const auto one = paths.part(a), other = paths.part(b);
-    if (std::min(share[one], share[other]) < small && norm(p[a] - p[b]) <= near) sets.join(one, other);
+  for (const auto& [vertex, t, shares, strength] : couplings) {
+    const auto one = paths.part(vertex), other = paths.part(t[0]);
+    const mesh::Point point = shares[0] * p[t[0]] + shares[1] * p[t[1]] + shares[2] * p[t[2]];
+    if (std::min(share[one], share[other]) < small && norm(p[vertex] - point) <= near) sets.join(one, other);
   }
   Bodies result;
   std::vector<std::uint32_t> number(n, none);

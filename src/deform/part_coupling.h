@@ -12,24 +12,35 @@
 
 namespace viete::deform {
 
-/// Two vertices; what the square of a difference between them adds to w^T L w.
+/// A vertex and a point of a triangle, by the shares of its corners, which sum to 1. The square of the
+/// difference between the two, times the strength, is added to w^T L w.
 struct Coupling {
-  std::uint32_t a, b;
+  std::uint32_t vertex;
+  mesh::Triangle triangle;
+  Vec3 shares;
   double strength;
 };
 
 inline constexpr double most_strength = 1e4;
 
-/// Of each vertex with the nearest one of every other part within 1.5 % of the model's diagonal, as far as
-/// that is no farther than four times the nearest of them (six at most); and, within 0.1 %, of its own part
-/// where no path of edges shorter than 1 % joins both: folds that touch. The gap counts as if it were filled:
-/// a column between the two, of the vertices' share m of the area and as high as their distance d, has the
-/// Dirichlet energy m / d^2 (1 the area of the surface) where a shell as thick as the gap has that of L;
-/// twice that, and 1e4 at most. So cracks weld, layers move alike, and what is far apart hardly notices.
+/// Couples each vertex to the nearest point of every other part within 1.5 % of the model's diagonal, but not
+/// to those that are more than four times as far away as the nearest one, and to six at most. Folds that
+/// touch: also to the nearest vertex of its own part within 0.1 %, if no path of edges shorter than 1 % joins
+/// the two. The gap counts as if it were filled: a column between vertex and point, of the share m that
+/// the vertex or the point has of the area, whichever is smaller, and as high as their distance d, has the
+/// Dirichlet energy m / d^2 (the surface's area being 1) if a shell as thick as the gap has that of L; twice
+/// that, and 1e4 at most. So cracks weld, layers move
+/// alike, and a wider gap couples less. The point lies between vertices, so that a small part moves with a
+/// coarse surface around it although no vertex of this is near; a corner stands for it that is half as
+/// far from it as the vertex, or within 0.3 %.
 ///
 /// The surface welded, masses as in IntrinsicLaplacian. The same for any number of threads.
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
+
+/// Each coupling as one to every corner that has a share. Added to a matrix without positive entries off its
+/// diagonal they leave none, but functions that are linear on the triangle are no longer free of energy.
+std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);
 

@@ -125,10 +125,12 @@ private:
   void find_couplings() {
     if (settings_.as_before) return;
     const mesh::Surface joined = mesh::welded(model_);
-    couplings_ = part_couplings(joined, mesh::EdgePaths(joined), intrinsic_laplacian(joined).masses, pool_);
+    const auto masses = intrinsic_laplacian(joined).masses;
+    couplings_ = by_corners(part_couplings(joined, mesh::EdgePaths(joined), masses, pool_));
     const auto lowest = mesh::lowest_in_place(model_.positions);
     for (std::uint32_t v = 0; v < lowest.size(); ++v) {
-      if (lowest[v] != v) couplings_.push_back({v, lowest[v], most_strength});
+      const auto w = lowest[v];
+      if (w != v) couplings_.push_back({v, {w, w, w}, {1, 0, 0}, most_strength});
     }
   }
 
@@ -169,7 +171,10 @@ private:
       parts.join(a, b), parts.join(b, c);
       firm[a] = firm[b] = firm[c] = 1;
     }
-    for (const auto& [a, b, strength] : couplings_) parts.join(a, b), firm[a] |= firm[b], firm[b] |= firm[a];
+    for (const auto& c : couplings_) {
+      const auto a = c.vertex, b = c.triangle[0];
+      parts.join(a, b), firm[a] |= firm[b], firm[b] |= firm[a];
+    }
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;
     for (std::uint32_t v = 0; v < n; ++v) {
       double weight = settings_.translation;
@@ -196,9 +201,7 @@ private:
   void fill_triangles(Stitching& s) const {
     const auto& p = model_.positions;
     const std::vector<std::uint32_t> places = order_vertices(s);
-    for (const mesh::Triangle& t : model_.triangles) {
-      if (!mesh::repeats_corner(t)) s.triangles.push_back(t);
-    }
+    s.triangles = mesh::proper_triangles(model_);
     const auto first_place = [&](const mesh::Triangle& t) {
       return std::min({places[t[0]], places[t[1]], places[t[2]]});
     };
@@ -210,11 +213,14 @@ private:
     std::vector<std::uint32_t> beside(p.size(), no_triangle);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
       s.rotated_as.push_back(t);
-      for (const auto v : s.triangles[t]) beside[v] = t;
+      const auto& [a, b, c] = s.triangles[t];
+      if (!is_thin(p[a], p[b], p[c])) beside[a] = beside[b] = beside[c] = t;
     }
-    for (const auto& [a, b, strength] : couplings_) {
+    for (const auto& [a, t, shares, strength] : couplings_) {
+      const auto b = t[0];
       const auto own = static_cast<std::uint32_t>(s.triangles.size());
-      s.rotated_as.push_back(beside[a] != no_triangle ? beside[a] : own);
+      const auto other = beside[a] != no_triangle ? beside[a] : beside[b];
+      s.rotated_as.push_back(other != no_triangle ? other : own);
       const Vec3 g = strength * (p[a] - p[b]);
       s.triangles.push_back({a, b, b});
       s.cotangents.push_back({0, 0, strength});
@@ -256,7 +262,7 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
-  std::vector<Coupling> couplings_;
+  std::vector<Coupling> couplings_;  // by corners
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
 };

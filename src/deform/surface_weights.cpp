@@ -142,7 +142,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
       laplacian_(intrinsic_laplacian(joined)) {
   if (progress) progress->report(0);
   std::vector<double> springs(joined.positions.size(), spring_per_handle * static_cast<double>(handles()));
-  if (!weighting.as_before) couple_parts(joined, cage, weighting.elements, springs, pool);
+  if (!weighting.as_before) couple_parts(joined, cage, weighting, springs, pool);
   std::vector<bool> is_owned(owned_.owners.size());
   for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
   const HeldParts held = held_parts(laplacian_.stiffness, is_owned);
@@ -159,15 +159,16 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
 }
 
 // As many springs an area in each body as in a model of one.
-void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, Elements elements,
+void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                                  std::vector<double>& springs, base::WorkerPool& pool) {
   const mesh::EdgePaths paths(joined);
   const auto couplings = part_couplings(joined, paths, laplacian_.masses, pool);
-  laplacian_.stiffness = with_couplings(laplacian_.stiffness, couplings);
+  const bool plate = weighting.weights == Weights::biharmonic;
+  laplacian_.stiffness = with_couplings(laplacian_.stiffness, plate ? couplings : by_corners(couplings));
   const double k = static_cast<double>(handles());
   const Bodies found = bodies(joined, paths, couplings, laplacian_.masses, 1 / k);
   if (found.shares.size() == 1) return;
-  own_in_bodies(owned_, joined, found, cage, elements, pool);
+  own_in_bodies(owned_, joined, found, cage, weighting.elements, pool);
   std::vector<double> owners(found.shares.size(), 0);
   for (std::size_t v = 0; v < springs.size(); ++v) owners[found.of_vertex[v]] += owned_.owners[v];
   for (std::size_t v = 0; v < springs.size(); ++v) {

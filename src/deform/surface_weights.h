@@ -94,7 +94,7 @@ public:
 private:
   SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
                 const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress, double done);
-  void couple_parts(const mesh::Surface& joined, const Cage& cage, Elements elements,
+  void couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                     std::vector<double>& springs, base::WorkerPool& pool);
   const BlockSolver& solver() const;
   std::vector<ThinPlate::Load> loads() const;

@@ -50,9 +50,8 @@ struct PointTree::Search {
   }
 };
 
-PointTree::PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some,
-                     std::span<const std::uint32_t> groups)
-    : positions_(positions), points_(std::move(some)), groups_(groups) {
+PointTree::PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some)
+    : positions_(positions), points_(std::move(some)) {
   build(0, 0, points_.size());
 }
 
@@ -60,9 +59,7 @@ void PointTree::build(std::size_t node, std::size_t begin, std::size_t end) {
   const auto run = std::span(points_).subspan(begin, end - begin);
   const Bounds box = bounds(positions_, run);
   if (balls_.size() <= node) balls_.resize(node + 1);
-  const auto in_one = [&](std::uint32_t i) { return groups_[i] == groups_[run[0]]; };
-  const bool one_group = !groups_.empty() && std::ranges::all_of(run, in_one);
-  balls_[node] = {box.center(), 0.5 * box.diagonal(), one_group ? groups_[run[0]] : no_group};
+  balls_[node] = {box.center(), 0.5 * box.diagonal()};
   if (run.size() <= points_per_leaf) return;
   const std::size_t middle = middle_of(begin, end);
   const int side = longest_side(box);
@@ -115,57 +112,6 @@ void PointTree::for_within(const Point& p, double radius,
       if (squared_norm(positions_[points_[n]] - p) <= radius * radius) visit(points_[n]);
     }
   }
-}
-
-struct PointTree::GroupSearch {
-  Point p;
-  double squared_radius;
-  std::uint32_t but_group;
-  std::vector<Near> found;
-
-  const Near* of(std::uint32_t group) const {
-    const auto known = std::ranges::find(found, group, &Near::group);
-    return known == found.end() ? nullptr : &*known;
-  }
-  bool passes_over(std::uint32_t group, double bound) const {
-    if (group == but_group || bound * bound > squared_radius) return true;
-    const Near* known = group == no_group ? nullptr : of(group);
-    return known && bound * bound > known->squared_distance;
-  }
-  void visit(const Near& near) {
-    if (near.group == but_group || near.squared_distance > squared_radius) return;
-    if (const Near* known = of(near.group); !known) {
-      found.push_back(near);
-    } else if (near.nearer_than(*known)) {
-      found[static_cast<std::size_t>(known - found.data())] = near;
-    }
-  }
-};
-
-void PointTree::search(std::size_t node, std::size_t begin, std::size_t end, GroupSearch& s) const {
-  if (end - begin <= points_per_leaf) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const std::uint32_t i = points_[n];
-      s.visit({groups_[i], i, squared_norm(positions_[i] - s.p)});
-    }
-    return;
-  }
-  const std::size_t middle = middle_of(begin, end), left = 2 * node + 1, right = left + 1;
-  const double to_left = bound(s.p, balls_[left]), to_right = bound(s.p, balls_[right]);
-  const auto go = [&](std::size_t child, double least) {
-    if (s.passes_over(balls_[child].group, least)) return;
-    child == left ? search(left, begin, middle, s) : search(right, middle, end, s);
-  };
-  const bool left_first = to_left <= to_right;
-  go(left_first ? left : right, left_first ? to_left : to_right);
-  go(left_first ? right : left, left_first ? to_right : to_left);
-}
-
-std::vector<PointTree::Near> PointTree::nearest_of_groups(const Point& p, double radius,
-                                                          std::uint32_t but_group) const {
-  GroupSearch s{p, radius * radius, but_group, {}};
-  search(0, 0, points_.size(), s);
-  return std::move(s.found);
 }
 
 }  // namespace viete::mesh

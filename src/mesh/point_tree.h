@@ -13,9 +13,8 @@ namespace viete::mesh {
 /// A kd tree over some of an array of positions that the caller keeps. Thread-safe.
 class PointTree {
 public:
-  /// Of positions[i] for all i of `some`, at least one. O(n log n). groups: of each position one, if any.
-  PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some,
-            std::span<const std::uint32_t> groups = {});
+  /// Of positions[i] for all i of `some`, at least one. O(n log n).
+  PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
 
   /// The i whose point is nearest to the triangle (see closest_on_triangle(): repeated corners make it an
   /// edge or a point); the lowest of those that are equally near.
@@ -24,36 +23,19 @@ public:
   /// visit(i) of all points that are no farther from p than radius, in any order.
   void for_within(const Point& p, double radius, const std::function<void(std::uint32_t)>& visit) const;
 
-  struct Near {
-    std::uint32_t group, point;
-    double squared_distance;
-    bool nearer_than(const Near& other) const {
-      return squared_distance != other.squared_distance ? squared_distance < other.squared_distance
-                                                        : point < other.point;
-    }
-  };
-  /// Of each group but this one the nearest point, the lowest of those that are equally near, as far as it is
-  /// no farther from p than radius; in any order. There are groups.
-  std::vector<Near> nearest_of_groups(const Point& p, double radius, std::uint32_t but_group) const;
-
 private:
-  static constexpr std::uint32_t no_group = static_cast<std::uint32_t>(-1);
   struct Ball {
     Point center;
     double radius;
-    std::uint32_t group;  // of all in it; no_group: of several
   };
   static double least(double to_center, const Ball& ball);
   static double bound(const Point& p, const Ball& ball);
   struct Search;
   void build(std::size_t node, std::size_t begin, std::size_t end);
   void search(std::size_t node, std::size_t begin, std::size_t end, Search& search) const;
-  struct GroupSearch;
-  void search(std::size_t node, std::size_t begin, std::size_t end, GroupSearch& search) const;
 
   std::span<const Point> positions_;
   std::vector<std::uint32_t> points_;
-  std::span<const std::uint32_t> groups_;
   std::vector<Ball> balls_;  // of node i and its children 2 i + 1 and 2 i + 2
 };
 

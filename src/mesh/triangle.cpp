@@ -1,5 +1,9 @@
 #include "mesh/triangle.h"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
 namespace viete::mesh {
 
 namespace {
@@ -24,6 +28,12 @@ Closest closest_on_edges(const Vec3& ap, const Vec3& ab, const Vec3& ac) {
 }
 
 }  // namespace
+
+std::vector<Triangle> proper_triangles(const Surface& surface) {
+  std::vector<Triangle> proper;
+  std::ranges::copy_if(surface.triangles, std::back_inserter(proper), std::not_fn(repeats_corner));
+  return proper;
+}
 
 bool has_area(const Point& a, const Point& b, const Point& c) {
   constexpr double least = 1e-12;  // far above rounding, far below what anyone models

@@ -1,6 +1,8 @@
 // What is asked of single triangles: whether they have an area, and how far they are from a point.
 #pragma once
 
+#include <vector>
+
 #include "mesh/surface.h"
 
 namespace viete::mesh {
@@ -9,6 +11,9 @@ namespace viete::mesh {
 inline bool repeats_corner(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
+
+/// The triangles that do not repeat a corner, in order.
+std::vector<Triangle> proper_triangles(const Surface& surface);
 
 /// False if the triangle is a line or a point up to rounding: if twice its area is at most 1e-12 times the
 /// square of the largest coordinate of its sides. Any length scale from 1e-300 to 1e300.

@@ -38,7 +38,7 @@ bool are_near(const Corners& t, const Corners& other, double distance) {
 }  // namespace
 
 TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles,
-                           base::Progress* progress)
+                           base::Progress* progress, std::span<const std::uint32_t> groups)
     : order_(triangles.size()), corners_(triangles.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   std::vector<Point> centers(triangles.size());
@@ -52,6 +52,10 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
   const std::vector<Corners> unordered = std::move(corners_);
   corners_.resize(unordered.size());
   for (std::size_t t = 0; t < order_.size(); ++t) corners_[t] = unordered[order_[t]];
+  if (!groups.empty()) {
+    for (const auto t : order_) groups_.push_back(groups[triangles[t][0]]);
+    group_nodes();
+  }
   make_dipoles();
 }
 
@@ -85,6 +89,13 @@ std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::s
   const std::uint32_t second = build(half, end, centers, progress);
   nodes_[self].second = second;
   return self;
+}
+
+void TriangleTree::group_nodes() {
+  for (Node& node : nodes_) {
+    const auto own = std::span(groups_).subspan(node.begin, node.end - node.begin);
+    if (std::ranges::count(own, own[0]) == std::ssize(own)) node.group = own[0];
+  }
 }
 
 // From the leaves up: children stand behind their parent.
@@ -148,6 +159,35 @@ TriangleTree::Nearest TriangleTree::nearest(const Point& p, double below) const 
   }
   if (best.triangle == none) best.squared_distance = std::numeric_limits<double>::infinity();
   return best;
+}
+
+std::vector<TriangleTree::NearestOfGroup> TriangleTree::nearest_of_groups(const Point& p, double radius,
+                                                                          std::uint32_t but_group) const {
+  std::vector<NearestOfGroup> found;
+  const auto known = [&](std::uint32_t group) {
+    return std::ranges::find(found, group, &NearestOfGroup::group);
+  };
+  const auto is_past = [&](std::uint32_t group, double squared) {
+    if (group == but_group || squared > radius * radius) return true;
+    const auto nearest = known(group);
+    return nearest != found.end() && squared >= nearest->squared_distance;
+  };
+  const auto enter = [&](std::uint32_t i) {
+    return is_past(nodes_[i].group, squared_distance(p, nodes_[i].box)) ? Step::past : Step::into;
+  };
+  find(enter, [&](std::uint32_t t) {
+    const auto& [a, b, c] = corners_[t];
+    if (is_past(groups_[t], squared_distance(p, bounds(corners_[t])))) return false;
+    const NearestOfGroup one{groups_[t], order_[t], closest_on_triangle(p, a, b, c).squared_distance};
+    if (is_past(one.group, one.squared_distance)) return false;
+    if (const auto nearest = known(one.group); nearest != found.end()) {
+      *nearest = one;
+    } else {
+      found.push_back(one);
+    }
+    return false;
+  });
+  return found;
 }
 
 bool TriangleTree::is_near(const Corners& t, double distance) const {

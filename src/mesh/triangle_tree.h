@@ -18,9 +18,10 @@ namespace viete::mesh {
 class TriangleTree {
 public:
   /// At least one triangle; indices are of positions. O(n log n), 0.3 microseconds a triangle. progress may
-  /// be null; throws base::Cancelled.
+  /// be null; throws base::Cancelled. groups: one number for each position, if any; a triangle belongs to the
+  /// group of its first corner.
   TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles,
-               base::Progress* progress = nullptr);
+               base::Progress* progress = nullptr, std::span<const std::uint32_t> groups = {});
 
   struct Nearest {
     /// The largest number: no triangle is so near.
@@ -32,6 +33,14 @@ public:
   /// bound that lets it be found; of triangles that are equally near, any.
   Nearest nearest(const Point& p, double below = std::numeric_limits<double>::infinity()) const;
 
+  struct NearestOfGroup {
+    std::uint32_t group, triangle;
+    double squared_distance;
+  };
+  /// The nearest triangle of each group but `but_group`, if it is no farther from p than radius; in any
+  /// order. The tree must have groups.
+  std::vector<NearestOfGroup> nearest_of_groups(const Point& p, double radius, std::uint32_t but_group) const;
+
   /// A triangle of the tree cuts this one, or is nearer to it than `distance`. This one has a plane. Cuts are
   /// found exactly.
   bool is_near(const Corners& t, double distance = 0) const;
@@ -42,11 +51,13 @@ public:
   double winding_number(const Point& p) const;
 
 private:
+  static constexpr auto no_group = std::numeric_limits<std::uint32_t>::max();
   // A node's triangles are order_[begin] up to order_[end]; the first child follows it, `second` is the
   // other; 0 in a leaf. As long as a line of the cache.
   struct alignas(64) Node {
     Bounds box;
     std::uint32_t begin = 0, end = 0, second = 0;
+    std::uint32_t group = no_group;  // of all its triangles, if it is the same
   };
   struct Dipole {
     Point center{};
@@ -55,6 +66,7 @@ private:
   };
   std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers,
                       base::Progress* progress);
+  void group_nodes();
   void make_dipoles();
   enum class Step { past, into, found };
   // Calls enter(node's number), which says how to go on, and visit(place in order_) for triangles of leaves
@@ -63,7 +75,8 @@ private:
   bool find(Enter&& enter, Visit&& visit) const;
 
   std::vector<std::uint32_t> order_;
-  std::vector<Corners> corners_;  // in that order
+  std::vector<Corners> corners_;       // in that order
+  std::vector<std::uint32_t> groups_;  // in that order, if there are groups
   std::vector<Node> nodes_;
   std::vector<Dipole> dipoles_;  // of each node
 };

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <map>
 #include <numeric>
 #include <random>
 
@@ -72,33 +71,4 @@ TEST_CASE("of_points_that_are_equally_near_the_lowest_is_taken") {
   for (int i = 0; i < 400; ++i) points.push_back({i & 1 ? 1.0 : -1, i & 2 ? 1.0 : -1, i & 4 ? 1.0 : -1});
   CHECK(PointTree(points, every(points.size(), 1)).nearest({0, 0, 0}) == 0);
   CHECK(PointTree(points, every(points.size(), 1)).nearest({0, 0, 1}, {0, 0, 2}, {0, 0, 2}) == 4);
-}
-
-TEST_CASE("the_nearest_of_each_group_is_what_a_look_at_all_finds") {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> any(0, 1);
-  for (const std::uint32_t count : {1u, 5u, 40u}) {
-    std::vector<Point> points;
-    std::vector<std::uint32_t> all, groups;
-    for (std::uint32_t i = 0; i < 500; ++i) {
-      points.push_back({std::round(20 * any(random)), any(random), any(random)});
-      all.push_back(i), groups.push_back(static_cast<std::uint32_t>(points.back()[0] * count / 21));
-    }
-    const PointTree tree(points, all, groups);
-    for (int n = 0; n < 100; ++n) {
-      const Point p{20 * any(random), any(random), any(random)};
-      const double radius = 4 * any(random);
-      const std::uint32_t but = groups[random() % groups.size()];
-      std::map<std::uint32_t, std::pair<double, std::uint32_t>> expected, found;
-      for (const std::uint32_t i : all) {
-        const double square = squared_norm(points[i] - p);
-        if (groups[i] == but || square > radius * radius) continue;
-        const auto [at, is_new] = expected.try_emplace(groups[i], square, i);
-        if (!is_new) at->second = std::min(at->second, {square, i});
-      }
-      for (const auto& near : tree.nearest_of_groups(p, radius, but))
-        CHECK(found.try_emplace(near.group, near.squared_distance, near.point).second);
-      CHECK(found == expected);
-    }
-  }
 }

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <map>
 #include <numeric>
 #include <random>
 
@@ -71,6 +73,36 @@ TEST_CASE("the_tree_finds_the_nearest_triangle_as_looking_at_all_does") {
       CHECK(tree.nearest(p, least * (1 + 1e-9)).squared_distance == least);
       CHECK(tree.nearest(p, least).squared_distance == HUGE_VAL);
       CHECK(tree.nearest(p, least).triangle == std::numeric_limits<std::uint32_t>::max());
+    }
+  }
+}
+
+TEST_CASE("the_nearest_triangle_of_each_group_is_what_a_look_at_all_finds") {
+  TreeCase random(3);
+  for (const std::uint32_t count : {1u, 5u, 40u}) {
+    const Surface s = random.mixed(500);
+    std::vector<std::uint32_t> groups;
+    for (const Point& p : s.positions)
+      groups.push_back(std::min(count - 1, static_cast<std::uint32_t>((1 + p[0]) / 2 * count)));
+    const TriangleTree tree(s.positions, s.triangles, nullptr, groups);
+    for (int n = 0; n < 100; ++n) {
+      const Point p = random.vector(1);
+      const double radius = std::abs(random.vector(0.5)[0]);
+      const std::uint32_t but = n % count;
+      std::map<std::uint32_t, double> expected, found;
+      for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+        const auto [a, b, c] = at(s, t);
+        const double square = closest_on_triangle(p, a, b, c).squared_distance;
+        const auto group = groups[s.triangles[t][0]];
+        if (group == but || square > radius * radius) continue;
+        const auto [known, is_new] = expected.try_emplace(group, square);
+        if (!is_new) known->second = std::min(known->second, square);
+      }
+      for (const auto& near : tree.nearest_of_groups(p, radius, but)) {
+        CHECK(groups[s.triangles[near.triangle][0]] == near.group);
+        CHECK(found.try_emplace(near.group, near.squared_distance).second);
+      }
+      CHECK(found == expected);
     }
   }
 }
