@@ -322,8 +322,8 @@ InRange in_range(const Mat3<double>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::abs(x) + 0 * x);
   if (largest > 1e-60 && largest < 1e60) return {m, 0};
-  if (!(largest < std::numeric_limits<double>::infinity())) return {nine_nan(), 0};
-  if (largest == 0) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, -1074 * std::numbers::ln2};
+  if (is_zero(m)) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, -1074 * std::numbers::ln2};
+  if (!(largest > 0 && largest < std::numeric_limits<double>::infinity())) return {nine_nan(), 0};
   const int exponent = std::ilogb(largest);
   InRange r{m, exponent * std::numbers::ln2};
   for (double& x : r.m) x = std::scalbn(x, -exponent);

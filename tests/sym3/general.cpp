@@ -319,8 +319,14 @@ TEST_CASE("what_is_no_number_and_no_map_has_no_log_and_nan_for_it") {
       for (const double x : log_general(m)) CHECK(std::isnan(x));
       for (const double x : exp_general(m)) CHECK(std::isnan(x));
       for (const double x : sym3::log_near(m, {})) CHECK(std::isnan(x));
+      Mat3<double> alone{};
+      alone[i] = bad;
+      for (const double x : log_general(alone)) CHECK(std::isnan(x));
     }
   }
+  Mat3<double> all_nan;
+  all_nan.fill(nan);
+  for (const double x : log_general(all_nan)) CHECK(std::isnan(x));
 }
 
 TEST_CASE("every_finite_matrix_has_a_bounded_log_which_is_finite_on_every_branch") {

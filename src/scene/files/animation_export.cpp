@@ -47,12 +47,6 @@ std::string scientific(double value) {
   return text;
 }
 
-// Rounded up: an upper bound.
-std::string at_most(double value) {
-  return value > 0 ? scientific(value + 0.05 * std::pow(10.0, std::floor(std::log10(value))))
-                   : scientific(value);
-}
-
 std::string engine_text(const AnimatedModel& model) {
   if (model.precision() == AnimatedModel::Precision::exact) return "deformed in double";
   return "deformed in float, off by up to " + at_most(model.fast_error()) + " of the cage's diagonal";

@@ -183,15 +183,20 @@ std::string gltf_note(LengthUnit unit, UpAxis up) {
          " with Z up: " + scale + " there and " + turn;
 }
 
+std::string at_most(double error) {
+  const double half_a_digit = error > 0 ? 0.05 * std::pow(10.0, std::floor(std::log10(error))) : 0;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", error + half_a_digit);
+  return text;
+}
+
 std::string method_note(sym3::Method method, double worst_error) {
   constexpr double matters = 1e-9;  // a thousand times what the methods lose where eigenvalues lie apart
   if (worst_error <= matters) return "";
   const std::string name(sym3::name(method));
   if (!std::isfinite(worst_error))
     return "method " + name + " gave no numbers in this pose; use method fast or diag";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1e", worst_error);
-  return "exponentials by method " + name + " are off by up to " + text +
+  return "exponentials by method " + name + " are off by up to " + at_most(worst_error) +
          " (relative) in this pose, where eigenvalues nearly coincide; methods fast and diag are exact to "
          "1e-14";
 }

@@ -50,8 +50,8 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
                                      base::Progress* progress = nullptr,
                                      std::vector<std::filesystem::path>* leads_to = nullptr);
 
-/// What files have of a deformed model: where nothing has moved it, or only rounding has moved a coordinate, it is where
-/// the shape has it. `shape`: what the cage acts upon.
+/// What files have of a deformed model: where nothing has moved it, or only rounding has moved a coordinate,
+/// it is where the shape has it. `shape`: what the cage acts upon.
 void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions);
 
@@ -62,6 +62,9 @@ std::uint64_t content_key(const Export& what);
 /// That other programs will take a glTF's numbers as metres and Y as up, and what to do there; empty where
 /// that is so.
 std::string gltf_note(LengthUnit unit, UpAxis up);
+
+/// "5.8e-07": an upper bound in two digits, rounded up.
+std::string at_most(double error);
 
 /// That exponentials by this method were off by so much, relative, and what to do; empty where that is too
 /// little to matter.
