@@ -480,7 +480,7 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
       scene::Workspace& w = d.workspace();
       w.view.dark = dark;
       std::string text = "A warning that is so long that two lines do not hold it:";
-      for (int i = 0; i < 60; ++i) text += " wörter " + std::to_string(i);
+      for (int i = 0; i < 60; ++i) text += " w\u00f6rter " + std::to_string(i);
       w.messages.warn(text);
       w.exporting = {true, "Exporting a_model_with_quite_a_long_name_that_goes_on_and_on_and_on_deformed.obj",
                      0.4, 6, 6};
