@@ -99,6 +99,7 @@ void FileDesk::export_to(scene::Workspace& w, const fs::path& file, StartExport 
     (this->*start)(w, file);
   } catch (const base::Error& error) {
     scene::tell_refusal(w, file, error.what(), "export");
+    closing_ = w.requests.quit = false;  // that is to be read first
   }
 }
 

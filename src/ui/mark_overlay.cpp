@@ -1,9 +1,7 @@
 // Marks on the model, and the length between two of them; and marks at the cage where the mesh may fold.
-#include <algorithm>
-#include <iterator>
-#include <ranges>
 #include <vector>
 
+#include "scene/document/pose_notes.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/projector.h"
 #include "scene/workspace/measures.h"
@@ -13,28 +11,15 @@
 
 namespace viete::ui {
 
-// The edge between two triangles, or the line between two vertices.
 void torn_overlay(const Context& ui) {
   const auto& w = ui.workspace;
-  const deform::LogReport& report = w.pose_report;
-  if (report.torn.empty() || !w.view.cage || !w.document.has_cage()) return;
+  if (!w.view.cage || !w.document.has_cage()) return;
   constexpr std::size_t most = 200;
   const auto& positions = w.document.pose.positions;
-  const auto& triangles = w.document.cage->surface.triangles;
   const scene::Projector project(w.document.space, w.camera, w.viewport);
   OverlayPainter paint(ui);
-  for (const auto& [a, b] : report.torn | std::views::take(most)) {
-    std::vector<std::uint32_t> ends{a, b};
-    if (deform::of_triangles(report.handles)) {
-      ends.clear();
-      if (a < triangles.size() && b < triangles.size())
-        std::ranges::copy_if(triangles[a], std::back_inserter(ends),
-                             [&](std::uint32_t v) { return std::ranges::count(triangles[b], v) > 0; });
-    } else if (report.handles != deform::Handles::vertices) {
-      return;
-    }
-    if (ends.size() != 2 || std::ranges::max(ends) >= positions.size()) continue;
-    const auto from = project(positions[ends[0]]), to = project(positions[ends[1]]);
+  for (const auto& [a, b] : scene::torn_edges(w.pose_report, *w.document.cage, most)) {
+    const auto from = project(positions[a]), to = project(positions[b]);
     if (from && to) paint.line(glm::vec2(*from), glm::vec2(*to), ui.colors.bad, 2.5f);
   }
 }

@@ -14,7 +14,7 @@ using namespace test;
 
 namespace {
 
-const std::string saved = "Saved ";
+const std::string saved = "Saved ", old = "v 0 0 0\n";
 
 // A model so large that writing it takes many frames, in its cage, posed.
 struct LargeModel : Driver {
@@ -61,7 +61,7 @@ TEST_CASE("an_export_is_written_aside_with_the_pose_it_was_asked_for") {
     furthest = std::max(furthest, exporting.done);
     return !d.viewer().exporting();
   }));
-  CHECK(d.last_message() == saved + " to " + file.string());
+  CHECK(d.last_message() == "Saved out.ply.");
   CHECK(mesh::read(file).surface.positions == expected);
   CHECK(d.exact_positions() != expected);
 }
@@ -70,13 +70,13 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   const test::TemporaryFolder folder;
   LargeModel d(folder.path());
   const fs::path file = folder / "out.obj";
-  test::put_file(file, "old");
+  test::put_file(file, old);
   const auto before = folder.entries();
   d.workspace().requests.stop_export = true;  // in the frame that begins it: no machine is faster
   d.ask_for(file);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Stopped exporting out.obj; no file was changed.");
-  CHECK(test::file_bytes(file) == "old");
+  CHECK(test::file_bytes(file) == old);
   CHECK(folder.entries() == before);
 
   d.ask_for(file);
@@ -139,11 +139,12 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   scene::set_pose(d.document(), pose);
   scene::set_key(d.document(), 3);
   d.document().timeline.last = 3;
+  d.workspace().view.model = true;
   d.workspace().requests.save_animation = folder / "f_##.png";
   d.frame();
   CHECK(d.workspace().exporting.what == "Exporting f_##.png");
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-  CHECK_MESSAGE(d.last_message() == "Saved f_##.png.", d.last_message());
+  CHECK_MESSAGE(d.last_message().starts_with("Saved f_##.png"), d.last_message());
   const auto first = test::read_png(folder / "f_01.png"), last = test::read_png(folder / "f_03.png");
   CHECK(first.width == 640);
   CHECK(first.height == 400);

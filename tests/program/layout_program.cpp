@@ -80,8 +80,8 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
   {
     Driver d(remembering(folder / "state"));
     d.open_dragon();
-    d.click("tab/methods");
     d.click("section/Map");
+    d.click("tab/methods");
     d.press_key(scene::key('T'));
     d.frame(2);
     d.workspace().requests.quit = true;
@@ -91,6 +91,8 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
   d.open_dragon();
   CHECK_FALSE(d.workspace().view.dark);
   CHECK_FALSE(d.viewer().recorder().find("method_diag"));
+  d.click("tab/methods");
+  d.frame(2);
   CHECK(d.viewer().recorder().find("map"));
 }
 

@@ -202,6 +202,9 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   const test::TemporaryFolder folder;
   FileBrowser browser;
   show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
+  browser.films = false;  // as without ffmpeg
+  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL or PNG");
+  browser.films = true;
   CHECK(chosen_file(browser).filename() == "dragon.pc2");
   CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL, PNG, MP4 or WEBM");
   CHECK(problem_of_name(browser) == "");

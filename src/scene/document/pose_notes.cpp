@@ -1,5 +1,9 @@
 #include "scene/document/pose_notes.h"
 
+#include <algorithm>
+#include <iterator>
+#include <ranges>
+
 #include "base/quantity.h"
 
 namespace viete::scene {
@@ -61,6 +65,27 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
         std::to_string(a) + ", " + std::to_string(b) + "); the mesh may fold there");
   }
   return notes;
+}
+
+std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& report,
+                                                     const deform::Cage& cage, std::size_t most) {
+  const auto& triangles = cage.surface.triangles;
+  const bool faces = deform::of_triangles(report.handles);
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  if (!faces && report.handles != deform::Handles::vertices) return edges;
+  for (const auto& [a, b] : report.torn | std::views::take(most)) {
+    std::vector<std::uint32_t> ends{a, b};
+    if (faces) {
+      ends.clear();
+      if (a < triangles.size() && b < triangles.size())
+        std::ranges::copy_if(triangles[a], std::back_inserter(ends), [&, other = b](std::uint32_t v) {
+          return std::ranges::count(triangles[other], v) > 0;
+        });
+    }
+    if (ends.size() == 2 && std::ranges::max(ends) < cage.surface.positions.size())
+      edges.push_back({ends[0], ends[1]});
+  }
+  return edges;
 }
 
 }  // namespace viete::scene
