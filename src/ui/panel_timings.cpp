@@ -133,13 +133,14 @@ void rest_of_frame(const Context& ui) {
 void errors(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   const scene::MethodSample* sample = running_sample(w);
-  std::string text;
-  if (sample) text = "exp " + rough_error(sample->worst_error) + " \u00b7 ";
   const bool fits = ImGui::GetContentRegionAvail().x >
                     ImGui::CalcTextSize("exp 4e-16 \u00b7 frame 4e-6, single precision").x;
-  const std::string precision = fits ? " precision" : "";
-  if (w.fused_error > 0) text += "frame " + rough_error(w.fused_error) + ", single" + precision;
-  if (w.fused_error == 0 && scene::shows_links(w)) text += "frame in double precision";
+  std::string text = sample ? "exp " + rough_error(sample->worst_error) : "", frame;
+  if (w.fused_error > 0)
+    frame = "frame " + rough_error(w.fused_error) + (fits ? ", single precision" : ", single");
+  else if (scene::shows_links(w))
+    frame = "frame in double precision";
+  text += (text.empty() || frame.empty() ? "" : " \u00b7 ") + frame;
   if (text.empty()) text = " ";
   text_in(ui.colors.faint, text);
   record(ui, "errors");
