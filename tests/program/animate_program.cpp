@@ -278,12 +278,12 @@ TEST_CASE("videos_are_made_by_ffmpeg_and_it_is_said_where_that_is_missing") {
   CHECK(fs::file_size(files / "a.mp4") == 3 * 64 * 48 * 4);
   CHECK(test::mentions(file_bytes(files / "words"), "-video_size 64x48 -framerate 12 "));
   put_file(bin / "ffmpeg", "#!/bin/sh\necho no such codec >&2\nexit 1\n");
-  const Outcome failed = files.animate(video, "PATH=" + quoted(bin) + ":$PATH");
+  const Outcome failed = files.animate(video + " --force", "PATH=" + quoted(bin) + ":$PATH");
   CHECK(failed.code == 1);
   CHECK(mentions(failed, "no such codec"));
   CHECK(fs::file_size(files / "a.mp4") == 3 * 64 * 48 * 4);
   put_file(bin / "ffmpeg", "#!/bin/sh\ncat > /dev/null\n");
-  const Outcome nothing = files.animate(video, "PATH=" + quoted(bin) + ":$PATH");
+  const Outcome nothing = files.animate(video + " --force", "PATH=" + quoted(bin) + ":$PATH");
   CHECK(nothing.code == 1);
   CHECK(mentions(nothing, "a.mp4: the program that makes it has written nothing"));
   CHECK(fs::file_size(files / "a.mp4") == 3 * 64 * 48 * 4);

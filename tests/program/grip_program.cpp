@@ -222,7 +222,7 @@ TEST_CASE("a session remembers how the hand moves, and another model forgets the
   REQUIRE(d.open({folder / "other.obj"}));
   CHECK(hand.pivot == scene::Pivot::median);
   CHECK_FALSE(hand.point);
-  CHECK(hand.mirror == scene::MirrorPlane::x);
+  CHECK(hand.mirror == scene::MirrorPlane::none);
 }
 
 TEST_CASE(
