@@ -580,8 +580,8 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   desktop.rest();
   CHECK(fs::exists(leftovers[0].file));
   const auto edited = [&] {
-    desktop.drag(to, from);
-    return !fs::exists(leftovers[0].file);  // its work is in the file of the running program now
+    desktop.drag(to, from + glm::ivec2(20, 10));  // not to rest, which would equal the cage's file
+    return !fs::exists(leftovers[0].file);        // its work is in the file of the running program now
   };
   REQUIRE(wait_until(edited));
   CHECK(ended().empty());
