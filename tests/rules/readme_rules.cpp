@@ -53,9 +53,8 @@ std::vector<std::string> sentences_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the_readme_has_1200_words_and_no_sentence_over_30") {
+TEST_CASE("no_sentence_of_the_readme_has_more_than_30_words") {
   const std::string readme = text_of("README.md");
-  CHECK(words_in(readme) <= 1200);
   for (const std::string& sentence : sentences_of(readme)) CHECK_MESSAGE(words_in(sentence) <= 30, sentence);
 }
 

@@ -1,0 +1,122 @@
+// Size is a feature: most lines of each room of src and of each folder of tests, and most words of the texts.
+// Whoever makes something smaller lowers its row. To raise one, write the reason beside it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+
+#include "rules/room_table.h"
+#include "support/data.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Budget = std::map<std::string, std::size_t>;
+
+const Budget lines_of_src = {
+    {"app", 10542},
+    {"base", 2606},
+    {"bench", 6858},
+    {"bench/report", 1443},
+    {"bench/timing", 440},
+    {"blender", 630},
+    {"cages", 4455},
+    {"deform", 16423},
+    {"deform/sparse", 1608},
+    {"lab", 880},
+    {"library", 1131},
+    {"mesh", 3141},
+    {"mesh/formats", 10522},
+    {"platform", 1114},
+    {"python", 1959},
+    {"render", 2392},
+    {"scene/document", 6738},
+    {"scene/files", 5324},
+    {"scene/hand", 3252},
+    {"scene/pictures", 877},
+    {"scene/workspace", 6866},
+    {"sym3", 6641},
+    {"ui", 7950},
+};
+constexpr std::size_t all_lines_of_src = 103'792;
+
+const Budget lines_of_tests = {
+    {"app", 1746},    {"assets", 366},   {"base", 1209},     {"bench", 989},   {"blender", 432},
+    {"cages", 1429},  {"consumer", 590}, {"deform", 10675},  {"fuzz", 366},    {"lab", 316},
+    {"mesh", 6152},   {"platform", 358}, {"program", 12057}, {"python", 994},  {"releases", 184},
+    {"render", 1322}, {"rules", 989},    {"scene", 12857},   {"support", 773}, {"sym3", 4109},
+    {"ui", 20},
+};
+constexpr std::size_t all_lines_of_tests = 57'933;
+
+constexpr std::size_t words_of_readme = 1200, words_of_manual_and_rooms = 27'767;
+
+std::size_t count_lines(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(in), {}, '\n'));
+}
+
+std::size_t count_words(const fs::path& file) {
+  std::ifstream in(file);
+  return static_cast<std::size_t>(
+      std::distance(std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()));
+}
+
+// Every file below a folder of the sources but those that builds leave there.
+template <class Act>
+void for_files(const fs::path& top, const Act& act) {
+  for (fs::recursive_directory_iterator entry(top), end; entry != end; ++entry) {
+    const std::string name = entry->path().filename().string();
+    if (entry->is_directory() && (name.starts_with("build") || name.starts_with(".")))
+      entry.disable_recursion_pending();
+    if (entry->is_regular_file()) act(entry->path(), entry->path().lexically_relative(top).generic_string());
+  }
+}
+
+bool is_code(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".cpp" || extension == ".h" || extension == ".py" || extension == ".sh";
+}
+
+void check(const std::string& folder, const Budget& counted, const Budget& budget, std::size_t most) {
+  std::size_t total = 0;
+  for (const auto& [name, lines] : counted) {
+    CAPTURE(folder + "/" + name);
+    REQUIRE(budget.contains(name));
+    CHECK(lines <= budget.at(name));
+    total += lines;
+  }
+  CAPTURE(folder);
+  CHECK(total <= most);
+}
+
+}  // namespace
+
+TEST_CASE("no_room_and_no_folder_of_tests_has_more_lines_than_its_budget") {
+  Budget rooms, tests;
+  for_files(viete::test::source_dir() / "src", [&](const fs::path& file, const std::string& path) {
+    if (const auto room = viete::rules::room_of(path); room && is_code(file))
+      rooms[*room] += count_lines(file);
+  });
+  for_files(viete::test::source_dir() / "tests", [&](const fs::path& file, const std::string& path) {
+    if (is_code(file)) tests[path.substr(0, path.find('/'))] += count_lines(file);
+  });
+  check("src", rooms, lines_of_src, all_lines_of_src);
+  check("tests", tests, lines_of_tests, all_lines_of_tests);
+}
+
+TEST_CASE("readme_manual_and_rooms_have_no_more_words_than_their_budget") {
+  const fs::path top = viete::test::source_dir();
+  CHECK(count_words(top / "README.md") <= words_of_readme);
+  std::size_t words = count_words(top / "CHANGELOG.md");
+  for (const char* folder : {"assets", "src", "third_party"})
+    for_files(top / folder, [&](const fs::path& file, const std::string&) {
+      if (file.extension() == ".md") words += count_words(file);
+    });
+  CHECK(words <= words_of_manual_and_rooms);
+}
