@@ -59,7 +59,7 @@ scene::WorkState Exporter::state() const {
   return {true, std::move(what), job_.done(), job_.seconds(), job_.seconds()};
 }
 
-// What a person cannot act on at once is only in the list.
+// Notes that need no action are only in the list of messages.
 void Exporter::tell(scene::Messages& messages, Written&& written) const {
   std::erase_if(written.notes,
                 [&](const std::string& note) { return std::ranges::count(now_.told, note) > 0; });

@@ -63,7 +63,7 @@ void print(const scene::OpenedSurface& surface) {
   }
 }
 
-// Of what deform would refuse.
+// Problems for which deform would refuse the cage.
 void print_why_none(const scene::OpenedSurface& cage) {
   scene::Document document;
   try {

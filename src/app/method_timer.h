@@ -10,7 +10,7 @@
 
 namespace viete::app {
 
-/// What is timed: a pose of a bound model.
+/// A pose of a bound model, to be timed.
 struct TimedPose {
   Bound bound;
   deform::Scheme scheme;

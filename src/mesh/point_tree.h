@@ -13,7 +13,7 @@ namespace viete::mesh {
 /// A kd tree over some of an array of positions that the caller keeps. Thread-safe.
 class PointTree {
 public:
-  /// Of positions[i] for all i of `some`, at least one. O(n log n).
+  /// Tree over positions[i] for all i of `some`, at least one. O(n log n).
   PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
 
   /// The i whose point is nearest to the triangle (see closest_on_triangle(): repeated corners make it an

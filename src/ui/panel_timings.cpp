@@ -98,7 +98,7 @@ void tell_stage(const Context& ui, Link stage) {
   ImGui::EndTooltip();
 }
 
-// What a frame takes besides the deformation, and as a whole: headings above their numbers.
+// The rest of a frame and its total: headings above their numbers.
 void rest_of_frame(const Context& ui) {
   struct Column {
     const char* heading;

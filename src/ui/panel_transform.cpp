@@ -1,4 +1,4 @@
-// Where the selection is, and about what, along what and with what else it moves.
+// Position of the selection, its pivot, axes, mirror and soft selection.
 #include "scene/document/elements.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"

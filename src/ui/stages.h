@@ -8,7 +8,7 @@
 
 namespace viete::ui {
 
-/// What the stage does, in the words of the field.
+/// Describes the stage in one sentence.
 const char* stage_hint(scene::Link stage);
 /// Its colour; fainter while the cursor is on another stage.
 ImU32 lit_stage_color(const Context& ui, scene::Link stage);

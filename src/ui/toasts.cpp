@@ -31,7 +31,7 @@ void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
   draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, 1.5f);
 }
 
-// As much of it as two lines hold; the list of messages has the rest.
+// Shortened to two lines; the list of messages has the whole text.
 std::string in_two_lines(const std::string& text, float width) {
   const auto fits = [&](const std::string& part) {
     return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y < 2.5f * ImGui::GetTextLineHeight();

@@ -111,7 +111,7 @@ bool take_escape(scene::Workspace& workspace);
 /// changed. What is no number is said in the messages.
 std::optional<double> number_field(const Context& ui, const std::string& name, double value);
 
-/// What a person has done to a slider.
+/// How a person has changed a slider.
 struct Slid {
   bool moved = false;
   std::optional<double> typed{};  ///< within its range

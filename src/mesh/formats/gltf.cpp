@@ -179,7 +179,7 @@ private:
     return targets = std::make_shared<const std::vector<GltfTarget>>(std::move(all));
   }
 
-  // Of positions or normals, at the default weights; empty where these change nothing.
+  // Offsets of positions or normals at the default weights; empty if they change nothing.
   std::vector<double> differences(int GltfTarget::*of) {
     const GltfPiece& piece = map_.pieces.back();
     for (const double weight : weights_) spend(weight == 0 ? 0 : piece.count);

@@ -17,7 +17,7 @@ namespace viete::mesh {
 std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
                                     std::size_t count);
 
-/// What the targets add to the positions, normals or tangents of a piece, each times its weight: three
+/// Weighted sum of the offsets of positions, normals or tangents of a piece by its targets: three
 /// numbers a vertex; empty where no weight but 0 counts. Throws base::Error.
 std::vector<double> morph_differences(const GltfAccessors& accessors, const GltfPiece& piece,
                                       int GltfTarget::*of, std::span<const double> weights);

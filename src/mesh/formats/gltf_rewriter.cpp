@@ -138,7 +138,7 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  // What targets of the file add, at their default weights, to what is written.
+  // Offsets by the targets of the file at their default weights, added to the written values.
   std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
     const GltfPlacement& placement = map_.placements[piece.placement];
     return morph_differences(accessors_, piece, of,
@@ -149,7 +149,7 @@ private:
     return numbers.empty() ? Vec3{0, 0, 0} : Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   }
 
-  // Of unit length, and in this direction once the targets have added theirs.
+  // Unit vectors that point this way after the targets have added their offsets.
   static Vec3 before_targets(const Vec3& unit, const Vec3& added) {
     const double along = dot(unit, added), rest = along * along - dot(added, added) + 1;
     const double length = rest < 0 ? 1 : along + std::sqrt(rest);

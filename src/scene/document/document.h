@@ -109,11 +109,11 @@ Document document_of(OpenedSurface model);
 void check_drawable(const Document& document);
 /// The same for deforming in double, up to 1e60 and down to 1e-60.
 void check_deformable(const Document& document);
-/// Of a cage with a fin: an odd number of triangles, three or more, at an edge.
+/// Fin of a cage: an odd number of triangles, three or more, at an edge.
 struct FinError : base::Error {
   using base::Error::Error;
 };
-/// What becomes of fins: patches of faces that end in an edge of three or more, the smallest first, until no
+/// Treatment of fins: patches of faces that end in an edge of three or more, the smallest first, until no
 /// edge has an odd number of them. What is left without them is in no file.
 enum class Fins { refused, removed };
 /// Throws base::Error if it is no cage, and FinError.

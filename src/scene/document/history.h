@@ -53,7 +53,7 @@ public:
   /// What the next undo would take back; empty if nothing.
   std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
   std::string redo_label() const { return can_redo() ? redo_.back().label : ""; }
-  /// Of all edits, those that were taken back too, oldest first; and how many of them are not.
+  /// Labels of all edits, undone ones included, oldest first; and how many are in force.
   std::vector<std::string> labels() const;
   std::size_t position() const { return undo_.size(); }
   /// The last edit, which another one may go on with; nothing where there is none, or some were taken back.

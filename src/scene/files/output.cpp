@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Of videos by their beginning.
+// Recognises videos by their first bytes.
 bool is_video(std::string_view bytes, std::string_view extension) {
   if (extension == "gif") return bytes.starts_with("GIF8");
   return extension == "mp4" ? bytes.substr(0, 8).ends_with("ftyp") : bytes.starts_with("\x1A\x45\xDF\xA3");

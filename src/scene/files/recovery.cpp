@@ -39,7 +39,7 @@ void rename_leftover(const fs::path& from, const fs::path& to) {
 constexpr const char* discarded_extension = ".discarded";
 constexpr const char* restored_ending = "_restored";
 
-// What edits change; not the view of it.
+// The edited parts of a session, without its view.
 Session work_of(const Session& session) {
   Session work;
   work.model = session.model, work.cage = session.cage, work.made_cage = session.made_cage;

@@ -66,7 +66,7 @@ struct MethodStats {
   std::size_t matrices = 0;  ///< in the sample; 0 until the first measurement
 };
 
-/// What a deformation of the open pose costs with each method, in the order of compared_methods.
+/// Times of one deformation of the open pose with each method, in the order of compared_methods.
 struct MethodTimes {
   std::array<deform::LinkTimes, compared_methods.size()> links{};  ///< all 0: not measured
   bool measured = false;                                           ///< in the background; else only by frames

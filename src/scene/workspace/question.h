@@ -36,7 +36,7 @@ Question ask_after_failed_save(const std::string& work, Question::Kind kind, con
 Question ask_to_locate(std::string_view key, const std::string& problem);
 Question ask_to_remove_fins(const std::string& problem);
 
-/// Of questions of another kind the first two are all.
+/// Other kinds of questions have only the first two.
 std::size_t answer_count(Question::Kind kind);
 /// What is written on the button of an answer.
 const char* label(Question::Kind kind, Answer answer);
