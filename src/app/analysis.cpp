@@ -158,7 +158,7 @@ void Analysis::take_times(scene::Workspace& workspace, LiveModel& model, bool wa
   shows_news_ = true;
 }
 
-// The bar of the running method is that of its frames; the others are measured while the pose rests.
+// While the pose moves, the bar of the running method is that of its frames; at rest all are measured.
 void Analysis::follow_times(scene::Workspace& workspace, LiveModel& model, bool moves) {
   if (moves || is_in_motion(workspace)) {
     rests_since_ = base::wall_seconds();
@@ -167,7 +167,7 @@ void Analysis::follow_times(scene::Workspace& workspace, LiveModel& model, bool 
   take_times(workspace, model, false);
   if (timer_is_due(workspace, model)) start_timer(workspace, model);
   const auto frame = workspace.stats.deforming_median();
-  if (!frame) return;
+  if (!frame || (workspace.method_times.measured && timed_ == model.frames())) return;
   const auto& methods = scene::compared_methods;
   const auto running = std::ranges::find(methods, frame->method);
   if (running != methods.end())
