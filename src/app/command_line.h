@@ -21,7 +21,6 @@ using Action = std::function<int()>;
 
 void add_view_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
-void add_replay_command(CLI::App& app, Action& action);
 void add_deform_command(CLI::App& app, Action& action);
 void add_animate_command(CLI::App& app, Action& action);
 void add_between_command(CLI::App& app, Action& action);

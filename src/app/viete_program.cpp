@@ -65,7 +65,6 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
 void add_commands(CLI::App& app, Action& action) {
   add_view_command(app, action);
   add_render_command(app, action);
-  add_replay_command(app, action);
   add_deform_command(app, action);
   add_animate_command(app, action);
   add_between_command(app, action);

@@ -13,7 +13,6 @@
 #include "app/kept_view.h"
 #include "app/live_model.h"
 #include "app/saved_bindings.h"
-#include "app/script_recorder.h"
 #include "app/side_views.h"
 #include "app/vertex_inspector.h"
 #include "platform/imgui_renderer.h"
@@ -124,9 +123,7 @@ private:
   void settle(unsigned frames) { settle_frames_ = std::max(settle_frames_, frames); }
   void take_input(float seconds);
   void take_requests();
-  void switch_recording();
-  void show_manual();
-  void leave_out_writing();
+  void show_manual(const std::string& chapter);
   void follow_document();
   void settle_cage_edit();
   void settle_messages();
@@ -168,7 +165,6 @@ private:
   scene::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
-  ScriptRecorder script_;
   ui::Fonts fonts_;
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;

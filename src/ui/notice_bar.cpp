@@ -86,7 +86,7 @@ void notice_bar(const Context& ui) {
   if (w.farewell) farewell(ui);
   if (!w.attended) return;
   w.notice_height = 0;
-  if (!w.offers_leftovers || w.leftovers.empty() || w.scripting.shown()) return;
+  if (!w.offers_leftovers || w.leftovers.empty()) return;
   const float top = w.view.panels ? scene::PanelLayout::menu_height : 0;
   const ImVec2 size(w.viewport.window.x, 0);
   ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});

@@ -41,7 +41,6 @@
 #include "scene/workspace/playback.h"
 #include "scene/workspace/question.h"
 #include "scene/workspace/remembered.h"
-#include "scene/workspace/scripting.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
 #include "scene/workspace/vertex_view.h"
@@ -111,8 +110,7 @@ struct Requests {
   bool stop_export = false;
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool show_report = false, stop_report = false;
-  bool manual = false;
-  ScriptRequest script = ScriptRequest::none;
+  std::optional<std::string> manual;  ///< the chapter to show; empty: the first page
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_named_pose, save_cage, save_model,
       save_animation;
@@ -240,7 +238,6 @@ struct Workspace {
   bool offer_cage = true;  ///< ways to get one are shown while the model has none
   CheckState checks;
   WorkState reporting;
-  Scripting scripting;
   Saved saved;
   Remembered remembered;
   std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
