@@ -27,7 +27,6 @@ void add_between_command(CLI::App& app, Action& action);
 void add_pose_command(CLI::App& app, Action& action);
 void add_mix_command(CLI::App& app, Action& action);
 void add_cage_command(CLI::App& app, Action& action);
-void add_bind_command(CLI::App& app, Action& action);
 void add_manual_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 

@@ -71,7 +71,6 @@ void add_commands(CLI::App& app, Action& action) {
   add_mix_command(app, action);
   add_pose_command(app, action);
   add_cage_command(app, action);
-  add_bind_command(app, action);
   add_info_command(app, action);
   add_manual_command(app, action);
   app.add_subcommand("bench", bench_text);

@@ -53,7 +53,7 @@ Viewer::ImGuiOwner::~ImGuiOwner() {
 Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
     : gl_(gl),
       options_(options),
-      files_(options.state, options.bindings, workspace_, options.program),
+      files_(options.state, workspace_, options.program),
       model_(files_),
       analysis_(options.probe, options.program, options.state),
       imgui_renderer_(gl),

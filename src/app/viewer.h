@@ -12,7 +12,6 @@
 #include "app/file_desk.h"
 #include "app/kept_view.h"
 #include "app/live_model.h"
-#include "app/saved_bindings.h"
 #include "app/side_views.h"
 #include "app/vertex_inspector.h"
 #include "platform/imgui_renderer.h"
@@ -40,8 +39,7 @@ struct ViewerOptions {
   std::filesystem::path
       state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
   std::filesystem::path program =
-      "/proc/self/exe";      ///< `viete`, which draws animations and makes reports aside
-  SavedBindings bindings{};  ///< where to find bindings, and to keep those that took long
+      "/proc/self/exe";  ///< `viete`, which draws animations and makes reports aside
 };
 
 /// Needs a current GL context, which must outlive it; use in that context's thread. Owns ImGui's context.

@@ -20,7 +20,7 @@ namespace viete::app {
 
 namespace {
 
-ViewerOptions viewer_options(const platform::Window& window, const std::filesystem::path& binding) {
+ViewerOptions viewer_options(const platform::Window& window) {
   ViewerOptions options;
   options.size = window.size();
   options.scale = window.scale();
@@ -28,7 +28,6 @@ ViewerOptions viewer_options(const platform::Window& window, const std::filesyst
   options.still_samples = window.gl().software ? 4 : 0;
   options.may_be_coarse = true;
   options.state = state_folder();
-  options.bindings = {.folder = bindings_folder(), .named = binding};
   return options;
 }
 
@@ -37,7 +36,7 @@ class WindowViewer {
 public:
   WindowViewer(platform::Window& window, const WindowOptions& options)
       : window_(window),
-        viewer_(window.gl(), viewer_options(window, options.binding)),
+        viewer_(window.gl(), viewer_options(window)),
         first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()) {
     listen();
     scene::Remembered& remembered = viewer_.workspace().remembered;

@@ -11,7 +11,6 @@ namespace viete::app {
 
 struct WindowOptions {
   Inputs inputs{Use::window};
-  std::filesystem::path binding;     ///< saved, of this model and cage; empty: none
   float scale = 0;                   ///< device pixels per logical pixel; 0 asks the display
   int frames = 0;                    ///< stop after so many frames; 0 never
   std::filesystem::path first_pose;  ///< into which the model moves on the first start; empty: none

@@ -30,10 +30,10 @@ struct Desk {
   std::optional<app::FileDesk> desk;
 
   explicit Desk(bool remembers = true) { begin(remembers); }
-  void begin(bool remembers = true, app::SavedBindings saved = {}) {
+  void begin(bool remembers = true) {
     desk.reset();
     std::destroy_at(&workspace), std::construct_at(&workspace);  // GCC 12 is wrong about moving one
-    desk.emplace(remembers ? state : std::filesystem::path(), std::move(saved), workspace);
+    desk.emplace(remembers ? state : std::filesystem::path(), workspace);
   }
   void frame(bool no_drag = true) {
     desk->take_requests(workspace, no_drag);
@@ -376,35 +376,6 @@ TEST_CASE("what_was_remembered_and_cannot_be_read_is_said_and_the_program_starts
   CHECK(d.workspace.messages.all().back().severity == scene::Severity::warning);
   CHECK(d.last_message().ends_with("; starting without it"));
   CHECK(d.workspace.view.hints);
-}
-
-TEST_CASE("the_named_binding_is_for_the_first_document_only") {
-  Desk d;
-  d.begin(true, {.folder = d.files / "kept", .named = d.files / "a.binding"});
-  CHECK(d.desk->take_saved().named == d.files / "a.binding");
-  const app::SavedBindings later = d.desk->take_saved();
-  CHECK(later.named.empty());
-  CHECK(later.folder == d.files / "kept");
-}
-
-TEST_CASE("a_binding_is_kept_if_it_took_long_and_there_is_a_folder") {
-  const struct {
-    bool folder;
-    double seconds;
-    std::size_t files;
-  } cases[] = {{true, 1, 1}, {true, 0.999, 0}, {false, 2, 0}};
-  for (const auto& c : cases) {
-    CAPTURE(c.seconds);
-    Desk d;
-    const auto kept = d.files / "kept";
-    d.begin(true, {.folder = c.folder ? kept : std::filesystem::path(), .worth_keeping = 1});
-    d.open_cubes();
-    app::Bound bound = d.desk->take_bound();
-    bound.seconds = c.seconds;
-    d.desk->keep_binding(bound);
-    d.desk.reset();  // when it has been written
-    CHECK(files_in(kept) == c.files);
-  }
 }
 
 TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {

@@ -76,7 +76,6 @@ TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys_and_bindings") {
         animate + "k.mdd -o ./k.mdd", animate + "k.glb -o link.glb", animate + "p_#.obj -o p_#.obj",
         animate + "p_1.obj -o p_#.obj --frames 5-20", animate + "p_#.obj -o p_#.obj --force",
         animate + "p_#.obj -o m_##.obj", animate + "p_#.obj -o m_%02d.obj --force",
-        animate + "p_#.obj --binding b.pc2 -o b.pc2", animate + "p_#.obj --binding b.mp4 -o b.mp4",
         animate + "p_#.obj -o skin_####.png --size 64x48"}) {
     fs::copy_file(files / "cage.obj", files / "other.obj", fs::copy_options::overwrite_existing);
     const Outcome outcome = files.run(line);
