@@ -78,9 +78,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   Desk d;
   d.frame();
   d.answer(scene::Answer::go_on);
-  d.workspace.requests.undo_discard = d.workspace.requests.stop_export = d.workspace.requests.stop_work =
-      true;
-  d.workspace.requests.discard = true;
+  d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
   d.workspace.requests.save_model = d.files / "out.obj";  // of nothing
   d.frame();
   CHECK_FALSE(d.desk->closed());
@@ -234,33 +232,6 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
     CHECK(d.desk->closed() != fails);
     CHECK(std::filesystem::exists(d.files / "out.obj") != fails);
   }
-}
-
-TEST_CASE("leftovers_are_discarded_come_back_and_are_gone_when_the_program_ends") {
-  Desk d;
-  const std::filesystem::path files[] = {d.state / "recovery" / "999999999-1.viete",
-                                         d.state / "recovery" / "999999999-2.viete"};
-  std::filesystem::create_directories(files[0].parent_path());
-  for (const auto& file : files) test::put_file(file, "{}");
-  d.begin();
-  REQUIRE(d.workspace.leftovers.size() == 2);
-  CHECK(d.workspace.offers_leftovers);
-  const auto discard = [&] {
-    d.workspace.requests.discard = true;
-    d.frame();
-    CHECK(d.workspace.leftovers.empty());
-    for (const auto& file : files) CHECK_FALSE(std::filesystem::exists(file));
-  };
-  discard();
-  d.workspace.requests.undo_discard = true;
-  d.frame();
-  CHECK(d.workspace.leftovers.size() == 2);
-  CHECK(d.workspace.offers_leftovers);
-  for (const auto& file : files) CHECK(test::file_bytes(file) == "{}");
-  discard();
-  d.begin();
-  CHECK(d.workspace.leftovers.empty());
-  CHECK(files_in(d.state / "recovery") == 0);
 }
 
 namespace {

@@ -133,7 +133,7 @@ TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
   for (const auto& c : cases) {
     test::put_file(
         p.files / "a.viete",
-        R"({"format": "viete session", "version": 2, "model": "model.obj", "cage": "cage.obj", "mask": )" +
+        R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "mask": )" +
             c.value + "}");
     Workspace w;
     REQUIRE(open_now(w, {OpenRequest::What::model, {p.files / "a.viete"}}));
@@ -142,7 +142,7 @@ TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
   }
   test::put_file(
       p.files / "a.viete",
-      R"({"format": "viete session", "version": 2, "model": "model.obj", "cage": "cage.obj", "mask": [0, )" +
+      R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "mask": [0, )" +
           std::to_string(n) + "]}");
   Workspace w;
   REQUIRE(open_now(w, {OpenRequest::What::model, {p.files / "a.viete"}}));

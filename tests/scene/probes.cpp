@@ -359,7 +359,7 @@ TEST_CASE("damaged_probes_cost_themselves_alone_and_say_so") {
   for (const auto& c : cases) {
     INFO(c.probe);
     test::put_file(files / "a.viete",
-                   R"({"format": "viete session", "version": 3, "model": "model.obj", "selecting": "probes",)"
+                   R"({"format": "viete session", "version": 1, "model": "model.obj", "selecting": "probes",)"
                    R"( "selection": [1], "probes": {"mix": "odd", "all": [)" +
                        good + ", " + c.probe + "]}}");
     Workspace w;

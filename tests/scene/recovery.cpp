@@ -114,23 +114,6 @@ TEST_CASE("names_for_work_set_aside_do_not_collide") {
   CHECK(set_aside_file(folder.path()) != first);
 }
 
-TEST_CASE("what_was_discarded_comes_back_or_goes_with_its_program") {
-  const test::TemporaryFolder folder;
-  const fs::path file = folder / "999999999-1.viete";
-  test::put_file(file, "work");
-  const DiscardedLeftover discarded = discard({file, "work", 0});
-  CHECK(find_leftovers(folder.path()).empty());
-  CHECK(test::file_bytes(discarded.aside) == "work");
-  undo_discard(discarded);
-  CHECK(test::file_bytes(file) == "work");
-  CHECK_THROWS_AS(undo_discard(discarded), base::Error);
-
-  const DiscardedLeftover again = discard({file, "work", 0});
-  test::put_file(folder / "999999999-1_1.discarded", "of a program that was killed");
-  remove_discarded(folder.path());
-  CHECK(fs::is_empty(folder.path()));
-}
-
 TEST_CASE("times_of_today_are_told_without_the_day") {
   std::tm noon{};
   noon.tm_year = 126, noon.tm_mon = 4, noon.tm_mday = 3, noon.tm_hour = 12, noon.tm_min = 5,
