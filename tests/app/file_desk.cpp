@@ -410,10 +410,9 @@ TEST_CASE("an_export_takes_the_place_of_nothing_that_is_open") {
   test::put_file(d.files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");
   test::put_file(d.files / "m.obj", "mtllib model.mtl\nusemtl skin\n" + test::file_bytes(d.files.model));
   test::put_file(d.files / "skin_0003.png", "\x89PNG\r\n\x1a\n");
-  test::put_file(d.files / "k.pc2", "");
   std::filesystem::create_symlink("m.obj", d.files / "link.obj");
   for (const char* key : {"key_1.obj", "key_9.obj"}) std::filesystem::copy(d.files.pose, d.files / key);
-  d.begin(true, {.named = d.files / "k.pc2"});
+  d.begin();
   d.open({d.files / "m.obj", d.files.cage});
   d.open({d.files / "key_1.obj"}, What::animation);
   REQUIRE(d.workspace.document.timeline.keys.size() == 2);
@@ -431,7 +430,6 @@ TEST_CASE("an_export_takes_the_place_of_nothing_that_is_open") {
   refuses(requests.save_model, "link.obj", "such as link-2.obj");
   refuses(requests.save_model, "cage.obj", "(the cage)");
   refuses(requests.save_model, "key_9.obj", "(the keys)");
-  refuses(requests.save_animation, "k.pc2", "(the binding)");
   refuses(requests.save_animation, "key_#.obj", "(the keys)");
   refuses(requests.save_animation, "skin_####.png", "(what the model leads to)");
   requests.save_model = d.files / "out.obj";

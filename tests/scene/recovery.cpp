@@ -33,14 +33,11 @@ TEST_CASE("only_the_work_of_programs_that_have_ended_is_left_over") {
   CHECK(leftovers[0].file.filename().string().starts_with("999999999-1"));
 }
 
-TEST_CASE("the_work_of_a_program_that_has_ended_and_is_still_listed_is_left_over_or_goes") {
+TEST_CASE("the_work_of_a_program_that_has_ended_and_is_still_listed_is_left_over") {
   const test::TemporaryFolder folder;
   const test::Zombie zombie;
   test::put_file(folder / (zombie.name + ".viete"), "{}");
-  test::put_file(folder / (zombie.name + "_1.discarded"), "{}");
   CHECK(find_leftovers(folder.path()).size() == 1);
-  remove_discarded(folder.path());
-  CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
