@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "bench/ensembles.h"
 #include "bench/methods.h"
-#include "bench/timing/ensembles.h"
 #include "sym3/reference.h"
 
 namespace viete::bench {

@@ -9,12 +9,10 @@
 
 #include "base/quantity.h"
 #include "base/worker_pool.h"
-#include "bench/bars.h"
 #include "bench/models.h"
 #include "bench/plain_weights.h"
-#include "bench/solvers.h"
+#include "bench/rounds.h"
 #include "bench/table.h"
-#include "bench/timing/rounds.h"
 #include "deform/bind.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
@@ -30,7 +28,6 @@ constexpr deform::Weighting faces{}, integrals{deform::Elements::face, deform::W
     mean_values{deform::Elements::point, deform::Weights::mean_value},
     harmonics{deform::Elements::face, deform::Weights::harmonic},
     biharmonics{deform::Elements::face, deform::Weights::biharmonic};
-constexpr std::size_t most_compared = 200'000;  // vertices
 
 /// One model in one cage, and every way to bind them.
 class BindRuns {
@@ -73,18 +70,6 @@ public:
     add("mean values, bound", [this] { bind(mean_values, 0); });
     base::Progress progress;
     return measure_rounds(cases, rounds, progress);
-  }
-
-  /// Of the equations of harmonic weights; none where Eigen would take minutes.
-  std::vector<BenchResult> compare(std::size_t rounds) {
-    if (size() > most_compared) return {};
-    const auto owners = deform::owned_vertices(model_, cage_, deform::Elements::face, pool_).owners;
-    const deform::SparseMatrix stiffness = deform::intrinsic_laplacian(model_).stiffness;
-    std::vector<bool> owned(size()), free(size());
-    for (std::size_t v = 0; v < size(); ++v) owned[v] = owners[v] > 0;
-    const deform::HeldParts held = deform::held_parts(stiffness, owned);
-    for (std::uint32_t v = 0; v < size(); ++v) free[v] = held.holds(v) && !owned[v];
-    return compare_solvers(deform::grounded(stiffness, free), rounds);
   }
 
   std::size_t size() const { return model_.positions.size(); }
@@ -141,7 +126,6 @@ void bench_bind(const BindOptions& options) {
   BindRuns runs(options);
   const auto results = runs.run(options.rounds);
   print(runs, results);
-  const auto solvers = runs.compare(options.rounds);
   Bars bars;
   const auto faster = [&](const char* slow, const char* fast) {
     return time_of(results, slow) / time_of(results, fast);
@@ -160,16 +144,8 @@ void bench_bind(const BindOptions& options) {
   std::printf("  memory: %.1f MB dense, %.1f MB compressed to %g\n",
               static_cast<double>(runs.dense().bytes()) * 1e-6,
               static_cast<double>(runs.compressed().bytes()) * 1e-6, runs.compressed().tolerance);
-  if (promised && !solvers.empty()) {
-    bars.check("sixteen columns: Eigen / ours",
-               time_of(solvers, "sixteen columns, Eigen") / time_of(solvers, "sixteen columns, ours"), 2,
-               true);
-  }
   if (promised) bars.check("memory: dense / compressed", memory, runs.size() < 400'000 ? 4 : 9, true);
-  write_json(options.json, {{"figure", "bind"},
-                            {"results", to_json(results)},
-                            {"solvers", to_json(solvers)},
-                            {"bars", bars.rows}});
+  write_json(options.json, {{"figure", "bind"}, {"results", to_json(results)}, {"bars", bars.rows}});
 }
 
 }  // namespace viete::bench

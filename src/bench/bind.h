@@ -15,7 +15,7 @@ struct BindOptions {
   std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
 };
 
-/// Prints the table, and compare_solvers() of up to 200,000 vertices. Throws base::Error.
+/// Prints the table. Throws base::Error.
 void bench_bind(const BindOptions& options);
 
 }  // namespace viete::bench

@@ -1,5 +1,4 @@
-// viete bench exp|eigen|frame|bind|files|cage|modes|stitched|time|shapes|accuracy|sym3: the paper's figures,
-// and its future work, on this machine.
+// viete bench exp|eigen|accuracy|sym3|frame|bind|modes.
 #include "bench/command.h"
 
 #include <cstdio>
@@ -13,18 +12,13 @@
 #include "base/quantity.h"
 #include "bench/accuracy.h"
 #include "bench/bind.h"
-#include "bench/cage.h"
 #include "bench/eigen.h"
 #include "bench/exp.h"
-#include "bench/files.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
 #include "bench/options.h"
-#include "bench/shapes.h"
-#include "bench/stitched.h"
 #include "bench/sym3.h"
 #include "bench/table.h"
-#include "bench/time.h"
 #include "mesh/formats/format_table.h"
 #include "sym3/kernel.h"
 
@@ -155,23 +149,6 @@ void add_bind_bench(CLI::App& command, Action& action) {
   finish(command, action, bench, bench_bind, prepare_model<BindOptions>);
 }
 
-void add_files_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<FilesOptions>>();
-  add_model(command, bench->options.model)->default_str("an OBJ of a million triangles");
-  add_rounds_option(command, bench->options.rounds, "5");
-  finish(command, action, bench, bench_files,
-         [](const auto& options, const BenchFiles& files) { files.check({options.model}); });
-}
-
-void add_cage_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<CageOptions>>();
-  add_model(command, bench->options.model);
-  finish(command, action, bench, bench_cage, [](auto& options, const BenchFiles& files) {
-    files.check({options.model});
-    if (options.model.empty()) options.model = bundled_model().model;
-  });
-}
-
 void prepare_modes(ModesOptions& options, const BenchFiles& files) {
   FilesInUse inputs{options.model, options.cage};
   for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
@@ -207,54 +184,6 @@ void add_modes_bench(CLI::App& command, Action& action) {
     require_pose(options.model, options.cage, !options.poses.empty());
   };
   finish(command, action, bench, bench_modes, prepare_modes, check);
-}
-
-void add_stitched_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<StitchedOptions>>();
-  auto& options = bench->options;
-  add_model_and_cage(command, options, "that of the dragon");
-  add_file_option(command, "POSE", options.pose, "Posed cage, same vertices in the same order")
-      ->default_str("one of the dragon");
-  add_rounds_option(command, options.rounds, "11");
-  const auto prepare = [](auto& o, const BenchFiles& files) {
-    files.check({o.model, o.cage, o.pose});
-    if (!o.model.empty()) return;
-    const BundledModel bundled = bundled_model();
-    o.model = bundled.model, o.cage = bundled.cage, o.pose = bundled.poses.front();
-  };
-  finish(command, action, bench, bench_stitched, prepare,
-         [&options] { require_pose(options.model, options.cage, !options.pose.empty()); });
-}
-
-void add_time_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<TimeOptions>>();
-  add_file_option(command, "SESSION", bench->options.session, "Session with a cage and keys")
-      ->default_str("the bundled dragon's loop");
-  add_rounds_option(command, bench->options.rounds, "11");
-  finish(command, action, bench, bench_time, [](auto& options, const BenchFiles& files) {
-    files.check({options.session});
-    if (options.session.empty()) options.session = bundled_model().loop;
-  });
-}
-
-void add_shapes_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<ShapesOptions>>();
-  auto& options = bench->options;
-  add_file_option(command, "REST", options.rest, "A model at rest")->default_str("a bar that is made");
-  command.add_option("SHAPES", options.shapes, "Of the same faces: models, numbered ones (pose_##.obj)")
-      ->default_str("it bent and twisted");
-  add_file_option(command, "--published", options.published,
-                  "Folder with a lion's poses and a horse's gallop, whose bars are checked, too")
-      ->option_text("FOLDER");
-  add_rounds_option(command, options.rounds, "11");
-  const auto prepare = [](auto& o, const BenchFiles& files) {
-    FilesInUse inputs{o.rest};
-    for (const auto& shape : o.shapes) inputs.add(shape, scene::a_shape);
-    files.check(inputs);
-  };
-  finish(command, action, bench, bench_shapes, prepare, [&options] {
-    if (!options.rest.empty() && options.shapes.empty()) throw CLI::RequiredError("SHAPES");
-  });
 }
 
 struct MatrixBench {
@@ -305,14 +234,8 @@ void add_bench_command(CLI::App& app, Action& action) {
   } model_benches[] = {
       {"frame", "A frame of a model: by path, cage and stage", add_frame_bench},
       {"bind", "Binding a model: time against plain loops, and memory", add_bind_bench},
-      {"files", "Reading and writing a model, beside OpenMesh's reader", add_files_bench},
-      {"cage", "Cages made around a model, beside an offset that is decimated", add_cage_bench},
       {"modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs",
-       add_modes_bench},
-      {"stitched", "A frame of a stitched model, against a plain one", add_stitched_bench},
-      {"time", "Between keys, in log space and straight: volumes, and what a frame costs", add_time_bench},
-      {"shapes", "Between shapes of a model, and posing by them: how far from the truth, and what it costs",
-       add_shapes_bench}};
+       add_modes_bench}};
   for (const auto& bench : model_benches) bench.add(*command->add_subcommand(bench.name, bench.text), action);
 }
 

@@ -2,7 +2,7 @@
 // use.
 #pragma once
 
-#include "bench/bars.h"
+#include "bench/table.h"
 
 namespace viete::bench {
 

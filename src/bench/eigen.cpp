@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/quantity.h"
+#include "bench/ensembles.h"
 #include "bench/table.h"
-#include "bench/timing/ensembles.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
 

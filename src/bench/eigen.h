@@ -3,7 +3,7 @@
 
 #include "base/progress.h"
 #include "bench/plot.h"
-#include "bench/timing/rounds.h"
+#include "bench/rounds.h"
 
 namespace viete::bench {
 

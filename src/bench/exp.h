@@ -1,12 +1,45 @@
-// The times of exp as text, numbers and a picture.
+// What exp costs: by method, and by layout and size against a copy of the same bytes.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "base/progress.h"
 #include "bench/plot.h"
-#include "bench/timing/exp.h"
+#include "bench/rounds.h"
+#include "sym3/view.h"
 
 namespace viete::bench {
+
+/// One layout and size; nanoseconds a matrix, all from the same interleaved run.
+struct LayoutResult {
+  sym3::Layout layout;
+  std::size_t count = 0;
+  double fast = 0, copy = 0, diag = 0, improved_sd = 0;
+};
+
+struct ExpBench {
+  std::size_t count = 0;
+  bool in_float = false;
+  std::string kernel;
+  std::vector<BenchResult> methods;   ///< Diag, SD, Improved SD, Fast, copy; `count` packed matrices
+  std::vector<LayoutResult> layouts;  ///< by layout, then by size from 1024 to `count`
+};
+
+/// The paper's ensemble, one thread, processor time, medians. About 1 kB of memory for each 10 matrices, 30 s
+/// for 10^7. Throws base::Cancelled.
+ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
+
+struct ExpBar {
+  std::string name;
+  double ns = 0;      ///< a matrix
+  bool ours = false;  ///< else what we are compared with
+};
+
+/// To be shown side by side: the methods, matrices from memory, and ours in the cache.
+std::vector<ExpBar> bars_of(const ExpBench& bench);
 
 /// "planes".
 const char* layout_name(sym3::Layout layout);

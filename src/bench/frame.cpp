@@ -18,8 +18,8 @@
 #include "bench/frame_bars.h"
 #include "bench/models.h"
 #include "bench/reference_frame.h"
+#include "bench/rounds.h"
 #include "bench/table.h"
-#include "bench/timing/rounds.h"
 #include "deform/bind.h"
 #include "deform/deformer.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "bench/bars.h"
+#include "bench/table.h"
 #include "deform/deformer.h"
 
 namespace viete::bench {

@@ -86,35 +86,6 @@ scene::Document open_model(const std::filesystem::path& model, const std::filesy
   return document;
 }
 
-mesh::Surface box_along_z(double width, double length, int across, int along) {
-  std::vector<mesh::Point> points;
-  std::vector<mesh::Triangle> triangles;
-  const int around = 4 * across;
-  const auto rim = [&](int i) {  // counter-clockwise seen from above
-    const double s = width * (i % across) / across - width / 2, h = width / 2;
-    const mesh::Point sides[] = {{s, -h, 0}, {h, s, 0}, {-s, h, 0}, {-h, -s, 0}};
-    return sides[i % around / across];
-  };
-  const auto add = [&](mesh::Point p, double z) { p[2] = z, points.push_back(p); };
-  for (int k = 0; k <= along; ++k)
-    for (int i = 0; i < around; ++i) add(rim(i), length * k / along - length / 2);
-  const auto at = [&](int k, int i) { return static_cast<std::uint32_t>(k * around + i % around); };
-  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
-  };
-  for (int k = 0; k < along; ++k)
-    for (int i = 0; i < around; ++i) quad(at(k, i), at(k, i + 1), at(k + 1, i + 1), at(k + 1, i));
-  for (const int end : {0, along}) {  // lids: a fan about a middle
-    const auto middle = static_cast<std::uint32_t>(points.size());
-    add({0, 0, 0}, length * end / along - length / 2);
-    for (int i = 0; i < around; ++i) {
-      const std::uint32_t a = at(end, i), b = at(end, i + 1);
-      triangles.push_back(end == 0 ? mesh::Triangle{middle, b, a} : mesh::Triangle{middle, a, b});
-    }
-  }
-  return mesh::from_triangles(std::move(points), triangles);
-}
-
 mesh::Surface subdivided(const mesh::Surface& surface) {
   std::vector<Point> positions = surface.positions;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;

@@ -13,9 +13,6 @@ namespace viete::bench {
 /// A model, and its cage if that is named, fit for frames in float. Throws base::Error.
 scene::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage = {});
 
-/// A closed box along z about 0, each side cut into a grid: 4 across (along + 1) + 2 vertices.
-mesh::Surface box_along_z(double width, double length, int across, int along);
-
 /// Each triangle cut into four at the middles of its edges.
 mesh::Surface subdivided(const mesh::Surface& surface);
 

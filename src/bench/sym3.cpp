@@ -10,11 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/bars.h"
 #include "bench/derivatives.h"
+#include "bench/ensembles.h"
+#include "bench/rounds.h"
 #include "bench/table.h"
-#include "bench/timing/ensembles.h"
-#include "bench/timing/rounds.h"
 #include "deform/polar.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"

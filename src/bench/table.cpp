@@ -1,6 +1,7 @@
 #include "bench/table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -35,6 +36,14 @@ std::string processor_name() {
     if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
   }
   return "";
+}
+
+void Bars::check(const std::string& what, double measured, double bar, bool at_least) {
+  const bool met = at_least ? measured >= bar : measured <= bar;
+  const char* format =
+      std::abs(measured) < 0.01 ? "  %-58s %8.1e   %s %-6g %s\n" : "  %-58s %8.2f   %s %-6g %s\n";
+  std::printf(format, what.c_str(), measured, at_least ? ">=" : "<=", bar, met ? "met" : "NOT MET");
+  rows.push_back({{"what", what}, {"measured", measured}, {"bar", bar}, {"met", met}});
 }
 
 }  // namespace viete::bench

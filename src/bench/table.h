@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/timing/rounds.h"
+#include "bench/rounds.h"
 
 namespace viete::bench {
 
@@ -20,5 +20,13 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& json);
 
 /// "AMD EPYC 9654", or nothing where the system does not say.
 std::string processor_name();
+
+/// The bars of one run, in the order in which they were checked.
+struct Bars {
+  nlohmann::json rows = nlohmann::json::array();
+
+  /// Prints a line: at least, or at most, `bar`; met or not.
+  void check(const std::string& what, double measured, double bar, bool at_least);
+};
 
 }  // namespace viete::bench

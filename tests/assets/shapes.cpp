@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/shape_errors.h"
+#include "bench/halfway.h"
 #include "deform/shape_space.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
@@ -63,15 +63,15 @@ TEST_CASE("halfway_to_its_shapes_the_dragon_keeps_edges_and_volume_in_log_space_
   const mesh::Surface dragon = mesh::read(test::assets_dir() / "dragon" / "dragon.ply").surface;
   base::WorkerPool pool(2);
   const deform::ShapeSpace space(dragon, pool);
-  const bench::ShapeErrors errors(dragon);
+  const std::vector<mesh::Edge> edges = mesh::polygon_edges(dragon);
   for (const Shape& shape : kShapes) {
     CAPTURE(shape.name);
     const Places& rest = dragon.positions;
     const Places end = places_of(shape), between = halfway(space, end, pool);
     Places straight;
     for (std::size_t v = 0; v < rest.size(); ++v) straight.push_back(0.5 * (rest[v] + end[v]));
-    CHECK(errors.edges(rest, end, between).root_mean_square < shape.edges_in_log_space);
-    CHECK(errors.edges(rest, end, straight).root_mean_square > shape.edges_in_straight_lines);
+    CHECK(bench::edge_error(edges, rest, end, between) < shape.edges_in_log_space);
+    CHECK(bench::edge_error(edges, rest, end, straight) > shape.edges_in_straight_lines);
     const double expected = std::sqrt(volume(dragon, rest) * volume(dragon, end));
     CHECK(std::abs(volume(dragon, between) / expected - 1) < 0.03);
     CHECK(volume(dragon, straight) < 0.9 * expected);

@@ -11,9 +11,8 @@
 
 #include "base/quantity.h"
 #include "bench/plot.h"
-#include "bench/report/findings.h"
-#include "bench/report/page.h"
-#include "bench/report/style.h"
+#include "bench/findings.h"
+#include "bench/page.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "support/data.h"

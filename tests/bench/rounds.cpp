@@ -1,11 +1,10 @@
-#include "bench/timing/rounds.h"
+#include "bench/rounds.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
 
-#include "bench/bars.h"
 #include "bench/table.h"
 
 using namespace viete;

@@ -151,15 +151,12 @@ TEST_CASE("advice_to_export_a_file_of_another_kind_names_all_formats") {
   CHECK_THROWS_WITH_AS(test::read_text("DRACO", "drc"), doctest::Contains(advice.c_str()), base::Error);
 }
 
-TEST_CASE("shells_desktops_and_the_manual_know_every_format") {
+TEST_CASE("desktops_know_every_format") {
   for (const Format& format : all_formats()) {
     CAPTURE(format.extension);
     const std::string word(format.extension), name(format.name);
-    for (const char* file : {"desktop/completion/viete.bash", "desktop/viete.1.in"})
-      CHECK(asset(file).find(word) != std::string::npos);
     if (!format.read) continue;
-    CHECK(asset("desktop/completion/viete.zsh").find(word) != std::string::npos);
-    for (const char* file : {"desktop/viete.1.in", "desktop/viete.metainfo.xml", "desktop/viete.desktop"})
+    for (const char* file : {"desktop/viete.metainfo.xml", "desktop/viete.desktop"})
       CHECK(asset(file).find(name) != std::string::npos);
     const bool has_own_type = asset("desktop/viete.mime.xml").find("*." + word + "\"") != std::string::npos;
     CHECK((has_own_type || asset("desktop/viete.desktop").find("model/" + word + ";") != std::string::npos));

@@ -47,12 +47,6 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
     std::ifstream in(json);
     CHECK(nlohmann::json::parse(in)["bars"].empty());  // which are of made ones
   }
-  const auto of_files =
-      run("bench files --rounds 1 --json " + quoted(scratch.path() / "files.json") + " " + quoted(dragon));
-  CHECK(of_files.code == 0);
-  for (const char* part :
-       {"plain read of the bytes", "read by OpenMesh", "written again, deformed", "99,996 triangles"})
-    CHECK_MESSAGE(mentions(of_files, part), of_files.text);
   const auto made = run("bench frame --rounds 1 --count 500,600 --faces 8 " + quoted(dragon));
   CHECK_MESSAGE(mentions(made, "500 vertices, 8 cage triangles"), made.text);
   CHECK(run("bench frame --faces 8 " + files).code == 2);
@@ -105,70 +99,6 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
     scheme.iterations = deform::entry(scheme.weighting.elements).affine ? 2 : 0;
     CHECK(mentions(stitched, deform::text(scheme)));
   }
-}
-
-TEST_CASE("a_stitched_frame_is_measured_against_a_plain_one") {
-  const TemporaryFolder scratch;
-  const fs::path json = scratch / "stitched.json";
-  const auto outcome = run("bench stitched --rounds 1 --json " + quoted(json));
-  REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-  std::ifstream in(json);
-  CHECK_FALSE(nlohmann::json::parse(in)["results"].empty());
-}
-
-TEST_CASE("what_log_space_keeps_between_keys_is_measured_beside_straight_lines") {
-  const TemporaryFolder scratch;
-  const fs::path json = scratch / "time.json";
-  const auto outcome = run("bench time --rounds 1 --json " + quoted(json));
-  REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-  std::istringstream lines(outcome.text);
-  for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(line.size() <= 125, line);
-  std::ifstream in(json);
-  const auto measured = nlohmann::json::parse(in);
-  REQUIRE(measured["volumes"].size() == 3);
-  for (const auto& way : measured["volumes"])
-    CHECK(double(way["log_space"]["least"]) > double(way["straight"]["least"]));
-  CHECK(double(measured["volumes"][2]["log_space"]["least"]) > 0.85);
-  CHECK(measured["times"].size() == 4);
-  CHECK(measured["bars"].size() == 4);
-  // A session without keys.
-  put_file(scratch / "rest.viete",
-           R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() + "\"}");
-  const auto nothing = run("bench time " + quoted(scratch / "rest.viete"));
-  CHECK(nothing.code == 1);
-  CHECK(mentions(nothing, "nothing plays in it"));
-}
-
-TEST_CASE("shapes_are_measured_beside_straight_lines_and_plain_loops") {
-  const TemporaryFolder scratch;
-  const fs::path json = scratch / "shapes.json", rest = scratch / "rest.obj", tall = scratch / "tall.obj",
-                 wide = scratch / "wide.obj";
-  auto ball = test::sphere(3);
-  mesh::write(rest, ball);
-  for (auto& p : ball.positions) p[2] *= 2;
-  mesh::write(tall, ball);
-  for (auto& p : ball.positions) p[0] *= 3;
-  mesh::write(wide, ball);
-  const std::string files = quoted(rest) + " " + quoted(tall) + " " + quoted(wide);
-  const auto outcome = run("bench shapes --rounds 1 " + files + " --json " + quoted(json));
-  REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-  for (const char* part :
-       {"258 vertices, 2 shapes", "plain", "frame by links", "step, 2 examples, 8 vertices"})
-    CHECK_MESSAGE(mentions(outcome, part), outcome.text);
-  std::istringstream lines(outcome.text);
-  for (std::string line; std::getline(lines, line);) CHECK_MESSAGE(line.size() <= 125, line);
-  std::ifstream in(json);
-  const auto measured = nlohmann::json::parse(in);
-  REQUIRE(measured["halfway"].size() == 2);
-  CHECK(double(measured["halfway"][0]["log_space"]["volume"]) == doctest::Approx(std::sqrt(2)).epsilon(0.05));
-  CHECK(double(measured["difference"]["frame"]) < 1e-9);
-  CHECK(measured["bars"].size() == 8);
-  CHECK(run("bench shapes " + quoted(rest)).code == 2);  // without shapes
-  const auto replaced = run("bench shapes " + files + " --json " + quoted(tall));
-  CHECK(mentions(replaced, "one of those that are read (a shape)"));
-  const auto nothing = run("bench shapes --rounds 1 " + files + " --published " + quoted(scratch / "none"));
-  CHECK(nothing.code == 1);
-  CHECK(mentions(nothing, "rest.obj"));
 }
 
 TEST_CASE("what_is_missing_or_does_not_fit_is_said_before_modes_are_compared") {

@@ -55,7 +55,6 @@ inline const std::map<std::string, Room>& rooms() {
         {"imgui"},
         {}}},
       {"platform", {{"base", "render"}, {"gl", "glm", "imgui"}, {"glfw"}}},
-      {"bench/timing", {{"base", "sym3"}, {}, {}}},
       {"app",
        {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "deform/sparse", "lab", "scene/document",
          "scene/hand", "scene/files", "scene/pictures", "scene/workspace", "render", "ui", "platform"},
@@ -63,14 +62,9 @@ inline const std::map<std::string, Room>& rooms() {
         {}}},
       {"bench",
        {{"base", "sym3", "mesh", "mesh/formats", "cages", "deform", "deform/sparse", "lab", "scene/document",
-         "scene/hand", "scene/files", "scene/pictures", "scene/workspace", "app", "bench/timing"},
+         "scene/hand", "scene/files", "scene/pictures", "scene/workspace", "app"},
         {"cli11", "json"},
-        {"eigen", "highway", "openmesh"}}},
-      {"bench/report",
-       {{"base", "sym3", "mesh", "mesh/formats", "deform", "scene/document", "scene/files", "app",
-         "bench/timing", "bench"},
-        {"cli11", "json"},
-        {}}},
+        {"eigen", "highway"}}},
   };
   return table;
 }

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "bench/timing/ensembles.h"
+#include "bench/ensembles.h"
 #include "sym3/sym3.h"
 
 namespace viete::test {

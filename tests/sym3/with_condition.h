@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/timing/ensembles.h"
+#include "bench/ensembles.h"
 
 namespace viete::test {
 

@@ -4,7 +4,7 @@
 
 #include "app/program.h"
 #include "bench/command.h"
-#include "bench/report/command.h"
+#include "bench/report.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "bench/report/findings.h"
+#include "bench/findings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "bench/report/figures.h"
+#include "bench/figures.h"
 
 namespace viete::bench {
 

@@ -1,5 +1,5 @@
 // viete report [MODEL CAGE [POSE...]] -o FOLDER: the figures, measured here, as one page.
-#include "bench/report/command.h"
+#include "bench/report.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -15,8 +15,8 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/memory.h"
-#include "bench/report/findings.h"
-#include "bench/report/page.h"
+#include "bench/findings.h"
+#include "bench/page.h"
 #include "mesh/formats/format_table.h"
 
 namespace viete::bench {

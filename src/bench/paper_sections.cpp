@@ -2,9 +2,9 @@
 
 #include "base/quantity.h"
 #include "bench/exp.h"
-#include "bench/report/findings.h"
-#include "bench/report/html.h"
-#include "bench/report/sections.h"
+#include "bench/findings.h"
+#include "bench/html.h"
+#include "bench/sections.h"
 #include "sym3/exp.h"
 
 namespace viete::bench {

@@ -4,12 +4,12 @@
 #include <tuple>
 
 #include "base/quantity.h"
+#include "bench/findings.h"
+#include "bench/halfway.h"
+#include "bench/html.h"
 #include "bench/modes_table.h"
 #include "bench/plot.h"
-#include "bench/published_shapes.h"
-#include "bench/report/findings.h"
-#include "bench/report/html.h"
-#include "bench/report/sections.h"
+#include "bench/sections.h"
 #include "bench/svg.h"
 
 namespace viete::bench {
@@ -221,8 +221,6 @@ Section shapes_section(const Figures& figures) {
       "through its axis: all points of it meet there, and the part collapses. Logarithms add the turn "
       "itself, "
       "so that each triangle turns about the axis and keeps its size.";
-  section.commands = {"viete bench shapes " + shell_word(figures.files.rest)};
-  for (const auto& shape : figures.files.shapes) section.commands[0] += " " + shell_word(shape);
   return section;
 }
 

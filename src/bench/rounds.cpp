@@ -1,4 +1,4 @@
-#include "bench/timing/rounds.h"
+#include "bench/rounds.h"
 
 #include "base/clock.h"
 #include "base/median.h"

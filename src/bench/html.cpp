@@ -1,4 +1,4 @@
-#include "bench/report/html.h"
+#include "bench/html.h"
 
 #include <algorithm>
 

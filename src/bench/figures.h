@@ -11,9 +11,9 @@
 #include "base/progress.h"
 #include "bench/accuracy.h"
 #include "bench/eigen.h"
+#include "bench/exp.h"
 #include "bench/frame_bars.h"
 #include "bench/mode_comparison.h"
-#include "bench/timing/exp.h"
 
 namespace viete::bench {
 

@@ -1,4 +1,4 @@
-#include "bench/report/figures.h"
+#include "bench/figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 #include "bench/exp.h"
 #include "bench/frame.h"
+#include "bench/halfway.h"
 #include "bench/models.h"
 #include "bench/modes.h"
 #include "bench/modes_table.h"
-#include "bench/published_shapes.h"
 #include "mesh/normals.h"
 
 namespace viete::bench {

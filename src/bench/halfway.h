@@ -1,13 +1,14 @@
-// Shapes of published meshes, a lion's poses and a horse's gallop, and what is known to be possible there.
+// Halfway from a model at rest to its shapes: how far edges and volume are off, in log space and straight.
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
-#include "bench/bars.h"
+#include "mesh/half_edges.h"
 #include "mesh/surface.h"
 
 namespace viete::bench {
@@ -22,8 +23,11 @@ struct ShapesOfModel {
 /// Throws base::Error.
 ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
                                    const std::vector<std::filesystem::path>& shapes);
-/// Of a folder that holds lion/rest.obj and lion/pose_##.obj. Throws base::Error.
-ShapesOfModel read_lion(const std::filesystem::path& folder);
+
+/// Of edges' lengths over the geometric mean of those in a and in b: the root mean square of |log|. Edges
+/// without length do not count.
+double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
+                  std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 
 /// Halfway from rest to each shape, in log space and on straight lines: how far edges and volume are from
 /// those of both ends. The volume is over the smaller end's, NaN where the model encloses none; so are those
@@ -34,18 +38,10 @@ struct HalfwayShapes {
   std::vector<mesh::Point> straight, in_log_space;
 };
 HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape);
-void print_halfway(const nlohmann::json& halfway);
 
 /// The row of the shape that straight lines lose most volume on the way to; null if there is none.
 const nlohmann::json* most_lost(const nlohmann::json& halfway);
 /// By its file: "shape_coiled.pc2" is coiled.
 std::string name_of_shape(const nlohmann::json& row);
-
-/// The lion's, compared with their bars.
-void check_halfway(const nlohmann::json& halfway, Bars& bars);
-
-/// Frames of horse/gallop_##.obj that are left out, and filled in by a timeline; and frames that are posed by
-/// seven vertices and six of the others, beside linear blend shapes. Throws base::Error.
-nlohmann::json check_gallop(const std::filesystem::path& folder, Bars& bars);
 
 }  // namespace viete::bench

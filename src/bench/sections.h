@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/report/figures.h"
+#include "bench/figures.h"
 
 namespace viete::bench {
 

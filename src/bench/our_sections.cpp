@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "base/quantity.h"
+#include "bench/findings.h"
+#include "bench/html.h"
 #include "bench/methods.h"
 #include "bench/modes_table.h"
 #include "bench/plot.h"
-#include "bench/report/findings.h"
-#include "bench/report/html.h"
-#include "bench/report/sections.h"
+#include "bench/sections.h"
 #include "bench/svg.h"
 
 namespace viete::bench {

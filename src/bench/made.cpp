@@ -1,4 +1,4 @@
-#include "bench/report/made.h"
+#include "bench/made.h"
 
 #include <sys/utsname.h>
 #include <unistd.h>

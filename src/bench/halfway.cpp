@@ -1,0 +1,125 @@
+#include "bench/halfway.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/worker_pool.h"
+#include "bench/rest_model.h"
+#include "deform/shape_space.h"
+#include "mesh/formats/read.h"
+#include "scene/files/shape_import.h"
+
+namespace viete::bench {
+
+namespace {
+
+using Points = std::vector<mesh::Point>;
+
+/// What lies between rest and a shape.
+class Between {
+public:
+  Between(const deform::ShapeSpace& space, const Points& shape)
+      : logs_(space.logs()),
+        shape_(shape),
+        vector_(space.vector(shape, pool_)),
+        held_(logs_.held_between(logs_.at_rest(), vector_)) {}
+
+  Points straight(double share) const {
+    Points line;
+    for (std::size_t v = 0; v < shape_.size(); ++v)
+      line.push_back((1 - share) * logs_.rest()[v] + share * shape_[v]);
+    return line;
+  }
+  Points in_log_space(double share) {
+    const deform::LogTerm term{&vector_, share};
+    Points positions(shape_.size());
+    logs_.shape({&term, 1}, held_, pool_, work_, positions);
+    return positions;
+  }
+
+private:
+  base::WorkerPool pool_{1};
+  const deform::LogSpace& logs_;
+  const Points& shape_;
+  deform::LogVector vector_;
+  deform::Held held_;
+  deform::LogSpace::Work work_;
+};
+
+}  // namespace
+
+double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
+                  std::span<const mesh::Point> b, std::span<const mesh::Point> shape) {
+  const auto length = [](std::span<const mesh::Point> p, const mesh::Edge& e) {
+    return mesh::norm(p[e[0]] - p[e[1]]);
+  };
+  double squares = 0;
+  std::size_t count = 0;
+  for (const mesh::Edge& e : edges) {
+    const double expected = std::sqrt(length(a, e) * length(b, e));
+    if (!(expected > 0)) continue;
+    const double error = std::log(length(shape, e) / expected);
+    squares += error * error, ++count;
+  }
+  return std::sqrt(squares / static_cast<double>(count));
+}
+
+ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
+                                   const std::vector<std::filesystem::path>& shapes) {
+  ShapesOfModel model{mesh::read(rest).surface, {}, {}};
+  for (const auto& [name, shape] : scene::read_shapes(shapes, model.rest).shapes)
+    model.names.push_back(name), model.shapes.push_back(*shape);
+  return model;
+}
+
+nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress, std::size_t moments) {
+  base::WorkerPool pool(1);
+  const deform::ShapeSpace space(model.rest, pool);
+  const std::vector<mesh::Edge> edges = mesh::polygon_edges(model.rest);
+  const RestModel rest(model.rest);
+  const Points& from = rest.positions();
+  nlohmann::json rows = nlohmann::json::array();
+  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+    const Points& to = model.shapes[i];
+    const double smaller = std::min(1.0, rest.volume(to));
+    const auto volume = [&](const Points& at) {
+      return rest.encloses() ? rest.volume(at) / smaller : std::nan("");
+    };
+    const auto measured = [&](const Points& half) {
+      return nlohmann::json{{"edges", edge_error(edges, from, to, half)}, {"volume", volume(half)}};
+    };
+    Between between(space, to);
+    nlohmann::json log = measured(between.in_log_space(0.5)), line = measured(between.straight(0.5));
+    for (std::size_t m = 0; m < moments; ++m) {
+      const double share = static_cast<double>(m) / static_cast<double>(moments - 1);
+      log["volumes"].push_back(volume(between.in_log_space(share)));
+      line["volumes"].push_back(volume(between.straight(share)));
+      progress.report((static_cast<double>(i) + share) / static_cast<double>(model.shapes.size()));
+    }
+    rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
+  }
+  return rows;
+}
+
+HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape) {
+  base::WorkerPool pool(1);
+  const deform::ShapeSpace space(model.rest, pool);
+  Between between(space, model.shapes[shape]);
+  return {between.straight(0.5), between.in_log_space(0.5)};
+}
+
+const nlohmann::json* most_lost(const nlohmann::json& halfway) {
+  const nlohmann::json* most = nullptr;
+  for (const auto& row : halfway) {
+    if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
+  }
+  return most;
+}
+
+std::string name_of_shape(const nlohmann::json& row) {
+  const std::string name = row["name"], prefix = "shape_";
+  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+}
+
+}  // namespace viete::bench
