@@ -10,7 +10,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 picture() {  # NAME DISTANCE OPTION...: the smaller a model, the farther its camera, so that all are about as large
   name=$1
-  printf '{"format": "viete session", "version": 5, "model": "%s.ply", "view": {"panels": false},
+  printf '{"format": "viete session", "version": 1, "model": "%s.ply", "view": {"panels": false},
     "camera": {"target": [0, 0, 0], "distance": %s, "yaw": 0.1, "pitch": 0.25}}' "$1" "$2" > "$scratch/$name.viete"
   shift 2
   "$viete" between "$dragon/dragon.ply" "$dragon/shape_coiled.pc2" "$@" -o "$scratch/$name.ply" 2>/dev/null

@@ -41,7 +41,6 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
                    workspace.saved.revision(),
                    document.revisions().method,
                    workspace.view,
-                   document.model.unit,
                    no_drag ? scene::has_unsaved_edits(workspace) : seen_.unsaved};
   if (now == seen_) return follow_surroundings(workspace);
   const bool other = now.opened != seen_.opened;

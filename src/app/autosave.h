@@ -49,7 +49,6 @@ private:
     unsigned long edits = 0, saved = 0;
     scene::Revision method = 0;
     scene::ViewOptions view;
-    scene::LengthUnit unit = scene::LengthUnit::unknown;
     bool unsaved = false;  // which going to another frame may change, too
     friend bool operator==(const Moment&, const Moment&) = default;
   };

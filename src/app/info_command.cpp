@@ -24,12 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t named = 12;  // elements of a finding
 
-std::string sized(double value, const scene::OpenedSurface& surface, int power) {
-  char number[32];
-  std::snprintf(number, sizeof number, "%g", value);
-  return scene::with_unit(number, surface.unit, power);
-}
-
 void print(const scene::OpenedSurface& surface) {
   const mesh::Summary& f = surface.summary;
   const mesh::Bounds& box = surface.bounds;
@@ -47,10 +41,10 @@ void print(const scene::OpenedSurface& surface) {
                     ? "no holes"
                     : base::counted(topology->boundary_loops.size(), "hole").c_str());
   }
-  std::printf("  box         (%g, %g, %g) to (%g, %g, %g), diagonal %s\n", box.low[0], box.low[1], box.low[2],
-              box.high[0], box.high[1], box.high[2], sized(box.diagonal(), surface, 1).c_str());
-  std::printf("  area        %s\n", sized(f.area, surface, 2).c_str());
-  if (f.closed()) std::printf("  volume      %s\n", sized(f.volume, surface, 3).c_str());
+  std::printf("  box         (%g, %g, %g) to (%g, %g, %g), diagonal %g\n", box.low[0], box.low[1], box.low[2],
+              box.high[0], box.high[1], box.high[2], box.diagonal());
+  std::printf("  area        %g\n", f.area);
+  if (f.closed()) std::printf("  volume      %g\n", f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
   const auto document = scene::document_of(surface);
   using Check = void (*)(const scene::Document&);

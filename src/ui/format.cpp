@@ -31,10 +31,6 @@ std::string length(double value) {
   return print("%.3g", value);
 }
 
-std::string measured(double value, scene::LengthUnit unit, int power) {
-  return scene::with_unit(print("%.6g", value), unit, power);
-}
-
 std::string ratio(double value) {
   return base::few_digits(value) + " x";
 }

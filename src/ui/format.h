@@ -5,7 +5,6 @@
 #include <string>
 
 #include "base/quantity.h"
-#include "scene/document/length_unit.h"
 
 namespace viete::ui {
 
@@ -22,8 +21,6 @@ std::string error(double relative);
 std::string rough_error(double relative);
 /// Three significant digits: "0.123", "12.3", "1.23e+07".
 std::string length(double value);
-/// Six digits, and the unit: "12.4 cm" with a small 2 for power 2.
-std::string measured(double value, scene::LengthUnit unit, int power = 1);
 /// "124 x".
 std::string ratio(double value);
 

@@ -108,8 +108,7 @@ constexpr Offer offers[] = {{"undo", false},           {"redo", false},
                             {"merge_vertices", false}, {"remove_elements", false},
                             {"make_cage", true},       {"edit_cage", false},
                             {"set_key", true},         {"keep_pose", false},
-                            {"add_probe", true},       {"mark_point", false},
-                            {"command_palette", true}};
+                            {"add_probe", true},       {"command_palette", true}};
 
 }  // namespace
 

@@ -40,7 +40,6 @@ void analysis(const Context& ui) {
   panel_views(ui);
   panel_vertex(ui);
   panel_custom(ui);
-  panel_measures(ui);
   if (ui.workspace.reporting.running)
     progress_bar(ui, ImGui::GetContentRegionAvail().x, ui.workspace.reporting.done);
   command_row(ui, {ui.workspace.reporting.running ? "stop_report" : "show_report"});
@@ -65,14 +64,12 @@ void draw_panels(const Context& ui) {
   const ImDrawList& background = *ImGui::GetBackgroundDrawList();
   const DrawnBefore before{background.VtxBuffer.Size, background.IdxBuffer.Size,
                            static_cast<int>(background._VtxCurrentIdx)};
-  path_overlay(ui);
   if (ui.workspace.tools) torn_overlay(ui), probe_overlay(ui), hand_overlay(ui), gizmo_overlay(ui);
   vertex_overlay(ui);
   repeat_in_views(ui, before);
   axis_overlay(ui);
   split_overlay(ui);
   if (ui.workspace.tools) view_overlay(ui);
-  mark_overlay(ui);
   if (ui.workspace.view.panels) {
     menu_bar(ui);
     tool_strip(ui);

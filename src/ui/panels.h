@@ -36,9 +36,7 @@ void panel_poses(const Context& ui);     ///< poses with names, and how much of 
 void timeline_panel(const Context& ui);  ///< below the view
 void timeline_track(const Context& ui, ImVec2 low, ImVec2 high);  ///< part of it: ruler, keys and playhead
 void easing_graph(const Context& ui, ImVec2 size);  ///< part of it: how a key comes to the next one
-void path_overlay(const Context& ui);               ///< the ways of the selected vertices
 void panel_checks(const Context& ui);
-void panel_measures(const Context& ui);
 void panel_method(const Context& ui);
 void panel_timings(const Context& ui);
 void panel_deformer(const Context& ui);
@@ -76,7 +74,6 @@ void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
 void torn_overlay(const Context& ui);               ///< where the mesh may fold, see pose_notes()
-void mark_overlay(const Context& ui);               ///< marks on the model, and the length between two
 float map_legend(const Context& ui, float bottom);  ///< of the colours on the mesh
 scene::SelectMode select_mode();                    ///< as Shift and Ctrl are held
 void select_overlay(const Context& ui);             ///< box, lasso and brush, being drawn or about to be

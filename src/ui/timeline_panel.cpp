@@ -63,13 +63,6 @@ void auto_icon(const TimePen& pen, bool on) {
   if (on) return pen.draw.AddCircleFilled(pen.middle, 0.8f * icon, pen.color);
   pen.draw.AddCircle(pen.middle, 0.8f * icon, pen.color, 0, 1.25f);
 }
-void paths_icon(const TimePen& pen, bool) {
-  pen.draw.PathArcTo(pen.at(0, 1.0f), 1.2f * icon, 3.5f, 5.9f, 12);
-  pen.draw.PathStroke(pen.color, 0, 1.25f);
-  pen.draw.AddCircleFilled(pen.at(-1.1f, 0.6f), 1.8f, pen.color);
-  pen.draw.AddCircleFilled(pen.at(1.1f, 0.6f), 1.8f, pen.color);
-}
-
 void export_icon(const TimePen& pen, bool) {
   pen.draw.AddLine(pen.at(0, 0.4f), pen.at(0, -0.7f), pen.color, 1.25f);
   pen.draw.AddTriangleFilled(pen.at(0, -1.1f), pen.at(-0.5f, -0.4f), pen.at(0.5f, -0.4f), pen.color);
@@ -186,7 +179,6 @@ void transport(const Context& ui, float right) {
                               button_piece(ui, "set_key", key_icon, 12),
                               button_piece(ui, "set_camera_key", camera_icon),
                               button_piece(ui, "toggle_auto_key", auto_icon),
-                              button_piece(ui, "toggle_paths", paths_icon),
                               button_piece(ui, "save_animation", export_icon, 12)};
   row_of_pieces(ui, "time/more", pieces, right);
 }

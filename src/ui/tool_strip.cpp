@@ -111,11 +111,6 @@ void probe_icon(const Pen& pen) {
   pen.dot(-0.2f, 0.2f);
 }
 
-void mark_icon(const Pen& pen) {
-  pen.line(-0.75f, 0.6f, 0.75f, -0.6f);
-  pen.dot(-0.75f, 0.6f), pen.dot(0.75f, -0.6f);
-}
-
 void more_icon(const Pen& pen) {
   for (const float x : {-0.75f, 0.0f, 0.75f}) pen.dot(x, 0.2f);
 }
@@ -129,8 +124,7 @@ constexpr StripTool strip[] = {{"tool_select", select_icon, false}, {"tool_move"
                                {"tool_rotate", rotate_icon, false}, {"tool_scale", scale_icon, false},
                                {"tool_paint", paint_icon, false},   {"select_box", box_icon, true},
                                {"select_lasso", lasso_icon, false}, {"select_brush", brush_icon, false},
-                               {"edit_cage", cage_icon, true},      {"add_probe", probe_icon, false},
-                               {"mark_point", mark_icon, false}};
+                               {"edit_cage", cage_icon, true},      {"add_probe", probe_icon, false}};
 
 float top_of(std::size_t index) {
   float y = static_cast<float>(index) * (tool_size + tool_gap);

@@ -111,9 +111,7 @@ void transform_fields(const Context& ui) {
     command_choice(ui, {"select_vertices", "select_edges", "select_faces", "select_probes"}, kind);
   if (w.tool == scene::Tool::paint) return brush_fields(ui);
   const Fields shown = fields(w);
-  const scene::LengthUnit unit = w.document.model.unit;
-  const bool place = w.tool == scene::Tool::move || w.tool == scene::Tool::select;
-  note(ui, place ? scene::with_unit(shown.label, unit) : shown.label);
+  note(ui, shown.label);
   ImGui::BeginDisabled(w.document.selection.empty() || w.interaction.drag);
   const float letter = ImGui::CalcTextSize("X").x + ImGui::GetStyle().ItemInnerSpacing.x;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;

@@ -416,16 +416,6 @@ void show_making(Driver& d) {
   put_numbers(d);
 }
 
-void show_marks(Driver& d) {
-  d.open_dragon();
-  d.workspace().view.cage = false;
-  d.workspace().marks = {{1000, {1, 0, 0}}, {60000, {0, 1, 0}}};
-  d.workspace().document.model.unit = scene::LengthUnit::centimetre;
-  for (const char* title : {"Model", "Cage", "Measures"}) d.click(std::string("section/") + title);
-  d.move({1, 1});
-  put_numbers(d);
-}
-
 // The cage is edited, and vertices of the model that are outside of it are shown.
 void show_outside(Driver& d) {
   const test::TemporaryFolder folder;
@@ -454,7 +444,6 @@ const Picture texts[] = {
     {"choice_blend", {640, 560}, show_blend},
     {"cage_offer", {860, 520}, show_cage_offer},
     {"cage_making", {860, 560}, show_making},
-    {"marks", {860, 520}, show_marks},
     {"cage_outside", {860, 800}, show_outside},
 };
 

@@ -17,12 +17,11 @@ const WindowSize sizes[] = {{{640, 400}, 1},      {{1280, 800}, 2},  {{800, 600}
                             {{1366, 768}, 1},     {{2048, 1280}, 2}, {{2560, 1440}, 2}, {{1920, 1080}, 1.25f},
                             {{2880, 1620}, 1.5f}, {{1440, 900}, 1}};
 
-const char* const tools[] = {"tool_select", "tool_move",  "tool_rotate",  "tool_scale",
-                             "tool_paint",  "select_box", "select_lasso", "select_brush",
-                             "edit_cage",   "add_probe",  "mark_point"};
-const char* const commands_of_time[] = {"first_frame",  "previous_key",  "play",           "next_key",
-                                        "last_frame",   "set_key",       "set_camera_key", "toggle_auto_key",
-                                        "toggle_paths", "save_animation"};
+const char* const tools[] = {"tool_select", "tool_move",    "tool_rotate",  "tool_scale", "tool_paint",
+                             "select_box",  "select_lasso", "select_brush", "edit_cage",  "add_probe"};
+const char* const commands_of_time[] = {"first_frame",    "previous_key",    "play",
+                                        "next_key",       "last_frame",      "set_key",
+                                        "set_camera_key", "toggle_auto_key", "save_animation"};
 const char* const fields_of_time[] = {"time/frame",  "time/first",     "time/last",     "time/rate",
                                       "time/repeat", "time/log_space", "time/straight", "time/easing"};
 

@@ -302,27 +302,6 @@ TEST_CASE("auto_key_keeps_what_the_hand_does_and_without_it_undo_leads_back") {
   CHECK(d.pose() == keyed);
 }
 
-TEST_CASE("paths_of_the_selected_vertices_are_drawn_in_both_ways") {
-  Timed d;
-  d.press_key('I');
-  d.key_pose_of("pose_coil", 25);
-  d.go_to(12);
-  const std::uint32_t far = d.farthest_from_rest();
-  d.document().selection.apply(std::array{far}, scene::SelectMode::replace);
-  d.frame(2);
-  const auto before = d.picture();
-  d.click("time/toggle_paths");
-  d.move({720, 100});
-  d.frame(2);
-  CHECK(d.picture().rgba != before.rgba);
-  d.show("paths");
-  const auto& paths = d.workspace().paths.of(d.workspace().document, scene::animation_of(d.workspace()));
-  REQUIRE(paths.paths.size() == 1);
-  CHECK(paths.paths[0].by_logs.front() == paths.paths[0].straight.front());
-  CHECK(paths.paths[0].by_logs.back() == paths.paths[0].straight.back());
-  CHECK(distance_of(paths.paths[0].by_logs, paths.paths[0].straight) > 1e-3);
-}
-
 TEST_CASE("a_session_brings_poses_keys_and_frame_back") {
   const test::TemporaryFolder folder;
   std::vector<mesh::Point> there;

@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "scene/workspace/workspace.h"
+
 using namespace viete;
 using namespace viete::scene;
 

@@ -5,9 +5,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/hand/axis_widget.h"
 #include "scene/cube.h"
-#include "scene/workspace/measures.h"
+#include "scene/hand/axis_widget.h"
 #include "support/commands.h"
 
 using namespace viete;
@@ -74,41 +73,4 @@ TEST_CASE("each_ball_of_the_axes_looks_along_its_axis_whatever_is_up") {
       }
     }
   }
-}
-
-TEST_CASE("area_and_volume_of_a_cube_and_the_length_between_two_marks") {
-  Workspace w = test::cube_workspace();
-  const Measures rest = measure(w.document, {});
-  CHECK(rest.area == doctest::Approx(24));
-  CHECK(rest.volume == doctest::Approx(8));
-  std::vector<deform::FrameVertex> twice(8);
-  for (std::size_t v = 0; v < 8; ++v) {
-    for (std::size_t k = 0; k < 3; ++k)
-      twice[v].position[k] = static_cast<float>(2 * w.document.model.surface->positions[v][k]);
-  }
-  w.posed = {twice, {0, 0, 0}};
-  const Measures& posed = measure(w.document, w.posed, w.measures);
-  CHECK(posed.area == doctest::Approx(96));
-  CHECK(posed.volume == doctest::Approx(64));
-  const SurfacePoint corner{0, {1, 0, 0}};
-  const auto at_rest = place_of(w.document, {}, corner), now = place_of(w.document, w.posed, corner);
-  for (std::size_t k = 0; k < 3; ++k) CHECK(now[k] == doctest::Approx(2 * at_rest[k]));
-}
-
-TEST_CASE("marks_are_put_where_the_cursor_meets_the_model_and_a_third_begins_anew") {
-  Workspace w = test::cube_workspace();
-  w.interaction.cursor = w.viewport.origin + 0.5f * w.viewport.size;
-  REQUIRE(test::run_command(w, "mark_point"));
-  REQUIRE(w.marks.size() == 1);
-  const auto place = place_of(w.document, w.posed, w.marks[0]);
-  CHECK(mesh::largest_abs(place) == doctest::Approx(1));
-  REQUIRE(test::run_command(w, "mark_point"));
-  REQUIRE(test::run_command(w, "mark_point"));
-  CHECK(w.marks.size() == 1);
-  w.interaction.cursor = w.viewport.origin + glm::vec2(3, 3);
-  REQUIRE(test::run_command(w, "mark_point"));
-  CHECK(w.marks.size() == 1);
-  REQUIRE(test::run_command(w, "clear_marks"));
-  CHECK(w.marks.empty());
-  CHECK_FALSE(test::run_command(w, "clear_marks"));
 }

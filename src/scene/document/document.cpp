@@ -87,7 +87,6 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   opened.summary = mesh::summarize(read.surface);
   opened.bounds = mesh::used_bounds(read.surface);
   opened.warnings = std::move(read.warnings);
-  opened.unit = guessed_unit(opened.format, read.comments);
   opened.content = mesh::content_key(read.surface);
   opened.attributes = std::move(read.attributes);
   opened.original = std::move(read.original);
@@ -179,7 +178,6 @@ OpenedSurface without_fins(OpenedSurface cage) {
   const std::size_t removed = cage.surface->polygon_count() - rest.polygon_count();
   if (removed == 0) return cage;
   OpenedSurface made = made_surface(std::move(rest), name_of(cage) + ", without its fins");
-  made.unit = cage.unit;
   made.warnings = std::move(cage.warnings);
   made.warnings.push_back(base::counted(removed, "face") + " of " + name_of(cage) +
                           " that stuck out removed; save the cage to keep it so");

@@ -11,7 +11,6 @@
 #include "mesh/formats/original.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
-#include "scene/document/length_unit.h"
 
 namespace viete::scene {
 
@@ -25,9 +24,8 @@ struct OpenedSurface {
   mesh::Summary summary;
   mesh::Bounds bounds;  ///< of the vertices that a polygon uses
   std::vector<std::string> warnings;
-  LengthUnit unit = LengthUnit::unknown;  ///< guessed, or as a person has said
-  std::uint64_t content = 0;              ///< mesh::content_key(); 0: not known
-  std::string made;  ///< of one that is in no file: what it is, "made here", "cage.obj, edited"
+  std::uint64_t content = 0;  ///< mesh::content_key(); 0: not known
+  std::string made;           ///< of one that is in no file: what it is, "made here", "cage.obj, edited"
 };
 
 /// For people: of its file, or what was made.

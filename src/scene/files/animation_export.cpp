@@ -271,7 +271,7 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
   model.notes().add(mesh::write_animated(what.model.file, content, what.model.original.get(),
                                          model.motion(plan), progress));
   const bool original = mesh::writes_itself(what.model.original.get(), what.model.file);
-  const std::string units = original ? "" : gltf_note(what.model.unit, what.model.up);
+  const std::string units = original ? "" : gltf_note(what.model.up);
   if (!units.empty()) model.notes().add({units});
   AnimationReport report;
   model.tell(plan, report);

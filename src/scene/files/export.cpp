@@ -37,7 +37,6 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
              document.probes,
              document.shape,
              document.model.path,
-             document.model.unit,
              guessed_up(document.model),
              {}};
   if (document.has_cage()) return all;
@@ -103,7 +102,7 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
   for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
   const bool new_gltf = !writes_original(what) && mesh::surface_format(what.file).in_metres;
   for (const std::string& note :
-       {method_note(what.method, deformed.exp_error), new_gltf ? gltf_note(what.unit, what.up) : ""}) {
+       {method_note(what.method, deformed.exp_error), new_gltf ? gltf_note(what.up) : ""}) {
     if (!note.empty()) notes.push_back(note);
   }
   return notes;
@@ -163,24 +162,16 @@ std::uint64_t content_key(const Export& what) {
   add_text(sum, scheme_json(what.scheme).dump() + probes_json(probes).dump() +
                     std::string(sym3::name(what.method)));
   if (what.mask) add_all(sum, *what.mask);
-  add_number(sum, static_cast<std::uint64_t>(what.unit));
   add_number(sum, static_cast<std::uint64_t>(what.up));
   add_number(sum, static_cast<std::uint64_t>(what.digits.kind) << 32 |
                       static_cast<std::uint64_t>(what.digits.decimals));
   return sum.value();
 }
 
-std::string gltf_note(LengthUnit unit, UpAxis up) {
-  const bool scaled = unit != LengthUnit::unknown && unit != LengthUnit::metre, turned = up == UpAxis::z;
-  if (!scaled && !turned) return "";
-  const std::string scale = "scale by " + mesh::short_number(static_cast<float>(entry(unit).metres));
-  const std::string are(entry(unit).plural), turn = "turn by -90 degrees about X";
-  if (!turned)
-    return "other programs take the numbers of a glTF file as metres; these are " + are + ": " + scale +
-           " there";
-  if (!scaled) return "other programs take Y of a glTF file as up; here it is Z: " + turn + " there";
-  return "other programs take the numbers of a glTF file as metres and Y as up; these are " + are +
-         " with Z up: " + scale + " there and " + turn;
+std::string gltf_note(UpAxis up) {
+  return up == UpAxis::z
+             ? "other programs take Y of a glTF file as up; here it is Z: turn by -90 degrees about X there"
+             : "";
 }
 
 std::string at_most(double error) {

@@ -28,10 +28,9 @@ struct Export {
   sym3::Method method;
   deform::Mask mask;
   deform::Probes probes;
-  SharedShape shape;                      ///< of the model; null: at rest
-  std::filesystem::path model_file;       ///< that the original is of; empty: none
-  LengthUnit unit = LengthUnit::unknown;  ///< of the model
-  UpAxis up = UpAxis::y;                  ///< which of its axes is taken as up
+  SharedShape shape;                 ///< of the model; null: at rest
+  std::filesystem::path model_file;  ///< that the original is of; empty: none
+  UpAxis up = UpAxis::y;             ///< which of its axes is taken as up
   mesh::Digits digits = {};
 };
 
@@ -61,7 +60,7 @@ std::uint64_t content_key(const Export& what);
 
 /// That other programs will take a glTF's numbers as metres and Y as up, and what to do there; empty where
 /// that is so.
-std::string gltf_note(LengthUnit unit, UpAxis up);
+std::string gltf_note(UpAxis up);
 
 /// "5.8e-07": an upper bound in two digits, rounded up.
 std::string at_most(double error);

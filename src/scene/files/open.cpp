@@ -307,7 +307,6 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   document.mask = fit_to_model(session, *document.model.surface, file);
   fit_pins(session, *document.model.surface, file);
   document.probes = session.probes;
-  document.model.unit = session.unit.value_or(document.model.unit);
   const bool has_pose = session.pose.has_value() || session.shape || !document.has_cage();
   if (document.has_cage()) {
     fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be

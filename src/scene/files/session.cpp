@@ -270,7 +270,6 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (session.sides.wipe) json["wipe"] = session.sides.line;
   for (const CameraPose& camera : session.sides.cameras) json["cameras"].push_back(camera_json(camera));
   if (session.handling != Handling{}) json["hand"] = handling_json(session.handling);
-  if (session.unit) json["unit"] = entry(*session.unit).symbol;
   if (session.window) json["window"] = {session.window->x, session.window->y};
   json["selecting"] = kind_names[static_cast<std::size_t>(session.selecting)];
   json["selection"] = session.selection;
@@ -305,7 +304,6 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   const auto read_camera = [](const JsonReader& v) { return camera_of(v); };
   const auto read_view = [&](const JsonReader& v) { return view_of(v, s.warnings); };
   const auto read_hand = [&](const JsonReader& v) { return handling_of(v, s.warnings); };
-  const auto read_unit = [](const JsonReader& v) { return word_of(v, length_unit_of_symbol); };
   take("session", s.origin, read_path, "saving will ask for a name");
   take("session_content", s.origin_content, from_hexadecimal, unknown);
   take("first_edit", s.first_edit, &JsonReader::text, "it is not known");
@@ -340,7 +338,6 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   const auto read_cameras = [&](const JsonReader& v) { return cameras_of(v, s.sides.sides.size()); };
   take("cameras", s.sides.cameras, read_cameras, "all views have the first one's instead");
   take("hand", s.handling, read_hand, new_window);
-  take("unit", s.unit, read_unit, "as the model's file says instead");
   take("window", s.window, window_of, "the usual size instead");
   std::optional<ElementKind> kind = ElementKind::vertex;
   const auto read_kind = [&](const JsonReader& v) {

@@ -53,8 +53,6 @@ struct MaskRun {
 ///   "wipe"                of two views, where the line between them is, 0.05 to 0.95; missing: side by side
 ///   "cameras"             as "camera", one of each of "views", where they are not linked; missing: they are
 ///   "hand"                see handling_json.h; missing: as in a new window
-///   "unit"                what one unit of the model's file measures: "mm", "cm", "m", "in", "ft" or "none";
-///                         missing: as the file says
 ///   "window"              [width, height] in logical pixels
 ///   "selecting"           "vertices", "edges" or "faces" of the cage, or "probes"
 ///   "selection"           their indices, from 0
@@ -69,9 +67,9 @@ struct MaskRun {
 ///   missing:
 ///                         there are none
 ///   "shape"               the number of the one that the model has; missing: it is at rest
-/// Only format, version and model are required. Unknown keys are ignored, so that newer programs may add some.
-/// Ranges are those of scene/document/range.h. What is damaged beside model, cage and the list of positions
-/// costs its own part: it counts as missing, and a warning says so.
+/// Only format, version and model are required. Unknown keys are ignored, so that newer programs may add
+/// some. Ranges are those of scene/document/range.h. What is damaged beside model, cage and the list of
+/// positions costs its own part: it counts as missing, and a warning says so.
 struct Session {
   std::filesystem::path model, cage;       ///< absolute; cage may be empty
   std::optional<OpenedSurface> made_cage;  ///< that is in no file
@@ -87,7 +85,6 @@ struct Session {
   ViewOptions view;
   SideWays sides;
   Handling handling;
-  std::optional<LengthUnit> unit;  ///< missing: as the model's file says
   std::optional<glm::ivec2> window;
   ElementKind selecting = ElementKind::vertex;
   std::vector<std::uint32_t> selection;

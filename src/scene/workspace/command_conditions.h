@@ -71,8 +71,6 @@ inline constexpr Condition has_free_probes_selected{
     "Select a probe that is not locked first."};
 inline constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
                                     "Nothing is painted: all of the model follows the cage."};
-inline constexpr Condition has_marks{[](const Workspace& w) { return !w.marks.empty(); },
-                                     "Point at the model and press Y first."};
 inline constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
                                          "Nothing is selected."};
 inline constexpr Condition has_selection_or_hover{

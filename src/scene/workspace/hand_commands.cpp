@@ -1,6 +1,5 @@
 #include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
-#include "scene/hand/pose_alike.h"
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
@@ -61,21 +60,10 @@ void shape(Workspace& w) {
   w.interaction.grab = {Tool::select, Kind};
 }
 
-std::optional<std::uint32_t> active_vertex(const Document& document) {
-  return document.selection.kind() == ElementKind::vertex ? document.selection.active() : std::nullopt;
-}
-
 void copy_pose(Workspace& w) {
-  w.copied = {w.document.cage, moving_vertices(w.document), {}, active_vertex(w.document)};
+  w.copied = {w.document.cage, moving_vertices(w.document), {}};
   for (const auto v : w.copied.vertices) w.copied.positions.push_back(w.document.pose.positions[v]);
   w.messages.info("Copied the pose of " + counted(ElementKind::vertex, w.copied.vertices.size()) + ".");
-}
-
-void pose_like_copied(Workspace& w) {
-  const PosedPart part{w.copied.vertices, w.copied.positions, w.copied.active};
-  const std::string why =
-      pose_alike(w.document, part, moving_vertices(w.document), active_vertex(w.document), mirror_of(w));
-  if (!why.empty()) w.messages.info(why);
 }
 
 void add_key_presets(CommandTable& table) {
@@ -97,9 +85,6 @@ constexpr Condition can_grab{
 constexpr Condition can_shape{
     [](const Workspace& w) { return can_grab(w) && w.document.selection.kind() != ElementKind::probe; },
     "Select something of the cage first."};
-constexpr Condition can_pose_alike{
-    [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && can_shape(w); },
-    "Copy the pose of a part of this cage, then select another part that is built like it."};
 constexpr Condition has_copied{
     [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && !in_hand(w); },
     "Copy the pose of a part of this cage first."};
@@ -152,12 +137,6 @@ void add_hand_commands(CommandTable& table) {
             {key('V'), true}, has_copied, [](Workspace& w) {
               paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w));
             });
-  table.add(
-      "pose_alike", {"Pose like the copied part", "Pose alike"},
-      "The selected part takes the pose of the part that was copied, relative to where each hangs: a hand "
-      "as the "
-      "other hand.",
-      {key('V'), true, true}, can_pose_alike, pose_like_copied);
   table.add("place_pivot", "Place pivot",
             "The next click says what the selection turns about: a vertex, an edge or the model's surface.",
             {key('J')}, has_model, begin_placing_pivot);

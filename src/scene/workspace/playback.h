@@ -19,7 +19,6 @@ struct Playback {
   bool playing = false;
   bool backward = false;  ///< as ping-pong comes back
   bool auto_key = false;  ///< what a hand changes becomes a key of its frame
-  bool paths = false;     ///< the ways of the selected vertices are drawn
   KnownVectors vectors{};
   std::shared_ptr<const Animation> animation{};  ///< of `timeline`; null where that has no keys
   Timeline timeline{};

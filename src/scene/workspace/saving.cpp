@@ -175,7 +175,6 @@ Session session_of(const Workspace& w) {
   session.view = w.view;
   session.sides = ways_of(w);
   session.handling = w.handling;
-  session.unit = w.document.model.unit;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
   session.selecting = w.document.selection.kind();
   session.selection = w.document.selection.indices();

@@ -39,7 +39,6 @@ void tell_what_is_lost(Workspace& w, const std::string& poses, bool in_file) {
 
 void take_document(Workspace& w, Document&& document, bool keep_settings) {
   const Document& old = w.document;
-  const bool same_model = document.model.surface == old.model.surface;
   if (keep_settings) {
     document.method = old.method;
     document.scheme = old.scheme;
@@ -48,12 +47,10 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.document = std::move(document);
   w.interaction = {};
   w.making = {.wish = w.making.wish};
-  w.playback = {
-      .auto_key = w.playback.auto_key, .paths = w.playback.paths, .vectors = std::move(w.playback.vectors)};
+  w.playback = {.auto_key = w.playback.auto_key, .vectors = std::move(w.playback.vectors)};
   w.chosen_pose.reset();
   w.time_view = {};
   w.offer_cage = true;
-  if (!same_model) w.marks.clear();
   w.stats.clear();
   w.methods = {};
   w.field = {};

@@ -278,9 +278,6 @@ void add_time_commands(CommandTable& table) {
              w, [&] { return set_straight(w.document, w.playback.vectors, !w.document.timeline.straight); });
        },
        [](const Workspace& w) { return w.document.timeline.straight; }});
-  table.add("toggle_paths", {"Show paths of vertices", "Paths"},
-            "Draw the ways of the selected vertices or pins, by logs and in straight lines.", always,
-            switches(&Playback::paths, &Workspace::playback));
   table.add("toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.",
             {key('T'), false, true}, always,
             {[](Workspace& w) { w.remembered.layout.timeline = !w.remembered.layout.timeline; },

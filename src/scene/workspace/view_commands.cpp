@@ -22,14 +22,6 @@ bool column_shown(const Workspace& w) {
   return w.view.panels && shown_columns(w.remembered.layout, w.viewport.window.x).of(Which) > 0;
 }
 
-void add_units(CommandTable& table) {
-  for (const LengthUnitEntry& entry : all_length_units())
-    table.choice(
-        "unit_" + std::string(entry.symbol), "Unit of the file", entry.symbol,
-        "Lengths are said in " + std::string(entry.plural) + "; no number is scaled.", has_model,
-        [unit = length_unit_of_symbol(entry.symbol)](Workspace& w) { w.document.model.unit = *unit; });
-}
-
 void choose_shading(Workspace& w, Shading shading) {
   w.view.shading = shading;
 }
@@ -64,14 +56,6 @@ void add_looks(CommandTable& table) {
       .under("Look from");
 }
 
-void mark_point(Workspace& w) {
-  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.middle());
-  const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
-  if (!hit) return w.messages.info("Point at the model to mark it.");
-  if (w.marks.size() == 2) w.marks.clear();
-  w.marks.push_back(*hit);
-}
-
 }  // namespace
 
 void add_camera_commands(CommandTable& table) {
@@ -91,16 +75,10 @@ void add_camera_commands(CommandTable& table) {
             "Which axis of the file points up: Z, or Y. Files are written as they came.", {key('U')}, always,
             {[](Workspace& w) { w.camera.set_up(w.camera.pose().up == UpAxis::z ? UpAxis::y : UpAxis::z); },
              [](const Workspace& w) { return w.camera.pose().up == UpAxis::z; }});
-  table.add("mark_point", {"Mark a point", "Mark"},
-            "Put a mark on the model under the cursor; between two of them the length is measured.",
-            {key('Y')}, has_model, mark_point);
-  table.add("clear_marks", "Clear marks", "Take the marks away.", {key('Y'), false, true}, has_marks,
-            [](Workspace& w) { w.marks.clear(); });
 }
 
 void add_view_commands(CommandTable& table) {
   table.heading("View");
-  add_units(table);
   table.add("toggle_wireframe", {"Show the wireframe", "Wireframe"}, "Show the edges of the mesh.",
             {key('W'), false, true}, always, switches(&ViewOptions::wireframe));
   add_choices<Shading>(table, "Shading", always, choose_shading);

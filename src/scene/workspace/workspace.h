@@ -35,9 +35,7 @@
 #include "scene/workspace/file_browser.h"
 #include "scene/workspace/frame_stats.h"
 #include "scene/workspace/layout.h"
-#include "scene/workspace/measures.h"
 #include "scene/workspace/messages.h"
-#include "scene/workspace/motion_path.h"
 #include "scene/workspace/playback.h"
 #include "scene/workspace/question.h"
 #include "scene/workspace/remembered.h"
@@ -193,8 +191,7 @@ struct KeyList {
 struct CopiedPose {
   std::shared_ptr<const deform::Cage> cage;
   std::vector<std::uint32_t> vertices;
-  std::vector<mesh::Point> positions;   ///< theirs
-  std::optional<std::uint32_t> active;  ///< among them, if one was
+  std::vector<mesh::Point> positions;  ///< theirs
 };
 
 struct Workspace {
@@ -212,12 +209,9 @@ struct Workspace {
   PinPosing pins;
   std::optional<std::size_t> chosen_pose;  ///< of the library: what the commands of poses act on
   TimeView time_view;
-  KnownPaths paths;
   PosePictures pose_pictures;
-  Brush brush;                      ///< of Tool::paint
-  PosedModel posed;                 ///< the model as it is drawn
-  std::vector<SurfacePoint> marks;  ///< on the model, two at most: the length between them is measured
-  KnownMeasures measures;
+  Brush brush;       ///< of Tool::paint
+  PosedModel posed;  ///< the model as it is drawn
   Requests requests;
   FrameStats stats;
   MethodStats methods;
@@ -238,16 +232,16 @@ struct Workspace {
   WorkState reporting;
   Saved saved;
   Remembered remembered;
-  std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
-  bool offers_leftovers = false;             ///< their notice is shown, until it is answered
-  float notice_height = 0;                   ///< logical pixels of its row, as it was drawn last
-  std::filesystem::path example;             ///< session with poses and keys of the bundled model
-  std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
-  Revision opened = 0;                       ///< another document was opened
-  std::vector<std::string> pose_notes;       ///< what the deformer had to decide in this pose, one line each
-  deform::LogReport pose_report;             ///< the same, to be marked at the cage
-  std::optional<Question> question;          ///< waits for an answer; nothing else is done meanwhile
-  std::optional<OpenRequest> unopened;       ///< what the question is of, when it is opened in another way
+  std::vector<Leftover> leftovers;       ///< unsaved work that can be brought back, newest first
+  bool offers_leftovers = false;         ///< their notice is shown, until it is answered
+  float notice_height = 0;               ///< logical pixels of its row, as it was drawn last
+  std::filesystem::path example;         ///< session with poses and keys of the bundled model
+  std::filesystem::path recovered_from;  ///< the leftover that is open, until its work is safe elsewhere
+  Revision opened = 0;                   ///< another document was opened
+  std::vector<std::string> pose_notes;   ///< what the deformer had to decide in this pose, one line each
+  deform::LogReport pose_report;         ///< the same, to be marked at the cage
+  std::optional<Question> question;      ///< waits for an answer; nothing else is done meanwhile
+  std::optional<OpenRequest> unopened;   ///< what the question is of, when it is opened in another way
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
   FileBrowser browser;
   Palette palette;
