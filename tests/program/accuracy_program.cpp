@@ -38,7 +38,7 @@ Shown shown(Driver& d, const render::Image& empty) {
 }  // namespace
 
 TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_where_it_is_not") {
-  Driver d;
+  Driver d(test::with_pixels);
   open_posed_dragon(d);
   d.workspace().view.model = false;
   d.settle();

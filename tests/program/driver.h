@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -14,6 +16,7 @@
 #include "app/offscreen_viewer.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
+#include "program/no_pixels.h"
 #include "scene/files/export.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/projector.h"
@@ -26,17 +29,31 @@ namespace viete::test {
 inline const std::filesystem::path dragon = assets_dir() / "dragon" / "dragon.ply",
                                    dragon_cage = assets_dir() / "dragon" / "cage.obj";
 
+/// A driver of a test that looks at pixels, with this kind of context.
+struct WithPixels {
+  platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any;
+};
+inline constexpr WithPixels with_pixels;
+
+/// Draws nothing, unless it is asked for or pictures are wanted (VIETE_PICTURES). Input, commands and panels
+/// are always the program's own.
 class Driver {
 public:
-  explicit Driver(app::ViewerOptions options = default_options(),
-                  platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any)
-      : offscreen_(options, kind) {
+  explicit Driver(const app::ViewerOptions& options = default_options(),
+                  std::optional<WithPixels> pixels = pictures_wanted())
+      : offscreen_(options,
+                   pixels ? platform::OffscreenContext::create(pixels->kind) : std::make_unique<NoPixels>()) {
     // What tests ask of frames, links and reach they ask of the published way, unless they choose another.
     document().scheme = {};
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
       workspace().remembered.layout.sections[title] = true;
   }
 
+  explicit Driver(WithPixels pixels) : Driver(default_options(), pixels) {}
+
+  static std::optional<WithPixels> pictures_wanted() {
+    return std::getenv("VIETE_PICTURES") ? std::optional(with_pixels) : std::nullopt;
+  }
   static app::ViewerOptions default_options() {
     app::ViewerOptions options;
     options.size = {1280, 800};

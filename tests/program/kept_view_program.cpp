@@ -81,7 +81,7 @@ TEST_CASE("whatever_is_done_the_picture_is_the_one_that_a_fresh_drawing_makes" *
     auto options = small_options();
     options.may_be_coarse = seed % 2 == 0;
     options.samples = seed == 3 ? 4 : 0;
-    SmallScene scene(options);
+    SmallScene scene(options, test::with_pixels);
     scene.d.workspace().remembered.coarse_motion = true;
     RandomHand hand(scene.d, seed);
     for (int i = 0; i < actions; ++i) {
@@ -100,7 +100,7 @@ TEST_CASE("whatever_is_done_the_picture_is_the_one_that_a_fresh_drawing_makes" *
 }
 
 TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
-  SmallScene scene;
+  SmallScene scene(small_options(), test::with_pixels);
   Driver& d = scene.d;
   const auto views = d.viewer().views_drawn();
   const render::Image before = d.picture();

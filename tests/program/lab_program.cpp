@@ -63,7 +63,7 @@ double differing(const render::Image& a, const render::Image& b, double from, do
 }  // namespace
 
 TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
-  Driver d;
+  Driver d(test::with_pixels);
   d.open_dragon("pose_alert");
   d.press_key(scene::key('C'));  // no cage in the way
   d.settle();
@@ -204,7 +204,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
 TEST_CASE("a_wipe_shows_on_either_side_what_the_view_would_show_alone") {
   auto options = Driver::default_options();
   options.size = {700, 460};
-  Driver d(options);
+  Driver d(options, test::with_pixels);
   d.open_dragon("pose_alert");
   const auto smooth = deform::scheme_of(deform::Way::smooth), rigid = deform::scheme_of(deform::Way::rigid);
   d.workspace().view.panels = d.workspace().view.hints = false;
@@ -290,7 +290,7 @@ TEST_CASE("the_key_for_a_vertex_opens_its_section_wherever_the_columns_were") {
 }
 
 TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
-  Driver d;
+  Driver d(test::with_pixels);
   d.open_dragon("pose_alert");
   d.move(d.workspace().viewport.origin + glm::vec2(200, 12));
   d.press_key('Y', false, false, true);  // nothing under the cursor

@@ -72,7 +72,7 @@ TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
     auto options = Driver::default_options();
     options.size = {720, 480};
     options.scale = s.scale;
-    Driver d(options);
+    Driver d(options, test::with_pixels);
     d.workspace().attended = false;  // versions of ImGui move text
     d.workspace().view.panels = s.panels;
     d.workspace().view.dark = s.dark;
@@ -99,7 +99,7 @@ TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
     auto options = Driver::default_options();
     options.size = {720, 400};
     options.scale = h.scale;
-    Driver d(options);
+    Driver d(options, test::with_pixels);
     d.workspace().attended = false;  // versions of ImGui move text
     auto& w = d.workspace();
     w.view.dark = h.dark;
@@ -150,7 +150,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
     CAPTURE(v.name);
     auto options = Driver::default_options();
     options.size = {320, 220};
-    Driver d(options);
+    Driver d(options, test::with_pixels);
     d.workspace().attended = false;  // versions of ImGui move text
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = false;
@@ -223,7 +223,7 @@ TEST_CASE("textures_are_drawn_as_they_were_when_someone_looked_at_them") {
     const test::TemporaryFolder folder;
     auto options = Driver::default_options();
     options.size = {320, 220};
-    Driver d(options);
+    Driver d(options, test::with_pixels);
     d.workspace().attended = false;  // versions of ImGui move text
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = view.cage = false;
@@ -251,7 +251,7 @@ const Tolerance of_errors{.levels = 24}, of_text{.share = 0.0001};
 void compare_after(const Picture& p, bool panels, bool dark) {
   auto options = Driver::default_options();
   options.size = p.size;
-  Driver d(options);
+  Driver d(options, test::with_pixels);
   d.workspace().attended = false;  // versions of ImGui move text
   auto& view = d.workspace().view;
   view.hints = view.axes = false;

@@ -97,7 +97,7 @@ TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
 TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_brings_them_back") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
-  Driver d(remembering(folder / "state"));
+  Driver d(remembering(folder / "state"), test::with_pixels);
   REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   drag_some_vertex(d, {30, 20});

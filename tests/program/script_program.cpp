@@ -210,7 +210,7 @@ TEST_CASE("a_recording_that_cannot_be_written_ends_and_says_so") {
 
 TEST_CASE("a_screenshot_without_panels_shows_no_tool") {
   const WorkingFolder folder;
-  test::SmallScene small;
+  test::SmallScene small(test::small_options(), test::with_pixels);
   Driver& d = small.d;
   const auto screenshot = [&] {
     d.press_key(scene::Key::f12);

@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Timed : Driver {
-  explicit Timed(glm::ivec2 size = {1440, 900}) : Driver(options(size)) {
+  explicit Timed(glm::ivec2 size = {1440, 900}, std::optional<test::WithPixels> pixels = pictures_wanted())
+      : Driver(options(size), pixels) {
     open_dragon();
     workspace().remembered.layout.sections["Poses"] = true;
-    workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // to draw it takes long
     frame(3);
   }
 
@@ -303,7 +303,7 @@ TEST_CASE("auto_key_keeps_what_the_hand_does_and_without_it_undo_leads_back") {
 }
 
 TEST_CASE("paths_of_the_selected_vertices_are_drawn_in_both_ways") {
-  Timed d;
+  Timed d({1440, 900}, test::with_pixels);
   d.press_key('I');
   d.key_pose_of("pose_coil", 25);
   d.go_to(12);

@@ -43,7 +43,7 @@ app::ViewerOptions as_in_the_window() {
 TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_program_puts_it" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  Driver d(as_in_the_window());
+  Driver d(as_in_the_window(), test::with_pixels);
   d.document().scheme = deform::default_scheme();
   d.open_dragon();
   d.frame();
@@ -84,7 +84,7 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
 TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  Driver d(as_in_the_window());
+  Driver d(as_in_the_window(), test::with_pixels);
   d.document().scheme = deform::default_scheme();
   d.open_dragon();
   d.frame();
@@ -148,7 +148,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
 TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_not" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  Driver d(as_in_the_window());
+  Driver d(as_in_the_window(), test::with_pixels);
   d.document().scheme = deform::default_scheme();
   d.open_dragon();
   d.frame();
