@@ -11,7 +11,7 @@ namespace {
 void open_posed_dragon(Driver& d) {
   d.workspace().view.cage = d.workspace().view.grid = d.workspace().view.axes = d.workspace().view.hints =
       false;
-  d.open_dragon("pose_alert");
+  d.open_dragon("pose_alert", test::bundled_dragon);
 }
 
 // Where the view shows anything but the background.

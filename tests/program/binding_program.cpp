@@ -121,8 +121,7 @@ TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before")
 
 TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_stays" *
           doctest::test_suite(test::if_present)) {
-  const double needed =
-      static_cast<double>(deform::binding_bytes(50000, 8u << 16, deform::EngineKind::fused));
+  const double needed = static_cast<double>(deform::binding_bytes(3000, 8u << 16, deform::EngineKind::fused));
   if (0.9 * free_memory() > needed) {
     test::skip("this machine has room for it");
     return;
@@ -141,7 +140,7 @@ TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_st
   const auto& message = d.workspace().messages.all().back();
   CHECK(message.severity == scene::Severity::error);
   for (const char* part :
-       {"50000 vertices", "524288 cage elements", " GB of memory", "are free", "coarser cage"}) {
+       {"3000 vertices", "524288 cage elements", " GB of memory", "are free", "coarser cage"}) {
     CHECK_MESSAGE(message.text.find(part) != std::string::npos, message.text);
   }
 }
@@ -160,7 +159,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_a_cancel_keeps_t
     }
     d.frame();  // begins the binding, and deforms by the old one
     REQUIRE(d.workspace().binding.running);
-    CHECK(d.workspace().binding.what.starts_with("Binding 50,000 vertices to "));
+    CHECK(d.workspace().binding.what.starts_with("Binding 3,000 vertices to "));
     const auto moved = deformed_positions(d);
     CHECK(moved != before);
     d.press_key(scene::Key::escape);
@@ -181,6 +180,6 @@ TEST_CASE("what_a_binding_takes_is_known_before") {
   const auto plan = scene::binding_plan(d.document(), {deform::Elements::point});
   CHECK(plan.handles == d.document().pose.positions.size());
   CHECK(plan.bytes ==
-        deform::binding_bytes(50000, plan.handles, deform::EngineKind::fused, {deform::Elements::point}));
-  CHECK(scene::text(plan).rfind("Binding 50,000 vertices to 76 vertices, ", 0) == 0);
+        deform::binding_bytes(3000, plan.handles, deform::EngineKind::fused, {deform::Elements::point}));
+  CHECK(scene::text(plan).rfind("Binding 3,000 vertices to 76 vertices, ", 0) == 0);
 }

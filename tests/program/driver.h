@@ -26,7 +26,9 @@
 
 namespace viete::test {
 
-inline const std::filesystem::path dragon = assets_dir() / "dragon" / "dragon.ply",
+/// The bundled model, and the same with 3,000 vertices for tests that look at no reference picture.
+inline const std::filesystem::path bundled_dragon = assets_dir() / "dragon" / "dragon.ply",
+                                   dragon = source_dir() / "tests" / "program" / "dragon.ply",
                                    dragon_cage = assets_dir() / "dragon" / "cage.obj";
 
 /// A driver of a test that looks at pixels, with this kind of context.
@@ -73,7 +75,7 @@ public:
   /// are not taken: refused, or a question comes first.
   [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
   /// The dragon in its cage, at rest or in a pose of its own, and the picture at rest.
-  void open_dragon(const std::string& pose = "");
+  void open_dragon(const std::string& pose = "", const std::filesystem::path& model = dragon);
 
   /// Every event gets frames of its own.
   void frame(int count = 1) {
@@ -236,9 +238,9 @@ inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
   return document().revisions().pose != before;
 }
 
-inline void Driver::open_dragon(const std::string& pose) {
-  std::vector<std::filesystem::path> files = {dragon, dragon_cage};
-  if (!pose.empty()) files.push_back(dragon.parent_path() / (pose + ".obj"));
+inline void Driver::open_dragon(const std::string& pose, const std::filesystem::path& model) {
+  std::vector<std::filesystem::path> files = {model, dragon_cage};
+  if (!pose.empty()) files.push_back(dragon_cage.parent_path() / (pose + ".obj"));
   REQUIRE(open(files));
   settle();
 }

@@ -133,7 +133,7 @@ TEST_CASE("a_map_follows_the_hand_and_its_range_can_be_held") {
 
 TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") {
   Driver d;
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   choose_map(d, "influence");
   CHECK(d.workspace().field.stats.most == 0);
   d.press_key('A');
@@ -344,7 +344,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.open_dragon();
   std::vector<std::string> warnings;
   const auto coil =
-      deform::read_pose(test::dragon.parent_path() / "pose_coil.obj", *d.document().cage, warnings);
+      deform::read_pose(test::dragon_cage.parent_path() / "pose_coil.obj", *d.document().cage, warnings);
   scene::add_poses(d.document(),
                    {{"coil", std::make_shared<const scene::WholePose>(scene::WholePose{coil, {}, {}})}});
   d.settle();

@@ -408,7 +408,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   auto options = sized({1440, 900});
   options.probe = true;
   Driver d(options);
-  d.open_dragon("pose_alert");
+  d.open_dragon("pose_alert", test::bundled_dragon);
   const auto& times = d.workspace().method_times;
   REQUIRE(d.until([&] { return times.measured; }));
   for (const auto& links : times.links) CHECK(links.total() > 0);
