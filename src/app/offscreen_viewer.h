@@ -10,18 +10,18 @@ namespace viete::app {
 
 class OffscreenViewer {
 public:
-  /// Throws base::Error when no offscreen context can be had.
-  explicit OffscreenViewer(const ViewerOptions& options,
-                           platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any);
+  /// OffscreenContext::create() throws base::Error when there is no such context.
+  explicit OffscreenViewer(const ViewerOptions& options, std::unique_ptr<platform::OffscreenContext> context =
+                                                             platform::OffscreenContext::create());
 
-  Viewer& viewer() { return *viewer_; }
+  Viewer& viewer() { return viewer_; }
   /// Frames of 1/60 s until the picture is at rest: fonts and windows settled, model bound, nothing moving.
   void settle();
 
 private:
   std::unique_ptr<platform::OffscreenContext> context_;
-  std::unique_ptr<render::Gl> gl_;
-  std::unique_ptr<Viewer> viewer_;
+  render::Gl gl_;
+  Viewer viewer_;
 };
 
 }  // namespace viete::app

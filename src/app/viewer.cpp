@@ -74,8 +74,6 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   place_viewport();
 }
 
-Viewer::~Viewer() = default;
-
 glm::ivec2 Viewer::device_size() const {
   return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(options_.size) * options_.scale + 0.5f));
 }

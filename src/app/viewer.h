@@ -46,7 +46,6 @@ struct ViewerOptions {
 class Viewer {
 public:
   Viewer(const render::Gl& gl, const ViewerOptions& options);
-  ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 

@@ -107,8 +107,8 @@ TEST_CASE("a_fitted_cage_goes_around_the_models_box_is_similar_to_what_it_was_an
   const Surface model = three_arms();
   const mesh::Bounds box = mesh::used_bounds(model);
   const Surface made = cages::make(model, {.triangles = 80}, pool).surface;
-  for (const Placement& to : odd_placements()) {
-    const Surface cage = placed(made, to);
+  for (const std::size_t i : {0, 3}) {
+    const Surface cage = placed(made, odd_placements()[i]);
     const cages::Fitted fitted = cages::best_fit(cage, model, margin);
     CHECK(fitted.positions == cages::best_fit(cage, model, margin).positions);
     const mesh::Bounds now = mesh::bounds(fitted.positions);
@@ -126,7 +126,7 @@ TEST_CASE("a_fitted_cage_goes_around_the_models_box_is_similar_to_what_it_was_an
   }
 }
 
-TEST_CASE("whatever_the_model_a_fitted_cage_has_finite_places") {
+TEST_CASE("whatever_the_model_a_fitted_cage_has_finite_places" * doctest::test_suite(longer)) {
   const Surface cage = placed(three_arms(), {{0.3, 0.8, -0.4, 0.33}, 2, {1, 0, 0}});
   for (const auto& [name, model] : generated_models()) {
     CAPTURE(name);

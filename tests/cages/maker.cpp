@@ -33,21 +33,19 @@ const std::vector<cages::Wish> several = {
 }  // namespace
 
 TEST_CASE("cages_are_the_same_for_any_number_of_threads") {
-  for (const auto& model : {soup(60, 0.1, 1), without_lower_half(sphere(4))}) {
-    for (const cages::Wish& wish : several) {
-      base::WorkerPool one(1), two(2), five(5);
-      const auto made = cages::make(model, wish, one);
-      check_equal(made, cages::make(model, wish, two));
-      check_equal(made, cages::make(model, wish, five));
-    }
+  const mesh::Surface model = without_lower_half(sphere(3));
+  for (const std::size_t i : {0, 1, 3}) {
+    const cages::Wish& wish = several[i];
+    base::WorkerPool one(1), five(5);
+    check_equal(cages::make(model, wish, one), cages::make(model, wish, five));
   }
 }
 
 TEST_CASE("a_maker_makes_the_same_cages_as_are_made_once_in_any_order") {
   base::WorkerPool pool(2);
-  const auto model = std::make_shared<const mesh::Surface>(torus(40, 20));
+  const auto model = std::make_shared<const mesh::Surface>(torus(16, 8));
   cages::Maker maker(model);
-  for (const std::size_t i : {0, 3, 2, 4, 1, 5, 0}) {
+  for (const std::size_t i : {1, 5, 1}) {
     CAPTURE(i);
     check_equal(maker.make(several[i], pool), cages::make(*model, several[i], pool));
   }

@@ -53,7 +53,7 @@ TEST_CASE("a_model_without_symmetry_has_no_plane") {
 TEST_CASE("cages_are_symmetric_about_the_plane_that_is_named_and_enclose_what_is_not") {
   base::WorkerPool pool(2);
   const mesh::Surface model = lopsided();
-  for (const auto symmetry : {cages::Symmetry::x, cages::Symmetry::y, cages::Symmetry::z}) {
+  for (const auto symmetry : {cages::Symmetry::x, cages::Symmetry::z}) {
     const cages::Wish wish{.triangles = 80, .symmetry = symmetry};
     const auto made = cages::make(model, wish, pool);
     REQUIRE(made.mirror);

@@ -51,7 +51,7 @@ TEST_CASE("triangles_across_a_sharp_edge_make_no_quad") {
 
 TEST_CASE("cages_with_quads_are_mostly_quads") {
   base::WorkerPool pool(2);
-  for (const auto& model : {stool(), sphere(4), torus(40, 20)}) {
+  for (const auto& model : {stool(), sphere(3)}) {
     const auto made = cages::make(model, {.triangles = 200, .quads = true}, pool);
     const std::size_t quads = made.surface.triangles.size() - made.surface.polygon_count();
     CHECK(4 * quads > made.surface.triangles.size());  // half of the triangles or more

@@ -11,7 +11,7 @@ namespace {
 void open_posed_dragon(Driver& d) {
   d.workspace().view.cage = d.workspace().view.grid = d.workspace().view.axes = d.workspace().view.hints =
       false;
-  d.open_dragon("pose_alert");
+  d.open_dragon("pose_alert", test::bundled_dragon);
 }
 
 // Where the view shows anything but the background.
@@ -38,7 +38,7 @@ Shown shown(Driver& d, const render::Image& empty) {
 }  // namespace
 
 TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_where_it_is_not") {
-  Driver d;
+  Driver d(test::with_pixels);
   open_posed_dragon(d);
   d.workspace().view.model = false;
   d.settle();

@@ -54,7 +54,7 @@ TEST_CASE("a_sound_model_and_cage_show_no_finding") {
 
 TEST_CASE("an_open_cage_is_found_and_a_click_shows_where") {
   const test::TemporaryFolder scratch;
-  Driver d;
+  Driver d(test::with_pixels);
   d.workspace().view.axes = false;
   REQUIRE(d.open({dragon, open_cage(scratch.path())}));
   d.settle();
@@ -82,7 +82,7 @@ TEST_CASE("an_open_cage_is_found_and_a_click_shows_where") {
 
 TEST_CASE("the_highlight_follows_the_cage_when_it_is_dragged") {
   const test::TemporaryFolder scratch;
-  Driver d;
+  Driver d(test::with_pixels);
   d.workspace().view.axes = false;
   REQUIRE(d.open({dragon, open_cage(scratch.path())}));
   d.settle();
@@ -106,7 +106,7 @@ TEST_CASE("vertices_outside_are_counted_and_shown_and_go_with_the_cage") {
   for (auto& p : cage.positions) p[1] -= 0.3;
   const fs::path low = scratch / "low.obj";
   mesh::write(low, cage);
-  Driver d;
+  Driver d(test::with_pixels);
   d.workspace().view.axes = false;
   REQUIRE(d.open({dragon, low}));
   d.settle();
@@ -233,7 +233,7 @@ TEST_CASE("a_badge_in_the_view_says_what_is_wrong_while_the_cage_is_edited_and_h
 
 TEST_CASE("a_badge_shows_where_it_is_and_stays_away_once_it_was_put_away") {
   const test::TemporaryFolder scratch;
-  Driver d;
+  Driver d(test::with_pixels);
   d.workspace().view.axes = false;
   REQUIRE(d.open({dragon, open_cage(scratch.path())}));
   check(d);

@@ -71,7 +71,8 @@ inline bool mentions(const Outcome& outcome, const std::string& text) {
   return test::mentions(outcome.text, text);
 }
 
-const fs::path dragon = assets_dir() / "dragon" / "dragon.ply", cage = assets_dir() / "dragon" / "cage.obj",
-               pose = assets_dir() / "dragon" / "pose_alert.obj";
+/// The bundled model with 3,000 vertices.
+const fs::path dragon = source_dir() / "tests" / "program" / "dragon.ply",
+               cage = assets_dir() / "dragon" / "cage.obj", pose = assets_dir() / "dragon" / "pose_alert.obj";
 
 }  // namespace viete::test

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -14,6 +16,7 @@
 #include "app/offscreen_viewer.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
+#include "program/no_pixels.h"
 #include "scene/files/export.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/projector.h"
@@ -23,20 +26,36 @@
 
 namespace viete::test {
 
-inline const std::filesystem::path dragon = assets_dir() / "dragon" / "dragon.ply",
+/// The bundled model, and the same with 3,000 vertices for tests that look at no reference picture.
+inline const std::filesystem::path bundled_dragon = assets_dir() / "dragon" / "dragon.ply",
+                                   dragon = source_dir() / "tests" / "program" / "dragon.ply",
                                    dragon_cage = assets_dir() / "dragon" / "cage.obj";
 
+/// A driver of a test that looks at pixels, with this kind of context.
+struct WithPixels {
+  platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any;
+};
+inline constexpr WithPixels with_pixels;
+
+/// Draws nothing, unless it is asked for or pictures are wanted (VIETE_PICTURES). Input, commands and panels
+/// are always the program's own.
 class Driver {
 public:
-  explicit Driver(app::ViewerOptions options = default_options(),
-                  platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any)
-      : offscreen_(options, kind) {
+  explicit Driver(const app::ViewerOptions& options = default_options(),
+                  std::optional<WithPixels> pixels = pictures_wanted())
+      : offscreen_(options,
+                   pixels ? platform::OffscreenContext::create(pixels->kind) : std::make_unique<NoPixels>()) {
     // What tests ask of frames, links and reach they ask of the published way, unless they choose another.
     document().scheme = {};
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
       workspace().remembered.layout.sections[title] = true;
   }
 
+  explicit Driver(WithPixels pixels) : Driver(default_options(), pixels) {}
+
+  static std::optional<WithPixels> pictures_wanted() {
+    return std::getenv("VIETE_PICTURES") ? std::optional(with_pixels) : std::nullopt;
+  }
   static app::ViewerOptions default_options() {
     app::ViewerOptions options;
     options.size = {1280, 800};
@@ -56,7 +75,7 @@ public:
   /// are not taken: refused, or a question comes first.
   [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
   /// The dragon in its cage, at rest or in a pose of its own, and the picture at rest.
-  void open_dragon(const std::string& pose = "");
+  void open_dragon(const std::string& pose = "", const std::filesystem::path& model = dragon);
 
   /// Every event gets frames of its own.
   void frame(int count = 1) {
@@ -219,9 +238,9 @@ inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
   return document().revisions().pose != before;
 }
 
-inline void Driver::open_dragon(const std::string& pose) {
-  std::vector<std::filesystem::path> files = {dragon, dragon_cage};
-  if (!pose.empty()) files.push_back(dragon.parent_path() / (pose + ".obj"));
+inline void Driver::open_dragon(const std::string& pose, const std::filesystem::path& model) {
+  std::vector<std::filesystem::path> files = {model, dragon_cage};
+  if (!pose.empty()) files.push_back(dragon_cage.parent_path() / (pose + ".obj"));
   REQUIRE(open(files));
   settle();
 }

@@ -63,7 +63,7 @@ double differing(const render::Image& a, const render::Image& b, double from, do
 }  // namespace
 
 TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
-  Driver d;
+  Driver d(test::with_pixels);
   d.open_dragon("pose_alert");
   d.press_key(scene::key('C'));  // no cage in the way
   d.settle();
@@ -133,7 +133,7 @@ TEST_CASE("a_map_follows_the_hand_and_its_range_can_be_held") {
 
 TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") {
   Driver d;
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   choose_map(d, "influence");
   CHECK(d.workspace().field.stats.most == 0);
   d.press_key('A');
@@ -204,7 +204,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
 TEST_CASE("a_wipe_shows_on_either_side_what_the_view_would_show_alone") {
   auto options = Driver::default_options();
   options.size = {700, 460};
-  Driver d(options);
+  Driver d(options, test::with_pixels);
   d.open_dragon("pose_alert");
   const auto smooth = deform::scheme_of(deform::Way::smooth), rigid = deform::scheme_of(deform::Way::rigid);
   d.workspace().view.panels = d.workspace().view.hints = false;
@@ -290,7 +290,7 @@ TEST_CASE("the_key_for_a_vertex_opens_its_section_wherever_the_columns_were") {
 }
 
 TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
-  Driver d;
+  Driver d(test::with_pixels);
   d.open_dragon("pose_alert");
   d.move(d.workspace().viewport.origin + glm::vec2(200, 12));
   d.press_key('Y', false, false, true);  // nothing under the cursor
@@ -344,7 +344,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.open_dragon();
   std::vector<std::string> warnings;
   const auto coil =
-      deform::read_pose(test::dragon.parent_path() / "pose_coil.obj", *d.document().cage, warnings);
+      deform::read_pose(test::dragon_cage.parent_path() / "pose_coil.obj", *d.document().cage, warnings);
   scene::add_poses(d.document(),
                    {{"coil", std::make_shared<const scene::WholePose>(scene::WholePose{coil, {}, {}})}});
   d.settle();

@@ -97,7 +97,7 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
 }
 
 TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {
-  Driver d;
+  Driver d(test::with_pixels);
   d.open_dragon();
   d.press_key(scene::Key::f2);
   d.settle();
@@ -172,15 +172,6 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   d.click("menu/recent/1");
   d.settle();
   CHECK(d.document().model.path == file);
-}
-
-TEST_CASE("the_strip_switches_tools") {
-  Driver d;
-  d.open_dragon();
-  d.click("strip/tool_rotate");
-  CHECK(d.workspace().tool == scene::Tool::rotate);
-  d.click("strip/edit_cage");
-  CHECK(d.document().kept_pose.has_value());
 }
 
 TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {

@@ -88,49 +88,6 @@ struct RealHand {
 
 }  // namespace
 
-TEST_CASE("a_real_mouse_moves_both_sides_softly_and_places_the_pivot" *
-          doctest::test_suite(test::if_present)) {
-  if (test::no_desktop()) return;
-  RealHand hand(1);
-  const auto v = hand.offscreen.free_vertex();
-  const glm::vec2 from = hand.offscreen.vertex(v), to = from + glm::vec2(20, -30);
-  hand.act("key shift+m");
-  hand.act(drag_words(from, to));
-  const auto mirrored = hand.saved();
-  CHECK(mirrored.handling.mirror == scene::MirrorPlane::x);
-  REQUIRE(hand.moved(mirrored) == (std::abs(hand.rest()[v][0]) < 1e-9 ? 1u : 2u));
-  for (std::size_t p = 0; p < hand.rest().size(); ++p) {
-    const auto& now = mirrored.pose->positions[p];
-    if (p == v || now == hand.rest()[p]) continue;
-    CHECK(now[0] == doctest::Approx(-mirrored.pose->positions[v][0]));
-    CHECK(now[1] == doctest::Approx(mirrored.pose->positions[v][1]));
-  }
-  hand.act("key ctrl+z");
-  hand.act("key shift+m key shift+m key shift+m key shift+m");  // round to none
-  hand.act("key s");
-  REQUIRE(hand.moved(hand.saved()) == 0);
-  hand.act(drag_words(from, to, "click 4 sleep 0.05 click 4 sleep 0.05"));
-  const auto soft = hand.saved();
-  CHECK(soft.handling.mirror == scene::MirrorPlane::none);
-  CHECK(soft.handling.soft.on);
-  CHECK(soft.handling.soft.radius == doctest::Approx(scene::SoftSelection().radius * 1.21));
-  CHECK(hand.moved(soft) > 3);
-  CHECK(hand.moved(soft) < hand.rest().size());
-  hand.act("key ctrl+z");
-  REQUIRE(hand.moved(hand.saved()) == 0);
-  hand.act("key j");
-  hand.act("mousemove " + at(from));
-  hand.saved();
-  hand.act("click 1");
-  const auto placed = hand.saved();
-  CHECK(placed.handling.pivot == scene::Pivot::point);
-  REQUIRE(placed.handling.point);
-  for (std::size_t k = 0; k < 3; ++k)
-    CHECK((*placed.handling.point)[k] == doctest::Approx(hand.rest()[v][k]));
-  CHECK(hand.moved(placed) == 0);
-  hand.quit();
-}
-
 TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_commands_and_files" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;

@@ -52,7 +52,7 @@ TEST_CASE("a_picture_in_tiles_is_the_picture") {
       CAPTURE(panels);
       CAPTURE(orthographic);
       const auto picture = [&](int longest_tile) {
-        Driver d(options_of(0, longest_tile));
+        Driver d(options_of(0, longest_tile), test::with_pixels);
         show(d, panels);
         d.workspace().remembered.layout.folded = {false, true};  // timings differ in every run
         d.workspace().camera.set_orthographic(orthographic);
@@ -71,7 +71,7 @@ TEST_CASE("a_picture_in_tiles_is_the_picture") {
 TEST_CASE("depth_is_how_far_what_is_seen_is_along_the_view") {
   for (const bool orthographic : {false, true}) {
     CAPTURE(orthographic);
-    Driver d(options_of(0, 150));
+    Driver d(options_of(0, 150), test::with_pixels);
     show(d, false);
     d.workspace().camera.set_orthographic(orthographic);
     d.settle();
@@ -100,7 +100,7 @@ TEST_CASE("depth_is_how_far_what_is_seen_is_along_the_view") {
 }
 
 TEST_CASE("each_pixel_tells_its_triangle_and_where_it_faces") {
-  Driver d(options_of(0));
+  Driver d(options_of(0), test::with_pixels);
   show(d, false);
   const scene::Workspace& w = d.workspace();
   const scene::Projector project(w.document.space, w.camera, w.viewport);
@@ -138,7 +138,7 @@ TEST_CASE("each_pixel_tells_its_triangle_and_where_it_faces") {
 }
 
 TEST_CASE("a_cage_of_lines_is_whole_and_fainter_where_the_model_stands_before_it") {
-  Driver d(options_of(4));
+  Driver d(options_of(4), test::with_pixels);
   show(d, false);
   const std::string svg = app::svg_of(d.viewer(), 1.5f);
   const scene::Workspace& w = d.workspace();
@@ -170,7 +170,7 @@ TEST_CASE("a_cage_of_lines_is_whole_and_fainter_where_the_model_stands_before_it
 
 TEST_CASE("passes_are_written_as_they_say") {
   const test::TemporaryFolder folder;
-  Driver d(options_of(0));
+  Driver d(options_of(0), test::with_pixels);
   show(d, false);
   CHECK(test::mentions(app::write_pass(d.viewer(), render::Pass::depth, folder / "d.pfm"),
                        "in the model's units"));

@@ -72,14 +72,14 @@ TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
     auto options = Driver::default_options();
     options.size = {720, 480};
     options.scale = s.scale;
-    Driver d(options);
+    Driver d(options, test::with_pixels);
     d.workspace().attended = false;  // versions of ImGui move text
     d.workspace().view.panels = s.panels;
     d.workspace().view.dark = s.dark;
     d.workspace().view.hints = false;
     d.workspace().view.axes = false;
-    d.open_dragon();
-    if (*s.pose) REQUIRE(d.open({test::dragon.parent_path() / s.pose}, Driver::What::pose));
+    d.open_dragon("", test::bundled_dragon);
+    if (*s.pose) REQUIRE(d.open({test::dragon_cage.parent_path() / s.pose}, Driver::What::pose));
     d.settle();
     compare(s.name, d.picture(), s.panels, s.scale);
   }
@@ -99,12 +99,12 @@ TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
     auto options = Driver::default_options();
     options.size = {720, 400};
     options.scale = h.scale;
-    Driver d(options);
+    Driver d(options, test::with_pixels);
     d.workspace().attended = false;  // versions of ImGui move text
     auto& w = d.workspace();
     w.view.dark = h.dark;
     w.view.hints = w.view.model = w.view.grid = false;
-    d.open_dragon();
+    d.open_dragon("", test::bundled_dragon);
     test::run_command(w, h.kind);
     test::run_command(w, h.tool);
     w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, scene::SelectMode::replace);
@@ -150,11 +150,11 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
     CAPTURE(v.name);
     auto options = Driver::default_options();
     options.size = {320, 220};
-    Driver d(options);
+    Driver d(options, test::with_pixels);
     d.workspace().attended = false;  // versions of ImGui move text
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = false;
-    d.open_dragon(v.pose);
+    d.open_dragon(v.pose, test::bundled_dragon);
     for (const char* command : v.commands) CHECK_MESSAGE(test::run_command(d.workspace(), command), command);
     d.settle();
     compare(v.name, d.picture(), false, 1);
@@ -223,7 +223,7 @@ TEST_CASE("textures_are_drawn_as_they_were_when_someone_looked_at_them") {
     const test::TemporaryFolder folder;
     auto options = Driver::default_options();
     options.size = {320, 220};
-    Driver d(options);
+    Driver d(options, test::with_pixels);
     d.workspace().attended = false;  // versions of ImGui move text
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = view.cage = false;
@@ -251,7 +251,7 @@ const Tolerance of_errors{.levels = 24}, of_text{.share = 0.0001};
 void compare_after(const Picture& p, bool panels, bool dark) {
   auto options = Driver::default_options();
   options.size = p.size;
-  Driver d(options);
+  Driver d(options, test::with_pixels);
   d.workspace().attended = false;  // versions of ImGui move text
   auto& view = d.workspace().view;
   view.hints = view.axes = false;
@@ -262,17 +262,17 @@ void compare_after(const Picture& p, bool panels, bool dark) {
 }
 
 void hover_a_vertex(Driver& d) {
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   d.move(d.vertex(d.free_vertex()));
 }
 
 void begin_a_box(Driver& d) {
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   d.press_and_move({20, 20}, {180, 140});
 }
 
 void paint_a_stroke(Driver& d) {
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   d.press_key('D');
   d.workspace().brush.radius = 20;
   d.drag({140, 100}, {180, 115});
@@ -280,13 +280,13 @@ void paint_a_stroke(Driver& d) {
 }
 
 void open_model_alone(Driver& d) {
-  REQUIRE(d.open({test::dragon}));
+  REQUIRE(d.open({test::bundled_dragon}));
   d.settle();
 }
 
 // On the head, which it has turned.
 void turn_a_probe(Driver& d) {
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   CHECK(test::run_command(d.workspace(), "view_right"));
   d.settle();
   scene::Document& document = d.document();
@@ -332,13 +332,13 @@ void put_numbers(Driver& d) {
 }
 
 void show_panels(Driver& d) {
-  d.open_dragon("pose_alert");
+  d.open_dragon("pose_alert", test::bundled_dragon);
   put_numbers(d);
 }
 
 void show_checks(Driver& d) {
   const test::TemporaryFolder folder;
-  REQUIRE(d.open({test::dragon, test::open_cage(folder.path())}));
+  REQUIRE(d.open({test::bundled_dragon, test::open_cage(folder.path())}));
   d.settle();
   d.click("section/Model");
   d.click("section/Cage");
@@ -349,7 +349,7 @@ void show_checks(Driver& d) {
 
 // Stretched nearly evenly on one side, where SD loses digits.
 void show_error_map(Driver& d) {
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   deform::Pose pose = d.document().pose;
   for (auto& p : pose.positions) {
     if (p[0] > 0) p = {1.2 * p[0], (1.2 - 1e-5) * p[1], (1.2 + 1e-5) * p[2]};
@@ -399,12 +399,12 @@ void show_blend(Driver& d) {
 }
 
 void show_cage_offer(Driver& d) {
-  REQUIRE(d.open({test::dragon}));
+  REQUIRE(d.open({test::bundled_dragon}));
   put_numbers(d);
 }
 
 void show_making(Driver& d) {
-  REQUIRE(d.open({test::dragon}));
+  REQUIRE(d.open({test::bundled_dragon}));
   d.settle();
   d.workspace().making.wish.kind = scene::CageKind::box;
   d.workspace().making.wish.cells = {3, 2, 2};
@@ -422,7 +422,7 @@ void show_outside(Driver& d) {
   mesh::Surface small = mesh::read(test::dragon_cage).surface;
   for (auto& p : small.positions) p = {0.85 * p[0], 0.85 * p[1], 0.85 * p[2]};
   mesh::write(folder / "small.obj", small);
-  REQUIRE(d.open({test::dragon, folder / "small.obj"}));
+  REQUIRE(d.open({test::bundled_dragon, folder / "small.obj"}));
   d.settle();
   d.viewer().finish_checks();
   d.frame(3);

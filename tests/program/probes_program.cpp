@@ -23,7 +23,8 @@ using test::Driver;
 namespace {
 
 struct ProbeHand : Driver {
-  explicit ProbeHand(bool cage) {
+  explicit ProbeHand(bool cage, std::optional<test::WithPixels> pixels = {})
+      : Driver(default_options(), pixels) {
     if (cage) {
       open_dragon();
     } else {
@@ -56,7 +57,7 @@ struct ProbeHand : Driver {
 TEST_CASE("a_probe_is_placed_dragged_turned_and_taken_back_by_hand") {
   for (const bool cage : {true, false}) {
     INFO(cage);
-    ProbeHand d(cage);
+    ProbeHand d(cage, test::with_pixels);
     const auto rest = d.document().model.surface->positions;
     d.place_probe();
     // It lies on the model, where the cursor was.
@@ -207,7 +208,7 @@ TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_o
 }
 
 TEST_CASE("the_model_is_seen_at_rest_whatever_moves_it_and_follows_again") {
-  ProbeHand d(true);
+  ProbeHand d(true, test::with_pixels);
   d.press_key('C');  // the cage would be drawn where it is
   d.settle();
   const auto rest = d.picture();

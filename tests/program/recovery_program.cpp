@@ -71,7 +71,7 @@ TEST_CASE("what_a_killed_program_was_still_writing_goes_at_the_next_start") {
 TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_brings_them_back") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
-  Driver d(remembering(folder / "state"));
+  Driver d(remembering(folder / "state"), test::with_pixels);
   REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   drag_some_vertex(d, {30, 20});

@@ -10,7 +10,7 @@ using Kind = platform::OffscreenContext::Kind;
 namespace {
 
 render::Image picture_by(Kind kind) {
-  Driver d(Driver::default_options(), kind);
+  Driver d(Driver::default_options(), test::WithPixels{kind});
   d.open_dragon();
   d.workspace().view.panels = false;
   d.settle();

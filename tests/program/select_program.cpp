@@ -15,7 +15,7 @@ using test::Driver;
 namespace {
 
 struct Selecting : Driver {
-  Selecting() {
+  explicit Selecting(std::optional<test::WithPixels> pixels = {}) : Driver(default_options(), pixels) {
     mesh::write(folder / "ball.obj", test::ball(1));
     mesh::write(folder / "cage.obj", test::ball(1.15));
     REQUIRE(open({folder / "ball.obj", folder / "cage.obj"}));
@@ -52,7 +52,7 @@ struct Selecting : Driver {
 }  // namespace
 
 TEST_CASE("a_box_over_a_dense_cage_selects_and_moves_nothing_with_and_without_shift") {
-  Selecting d;
+  Selecting d(test::with_pixels);
   const glm::vec2 at = glm::round(d.vertex(d.front()));
   CHECK(d.amber() == 0);
   d.drag(at, at + glm::vec2(80, 60));
@@ -130,7 +130,7 @@ TEST_CASE("z_makes_the_mouse_select_only_what_is_seen") {
 }
 
 TEST_CASE("selecting_is_undone_hidden_and_kept_as_a_set_by_keys_and_buttons") {
-  Selecting d;
+  Selecting d(test::with_pixels);
   d.press_key('A');
   d.press_key('Z', true);
   CHECK(d.selected() == 0);

@@ -47,7 +47,7 @@ TEST_CASE("a_session_opens_to_the_same_picture_also_elsewhere") {
   render::Image before;
   std::vector<mesh::Point> mesh_before;
   {
-    Driver d;
+    Driver d(test::with_pixels);
     REQUIRE(d.open({folder / "work" / "dragon.ply", folder / "work" / "cage.obj"}));
     d.settle();
     drag_some_vertex(d, {60, -50});
@@ -66,7 +66,7 @@ TEST_CASE("a_session_opens_to_the_same_picture_also_elsewhere") {
   const fs::path here = fs::current_path();
   fs::current_path(folder / "moved");
   {
-    Driver d;
+    Driver d(test::with_pixels);
     REQUIRE(d.open({"a.viete"}));
     const auto after = rest_picture(d);
     const auto positions = d.viewer().deformer()->positions();
@@ -86,7 +86,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   auto options = Driver::default_options();
   options.samples = 4;
   options.size = {800, 500};
-  Driver d(options);
+  Driver d(options, test::with_pixels);
   d.workspace().view.panels = false;
   d.open_dragon();
   drag_some_vertex(d, {40, 30});

@@ -24,7 +24,8 @@ struct ShapeHand : Driver {
   test::TemporaryFolder folder;
   std::filesystem::path left = folder / "left.ply", right = folder / "right.ply";
 
-  explicit ShapeHand(bool cage) {
+  explicit ShapeHand(bool cage, std::optional<test::WithPixels> pixels = {})
+      : Driver(default_options(), pixels) {
     if (cage) {
       open_dragon();
     } else {
@@ -61,7 +62,7 @@ struct ShapeHand : Driver {
 TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
   for (const bool cage : {false, true}) {
     INFO(cage);
-    ShapeHand d(cage);
+    ShapeHand d(cage, test::with_pixels);
     CHECK(d.pose(0).name == "left");
     const auto before = d.picture();
     d.click("pose_weight/1");  // in its middle: 50 %

@@ -16,7 +16,9 @@ inline app::ViewerOptions small_options() {
 
 // A ball of 642 vertices in a larger one of 42.
 struct SmallScene {
-  explicit SmallScene(const app::ViewerOptions& options = small_options()) : d(options) {
+  explicit SmallScene(const app::ViewerOptions& options = small_options(),
+                      std::optional<WithPixels> pixels = Driver::pictures_wanted())
+      : d(options, pixels) {
     mesh::write(folder / "ball.obj", ball(1, 3));
     mesh::write(folder / "cage.obj", ball(1.2, 1));
     REQUIRE(d.open({folder / "ball.obj", folder / "cage.obj"}));

@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Timed : Driver {
-  explicit Timed(glm::ivec2 size = {1440, 900}) : Driver(options(size)) {
+  explicit Timed(glm::ivec2 size = {1440, 900}, std::optional<test::WithPixels> pixels = pictures_wanted())
+      : Driver(options(size), pixels) {
     open_dragon();
     workspace().remembered.layout.sections["Poses"] = true;
-    workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // to draw it takes long
     frame(3);
   }
 
@@ -37,7 +37,7 @@ struct Timed : Driver {
   std::vector<mesh::Point>& pose() { return document().pose.positions; }
   const scene::Timeline& timeline() { return document().timeline; }
   void open_pose(const std::string& name) {
-    REQUIRE(open({test::dragon.parent_path() / (name + ".obj")}, What::pose));
+    REQUIRE(open({test::dragon_cage.parent_path() / (name + ".obj")}, What::pose));
     frame(2);
   }
   void keep(const std::string& file) {
@@ -145,6 +145,7 @@ TEST_CASE("poses_are_kept_with_a_picture_and_mixed_by_sliders") {
 // As the README's first minute has it, on the dragon as it opens.
 TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   Timed d;
+  d.open_dragon("", test::bundled_dragon);
   CHECK(d.timeline().empty());
   CHECK(d.document().library.poses.empty());
   d.press_key(scene::Key::right);

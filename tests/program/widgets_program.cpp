@@ -408,7 +408,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   auto options = sized({1440, 900});
   options.probe = true;
   Driver d(options);
-  d.open_dragon("pose_alert");
+  d.open_dragon("pose_alert", test::bundled_dragon);
   const auto& times = d.workspace().method_times;
   REQUIRE(d.until([&] { return times.measured; }));
   for (const auto& links : times.links) CHECK(links.total() > 0);
@@ -447,7 +447,7 @@ TEST_CASE("the_first_start_asks_once_whose_keys_the_hands_know") {
 }
 
 TEST_CASE("where_the_mesh_may_fold_is_told_in_the_checks_and_marked_at_the_cage") {
-  Driver d(sized({1440, 900}));
+  Driver d(sized({1440, 900}), test::with_pixels);
   d.open_dragon();
   d.workspace().remembered.layout.sections["Checks"] = true;
   d.settle();

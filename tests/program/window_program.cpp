@@ -43,9 +43,9 @@ app::ViewerOptions as_in_the_window() {
 TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_program_puts_it" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  Driver d(as_in_the_window());
+  Driver d(as_in_the_window(), test::with_pixels);
   d.document().scheme = deform::default_scheme();
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   d.frame();
   scene::frame_all(d.workspace(), false);
   d.settle();
@@ -84,9 +84,9 @@ TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_progr
 TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  Driver d(as_in_the_window());
+  Driver d(as_in_the_window(), test::with_pixels);
   d.document().scheme = deform::default_scheme();
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   d.frame();
   scene::frame_all(d.workspace(), false);
   d.settle();
@@ -148,9 +148,9 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
 TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_not" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  Driver d(as_in_the_window());
+  Driver d(as_in_the_window(), test::with_pixels);
   d.document().scheme = deform::default_scheme();
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   d.frame();
   const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
 

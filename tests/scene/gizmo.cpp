@@ -91,24 +91,3 @@ TEST_CASE("handles_that_point_at_the_viewer_fade_and_cannot_be_hit") {
   CHECK(pick_handle(gizmo, gizmo.arms[2].tip) == Constraint{});
   CHECK(gizmo.far_to_near[2] == 2);
 }
-
-TEST_CASE("there_is_no_gizmo_for_the_select_tool_or_behind_the_eye") {
-  CHECK_FALSE(make_gizmo(Tool::select, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport));
-  CHECK_FALSE(make_gizmo(Tool::move, {0, 0, 20}, glm::dmat3(1), camera(0, 0), test::viewport));
-  CHECK(make_gizmo(Tool::move, {0, 0, 20}, glm::dmat3(1), camera(0, 0, 4, true), test::viewport));
-}
-
-TEST_CASE("handles_have_names") {
-  CHECK(handle_name(Tool::move, {Kind::axis, 0}) == "Move along X");
-  CHECK(handle_name(Tool::move, {Kind::plane, 1}) == "Move in XZ");
-  CHECK(handle_name(Tool::rotate, {Kind::axis, 2}) == "Rotate about Z");
-  CHECK(handle_name(Tool::scale, {}) == "Scale evenly");
-}
-
-TEST_CASE("a_ring_that_faces_the_viewer_is_near_all_around") {
-  for (const float pitch : {0.0f, 0.1f, 0.2f}) {
-    const auto gizmo =
-        *make_gizmo(Tool::rotate, {0.4, 0.1, 0}, glm::dmat3(1), camera(0, pitch), test::viewport);
-    for (const auto& point : gizmo.rings[2]) CHECK(point.front);
-  }
-}

@@ -146,18 +146,6 @@ TEST_CASE("axes_are_of_length_1_and_right_handed_whatever_is_asked_for") {
   check_near(across.axes[1], {0, 1, 0});
 }
 
-TEST_CASE("typed_axes_are_those_that_were_chosen") {
-  Document document = arm();
-  select(document, 36, 40);
-  Grip grip = test::plain_grip(document);
-  grip.anchor.axes = glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
-  Transform t;
-  t.axes = grip.anchor.axes;
-  t.factors = {3, 1, 1};  // along y
-  REQUIRE(transform_selection(document, Tool::scale, grip, t));
-  CHECK(document.pose.positions[37] == mesh::Point{9, 3, -1});
-}
-
 TEST_CASE("in_a_mirror_the_other_side_moves_as_its_image") {
   Document document = arm();
   const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
@@ -232,36 +220,4 @@ TEST_CASE("what_goes_along_softly_moves_by_its_share_and_turns_by_its_share") {
   // Of ring 7 half of 90 degrees: (y, z) = (-1, -1) to (0, -sqrt 2).
   CHECK(document.pose.positions[28][1] == doctest::Approx(0).epsilon(1e-12));
   CHECK(document.pose.positions[28][2] == doctest::Approx(-std::sqrt(2)));
-}
-
-TEST_CASE("soft_selection_respects_the_mirror") {
-  Document document = arm();
-  const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
-  document.selection.apply(std::array{37u}, SelectMode::replace);
-  Handling handling;
-  handling.soft = {.on = true, .radius = 2.5 / document.space.diagonal(), .curve = SoftCurve::linear};
-  const Grip grip = grip_of(document, handling, &*mirror, Camera());
-  Transform t;
-  t.shift = {0, 1, -1};
-  REQUIRE(transform_selection(document, Tool::move, grip, t));
-  for (std::uint32_t v = 0; v < 40; ++v) {
-    const auto &p = document.pose.positions[v], &q = document.pose.positions[mirror->partners[v]];
-    CHECK(p[0] == doctest::Approx(q[0]));
-    CHECK(p[1] == doctest::Approx(q[1]));
-    CHECK(p[2] == doctest::Approx(-q[2]));
-  }
-  CHECK(document.pose.positions[33][1] == doctest::Approx(1.6));
-}
-
-TEST_CASE("what_a_grip_does_not_move_keeps_its_bits") {
-  Document document = arm();
-  for (auto& p : document.pose.positions) p = {p[0] / 3, p[1] / 7, p[2] / 11};
-  const auto before = document.pose.positions;
-  const Mirror mirror{{{0.6, 0, 0.8}, 0.1}, mirror_of(*document.cage, MirrorPlane::z)->partners};
-  select(document, 20, 40);
-  Handling handling;
-  handling.soft.on = true;
-  const Grip grip = grip_of(document, handling, &mirror, Camera());
-  apply(Transform{}, grip, before, document.pose.positions);
-  CHECK(document.pose.positions == before);
 }

@@ -76,25 +76,6 @@ TEST_CASE("a_dragged_vertex_follows_the_cursor_to_the_pixel") {
   CHECK(m.w.document.pose.positions == m.w.document.cage->surface.positions);
 }
 
-TEST_CASE("the_whole_selection_moves_by_the_same_amount") {
-  Mouse m;
-  m.w.document.selection.select_all(8);
-  const auto before = m.w.document.pose.positions;
-  m.drag(m.vertex(2), m.vertex(2) + glm::vec2(25, 10));
-  const auto& after = m.w.document.pose.positions;
-  for (int v = 0; v < 8; ++v) {
-    for (int i = 0; i < 3; ++i)
-      CHECK(after[v][i] - before[v][i] == doctest::Approx(after[0][i] - before[0][i]).epsilon(1e-12));
-  }
-}
-
-TEST_CASE("less_than_four_pixels_is_a_click_and_moves_nothing") {
-  Mouse m;
-  m.drag(m.vertex(7), m.vertex(7) + glm::vec2(2, 2));
-  CHECK_FALSE(differs_from_rest(m.w.document));
-  CHECK(m.selected() == std::vector<std::uint32_t>{7});
-}
-
 TEST_CASE("esc_or_the_right_button_during_a_drag_restores_exactly") {
   for (const bool by_escape : {true, false}) {
     Mouse m;
@@ -306,18 +287,6 @@ TEST_CASE("the_axis_widget_takes_clicks_for_views_and_drags_for_orbits") {
   CHECK_FALSE(axis_widget_of(m.w));
 }
 
-TEST_CASE("there_is_no_gizmo_without_selection_with_a_hidden_cage_or_the_select_tool") {
-  Mouse m;
-  CHECK_FALSE(gizmo_of(m.w));
-  m.w.document.selection.select_all(8);
-  CHECK(gizmo_of(m.w));
-  m.w.view.cage = false;
-  CHECK_FALSE(gizmo_of(m.w));
-  m.w.view.cage = true;
-  m.w.tool = Tool::select;
-  CHECK_FALSE(gizmo_of(m.w));
-}
-
 TEST_CASE("picking_and_dragging_work_the_same_in_an_orthographic_view") {
   Mouse m;
   m.w.camera.set_orthographic(true);
@@ -327,21 +296,6 @@ TEST_CASE("picking_and_dragging_work_the_same_in_an_orthographic_view") {
   m.input.wheel = 2;
   m.move(to);
   CHECK(glm::distance(m.vertex(7), to) < 0.05f);
-}
-
-TEST_CASE("another_document_in_the_middle_of_a_gesture_ends_it") {
-  Mouse m;
-  m.move(m.vertex(7));
-  m.press();
-  m.move(m.vertex(7) + glm::vec2(30, 10));
-  Document other = test::cube_document();
-  other.take_place_of(m.w.document);
-  m.w.document = std::move(other);
-  m.w.interaction = {};
-  m.move({400, 400});
-  m.release();
-  CHECK_FALSE(differs_from_rest(m.w.document));
-  CHECK(m.selected().empty());
 }
 
 TEST_CASE("another_kind_of_element_chosen_between_press_and_drag_ends_it") {

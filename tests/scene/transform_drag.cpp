@@ -128,18 +128,6 @@ TEST_CASE("a_plane_move_stays_in_its_plane_and_under_the_cursor") {
   }
 }
 
-TEST_CASE("going_round_the_centre_turns_and_counts_beyond_360_degrees") {
-  for (const double degrees : {90.0, 400.0, -800.0}) {
-    Drag d(Tool::rotate, {}, {100, 0});
-    go_round(d, degrees);
-    CHECK(d.drag->transform().degrees == doctest::Approx(degrees).epsilon(1e-4));
-    go_round(d, 0.0);
-  }
-  Drag d(Tool::rotate, {}, {100, 0});
-  go_round(d, 450);
-  CHECK(d.drag->readout() == "450.0\u00b0");
-}
-
 TEST_CASE("going_round_and_back_is_as_it_was") {
   Drag d(Tool::rotate, {Kind::axis, 1}, {100, 0});
   const auto rest = d.w.document.pose.positions;
@@ -206,16 +194,6 @@ TEST_CASE("typed_numbers_replace_the_mouse_until_they_are_deleted") {
   CHECK(std::abs(d.moved(6)[0] - by_mouse[0]) < 1e-6);
 }
 
-TEST_CASE("a_number_without_an_axis_is_the_length_of_the_pull") {
-  Drag d(Tool::move, {}, {0, 0});
-  d.move({30, 20});
-  const mesh::Point pull = d.moved(6);
-  d.type("-2");
-  const mesh::Point now = d.moved(6);
-  CHECK(std::hypot(now[0], now[1], now[2]) == doctest::Approx(2));
-  CHECK(now[0] * pull[0] + now[1] * pull[1] + now[2] * pull[2] < 0);
-}
-
 TEST_CASE("capitals_constrain_to_the_plane_across_and_for_a_turn_mean_its_normal") {
   Drag d(Tool::scale, {}, {0, 0});
   d.type("Y2");
@@ -242,26 +220,6 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   CHECK(std::abs(d.w.document.pose.turns[0][1]) < 1e-9);
 }
 
-TEST_CASE("a_whole_turn_of_a_posed_cage_is_counted_when_the_drag_ends") {
-  Drag d(Tool::rotate, {}, {100, 0});
-  d.drag->cancel(d.w.document);
-  Document& document = d.w.document;
-  for (auto& p : document.pose.positions) p[0] += 0.5 * p[1], p[2] += 0.25 * p[0];
-  const auto before = document.pose.turns;
-  document.selection.select_all(8);
-  for (const char* degrees : {"90", "270"}) {
-    d.drag.emplace(document, test::plain_grip(document), Tool::rotate, Constraint{Kind::axis, 2}, 1,
-                   d.input.cursor, d.w.camera);
-    d.type(degrees);
-    d.drag->commit(document);
-  }
-  CHECK(document.pose.turns[0][2] == doctest::Approx(2 * pi).epsilon(0.1));
-  CHECK(std::hypot(document.pose.turns[0][0], document.pose.turns[0][1]) < 1e-9);
-  undo(document);
-  undo(document);
-  CHECK(document.pose.turns == before);
-}
-
 TEST_CASE("an_axis_scale_follows_its_handle_and_scales_nothing_else") {
   const CursorProjection projection(glm::dvec3(Drag(Tool::scale, {}, {0, 0}).view_center()),
                                     test::cube_workspace().camera, test::cube_workspace().viewport);
@@ -273,12 +231,4 @@ TEST_CASE("an_axis_scale_follows_its_handle_and_scales_nothing_else") {
   CHECK(d.moved(7)[0] == doctest::Approx(0.75).epsilon(1e-5));
   CHECK(d.moved(6)[0] == doctest::Approx(-0.75).epsilon(1e-5));
   CHECK(d.drag->readout() == "X 1.50");
-}
-
-TEST_CASE("a_finished_drag_is_one_entry_of_the_history_with_a_name") {
-  Drag d(Tool::scale, {}, {0, 0});
-  for (int i = 0; i < 10; ++i) d.move({3, 0});
-  d.drag->commit(d.w.document);
-  CHECK(test::edit_count(d.w.document.history) == 1);
-  CHECK(d.w.document.history.undo_label() == "scale 2 vertices");
 }
