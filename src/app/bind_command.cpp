@@ -25,7 +25,7 @@ struct BindOptions {
 };
 
 void print(const deform::TiledBinding& tiles, double seconds) {
-  const std::string handles(deform::name(deform::entry(tiles.weighting.elements).handles));
+  const std::string handles(deform::name(tiles.weighting.elements));
   std::printf("bound %s vertices to %zu cage %s in %.2f s: %.1f MB",
               base::with_thousands(tiles.leaves.vertices).c_str(), tiles.handles, handles.c_str(), seconds,
               static_cast<double>(tiles.bytes()) * 1e-6);

@@ -20,10 +20,9 @@ struct Bound {
   double seconds = 0;     ///< that its tiles took to bind; 0 if they were there
   std::string problem{};  ///< of a saved binding that was named and could not be used
 
-  /// True if its stitching is for the elements of this scheme, held as it says.
+  /// True if its stitching holds the model as this scheme says.
   bool stitches(const deform::Scheme& scheme) const {
-    return stitching && stitching->handles == deform::entry(scheme.weighting.elements).handles &&
-           stitching->settings == deform::settings_of(scheme);
+    return stitching && stitching->settings == deform::settings_of(scheme);
   }
   /// True if it binds the document's model to the document's cage, by whatever weights.
   bool binds(const scene::Document& document) const {

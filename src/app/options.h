@@ -58,14 +58,12 @@ void add_stitching_options(CLI::App& app, scene::AskedSettings& asked);
 
 CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way);
 
-/// --elements, --weights and, if wanted, --blend, by the names of the tables.
+/// --weights and, if wanted, --blend, by the names of the tables.
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend);
 
-/// --reach, --radius, --exponent, --clamp and --normalise.
-void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked);
+/// --radius PERCENT.
+void add_radius_option(CLI::App& app, std::optional<double>& asked);
 
-/// --reach NUMBER|all.
-CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take);
 /// --binding FILE, written by `viete bind`.
 void add_binding_option(CLI::App& app, std::filesystem::path& file);
 /// --digits NUMBER|all, of coordinates in text files.

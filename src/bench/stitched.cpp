@@ -187,7 +187,7 @@ public:
   }
 
 private:
-  deform::Stitching stitch() { return deform::stitch(model_, *cage_, deform::Elements::face, pool_); }
+  deform::Stitching stitch() { return deform::stitch(model_, *cage_, pool_); }
 
   std::unique_ptr<deform::Deformer> frame(int iterations) {
     deform::Scheme scheme;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::array<char, 16> format = {"viete binding\n"};
 // Another one whenever the same model and cage give other weights, or other files.
-constexpr std::uint32_t current_version = 3;
+constexpr std::uint32_t current_version = 4;
 constexpr std::uint32_t byte_order = 0x01020304;
 
 struct Header {
@@ -32,13 +32,12 @@ struct Header {
   std::uint16_t elements = 0, weights = 0;
   std::uint32_t storage = 0;
   std::uint64_t failed = 0;
-  double reach = 0, radius = 0, tolerance = 0;
-  std::uint16_t exponent = 0, clamp = 0;
-  std::uint8_t normalise = 0, since_03 = 0;  // not Weighting::as_before
-  std::uint16_t shared = 0;
+  double radius = 0, tolerance = 0;
+  std::uint32_t since_03 = 0;  // not Weighting::as_before
+  std::uint32_t shared = 0;
   std::uint64_t content = 0, itself = 0;  // checksums of what follows, and of what stands before
 };
-static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 112);
+static_assert(std::is_trivially_copyable_v<Header> && sizeof(Header) == 104);
 
 template <class Choice>
 std::uint16_t number(Choice choice) {
@@ -46,13 +45,9 @@ std::uint16_t number(Choice choice) {
 }
 
 void put_numbers(const Weighting& weighting, Header& header) {
-  header.elements = number(weighed_as(weighting.elements));
+  header.elements = number(weighting.elements);
   header.weights = number(weighting.weights);
-  header.reach = weighting.used_reach();
   header.radius = weighting.used_radius();
-  header.exponent = static_cast<std::uint16_t>(weighting.used_exponent());
-  header.clamp = weighting.used_clamp();
-  header.normalise = weighting.used_normalise();
   header.since_03 = weighting.changed_in_03() && !weighting.as_before;
 }
 
@@ -158,13 +153,9 @@ void require_same(const Reader& reader, const Header& h, const mesh::Surface& mo
   if (other_model && other_cage) reader.stale("model and cage are not those that it was made for");
   if (other_model) reader.stale("the model is not the one that it was made for");
   if (other_cage) reader.stale("the cage is not the one that it was made for");
-  if (h.elements != number(weighed_as(weighting.elements)) || h.weights != number(weighting.weights)) {
-    reader.stale("it is not for elements " + std::string(entry(weighting.elements).name) + " with weights " +
+  if (h.elements != number(weighting.elements) || h.weights != number(weighting.weights)) {
+    reader.stale("it is not for elements " + std::string(name(weighting.elements)) + " with weights " +
                  std::string(entry(weighting.weights).name));
-  }
-  if (h.reach != weighting.used_reach()) {
-    reader.stale("it is for reach " + text_of_reach(h.reach) + ", not " +
-                 text_of_reach(weighting.used_reach()));
   }
   Header wanted = h;
   put_numbers(weighting, wanted);
@@ -172,15 +163,9 @@ void require_same(const Reader& reader, const Header& h, const mesh::Surface& mo
     reader.stale("it is for radius " + text_of_percent(h.radius) + ", not " +
                  text_of_percent(weighting.radius));
   }
-  if (h.exponent != wanted.exponent) {
-    reader.stale("it is for exponent " + std::to_string(h.exponent) + ", not " +
-                 std::to_string(weighting.exponent));
-  }
   const auto with = [](bool yes, const char* what) {
     return std::string("its weights are ") + (yes ? "" : "not ") + what;
   };
-  if (h.clamp != wanted.clamp) reader.stale(with(h.clamp, "clamped"));
-  if (h.normalise != wanted.normalise) reader.stale(with(h.normalise, "normalised"));
   if (h.since_03 != wanted.since_03) reader.stale(with(!h.since_03, "those of before version 0.3"));
 }
 

@@ -24,7 +24,7 @@ std::uint64_t binding_key(const mesh::Surface& model, const Cage& cage, const We
 /// Saves the weights and what stands for them; what follows from model and cage alone is left out. The file
 /// holds numbers as this machine stores them:
 ///   header    words that say what it is, version, byte order; checksums of model, cage and the order of the
-///             vertices; elements, weights, storage, reach, tolerance; checksums of what follows and of
+///             vertices; elements, weights, storage, radius, tolerance; checksums of what follows and of
 ///             itself
 ///   ranks     32 bits a leaf: compressed bindings, 0: dense; with lists, their lengths
 ///   listed    32 bits a handle, leaf by leaf (with lists only)

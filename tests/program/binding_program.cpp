@@ -202,24 +202,24 @@ TEST_CASE("other_coordinates_are_bound_while_the_old_ones_serve_and_a_cancel_kee
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
 }
 
-TEST_CASE("another_reach_is_bound_while_the_old_one_serves_and_a_cancel_keeps_it") {
+TEST_CASE("other_weights_are_bound_while_the_old_one_serves_and_a_cancel_keeps_it") {
   const test::TemporaryFolder folder;
   Driver d(small_window());
   for (int levels = 3;; ++levels) {
     REQUIRE_MESSAGE(levels < 6, "weights of 8192 triangles came at once");
-    scene::set_reach(d.document(), deform::whole_cage);
+    scene::set_scheme(d.document(), {});
     scene::mark_saved(d.workspace());
     REQUIRE(d.open({dragon, ball_cage(folder.path(), levels)}));
     d.settle();
     const auto rest = deformed_positions(d);
-    scene::set_reach(d.document(), 3);
+    scene::set_scheme(d.document(), deform::scheme_of(deform::Way::local));
     d.frame();
     if (!d.workspace().binding.running) continue;
     CHECK(d.workspace().binding.what.rfind("Binding 50,000 vertices to ", 0) == 0);
     d.press_key(scene::Key::escape);
-    if (d.document().scheme.weighting.reach == 3) continue;
+    if (d.document().scheme.weighting.partial()) continue;
     CHECK(!d.workspace().binding.running);
-    CHECK(d.document().scheme.weighting.reach == deform::whole_cage);
+    CHECK(d.document().scheme == deform::Scheme());
     CHECK(deformed_positions(d) == rest);
     break;
   }

@@ -68,7 +68,7 @@ TEST_CASE("what_a_killed_program_was_still_writing_goes_at_the_next_start") {
   CHECK_FALSE(fs::exists(half));
 }
 
-TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
+TEST_CASE("a_whole_turn_and_another_radius_are_kept_without_a_moved_vertex") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path state = folder / "state";
@@ -79,10 +79,12 @@ TEST_CASE("a_whole_turn_and_another_reach_are_kept_without_a_moved_vertex") {
     d.settle();
     return wait_until([&] { return kept_files(state).size() == files; });
   };
-  scene::set_reach(d.document(), 3);
+  scene::set_scheme(d.document(), deform::scheme_of(deform::Way::local));
+  scene::mark_saved(d.workspace());
+  scene::set_radius(d.document(), 0.3);
   REQUIRE(settled(1));
-  CHECK(scene::read_session(kept_files(state).front()).scheme.weighting.reach == 3);
-  scene::set_reach(d.document(), deform::whole_cage);
+  CHECK(scene::read_session(kept_files(state).front()).scheme.weighting.radius == 0.3);
+  scene::set_radius(d.document(), 0.25);
   REQUIRE(settled(0));
   d.press_key(scene::key('A'));
   scene::Transform turn;
@@ -180,7 +182,7 @@ TEST_CASE("each_kept_work_is_offered_by_name_place_time_and_first_edit_and_the_c
     keep("999999999-1.viete", 30);
     d.workspace().saved.session = folder / "a rather long name of a folder" / "walk cycle" / "walk.viete";
     scene::mark_saved(d.workspace());
-    scene::set_reach(d.document(), 3);
+    scene::set_radius(d.document(), 0.3);
     keep("999999999-2.viete", 0);
   }
   Driver d(remembering(state));
@@ -188,7 +190,7 @@ TEST_CASE("each_kept_work_is_offered_by_name_place_time_and_first_edit_and_the_c
   const auto& kept = d.workspace().leftovers;
   REQUIRE(kept.size() == 2);
   CHECK(kept[0].name == "walk.viete");
-  CHECK(kept[0].first_edit == "change reach");
+  CHECK(kept[0].first_edit == "change radius");
   CHECK(kept[1].first_edit == "move a vertex");
   CHECK(kept[1].folder == fs::canonical(folder.path()));
   if (const char* pictures = std::getenv("VIETE_PICTURES"))
@@ -205,7 +207,7 @@ TEST_CASE("each_kept_work_is_offered_by_name_place_time_and_first_edit_and_the_c
   d.click("restore_leftover");
   d.settle();
   CHECK(d.document().model.path == fs::canonical(small.model));
-  CHECK(d.document().scheme.weighting.reach == deform::whole_cage);
+  CHECK(d.document().scheme.weighting.radius == 0.25);
   REQUIRE(kept.size() == 1);
   CHECK(kept[0].name == "walk.viete");
 }

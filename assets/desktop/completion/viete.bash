@@ -25,13 +25,10 @@ _viete_value() {
       esac
       ;;
     --method) words='fast diag sd improved_sd' ;;
-    --elements) words='face polygon patch edge vertex vertex-face vertex-patch point' ;;
-    --weights) words='inverse integrated cutoff harmonic biharmonic mean-value' ;;
-    --blend) words='srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear' ;;
+    --weights) words='inverse cutoff harmonic biharmonic mean-value' ;;
+    --blend) words='srl mls-affine mls-similarity mls-rigid linear' ;;
     --way) words='smooth paper mean-value rigid arap local' ;;
-    --reach) words='all 1.5 2 3 5' ;;
     --radius) words='5 10 25 50' ;;
-    --exponent) words='1 2 3 4' ;;
     --turn | --stretch) words='0 50 100 200' ;;
     --look) words='home front back left right top bottom' ;;
     --map) words='none displacement area larger-stretch smaller-stretch shear turn energy volume gap exp-error frame-error influence opening difference signed-difference' ;;
@@ -55,22 +52,22 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --model --cage --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --scale --frames'
+      options+=' --pose --model --cage --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold --binding --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --model --cage --size --scale --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
+      options+=' --output --force --pose --model --cage --size --scale --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
         --transparent --pass --line-width --error-map --show-cage --no-grid'
       ;;
-    deform) options+=' --output --digits --force --pose --model --cage --mask --stream --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold' ;;
+    deform) options+=' --output --digits --force --pose --model --cage --mask --stream --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
-      options+=' --output --force --model --cage --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --turn --stretch --stitched --iterations --pins --hold
+      options+=' --output --force --model --cage --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold
         --size --scale --binding --line-width --look --camera --shading --map --compare --panels --light --wireframe --error-map --show-cage --no-grid'
       ;;
     between) options+=' --output --frames --at --rest --loop --linear --straight --rate --digits --force' ;;
     mix) options+=' --output --shape --straight --digits --force' ;;
     pose) options+=' --output --examples --pin --pull --firmness --freedom --restraint --digits --force' ;;
-    bind) options+=' --output --force --model --cage --way --elements --weights --reach --radius --exponent --clamp --no-clamp --normalise --tolerance' ;;
+    bind) options+=' --output --force --model --cage --way --weights --radius --tolerance' ;;
     cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
     replay) options+=' --output --scale --force' ;;
@@ -79,9 +76,9 @@ _viete_options() {
     'bench eigen') options+=' --force --count --json --plot' ;;
     'bench accuracy') options+=' --force --count --json --float' ;;
     'bench sym3') options+=' --force --count --json' ;;
-    'bench frame') options+=' --force --count --faces --rounds --tolerance --reach --json' ;;
+    'bench frame') options+=' --force --count --faces --rounds --tolerance --json' ;;
     'bench bind') options+=' --force --count --faces --rounds --json' ;;
-    'bench modes') options+=' --force --method --elements --weights --blend --reach --radius --exponent --clamp --no-clamp --normalise --stitched --iterations --pins --hold --rounds --json' ;;
+    'bench modes') options+=' --force --method --weights --blend --radius --stitched --iterations --pins --hold --rounds --json' ;;
     'bench cage') options+=' --force --json' ;;
     'bench files') options+=' --force --rounds --json' ;;
     'bench stitched' | 'bench time') options+=' --force --rounds --json' ;;

@@ -10,13 +10,10 @@ local -a force=('--force[replace other files too]')
 local -a output=($force '(-o --output)'{-o+,--output=}'[file to write]:file:_files')
 local -a pose=("--pose=[posed cage]:pose:$mesh")
 local -a method=('--method=[how exp is computed]:method:(fast diag sd improved_sd)')
-local -a weighting=('--elements=[which maps the cage carries]:elements:(face polygon patch edge vertex vertex-face vertex-patch point)'
-  '--weights=[how much of each map a vertex takes]:weights:(inverse integrated cutoff harmonic biharmonic mean-value)')
-local -a blend=('--blend=[what of the maps is summed]:blend:(srl sse slrl sql log3 log4 mls-affine mls-similarity mls-rigid linear)')
+local -a weighting=('--weights=[how much of each face or vertex of the cage a vertex takes]:weights:(inverse cutoff harmonic biharmonic mean-value)')
+local -a blend=('--blend=[what of the maps is summed]:blend:(srl mls-affine mls-similarity mls-rigid linear)')
 local -a way=('--way=[how the cage moves the mesh]:way:(smooth paper mean-value rigid arap local)')
-local -a reach=('--reach=[how far a triangle moves the mesh]:reach:(all 1.5 2 3 5)')
-local -a limits=('--radius=[where cut-off weights end, percent]:percent:(5 10 25 50)' '--exponent=[of distances]:exponent:(1 2 3 4)'
-  '--clamp[weights are not below 0]' '--no-clamp[weights may be below 0]' '--normalise[weights always sum to 1]')
+local -a limits=('--radius=[where cut-off weights end, percent]:percent:(5 10 25 50)')
 local -a amounts=('--turn=[how much of rotations acts, percent]:percent:(0 50 100 200)' '--stretch=[how much of stretches acts, percent]:percent:(0 50 100 200)')
 local -a stitched=('--stitched[as rigid as possible]' '--iterations=[how often a stitched mesh is solved for]:iterations:(1 2 3 5)'
   '--pins=[how near to the cage a stitched mesh is pinned]:percent:(0 5 10)' '--hold=[how firmly a stitched mesh is held]:percent:(0 5 20)')
@@ -46,15 +43,15 @@ local command=$words[2]
 [[ $command == bench ]] && command="bench $words[3]"
 case $command in
   render)
-    specs+=($files $output $pose $method $weighting $blend $way $reach $limits $amounts $stitched $picture '--transparent[without a background]'
+    specs+=($files $output $pose $method $weighting $blend $way $limits $amounts $stitched $picture '--transparent[without a background]'
       '--pass=[what is told of the model instead]:pass:(none depth normals triangles occlusion)')
     ;;
   deform)
-    specs+=($files $output $digits $pose $method $weighting $blend $way $reach $limits $amounts $stitched
+    specs+=($files $output $digits $pose $method $weighting $blend $way $limits $amounts $stitched
       '--mask=[how much of its motion each vertex makes]:file:_files' '--stream[poses from standard input, positions to standard output]')
     ;;
   animate)
-    specs+=($files $output $method $weighting $blend $way $reach $limits $amounts $stitched $picture $digits
+    specs+=($files $output $method $weighting $blend $way $limits $amounts $stitched $picture $digits
       '--keys=[keys of other files]:file:_files' '--frames=[first-last]:frames:' '--step=[every so many frames]:frames:' $rate $straight
       '--tolerance=[of morph targets]:tolerance:'
       '--no-normals[morph targets of positions alone]' '--largest=[megabytes of morph targets]:megabytes:'
@@ -71,7 +68,7 @@ case $command in
       '*--pin=[a vertex and where it is held, VERTEX=x,y,z]:pin: ' '*--pull=[a vertex and where it is pulled, VERTEX=x,y,z]:pin: '
       '--firmness=[how much vertices are pulled]:number: ' '--freedom=[how freely it turns off the blend of examples]:number:(0 0.3 1)'
       '--restraint=[how near to 0 weights of examples stay]:number: ') ;;
-  bind) specs+=($files $output $weighting $way $reach $limits $tolerance) ;;
+  bind) specs+=($files $output $weighting $way $limits $tolerance) ;;
   cage) specs+=("1:mesh:$mesh" $output '--kind=[what cage]:kind:(automatic box hull)'
       '--triangles=[size of the cage]:triangles:(60 200 600)' '--margin=[distance to the mesh, percent]:percent:(0.15 0.5 2)'
       '--gap=[which gaps are closed, percent]:percent:(0.15 0.5 2)' '--symmetry=[about which plane]:symmetry:(auto none x y z)'
@@ -85,9 +82,9 @@ case $command in
   'bench eigen') specs+=($count $json $plot) ;;
   'bench accuracy') specs+=($count $json $float) ;;
   'bench sym3') specs+=($count $json) ;;
-  'bench frame') specs+=($meshes $count $json $faces $rounds $tolerance $reach) ;;
+  'bench frame') specs+=($meshes $count $json $faces $rounds $tolerance) ;;
   'bench bind') specs+=($meshes $count $json $faces $rounds) ;;
-  'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $weighting $blend $reach $limits $stitched $rounds) ;;
+  'bench modes') specs+=($meshes "*:pose:$mesh" $json $method $weighting $blend $limits $stitched $rounds) ;;
   'bench cage') specs+=("1:mesh:$mesh" $json) ;;
   'bench files') specs+=("1:mesh:$mesh" $json $rounds) ;;
   'bench stitched') specs+=($meshes "*:pose:$mesh" $json $rounds) ;;
@@ -95,7 +92,7 @@ case $command in
   'bench shapes') specs+=("*:mesh:$mesh" $json $rounds '--published=[folder with lion and horse, whose bars are checked]:folder:_files -/') ;;
   'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files cage modes stitched time shapes)') ;;
   *) # view, which may be left out
-    specs+=($files $pose $method $weighting $blend $way $reach $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
+    specs+=($files $pose $method $weighting $blend $way $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
     ;;
 esac
