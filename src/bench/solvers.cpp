@@ -20,7 +20,7 @@ public:
   explicit SolverRuns(const deform::SparseMatrix& matrix)
       : matrix_(matrix),
         neighbours_(deform::neighbours_of_unknowns(matrix)),
-        order_(deform::elimination_order(neighbours_, pool_)),
+        order_(deform::elimination_order(neighbours_)),
         cholesky_(matrix, pool_),
         blocks_(matrix, pool_),
         three_(size(), mesh::Vec3{1, 2, 3}),
@@ -37,7 +37,7 @@ public:
       cases.push_back({step + std::string(", Eigen"), size(), [=](std::size_t) { theirs(); }});
     };
     add(
-        steps[0], [this] { deform::elimination_order(deform::neighbours_of_unknowns(matrix_), pool_); },
+        steps[0], [this] { deform::elimination_order(deform::neighbours_of_unknowns(matrix_)); },
         [this] { theirs_.analyzePattern(eigens_); });
     add(
         steps[1], [this] { deform::factor(matrix_, neighbours_, order_, pool_); },
