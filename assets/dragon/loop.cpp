@@ -61,7 +61,7 @@ std::string loop_session(const Cage& cage) {
   const std::vector<Pose> poses = dragon_poses(cage);
   const Mesh& alert = poses.front().mesh;
   std::string text =
-      "{\n  \"format\": \"viete session\",\n  \"version\": 5,\n"
+      "{\n  \"format\": \"viete session\",\n  \"version\": 1,\n"
       "  \"model\": \"dragon.ply\",\n  \"cage\": \"cage.obj\",\n"
       "  \"weights\": \"biharmonic\", \"blend\": \"srl\", \"as_before\": false,\n  \"poses\": [\n";
   for (std::size_t i = 0; i < poses.size(); ++i)

@@ -77,7 +77,6 @@ void check_output(const AnimateOptions& options, FilesInUse files, const scene::
   const std::string extension = mesh::extension_of(options.output);
   const bool numbered = base::NumberedName::is_pattern(options.output);
   if (!numbered && !scene::is_animation_format(extension) && !scene::is_video_format(extension)) return;
-  files.add(options.picture.viewer.bindings.named, scene::the_binding);
   check_output(options.output, frames, files, force_of(options.force));
 }
 

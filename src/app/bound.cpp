@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "base/clock.h"
 #include "base/worker_pool.h"
 #include "deform/bind.h"
 #include "deform/engine_for.h"
@@ -10,8 +9,7 @@
 namespace viete::app {
 
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
-           const deform::Scheme& scheme, sym3::Method method, const Bound& known, const SavedBindings& saved,
-           base::Progress& progress) {
+           const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress) {
   using deform::EngineKind;
   const deform::Weighting& weighting = scheme.weighting;
   base::WorkerPool pool;
@@ -22,14 +20,8 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
   const bool staged = deform::engine_for(scheme, method) == EngineKind::staged;
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
-    FoundBinding found = find_binding(saved, *model, *cage, weighting, progress);
-    bound.problem = std::move(found.problem);
-    deform::Binding tiles_alone;
-    tiles_alone.tiles = std::move(found.tiles);
-    base::Stopwatch watch;
     binding = std::make_shared<const deform::Binding>(
-        deform::bind(*model, *cage, weighting, EngineKind::fused, &tiles_alone, pool, &progress));
-    if (!tiles_alone.tiles) bound.seconds = 1e-3 * watch.lap_ms();
+        deform::bind(*model, *cage, weighting, EngineKind::fused, nullptr, pool, &progress));
   }
   if (staged && binding->weights.empty()) {
     progress.section(progress.done(), 1);

@@ -38,7 +38,7 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
   all.cage = std::make_shared<const deform::Cage>(deform::make_cage(*all.surface.surface));
   if (is_preview) return all;
   progress.section(0.75, 1);
-  all.bound = bind(workshop.model, all.cage, scheme, method, {}, {}, progress);
+  all.bound = app::bind(workshop.model, all.cage, scheme, method, {}, progress);
   return all;
 }
 

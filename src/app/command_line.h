@@ -21,14 +21,12 @@ using Action = std::function<int()>;
 
 void add_view_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
-void add_replay_command(CLI::App& app, Action& action);
 void add_deform_command(CLI::App& app, Action& action);
 void add_animate_command(CLI::App& app, Action& action);
 void add_between_command(CLI::App& app, Action& action);
 void add_pose_command(CLI::App& app, Action& action);
 void add_mix_command(CLI::App& app, Action& action);
 void add_cage_command(CLI::App& app, Action& action);
-void add_bind_command(CLI::App& app, Action& action);
 void add_manual_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 

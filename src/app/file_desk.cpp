@@ -28,15 +28,10 @@ fs::path remembered_file(const fs::path& state) {
   return state / "remembered.json";
 }
 
-FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace& workspace, fs::path program)
-    : state_(state),
-      program_(std::move(program)),
-      saved_(std::move(saved)),
-      autosave_(recovery_folder(state), queue_) {
-  workspace.binding_file = saved_.named;
+FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace, fs::path program)
+    : state_(state), program_(std::move(program)), autosave_(recovery_folder(state), queue_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
-  scene::remove_discarded(recovery_folder(state_));
   workspace.leftovers = scene::find_leftovers(recovery_folder(state_));
   workspace.offers_leftovers = !std::ranges::all_of(workspace.leftovers, &scene::Leftover::restored);
   try {
@@ -49,16 +44,12 @@ FileDesk::FileDesk(const fs::path& state, SavedBindings saved, scene::Workspace&
   written_ = workspace.remembered;
 }
 
-FileDesk::~FileDesk() {
-  if (!state_.empty()) scene::remove_discarded(recovery_folder(state_));
-}
-
 void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   auto& r = w.requests;
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
   if (const auto request = std::exchange(r.open, std::nullopt)) {
     reading_ = request->files.empty() ? fs::path() : request->files.front();
-    loader_.start(*request, w.document, take_saved());
+    loader_.start(*request, w.document);
   }
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
@@ -73,8 +64,6 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
     export_to(w, *file, &FileDesk::start_animation_export);
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
-  if (std::exchange(r.discard, false)) discard(w);
-  if (std::exchange(r.undo_discard, false)) undo_discard(w);
   sizes_.follow(w);
   go_on_after_saving(w);
   if (std::exchange(r.quit, false) && !w.question) close(w);
@@ -181,6 +170,7 @@ void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
     w.requests.open->fins = scene::Fins::removed;
     return;
   }
+  if (kind == Kind::discard) return discard(w);
   if (kind == Kind::replace) {
     if (answer == scene::Answer::save) return scene::browse_to_save_session(w);
     return save_session(w, w.saved.session, true);
@@ -238,47 +228,15 @@ void FileDesk::finish_exports(scene::Workspace& w) {
   show_exports(w);
 }
 
-SavedBindings FileDesk::take_saved() {
-  SavedBindings saved = saved_;
-  saved_.named.clear();
-  return saved;
-}
-
-void FileDesk::keep_binding(const Bound& bound) {
-  if (saved_.folder.empty() || bound.seconds < saved_.worth_keeping) return;
-  writes_.push_back(
-      queue_.add([saved = saved_, model = bound.model, cage = bound.cage, tiles = bound.binding->tiles] {
-        app::keep_binding(saved, *tiles, *model, *cage);
-      }));
-}
-
 void FileDesk::discard(scene::Workspace& w) {
-  const auto problem = [&](const scene::Leftover& leftover) {
-    try {
-      w.discarded.push_back(scene::discard(leftover));
-      return false;
-    } catch (const base::Error& error) {
-      w.messages.error(error.what(), {"discard"});
-      return true;
-    }
-  };
-  const std::size_t before = w.leftovers.size();
-  std::erase_if(w.leftovers, [&](const auto& leftover) { return !problem(leftover); });
-  if (w.leftovers.size() == before) return;
+  std::erase_if(w.leftovers, [&](const scene::Leftover& leftover) {
+    std::error_code code;
+    if (fs::remove(leftover.file, code) || !code) return true;
+    w.messages.error(base::Error(leftover.file.string(), "cannot be removed: " + code.message()).what(),
+                     {"discard"});
+    return false;
+  });
   if (w.leftovers.empty()) w.messages.succeeded("discard");
-  w.messages.info("Discarded the recovered edits.");
-}
-
-void FileDesk::undo_discard(scene::Workspace& w) {
-  try {
-    for (; !w.discarded.empty(); w.discarded.pop_back()) {
-      scene::undo_discard(w.discarded.back());
-      w.leftovers.insert(w.leftovers.begin(), w.discarded.back().leftover);
-    }
-  } catch (const base::Error& error) {
-    w.messages.error(error.what(), {"discard"});
-  }
-  w.offers_leftovers = !w.leftovers.empty();
 }
 
 void FileDesk::keep(scene::Workspace& w, bool no_drag) {

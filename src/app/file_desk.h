@@ -24,10 +24,8 @@ class FileDesk {
 public:
   /// state: the folder to remember in; empty: nothing is remembered or kept. Fills the workspace with what
   /// was remembered. program: `viete`, which draws animations aside.
-  FileDesk(const std::filesystem::path& state, SavedBindings saved, scene::Workspace& workspace,
+  FileDesk(const std::filesystem::path& state, scene::Workspace& workspace,
            std::filesystem::path program = "/proc/self/exe");
-  /// What was discarded is gone for good.
-  ~FileDesk();
 
   /// Before the frame's work: takes requests and answers, and what was read once no drag runs, so that
   /// nothing is taken away under a drag. Asks before edits are lost that cannot be kept. Closes when exports
@@ -58,10 +56,6 @@ public:
   ModelShading& shading() { return shading_; }
   /// What was bound with the document that was taken last; once.
   Bound take_bound() { return std::exchange(bound_, {}); }
-  /// Where the next binding may be found; the file that the user has named is for the first one.
-  SavedBindings take_saved();
-  /// Saves the binding aside, for the next time, if it took long.
-  void keep_binding(const Bound& bound);
 
 private:
   void start_export(const scene::Workspace& w, const std::filesystem::path& file);
@@ -81,12 +75,10 @@ private:
   void show_exports(scene::Workspace& workspace);
   void follow_dialog(scene::FileBrowser& browser, const scene::Workspace& w);
   void discard(scene::Workspace& workspace);
-  void undo_discard(scene::Workspace& workspace);
   void remember(scene::Workspace& workspace);
   void take_written(scene::Workspace& workspace);
 
   std::filesystem::path state_, program_;
-  SavedBindings saved_;
   Loader loader_;
   Exporter exporter_;
   MorphSizes sizes_;

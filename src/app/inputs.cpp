@@ -27,7 +27,7 @@ void add_files(CLI::App& app, Inputs& inputs) {
                   "Use this model instead of the one that the session names");
   add_file_option(app, "--cage", inputs.located.cage,
                   "Use this cage instead of the one that the session names");
-  if (inputs.use == Use::binding || inputs.use == Use::animation) return;
+  if (inputs.use == Use::animation) return;
   add_file_option(app, "--pose", inputs.pose, "Posed version of the cage, same vertices in the same order");
 }
 
@@ -50,14 +50,13 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
       },
       "");
   one_of(coordinates, {"face", "mvc"})->group("");
-  add_choice_options(app, choice, inputs.use != Use::binding);
+  add_choice_options(app, choice);
   for (const char* other : {"--weights", "--blend", "--coordinates"}) {
     auto* given = app.get_option_no_throw(other);
     if (given) way->excludes(given);
     if (given && given != coordinates) coordinates->excludes(given);
   }
   add_radius_option(app, inputs.settings.radius);
-  if (inputs.use == Use::binding) return;
   add_amount_option(app, "--turn", "rotation", inputs.settings.turn);
   add_amount_option(app, "--stretch", "stretch", inputs.settings.stretch);
   add_stitching_options(app, inputs.settings);
@@ -67,8 +66,7 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
 
 void add_input_options(CLI::App& app, Inputs& inputs) {
   add_files(app, inputs);
-  if (inputs.use != Use::binding)
-    add_method_option(app, [&inputs](sym3::Method method) { inputs.settings.method = method; });
+  add_method_option(app, [&inputs](sym3::Method method) { inputs.settings.method = method; });
   add_scheme_options(app, inputs);
 }
 
@@ -83,7 +81,7 @@ void check_usage(const Inputs& inputs) {
     throw CLI::ValidationError(inputs.located.model.empty() ? "--cage" : "--model",
                                "can only be used with a session (.viete)");
   const bool file = inputs.use == Use::file;
-  const bool needs_cage = file || inputs.use == Use::binding || inputs.use == Use::animation;
+  const bool needs_cage = file || inputs.use == Use::animation;
   if (needs_cage && inputs.cage.empty()) throw CLI::RequiredError("CAGE");
   if (file && inputs.pose.empty()) throw CLI::RequiredError("--pose");
   scene::Document tried;
@@ -101,7 +99,7 @@ scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
   const scene::Document& document = *opened.document;
   const bool deforms = inputs.use == Use::file || inputs.use == Use::animation;
   const bool movable = deforms ? document.is_movable() : document.has_cage();
-  if ((deforms || inputs.use == Use::binding) && !movable) {
+  if (deforms && !movable) {
     print_notes(opened.warnings);
     throw base::Error(inputs.model.string(), "the session has no cage", "open it and add one");
   }

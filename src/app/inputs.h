@@ -23,7 +23,6 @@ enum class Use {
   picture,    ///< needs a MODEL
   file,       ///< needs CAGE and --pose too
   animation,  ///< needs a CAGE; keys in place of a pose
-  binding,    ///< needs CAGE; neither pose nor method nor blend matter
 };
 
 struct Inputs {

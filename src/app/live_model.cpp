@@ -121,13 +121,12 @@ void LiveModel::follow_weights(const scene::Document& document) {
 void LiveModel::start_binding(const scene::Document& document) {
   binding_text_ = document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
                                       : "Preparing the model for probes";
-  binder_.start(
-      [model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
-       // Weights of the staged engine are those of any other method than `fast`.
-       method = same_path_ ? sym3::Method::diag : document.method, known = bound_,
-       saved = document.has_cage() ? files_.take_saved() : SavedBindings()](base::Progress& progress) {
-        return bind(model, cage, scheme, method, known, saved, progress);
-      });
+  binder_.start([model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
+                 // Weights of the staged engine are those of any other method than `fast`.
+                 method = same_path_ ? sym3::Method::diag : document.method,
+                 known = bound_](base::Progress& progress) {
+    return app::bind(model, cage, scheme, method, known, progress);
+  });
 }
 
 void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {
@@ -142,8 +141,6 @@ constexpr scene::Concern of_cage{"bind", scene::Scope::cage};
 void LiveModel::install(scene::Workspace& workspace, Bound bound) {
   for (const auto& warning : bound.binding->warnings) workspace.messages.warn(warning, of_cage);
   workspace.messages.succeeded(of_cage.topic);
-  if (!bound.problem.empty()) workspace.messages.error(bound.problem, of_cage);
-  if (workspace.document.has_cage()) files_.keep_binding(bound);
   bound_ = std::move(bound);
   make_deformer(scheme_of(workspace.document));
   follow_mask(workspace.document);

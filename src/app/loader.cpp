@@ -34,8 +34,8 @@ void Loader::Part::begin(std::string name) {
   begun = base::wall_seconds();
 }
 
-Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Document& current,
-                            const SavedBindings& saved, Part& part, base::Progress& progress) {
+Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Document& current, Part& part,
+                            base::Progress& progress) {
   Loaded loaded;
   try {
     loaded.opened = scene::open_files(request, current, &progress);
@@ -59,16 +59,17 @@ Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Docu
   part.begin(scene::text(scene::binding_plan(document, document.scheme.weighting)));
   progress.section(0, 1);
   loaded.bound =
-      bind(document.model.surface, document.cage, document.scheme, document.method, {}, saved, progress);
+      app::bind(document.model.surface, document.cage, document.scheme, document.method, {}, progress);
   return loaded;
 }
 
-void Loader::start(const scene::OpenRequest& request, const scene::Document& current, SavedBindings saved) {
+void Loader::start(const scene::OpenRequest& request, const scene::Document& current) {
   const auto& files = request.files;
   part_ = std::make_shared<Part>();
   part_->begin("Reading " + (files.empty() ? "" : files.front().filename().string()));
-  job_.start([request, current = without_history(current), saved = std::move(saved), part = part_](
-                 base::Progress& progress) { return load(request, current, saved, *part, progress); });
+  job_.start([request, current = without_history(current), part = part_](base::Progress& progress) {
+    return load(request, current, *part, progress);
+  });
 }
 
 scene::WorkState Loader::state() const {

@@ -28,7 +28,7 @@ public:
   };
   using Job = base::BackgroundJob<Loaded>;
 
-  void start(const scene::OpenRequest& request, const scene::Document& current, SavedBindings saved);
+  void start(const scene::OpenRequest& request, const scene::Document& current);
   /// Asks the work to stop; it does so within moments, and poll() then says so.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
@@ -49,8 +49,8 @@ private:
     double begun = 0;
     std::atomic<bool> binds = false;
   };
-  static Loaded load(const scene::OpenRequest& request, const scene::Document& current,
-                     const SavedBindings& saved, Part& part, base::Progress& progress);
+  static Loaded load(const scene::OpenRequest& request, const scene::Document& current, Part& part,
+                     base::Progress& progress);
 
   std::shared_ptr<Part> part_;
   Job job_;

@@ -41,8 +41,8 @@ deform::LinkTimes median_of(const std::vector<deform::LinkTimes>& frames) {
 
 MethodTimings time_methods(TimedPose timed, base::Progress& progress) {
   if (lacks_weights(timed) && weight_bytes(*timed.bound.binding) <= most_weight_bytes)
-    timed.bound = bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag, timed.bound, {},
-                       progress);
+    timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag,
+                            timed.bound, progress);
   base::WorkerPool pool;
   const Bound& bound = timed.bound;
   deform::Deformer deformer(bound.cage, bound.binding, timed.scheme, pool,

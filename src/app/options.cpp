@@ -91,11 +91,10 @@ CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way) {
       ->default_str("smooth");
 }
 
-void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend) {
+void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
   add_choice(app, "--weights", "How much of each face or vertex of the cage a vertex takes",
              deform::all_weights(), choice.weights);
-  if (with_blend)
-    add_choice(app, "--blend", "What of the maps is summed", deform::all_blends(), choice.blend);
+  add_choice(app, "--blend", "What of the maps is summed", deform::all_blends(), choice.blend);
 }
 
 void add_radius_option(CLI::App& app, std::optional<double>& asked) {
@@ -135,11 +134,6 @@ void add_stitching_options(CLI::App& app, scene::AskedSettings& asked) {
       app, "--hold", asked.hold, deform::share_from_percent, 100,
       "Of a stitched mesh: how firmly every vertex is held where it would be if it was not stitched")
       ->default_str("0");
-}
-
-void add_binding_option(CLI::App& app, std::filesystem::path& file) {
-  add_file_option(app, "--binding", file,
-                  "What viete bind has saved of this model and cage, instead of binding them");
 }
 
 void add_digits_option(CLI::App& app, mesh::Digits& digits) {

@@ -58,14 +58,13 @@ void add_stitching_options(CLI::App& app, scene::AskedSettings& asked);
 
 CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way);
 
-/// --weights and, if wanted, --blend, by the names of the tables.
-void add_choice_options(CLI::App& app, deform::PartialChoice& choice, bool with_blend);
+/// --weights and --blend, by the names of the tables.
+void add_choice_options(CLI::App& app, deform::PartialChoice& choice);
 
 /// --radius PERCENT.
 void add_radius_option(CLI::App& app, std::optional<double>& asked);
 
-/// --binding FILE, written by `viete bind`.
-void add_binding_option(CLI::App& app, std::filesystem::path& file);
+/// FILE, written by `viete bind`.
 /// --digits NUMBER|all, of coordinates in text files.
 void add_digits_option(CLI::App& app, mesh::Digits& digits);
 /// Of a picture; its sides are no longer than 131072.

@@ -122,7 +122,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   add_size_option(command, options.viewer.size);
   auto* scale = command.add_option("--scale", options.viewer.scale, "Device pixels per logical pixel");
   in_range(scale, 0.5, 4)->default_str("1");
-  add_binding_option(command, options.viewer.bindings.named);
   auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
   add_file_option(command, "--camera", options.camera, "Seen as that session is");

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/offscreen_viewer.h"
-#include "app/saved_bindings.h"
 #include "scene/files/open.h"
 
 namespace CLI {
@@ -16,7 +15,7 @@ class App;
 namespace viete::app {
 
 struct PictureOptions {
-  ViewerOptions viewer{.samples = 4, .bindings = {.folder = bindings_folder()}};
+  ViewerOptions viewer{.samples = 4};
   bool panels = false, light = false, error_map = false, cage = false, wireframe = false, no_grid = false;
   std::string look = "home", shading, map;
   std::vector<std::string> compare;             ///< ways or methods, a view each
@@ -25,7 +24,7 @@ struct PictureOptions {
   bool size_given = false, look_given = false;  ///< after parsing, see take_given()
 };
 
-/// --size, --scale, --binding, --look, --shading and flags. The target must outlive parsing.
+/// --size, --scale, --look, --shading and flags. The target must outlive parsing.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 /// What was given, and not left as it is.
 void take_given(const CLI::App& command, PictureOptions& options);

@@ -60,7 +60,7 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
 
 void stream_poses(const scene::Export& what, std::FILE* in, std::FILE* out) {
   base::Progress progress;
-  const Bound bound = bind(what.model, what.cage, what.scheme, what.method, {}, {}, progress);
+  const Bound bound = app::bind(what.model, what.cage, what.scheme, what.method, {}, progress);
   base::WorkerPool pool;
   deform::Deformer deformer(bound.cage, bound.binding, what.scheme, pool, bound.stitching);
   deformer.set_mask(what.mask), deformer.set_shape(what.shape), deformer.set_probes(what.probes);

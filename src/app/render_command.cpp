@@ -43,8 +43,7 @@ Content content_of(const RenderOptions& options) {
 int render(const RenderOptions& options) {
   const Content content = content_of(options);
   const auto offscreen = viewer_of(
-      options.picture, open(options.inputs, scene::check_drawable, {options.output, content, options.force},
-                            {options.picture.viewer.bindings.named, scene::the_binding}));
+      options.picture, open(options.inputs, scene::check_drawable, {options.output, content, options.force}));
   offscreen->settle();
   Viewer& viewer = offscreen->viewer();
   print_messages(viewer.workspace());

@@ -39,7 +39,7 @@ void SideModel::bind_for(const Need& need, const Bound& known) {
   const bool own = bound_.binding && bound_.binding->weighting == need.scheme.weighting;
   binder_.start([model = known.model, cage = known.cage, scheme = need.scheme, method,
                  known = own ? bound_ : known](base::Progress& progress) {
-    return app::bind(model, cage, scheme, method, known, SavedBindings(), progress);
+    return app::bind(model, cage, scheme, method, known, progress);
   });
 }
 

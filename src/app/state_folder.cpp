@@ -26,8 +26,5 @@ fs::path own_folder(const char* variable, const fs::path& of_home) {
 fs::path state_folder() {
   return own_folder("XDG_STATE_HOME", ".local/state");
 }
-fs::path cache_folder() {
-  return own_folder("XDG_CACHE_HOME", ".cache");
-}
 
 }  // namespace viete::app

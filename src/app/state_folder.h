@@ -9,7 +9,4 @@ namespace viete::app {
 /// base directory specification says). Empty if there is no home folder either: then nothing is remembered.
 std::filesystem::path state_folder();
 
-/// $XDG_CACHE_HOME/viete, or ~/.cache/viete: what can be made again. Empty likewise.
-std::filesystem::path cache_folder();
-
 }  // namespace viete::app

@@ -65,14 +65,12 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
 void add_commands(CLI::App& app, Action& action) {
   add_view_command(app, action);
   add_render_command(app, action);
-  add_replay_command(app, action);
   add_deform_command(app, action);
   add_animate_command(app, action);
   add_between_command(app, action);
   add_mix_command(app, action);
   add_pose_command(app, action);
   add_cage_command(app, action);
-  add_bind_command(app, action);
   add_info_command(app, action);
   add_manual_command(app, action);
   app.add_subcommand("bench", bench_text);

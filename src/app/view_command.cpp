@@ -31,7 +31,6 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.samples = 4;
   viewer_options.scale = options.scale > 0 ? options.scale : 1;
   viewer_options.size = {1440, 900};
-  viewer_options.bindings = {.folder = bindings_folder(), .named = options.binding};
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
   scene::take(workspace, open(options.inputs, scene::check_drawable));
@@ -63,7 +62,6 @@ void add_view_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("view", "Open the viewer (this is what `viete` alone does)");
   auto options = std::make_shared<WindowOptions>();
   add_input_options(*command, options->inputs);
-  add_binding_option(*command, options->binding);
   in_range(command->add_option("--scale", options->scale, "Device pixels per logical pixel"), 0.5, 4)
       ->default_str("what the display says");
   whole_in_range(command->add_option("--frames", options->frames, "Close after so many frames"), 0,

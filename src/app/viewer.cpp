@@ -53,7 +53,7 @@ Viewer::ImGuiOwner::~ImGuiOwner() {
 Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
     : gl_(gl),
       options_(options),
-      files_(options.state, options.bindings, workspace_, options.program),
+      files_(options.state, workspace_, options.program),
       model_(files_),
       analysis_(options.probe, options.program, options.state),
       imgui_renderer_(gl),
@@ -72,9 +72,6 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   } catch (const std::exception&) {  // it is not offered then
   }
   place_viewport();
-  input_.listen([this](platform::InputEvent& event) {
-    if (script_.on()) script_.take(event, workspace_, recorder_);
-  });
 }
 
 Viewer::~Viewer() = default;
@@ -84,14 +81,12 @@ glm::ivec2 Viewer::device_size() const {
 }
 
 void Viewer::resize(glm::ivec2 logical_size) {
-  if (script_.on() && options_.size != logical_size) script_.take_size(logical_size);
   if (options_.size != logical_size) settle(3);  // panels take some frames to find their sizes
   options_.size = logical_size;
   place_viewport();
 }
 
 void Viewer::drop(std::vector<fs::path> files) {
-  if (script_.on()) script_.take_files(files);
   workspace_.requests.open = scene::OpenRequest{scene::OpenRequest::What::dropped, std::move(files)};
 }
 
@@ -103,7 +98,6 @@ void Viewer::place_viewport() {
 
 void Viewer::frame(float seconds) {
   base::Stopwatch whole;
-  if (script_.on()) seconds = script_.begin_frame(seconds);
   last_frame_ = base::wall_seconds();
   refines_ = !changing() && wants_refinement();
   scene::FrameTimes times;
@@ -130,16 +124,12 @@ void Viewer::frame(float seconds) {
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
   if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_)) workspace_.stats.add(times);
-  if (!workspace_.scripting.playing) files_.keep(workspace_, !pointer_.active());
+  files_.keep(workspace_, !pointer_.active());
   settle_notices();
   analysis_.follow_frame(workspace_, model_, moves_);
   const bool news = analysis_.shows_news(), measured = sides_.measure(workspace_);
   if (news || measured) settle(2);
   if (take_screenshot_) save_screenshot();
-  if (script_.on() && !script_.end_frame(loading() || model_.binding() || cages_.running())) {
-    workspace_.requests.script = scene::ScriptRequest::record;  // which ends it, and says why
-    settle(2);
-  }
   if (settle_frames_ > 0) --settle_frames_;
 }
 
@@ -214,42 +204,9 @@ bool Viewer::changing() const {
          sides_.is_due(workspace_, model_) || field_is_due() || inspector_.is_due(workspace_, model_);
 }
 
-// A script does once more what was done, but for what it would do to files of a person who looks on.
-void Viewer::leave_out_writing() {
-  scene::Requests& r = workspace_.requests;
-  bool any = false;
-  for (bool* asked : {&r.discard, &r.undo_discard, &r.screenshot, &r.manual, &r.show_report})
-    any |= std::exchange(*asked, false);
-  for (auto* file :
-       {&r.save_session, &r.save_pose, &r.save_named_pose, &r.save_cage, &r.save_model, &r.save_animation})
-    any |= std::exchange(*file, std::nullopt).has_value();
-  if (any) workspace_.messages.info("Left out, while a script is replayed: what it would have written.");
-  r.quit = false;
-  if (r.script == scene::ScriptRequest::record) r.script = scene::ScriptRequest::none;
-}
-
-void Viewer::switch_recording() {
-  workspace_.scripting.recorded = script_.seconds();
-  if (workspace_.requests.script != scene::ScriptRequest::record) return;
-  workspace_.requests.script = scene::ScriptRequest::none;
-  const bool begins = !script_.on();
-  std::error_code ignored;
+void Viewer::show_manual(const std::string& chapter) {
   try {
-    if (begins) script_.begin(workspace_, fs::current_path(ignored));
-    const fs::path file = begins ? fs::path() : script_.end();
-    workspace_.messages.info(begins ? "Recording; the red button at the top ends it."
-                                    : "Recorded " + file.string() + ".");
-    workspace_.messages.succeeded("record");
-  } catch (const base::Error& error) {
-    workspace_.messages.error(error.what(), {"record"});
-  }
-  workspace_.scripting.recording = script_.on();
-  settle(3);
-}
-
-void Viewer::show_manual() {
-  try {
-    open_in_browser(manual_page(""));
+    open_in_browser(manual_page(chapter));
     workspace_.messages.succeeded("manual");
   } catch (const base::Error& error) {
     workspace_.messages.error(error.what(), {"manual"});
@@ -257,9 +214,7 @@ void Viewer::show_manual() {
 }
 
 void Viewer::take_requests() {
-  if (workspace_.scripting.playing) leave_out_writing();
-  switch_recording();
-  if (std::exchange(workspace_.requests.manual, false)) show_manual();
+  if (const auto chapter = std::exchange(workspace_.requests.manual, std::nullopt)) show_manual(*chapter);
   files_.take_requests(workspace_, !pointer_.active());
   take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
   if (workspace_.requests.stop_work && cages_.running()) {

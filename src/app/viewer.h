@@ -12,8 +12,6 @@
 #include "app/file_desk.h"
 #include "app/kept_view.h"
 #include "app/live_model.h"
-#include "app/saved_bindings.h"
-#include "app/script_recorder.h"
 #include "app/side_views.h"
 #include "app/vertex_inspector.h"
 #include "platform/imgui_renderer.h"
@@ -41,8 +39,7 @@ struct ViewerOptions {
   std::filesystem::path
       state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
   std::filesystem::path program =
-      "/proc/self/exe";      ///< `viete`, which draws animations and makes reports aside
-  SavedBindings bindings{};  ///< where to find bindings, and to keep those that took long
+      "/proc/self/exe";  ///< `viete`, which draws animations and makes reports aside
 };
 
 /// Needs a current GL context, which must outlive it; use in that context's thread. Owns ImGui's context.
@@ -124,9 +121,7 @@ private:
   void settle(unsigned frames) { settle_frames_ = std::max(settle_frames_, frames); }
   void take_input(float seconds);
   void take_requests();
-  void switch_recording();
-  void show_manual();
-  void leave_out_writing();
+  void show_manual(const std::string& chapter);
   void follow_document();
   void settle_cage_edit();
   void settle_messages();
@@ -168,7 +163,6 @@ private:
   scene::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
-  ScriptRecorder script_;
   ui::Fonts fonts_;
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;

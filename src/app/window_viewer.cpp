@@ -8,7 +8,6 @@
 
 #include "app/file_desk.h"
 #include "app/first_motion.h"
-#include "app/script_show.h"
 #include "app/state_folder.h"
 #include "app/viewer.h"
 #include "base/clock.h"
@@ -21,7 +20,7 @@ namespace viete::app {
 
 namespace {
 
-ViewerOptions viewer_options(const platform::Window& window, const std::filesystem::path& binding) {
+ViewerOptions viewer_options(const platform::Window& window) {
   ViewerOptions options;
   options.size = window.size();
   options.scale = window.scale();
@@ -29,7 +28,6 @@ ViewerOptions viewer_options(const platform::Window& window, const std::filesyst
   options.still_samples = window.gl().software ? 4 : 0;
   options.may_be_coarse = true;
   options.state = state_folder();
-  options.bindings = {.folder = bindings_folder(), .named = binding};
   return options;
 }
 
@@ -38,9 +36,8 @@ class WindowViewer {
 public:
   WindowViewer(platform::Window& window, const WindowOptions& options)
       : window_(window),
-        viewer_(window.gl(), viewer_options(window, options.binding)),
-        first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()),
-        show_(viewer_) {
+        viewer_(window.gl(), viewer_options(window)),
+        first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()) {
     listen();
     scene::Remembered& remembered = viewer_.workspace().remembered;
     viewer_.workspace().ask_keys = std::exchange(remembered.ask_keys, false) && remembered.hints;
@@ -48,7 +45,6 @@ public:
   }
 
   Viewer& viewer() { return viewer_; }
-  ScriptShow& show() { return show_; }
   /// Until it is closed, or that many frames were drawn; 0: any.
   void run(int frames);
 
@@ -63,7 +59,6 @@ private:
   platform::Window& window_;
   Viewer viewer_;
   FirstMotion first_motion_;
-  ScriptShow show_;
   bool exposed_ = true, asks_ = false;
 };
 
@@ -71,7 +66,6 @@ void WindowViewer::listen() {
   platform::WindowEvents events;
   events.input = [this](platform::InputEvent event) {
     using Kind = platform::InputEvent::Kind;
-    if (show_.takes(event)) return;
     if (event.kind != Kind::move && event.kind != Kind::leave) first_motion_.finish(viewer_.workspace());
     viewer_.input().push(std::move(event));
   };
@@ -113,8 +107,8 @@ void WindowViewer::call_for_attention() {
 
 void WindowViewer::draw(float seconds, bool exposed) {
   const bool ready = !viewer_.working() && viewer_.deformer() && viewer_.deformer()->ran();
-  first_motion_.step(viewer_.workspace(), ready && !show_.running(), seconds);
-  viewer_.frame(show_.step(seconds));
+  first_motion_.step(viewer_.workspace(), ready, seconds);
+  viewer_.frame(seconds);
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
   set_title();
   call_for_attention();
@@ -135,13 +129,9 @@ void WindowViewer::run(int frames) {
   double last = base::wall_seconds();
   for (int drawn = 0; frames == 0 || drawn < frames;) {
     window_.poll_events();
-    exposed_ |= viewer_.workspace().scripting.playing;
     const bool needed = exposed_ || viewer_.wants_frame();
     if (!needed) window_.wait_for_events(viewer_.working() ? 0.02 : 0.1);
-    if (window_.asked_to_close()) {
-      show_.end();
-      viewer_.workspace().requests.quit = exposed_ = true;
-    }
+    if (window_.asked_to_close()) viewer_.workspace().requests.quit = exposed_ = true;
     if (!exposed_ && !viewer_.wants_frame() && frames == 0) continue;
     const double now = base::wall_seconds();
     draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
@@ -174,11 +164,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
     workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
   // Also for what is opened instead, if this cannot be.
   if (!options.inputs.session()) scene::put_settings(workspace.document, options.inputs.settings);
-  if (options.script.empty()) {
-    workspace.requests.open = options.inputs.request();
-  } else {
-    shown.show().begin(read_script(options.script), false);
-  }
+  workspace.requests.open = options.inputs.request();
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
   if (viewer.keeping()) {

@@ -11,11 +11,9 @@ namespace viete::app {
 
 struct WindowOptions {
   Inputs inputs{Use::window};
-  std::filesystem::path binding;     ///< saved, of this model and cage; empty: none
   float scale = 0;                   ///< device pixels per logical pixel; 0 asks the display
   int frames = 0;                    ///< stop after so many frames; 0 never
   std::filesystem::path first_pose;  ///< into which the model moves on the first start; empty: none
-  std::filesystem::path script;      ///< is replayed, in place of inputs; empty: none
 };
 
 /// Runs until the window is closed. Returns false, saying why in `reason`, if no window can be opened (no

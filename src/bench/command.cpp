@@ -192,7 +192,7 @@ void add_modes_bench(CLI::App& command, Action& action) {
   command.add_option("POSE", options.poses, "Posed cages, same vertices in the same order")
       ->default_str("those of the dragon");
   add_method_option(command, [&settings](sym3::Method method) { settings.method = method; });
-  add_choice_options(command, settings.choice, true);
+  add_choice_options(command, settings.choice);
   add_radius_option(command, settings.radius);
   auto asked = std::make_shared<scene::AskedSettings>();
   add_stitching_options(command, *asked);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 #include <utility>
@@ -37,12 +36,7 @@ public:
   explicit InputQueue(KeyTable imgui_key) : imgui_key_(imgui_key) {}
 
   /// Any number of characters goes into a field in one frame.
-  void push(InputEvent event) {
-    if (listener_) listener_(event);
-    events_.push_back(std::move(event));
-  }
-  /// Hears of every event that comes from now on, and may change it.
-  void listen(std::function<void(InputEvent&)> listener) { listener_ = std::move(listener); }
+  void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
   /// Sets up ImGui's input (old versions need a key map). Once per ImGui context.
@@ -57,7 +51,6 @@ private:
   bool commands_ = false;     // Ctrl or Alt is held
   std::vector<int> written_;  // keys that went down for their character alone
   std::deque<InputEvent> events_;
-  std::function<void(InputEvent&)> listener_;
 };
 
 }  // namespace viete::platform

@@ -140,7 +140,6 @@ void menu_bar(const Context& ui) {
     ImGui::PopStyleVar();
     ImGui::EndMenu();
   }
-  recording_mark(ui);
   const float line = ImGui::GetWindowPos().y + height - 1;
   ImGui::GetWindowDrawList()->AddLine({0, line}, {ui.workspace.viewport.window.x, line}, ui.colors.line);
   ImGui::EndMainMenuBar();

@@ -1,10 +1,8 @@
-#include <algorithm>
 #include <cfloat>
 #include <ctime>
 
 #include "scene/files/recovery.h"
 #include "scene/workspace/command.h"
-#include "scene/workspace/file_commands.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -32,38 +30,15 @@ float width_of(const std::string& label) {
   return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-void chooser(const Context& ui, float width) {
-  auto& w = ui.workspace;
-  const scene::Leftover& chosen = scene::offered_leftover(w);
-  ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo("##leftovers", name_of(chosen).c_str());
-  record(ui, "leftovers");
-  hint_at(chosen);
-  if (!open) return;
-  for (std::size_t i = 0; i < w.leftovers.size(); ++i) {
-    const scene::Leftover& leftover = w.leftovers[i];
-    const std::string number = std::to_string(i);
-    if (ImGui::Selectable((name_of(leftover) + "##" + number).c_str(), &leftover == &chosen))
-      w.chosen_leftover = leftover.file;
-    record(ui, "leftover/" + number);
-    hint_at(leftover);
-  }
-  ImGui::EndCombo();
-}
-
+// The newest one, which Restore opens, and how many there are besides.
 void leftover_words(const Context& ui) {
   const auto& leftovers = ui.workspace.leftovers;
-  const float room = ImGui::GetContentRegionAvail().x;
+  const std::size_t more = leftovers.size() - 1;
+  const std::string text = "Recovered edits: " + name_of(leftovers.front()) +
+                           (more == 0 ? "" : " and " + std::to_string(more) + " more");
   ImGui::AlignTextToFramePadding();
-  if (leftovers.size() == 1) {
-    ImGui::TextUnformatted(shortened("Recovered edits: " + name_of(leftovers.front()), room).c_str());
-    return hint_at(leftovers.front());
-  }
-  constexpr float widest = 360;
-  const float width = std::min(widest, room);
-  ImGui::TextUnformatted((std::to_string(leftovers.size()) + " recovered edits:").c_str());
-  flow(width);
-  chooser(ui, width);
+  ImGui::TextUnformatted(shortened(text, ImGui::GetContentRegionAvail().x).c_str());
+  hint_at(leftovers.front());
 }
 
 // As the last thing that is seen.
@@ -86,7 +61,7 @@ void notice_bar(const Context& ui) {
   if (w.farewell) farewell(ui);
   if (!w.attended) return;
   w.notice_height = 0;
-  if (!w.offers_leftovers || w.leftovers.empty() || w.scripting.shown()) return;
+  if (!w.offers_leftovers || w.leftovers.empty()) return;
   const float top = w.view.panels ? scene::PanelLayout::menu_height : 0;
   const ImVec2 size(w.viewport.window.x, 0);
   ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});

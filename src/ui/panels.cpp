@@ -87,7 +87,7 @@ void draw_panels(const Context& ui) {
   const float bottom = v.origin.y + v.size.y;
   notice_bar(ui);
   const float free = std::min({cage_offer(ui, bottom), work_bar(ui, bottom), map_legend(ui, bottom),
-                               key_question(ui, bottom), script_card(ui, bottom)}) -
+                               key_question(ui, bottom)}) -
                      44;
   toasts(ui, check_badge(ui, free));
   if (ui.workspace.view.help) help_overlay(ui);
@@ -97,7 +97,6 @@ void draw_panels(const Context& ui) {
   key_list(ui);
   key_prompt(ui);
   question_panel(ui);
-  script_cursor(ui);
 }
 
 }  // namespace viete::ui

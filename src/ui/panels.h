@@ -67,9 +67,6 @@ bool offers_next_step(const scene::Workspace& workspace);
 /// How wide what stands in the middle of the view may be, beside the tools at its edge.
 float notice_room(const Context& ui);
 float check_badge(const Context& ui, float bottom);  ///< what the checks found, and what helps
-float script_card(const Context& ui, float bottom);  ///< of a script that is shown: its chapter
-void script_cursor(const Context& ui);               ///< where it has the mouse
-void recording_mark(const Context& ui);              ///< in the menu bar
 float work_bar(const Context& ui,
                float bottom);              ///< what is being read, bound or written, how far, and Cancel
 void notice_bar(const Context& ui);        ///< unsaved work that can be brought back

@@ -18,11 +18,6 @@ struct Toast {
   bool closes = true;
 };
 
-// They come and go by the clock, which is not that of a script: a click goes through them.
-ImGuiWindowFlags reached_by_mouse(const scene::Scripting& scripting) {
-  return scripting.recording || scripting.playing ? ImGuiWindowFlags_NoMouseInputs : ImGuiWindowFlags_None;
-}
-
 enum class Pressed { nothing, text, close };
 
 void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
@@ -65,7 +60,7 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   ImGui::Begin(toast.name.c_str(), nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav | reached_by_mouse(ui.workspace.scripting));
+                   ImGuiWindowFlags_NoNav);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 high{low.x + size.x, low.y + size.y};
   draw.AddRectFilled(low, high, ui.colors.card, 6);

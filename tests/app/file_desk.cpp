@@ -30,10 +30,10 @@ struct Desk {
   std::optional<app::FileDesk> desk;
 
   explicit Desk(bool remembers = true) { begin(remembers); }
-  void begin(bool remembers = true, app::SavedBindings saved = {}) {
+  void begin(bool remembers = true) {
     desk.reset();
     std::destroy_at(&workspace), std::construct_at(&workspace);  // GCC 12 is wrong about moving one
-    desk.emplace(remembers ? state : std::filesystem::path(), std::move(saved), workspace);
+    desk.emplace(remembers ? state : std::filesystem::path(), workspace);
   }
   void frame(bool no_drag = true) {
     desk->take_requests(workspace, no_drag);
@@ -78,9 +78,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   Desk d;
   d.frame();
   d.answer(scene::Answer::go_on);
-  d.workspace.requests.undo_discard = d.workspace.requests.stop_export = d.workspace.requests.stop_work =
-      true;
-  d.workspace.requests.discard = true;
+  d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
   d.workspace.requests.save_model = d.files / "out.obj";  // of nothing
   d.frame();
   CHECK_FALSE(d.desk->closed());
@@ -236,33 +234,6 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
   }
 }
 
-TEST_CASE("leftovers_are_discarded_come_back_and_are_gone_when_the_program_ends") {
-  Desk d;
-  const std::filesystem::path files[] = {d.state / "recovery" / "999999999-1.viete",
-                                         d.state / "recovery" / "999999999-2.viete"};
-  std::filesystem::create_directories(files[0].parent_path());
-  for (const auto& file : files) test::put_file(file, "{}");
-  d.begin();
-  REQUIRE(d.workspace.leftovers.size() == 2);
-  CHECK(d.workspace.offers_leftovers);
-  const auto discard = [&] {
-    d.workspace.requests.discard = true;
-    d.frame();
-    CHECK(d.workspace.leftovers.empty());
-    for (const auto& file : files) CHECK_FALSE(std::filesystem::exists(file));
-  };
-  discard();
-  d.workspace.requests.undo_discard = true;
-  d.frame();
-  CHECK(d.workspace.leftovers.size() == 2);
-  CHECK(d.workspace.offers_leftovers);
-  for (const auto& file : files) CHECK(test::file_bytes(file) == "{}");
-  discard();
-  d.begin();
-  CHECK(d.workspace.leftovers.empty());
-  CHECK(files_in(d.state / "recovery") == 0);
-}
-
 namespace {
 
 // The file of the desk's unsaved edits becomes that of a program that has ended.
@@ -378,35 +349,6 @@ TEST_CASE("what_was_remembered_and_cannot_be_read_is_said_and_the_program_starts
   CHECK(d.workspace.view.hints);
 }
 
-TEST_CASE("the_named_binding_is_for_the_first_document_only") {
-  Desk d;
-  d.begin(true, {.folder = d.files / "kept", .named = d.files / "a.binding"});
-  CHECK(d.desk->take_saved().named == d.files / "a.binding");
-  const app::SavedBindings later = d.desk->take_saved();
-  CHECK(later.named.empty());
-  CHECK(later.folder == d.files / "kept");
-}
-
-TEST_CASE("a_binding_is_kept_if_it_took_long_and_there_is_a_folder") {
-  const struct {
-    bool folder;
-    double seconds;
-    std::size_t files;
-  } cases[] = {{true, 1, 1}, {true, 0.999, 0}, {false, 2, 0}};
-  for (const auto& c : cases) {
-    CAPTURE(c.seconds);
-    Desk d;
-    const auto kept = d.files / "kept";
-    d.begin(true, {.folder = c.folder ? kept : std::filesystem::path(), .worth_keeping = 1});
-    d.open_cubes();
-    app::Bound bound = d.desk->take_bound();
-    bound.seconds = c.seconds;
-    d.desk->keep_binding(bound);
-    d.desk.reset();  // when it has been written
-    CHECK(files_in(kept) == c.files);
-  }
-}
-
 TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
   for (const What what : {What::model, What::recovery}) {
     Desk d;
@@ -468,10 +410,9 @@ TEST_CASE("an_export_takes_the_place_of_nothing_that_is_open") {
   test::put_file(d.files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");
   test::put_file(d.files / "m.obj", "mtllib model.mtl\nusemtl skin\n" + test::file_bytes(d.files.model));
   test::put_file(d.files / "skin_0003.png", "\x89PNG\r\n\x1a\n");
-  test::put_file(d.files / "k.pc2", "");
   std::filesystem::create_symlink("m.obj", d.files / "link.obj");
   for (const char* key : {"key_1.obj", "key_9.obj"}) std::filesystem::copy(d.files.pose, d.files / key);
-  d.begin(true, {.named = d.files / "k.pc2"});
+  d.begin();
   d.open({d.files / "m.obj", d.files.cage});
   d.open({d.files / "key_1.obj"}, What::animation);
   REQUIRE(d.workspace.document.timeline.keys.size() == 2);
@@ -489,7 +430,6 @@ TEST_CASE("an_export_takes_the_place_of_nothing_that_is_open") {
   refuses(requests.save_model, "link.obj", "such as link-2.obj");
   refuses(requests.save_model, "cage.obj", "(the cage)");
   refuses(requests.save_model, "key_9.obj", "(the keys)");
-  refuses(requests.save_animation, "k.pc2", "(the binding)");
   refuses(requests.save_animation, "key_#.obj", "(the keys)");
   refuses(requests.save_animation, "skin_####.png", "(what the model leads to)");
   requests.save_model = d.files / "out.obj";

@@ -42,16 +42,15 @@ std::string refusal(Use use, const std::string& arguments) {
 TEST_CASE("every_use_asks_for_what_it_cannot_do_without") {
   CHECK(refusal(Use::window, "").empty());
   CHECK(refusal(Use::picture, "a.obj").empty());
-  CHECK(refusal(Use::binding, "a.obj c.obj").empty());
   CHECK(refusal(Use::file, "a.obj c.obj --pose p.obj").empty());
   CHECK(mentions(refusal(Use::picture, ""), "MODEL"));
-  CHECK(mentions(refusal(Use::binding, "a.obj"), "CAGE"));
+  CHECK(mentions(refusal(Use::animation, "a.obj"), "CAGE"));
   CHECK(mentions(refusal(Use::file, "a.obj --pose p.obj"), "CAGE"));
   CHECK(mentions(refusal(Use::file, "a.obj c.obj"), "--pose"));
 }
 
 TEST_CASE("a_session_names_its_cage_and_pose_itself") {
-  for (const Use use : {Use::window, Use::picture, Use::file, Use::binding}) {
+  for (const Use use : {Use::window, Use::picture, Use::file, Use::animation}) {
     CHECK(refusal(use, "s.viete").empty());
     CHECK(mentions(refusal(use, "s.viete c.obj"), "CAGE: the session s.viete names its own"));
   }
@@ -59,19 +58,14 @@ TEST_CASE("a_session_names_its_cage_and_pose_itself") {
 }
 
 TEST_CASE("files_of_a_session_can_be_located_and_no_others") {
-  for (const Use use : {Use::window, Use::picture, Use::file, Use::binding, Use::animation}) {
+  for (const Use use : {Use::window, Use::picture, Use::file, Use::animation}) {
     const auto inputs = parsed(use, "s.viete --model m.ply --cage c.obj");
     CHECK(inputs.request().located.model == "m.ply");
     CHECK(inputs.request().located.cage == "c.obj");
   }
   CHECK(mentions(refusal(Use::picture, "a.obj --model m.ply"), "--model: can only be used with a session"));
-  CHECK(
-      mentions(refusal(Use::binding, "a.obj c.obj --cage d.obj"), "--cage: can only be used with a session"));
-}
-
-TEST_CASE("a_binding_has_neither_pose_nor_method_nor_blend") {
-  for (const char* other : {"--pose p.obj", "--method diag", "--blend srl"})
-    CHECK_FALSE(refusal(Use::binding, std::string("a.obj c.obj ") + other).empty());
+  CHECK(mentions(refusal(Use::animation, "a.obj c.obj --cage d.obj"),
+                 "--cage: can only be used with a session"));
 }
 
 TEST_CASE("every_method_that_has_a_name_is_taken_and_none_is_asked_for_by_itself") {
@@ -91,7 +85,6 @@ TEST_CASE("stitching_takes_a_number_of_iterations_or_one") {
   CHECK(mentions(refusal(Use::picture, "a.obj --iterations 4"), "--stitched"));
   for (const char* bad : {"0", "21", "-1", "1.5", "many"})
     CHECK(mentions(refusal(Use::picture, std::string("a.obj --stitched --iterations ") + bad), "1 to 20"));
-  CHECK_FALSE(refusal(Use::binding, "a.obj c.obj --stitched").empty());
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --stitched --weights mean-value"), base::Error);
 }
 

@@ -18,7 +18,7 @@ namespace {
 using Result = app::Loader::Job::Result;
 
 Result loaded(app::Loader& loader, const scene::OpenRequest& request, const scene::Document& current = {}) {
-  loader.start(request, current, {});
+  loader.start(request, current);
   auto result = loader.poll(true);
   REQUIRE(result);
   return *std::move(result);
@@ -45,7 +45,7 @@ TEST_CASE("a_loader_that_was_given_nothing_is_idle") {
 TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   const test::CubeFiles files;
   app::Loader loader;
-  loader.start({What::model, {files.model, files.cage}}, {}, {});
+  loader.start({What::model, {files.model, files.cage}}, {});
   CHECK(loader.running());
   CHECK(loader.state().running);
   const auto result = loader.poll(true);
@@ -116,8 +116,8 @@ TEST_CASE("files_that_cannot_be_opened_are_a_problem_that_names_them") {
 TEST_CASE("another_request_takes_the_place_of_the_first") {
   const test::CubeFiles files;
   app::Loader loader;
-  loader.start({What::model, {files.model, files.cage}}, {}, {});
-  loader.start({What::model, {files.cage}}, {}, {});
+  loader.start({What::model, {files.model, files.cage}}, {});
+  loader.start({What::model, {files.cage}}, {});
   const auto result = loader.poll(true);
   REQUIRE(result);
   REQUIRE(result->value);
@@ -135,7 +135,7 @@ TEST_CASE("reading_that_is_stopped_says_so") {
     REQUIRE(lines < 5'000'000);
     while (text.size() < 30 * lines) text += "v 0.123456789 1 2\nv 1 0 0.5\n";
     test::put_file(folder / "large.obj", text + "f 1 2 3\n");
-    loader.start({What::model, {folder / "large.obj"}}, {}, {});
+    loader.start({What::model, {folder / "large.obj"}}, {});
     CHECK(loader.state().what == "Reading large.obj");
     loader.stop();
     const auto result = loader.poll(true);

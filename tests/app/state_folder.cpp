@@ -33,18 +33,14 @@ private:
 }  // namespace
 
 TEST_CASE("folders_are_where_the_variables_say_or_else_in_the_home_folder") {
-  Variable home("HOME"), state("XDG_STATE_HOME"), cache("XDG_CACHE_HOME");
+  Variable home("HOME"), state("XDG_STATE_HOME");
   home.set("/home/ada");
   for (const char* none : {static_cast<const char*>(nullptr), "", "relative/path"}) {
     state.set(none);
-    cache.set(none);
     CHECK(app::state_folder() == "/home/ada/.local/state/viete");
-    CHECK(app::cache_folder() == "/home/ada/.cache/viete");
   }
   state.set("/var/state");
-  cache.set("/var/cache");
   CHECK(app::state_folder() == "/var/state/viete");
-  CHECK(app::cache_folder() == "/var/cache/viete");
 }
 
 TEST_CASE("without_a_home_folder_nothing_is_remembered") {

@@ -46,7 +46,7 @@ check_shell() {
 
 ! command -v bash >/dev/null || check_shell bash
 ! command -v fish >/dev/null || check_shell fish
-same bash "viete r" "$(printf '%s\n' 'files:@(obj|ply|off|stl|glb|gltf|viete)' render replay report)"
+same bash "viete r" "$(printf '%s\n' 'files:@(obj|ply|off|stl|glb|gltf|viete)' render report)"
 same bash "viete render a.ply -o " "files:@(png|svg|pfm)"
 same bash "viete deform a.ply --pose " "files:@(obj|ply|off|stl|glb|gltf)"
 

@@ -224,7 +224,6 @@ TEST_CASE("a_size_near_the_end_of_the_range_deforms_to_the_same_bits_and_one_bey
     CHECK(mentions(posed(scale, "info model.obj"), "cannot be deformed"));
   }
   for (const double scale : {1e-40, 1e40}) {
-    CHECK(mentions(posed(scale, "bind model.obj cage.obj -o b"), "cannot be drawn"));
     CHECK(mentions(posed(scale, "render model.obj -o a.png"), "cannot be drawn"));
     const Outcome view = run("model.obj", without_display(scratch.path()));
     CHECK(mentions(view, "cannot be drawn"));
@@ -301,46 +300,6 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   }
 }
 
-TEST_CASE("bind_saves_what_render_then_takes_instead_of_binding") {
-  const TemporaryFolder scratch;
-  const fs::path file = scratch.path() / "dragon.binding", out = scratch.path() / "out.png",
-                 same = scratch.path() / "same.png";
-  const std::string scene = quoted(dragon) + " " + quoted(cage),
-                    view = " --pose " + quoted(pose) + " --size 320x200 -o ";
-  const auto bound = run("bind " + scene + " -o " + quoted(file));
-  CHECK_MESSAGE(bound.code == 0, bound.text);
-  CHECK(mentions(bound, "bound 50,000 vertices to 148 cage faces in "));
-  CHECK(mentions(bound, "compressed to 3e-05 from "));
-  REQUIRE(run("render " + scene + view + quoted(out)).code == 0);
-  const auto rendered = run("render " + scene + view + quoted(same) + " --binding " + quoted(file));
-  CHECK_MESSAGE(rendered.code == 0, rendered.text);
-  CHECK(rendered.text == "");
-  CHECK(test::read_png(out).rgba == test::read_png(same).rgba);
-  CHECK(run("bind " + scene + " -o " + quoted(file) + " --tolerance 0 --coordinates mvc").code == 0);
-  CHECK(run("render " + scene + view + quoted(same) + " --coordinates mvc --binding " + quoted(file)).code ==
-        0);
-}
-
-TEST_CASE("a_binding_that_is_stale_or_none_stops_render_and_writes_no_picture") {
-  const TemporaryFolder scratch;
-  const fs::path file = scratch.path() / "dragon.binding", out = scratch.path() / "out.png";
-  const std::string scene = quoted(dragon) + " " + quoted(cage);
-  REQUIRE(run("bind " + scene + " -o " + quoted(file)).code == 0);
-  for (const auto& [arguments, reason] :
-       {std::pair{quoted(dragon) + " " + quoted(pose),
-                  "is stale: the cage is not the one that it was made for"},
-        {scene + " --coordinates mvc", "is stale: it is not for elements point with weights mean-value"}}) {
-    const auto outcome = run("render " + arguments + " -o " + quoted(out) + " --binding " + quoted(file));
-    CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "dragon.binding: " + std::string(reason)), outcome.text);
-    CHECK(mentions(outcome, "viete bind"));
-  }
-  const auto none = run("render " + scene + " -o " + quoted(out) + " --binding " + quoted(dragon));
-  CHECK(none.code == 1);
-  CHECK(mentions(none, "dragon.ply: this is no saved binding"));
-  CHECK(!fs::exists(out));
-}
-
 TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused") {
   const TemporaryFolder scratch;
   const std::string scene = quoted(dragon) + " " + quoted(cage);
@@ -413,34 +372,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   CHECK_MESSAGE(mentions(apart, "mean value coordinates only move points"), apart.text);
   CHECK(run(scene + " --coordinates mvc --blend srl").code == 2);
   CHECK(run(scene + " --blend magic").code == 2);
-  CHECK(run("bind " + quoted(dragon) + " " + quoted(cage) + " -o x.binding --blend srl").code == 2);
   CHECK_FALSE(fs::exists(scratch.path() / "x.ply"));
-}
-
-TEST_CASE("a_binding_of_another_radius_is_stale") {
-  const TemporaryFolder scratch;
-  const fs::path file = scratch.path() / "dragon.binding", out = scratch.path() / "out.png";
-  const std::string scene = quoted(dragon) + " " + quoted(cage);
-  REQUIRE(run("bind " + scene + " -o " + quoted(file) + " --radius 30").code == 0);
-  const std::string render =
-      "render " + scene + " --size 320x200 -o " + quoted(out) + " --binding " + quoted(file);
-  CHECK(run(render + " --radius 30").text == "");
-  const auto stale = run(render + " --weights cutoff");
-  CHECK(stale.code == 1);
-  CHECK_MESSAGE(mentions(stale, "is stale: it is for radius 30 %, not 25 %"), stale.text);
-  const auto other = run(render);
-  CHECK(other.code == 1);
-  CHECK_MESSAGE(mentions(other, "is stale: it is not for elements faces with weights biharmonic"),
-                other.text);
-}
-
-TEST_CASE("bind_needs_a_cage_and_a_tolerance_that_makes_sense") {
-  CHECK(run("bind " + quoted(dragon) + " -o x").code == 2);
-  CHECK(run("bind " + quoted(dragon) + " " + quoted(cage)).code == 2);
-  CHECK(run("bind " + quoted(dragon) + " " + quoted(cage) + " -o x --tolerance -1").code == 2);
-  const auto outcome = run("bind " + quoted(dragon) + " " + quoted(cage) + " -o /nowhere/x");
-  CHECK(outcome.code == 1);
-  CHECK(mentions(outcome, "/nowhere/x: cannot be written"));
 }
 
 TEST_CASE("info_of_no_file_is_of_the_bundled_model_and_its_cage") {

@@ -164,7 +164,7 @@ public:
       REQUIRE_MESSAGE(rect, "no widget named ", widget);
       const scene::Viewport& v = workspace().viewport;
       const float end = v.origin.x + v.size.x, top = v.origin.y;
-      const bool in_column = rect->x1 <= v.origin.x || rect->x0 >= end;
+      const bool in_column = rect->y1 > top && (rect->x1 <= v.origin.x || rect->x0 >= end);
       const float end_of_column = top + scene::column_height(v);
       const bool whole = rect->visible && (!in_column || (rect->y0 >= top && rect->y1 <= end_of_column));
       if (whole) return {0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)};

@@ -40,8 +40,6 @@ TEST_CASE("what_is_read_is_not_written_over_whatever_it_is_called") {
   for (const std::string& line :
        {deform + "model.obj", deform + "cage.obj", deform + "./pose.obj", deform + "link.obj",
         deform + quoted(files / "cage.obj"), std::string("deform s.viete -o cage.obj"),
-        std::string("bind model.obj cage.obj -o model.obj"),
-        std::string("bind model.obj cage.obj -o cage.obj"), std::string("bind s.viete -o s.viete"),
         std::string("render model.obj -o link.png"), std::string("bench exp --json a.svg --plot a.svg")}) {
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
@@ -52,7 +50,7 @@ TEST_CASE("what_is_read_is_not_written_over_whatever_it_is_called") {
   CHECK(file_bytes(files / "pose.obj") != before[2]);
 }
 
-TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys_and_bindings") {
+TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys") {
   const SmallFiles files;
   put_file(files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");
   put_file(files / "m_05.obj", "mtllib model.mtl\nusemtl skin\n" + file_bytes(files / "model.obj"));
@@ -65,8 +63,6 @@ TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys_and_bindings") {
   for (const char* keys : {"k.pc2", "k.mdd", "k.glb"})
     REQUIRE(files.run("animate cage.obj cage.obj --keys p_#.obj -o " + std::string(keys)).code == 0);
   fs::create_symlink("k.glb", files / "link.glb");
-  REQUIRE(files.run("bind m_05.obj cage.obj -o b.pc2").code == 0);
-  fs::copy_file(files / "b.pc2", files / "b.mp4");
   std::map<std::string, std::string> before;
   for (const auto& entry : fs::directory_iterator(files.path()))
     before[entry.path().filename()] = file_bytes(entry.path());
@@ -76,7 +72,6 @@ TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys_and_bindings") {
         animate + "k.mdd -o ./k.mdd", animate + "k.glb -o link.glb", animate + "p_#.obj -o p_#.obj",
         animate + "p_1.obj -o p_#.obj --frames 5-20", animate + "p_#.obj -o p_#.obj --force",
         animate + "p_#.obj -o m_##.obj", animate + "p_#.obj -o m_%02d.obj --force",
-        animate + "p_#.obj --binding b.pc2 -o b.pc2", animate + "p_#.obj --binding b.mp4 -o b.mp4",
         animate + "p_#.obj -o skin_####.png --size 64x48"}) {
     fs::copy_file(files / "cage.obj", files / "other.obj", fs::copy_options::overwrite_existing);
     const Outcome outcome = files.run(line);
@@ -91,10 +86,10 @@ TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys_and_bindings") {
 
 TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
   const SmallFiles files;
-  const std::string bind = "bind model.obj cage.obj -o ", render = "render model.obj --size 64x64 -o ";
+  const std::string render = "render model.obj --size 64x64 -o ";
   for (const std::string& line :
-       {bind + "a.txt", bind + "a.png", render + "a.png", std::string("bench exp --json a.txt"),
-        std::string("bench exp --plot a.txt"), std::string("bench exp --json s.viete")}) {
+       {render + "a.png", std::string("bench exp --json a.txt"), std::string("bench exp --plot a.txt"),
+        std::string("bench exp --json s.viete")}) {
     put_file(files / "a.txt", "precious");
     put_file(files / "a.png", "precious");
     const Outcome outcome = files.run(line);
@@ -104,15 +99,15 @@ TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
     CHECK(file_bytes(files / "a.txt") == "precious");
     CHECK(file_bytes(files / "a.png") == "precious");
   }
-  for (const std::string& line : {bind + "a.txt --force", bind + "a.txt", render + "a.png --force",
-                                  render + "a.png", std::string("bench exp --count 64 --json b.json"),
-                                  std::string("bench exp --count 64 --json b.json --plot b.svg"),
-                                  std::string("bench exp --count 64 --plot b.svg")}) {
+  for (const std::string& line :
+       {render + "a.png --force", render + "a.png", std::string("bench exp --count 64 --json b.json"),
+        std::string("bench exp --count 64 --json b.json --plot b.svg"),
+        std::string("bench exp --count 64 --plot b.svg")}) {
     const Outcome outcome = files.run(line);
     CHECK_MESSAGE(outcome.code == 0, line << '\n' << outcome.text);
   }
   put_file(files / "empty", "");
-  CHECK(files.run(bind + "empty").code == 0);
+  CHECK(files.run("bench exp --count 64 --json empty").code == 0);
 }
 
 TEST_CASE("where_results_go_is_looked_at_before_the_work_starts") {
@@ -124,7 +119,6 @@ TEST_CASE("where_results_go_is_looked_at_before_the_work_starts") {
         {"deform none.obj cage.obj --pose pose.obj -o a.txt", "a.txt: unknown extension .txt"},
         {"deform none.obj cage.obj --pose pose.obj -o locked.obj --force",
          "locked.obj: this file is write-pro"},
-        {"bind none.obj cage.obj -o none/a", "none/a: cannot be written"},
         {"render none.obj -o none/a.png", "none/a.png: cannot be written"},
         {"render none.obj -o a.jpg", "a.jpg: pictures are not written in this format"},
         {"bench exp --json none/a", "none/a: cannot be written"},

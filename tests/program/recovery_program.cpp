@@ -68,34 +68,6 @@ TEST_CASE("what_a_killed_program_was_still_writing_goes_at_the_next_start") {
   CHECK_FALSE(fs::exists(half));
 }
 
-TEST_CASE("a_whole_turn_and_another_radius_are_kept_without_a_moved_vertex") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  const fs::path state = folder / "state";
-  Driver d(remembering(state));
-  REQUIRE(d.open({small.model, small.cage}));
-  d.settle();
-  const auto settled = [&](std::size_t files) {
-    d.settle();
-    return wait_until([&] { return kept_files(state).size() == files; });
-  };
-  scene::set_scheme(d.document(), deform::scheme_of(deform::Way::local));
-  scene::mark_saved(d.workspace());
-  scene::set_radius(d.document(), 0.3);
-  REQUIRE(settled(1));
-  CHECK(scene::read_session(kept_files(state).front()).scheme.weighting.radius == 0.3);
-  scene::set_radius(d.document(), 0.25);
-  REQUIRE(settled(0));
-  d.press_key(scene::key('A'));
-  scene::Transform turn;
-  turn.degrees = 360;
-  scene::transform_selection(d.document(), scene::Tool::rotate, test::plain_grip(d.document()), turn);
-  REQUIRE(settled(1));
-  const auto kept = scene::read_session(kept_files(state).front());
-  CHECK(kept.pose->positions == d.document().cage->surface.positions);
-  CHECK(kept.pose->turns[0] == d.document().pose.turns[0]);
-}
-
 TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_brings_them_back") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
@@ -128,7 +100,7 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
   const test::TemporaryFolder folder;
   const fs::path state = folder / "state";
   fs::create_directories(state / "recovery");
-  for (const char* name : {"999999999-1.viete", "999999999-2.viete", "999999998-1_1.discarded"})
+  for (const char* name : {"999999999-1.viete", "999999999-2.viete"})
     test::put_file(state / "recovery" / name, name);
   const auto sessions = [&] {
     const auto files = kept_files(state);
@@ -137,7 +109,6 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
   {
     Driver d(remembering(state));
     d.frame(3);
-    CHECK_FALSE(fs::exists(state / "recovery" / "999999998-1_1.discarded"));
     REQUIRE(d.workspace().leftovers.size() == 2);
     d.click("restore_leftover");
     d.settle();
@@ -151,79 +122,16 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
     d.frame(3);
     d.click("discard_leftovers");
     d.frame(3);
-    CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
-    CHECK(sessions() == 0);
-    d.press_key(scene::key('B'), true, true);
+    d.press_key(scene::Key::enter);  // Cancel
     d.frame(3);
-    CHECK(d.viewer().recorder().find("restore_leftover"));
     CHECK(sessions() == 2);
     d.click("discard_leftovers");
     d.frame(3);
+    d.click("question_save");
+    d.frame(3);
+    CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
   }
   CHECK(kept_files(state).empty());
-}
-
-TEST_CASE("each_kept_work_is_offered_by_name_place_time_and_first_edit_and_the_chosen_one_is_restored") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  const fs::path state = folder / "state";
-  fs::create_directories(folder / "a rather long name of a folder" / "walk cycle");
-  fs::create_directories(state / "recovery");
-  {
-    Driver d(remembering({}));
-    REQUIRE(d.open({small.model, small.cage}));
-    d.settle();
-    const auto keep = [&](const char* name, int hours_ago) {
-      const fs::path file = state / "recovery" / name;
-      test::put_file(file, scene::session_text(scene::session_of(d.workspace()), file, false));
-      fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(hours_ago));
-    };
-    drag_some_vertex(d, {30, 20});
-    keep("999999999-1.viete", 30);
-    d.workspace().saved.session = folder / "a rather long name of a folder" / "walk cycle" / "walk.viete";
-    scene::mark_saved(d.workspace());
-    scene::set_radius(d.document(), 0.3);
-    keep("999999999-2.viete", 0);
-  }
-  Driver d(remembering(state));
-  d.frame(3);
-  const auto& kept = d.workspace().leftovers;
-  REQUIRE(kept.size() == 2);
-  CHECK(kept[0].name == "walk.viete");
-  CHECK(kept[0].first_edit == "change radius");
-  CHECK(kept[1].first_edit == "move a vertex");
-  CHECK(kept[1].folder == fs::canonical(folder.path()));
-  if (const char* pictures = std::getenv("VIETE_PICTURES"))
-    render::write_png(fs::path(pictures) / "kept_work.png", d.picture());
-  d.click("leftovers");
-  d.frame(2);
-  const auto older = d.viewer().recorder().find("leftover/1"),
-             newer = d.viewer().recorder().find("leftover/0");
-  REQUIRE(older);
-  CHECK(older->y0 >= newer->y1);
-  d.click("leftover/1");
-  d.frame(2);
-  CHECK(kept.size() == 2);
-  d.click("restore_leftover");
-  d.settle();
-  CHECK(d.document().model.path == fs::canonical(small.model));
-  CHECK(d.document().scheme.weighting.radius == 0.25);
-  REQUIRE(kept.size() == 1);
-  CHECK(kept[0].name == "walk.viete");
-}
-
-TEST_CASE("leftovers_that_cannot_be_discarded_stay_and_it_is_said") {
-  const test::TemporaryFolder folder;
-  const fs::path state = folder / "state";
-  fs::create_directories(state / "recovery");
-  test::put_file(state / "recovery" / "999999999-1.viete", "{}");
-  Driver d(remembering(state));
-  d.frame(3);
-  fs::remove_all(state / "recovery");
-  d.click("discard_leftovers");
-  d.frame(3);
-  CHECK(d.workspace().leftovers.size() == 1);
-  CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
 }
 
 TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks") {
@@ -465,23 +373,6 @@ TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_
     again.frame(3);
     REQUIRE(wait_until([&] { return kept_files(state).empty(); }));
   }
-}
-
-TEST_CASE("what_is_kept_goes_where_another_frame_leaves_nothing_unsaved") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  const fs::path state = folder / "state";
-  Driver d(remembering(state));
-  REQUIRE(d.open({small.model, small.cage}));
-  d.settle();
-  drag_some_vertex(d, {30, 20});
-  d.press_key(scene::key('I'));
-  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
-  d.frame(3);
-  scene::reset_pose(d.document());
-  REQUIRE(d.until([&] { return kept_files(state).size() == 1; }));
-  d.press_key(scene::Key::right);  // rest is never lost
-  CHECK(d.until([&] { return kept_files(state).empty(); }));
 }
 
 // Runs in a process of its own, see the next test: finishes edit after edit, and says in a log which one is

@@ -172,7 +172,7 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
   };
   for (const std::string line : {"render a.viete --size 64x48 -o a.png", "deform a.viete -o a.ply",
                                  "animate a.viete --turntable --frames 1-1 --size 64x48 -o a_#.png",
-                                 "bind a.viete -o a.bind", "view a.viete"}) {
+                                 "view a.viete"}) {
     const std::string refused = said(line);
     CHECK_MESSAGE(
         refused.find("small.ply: there is no such file; name it with --model FILE") < refused.size(),

@@ -11,8 +11,8 @@ using namespace viete::test;
 
 namespace {
 
-const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",   "pose",
-                                           "bind", "cage",   "info",   "bench",   "report"},
+const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",
+                                           "pose", "cage",   "info",   "bench",   "report"},
                                benches = {"exp",  "eigen", "accuracy", "sym3", "frame",
                                           "bind", "files", "cage",     "modes"};
 
@@ -126,7 +126,6 @@ TEST_CASE("every_number_has_a_range_without_nan_and_infinity_and_says_it_in_shor
   } cases[] = {{"render" + scene + " -o x.png --scale ", "needs a number from 0.5 to 4, not "},
                {"view --scale ", "needs a number from 0.5 to 4, not "},
                {"view --frames ", "needs a whole number from 0 to 1,000,000,000, not "},
-               {"bind" + scene + " -o x --tolerance ", "needs a number from 0 to 0.1, not "},
                {"deform" + scene + " --pose p -o x.ply --radius ", "needs a number from 0.1 to 1000, not "},
                {"bench modes --radius ", "needs a number from 0.1 to 1000, not "},
                {"bench exp --count ", "needs a whole number from 1 to 1,000,000,000, not "},

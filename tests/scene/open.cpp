@@ -333,7 +333,7 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
         "inverse, srl");  // as it was before there was another default
   test::put_file(
       files / "b.viete",
-      R"({"format": "viete session", "version": 2, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
+      R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
   CHECK_THROWS_AS(open_files({OpenRequest::What::model, {files / "b.viete"}, {{.radius = 0.3}}}, {}),
                   base::Error);
   // Points without triangles have no surface for weights to spread along.

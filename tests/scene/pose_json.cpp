@@ -97,7 +97,7 @@ std::string warnings_of(const Workspace& w) {
 // A session of the cube with something for "poses" and "time", opened.
 Workspace opened_with(const test::CubeFiles& files, const std::string& parts) {
   test::put_file(files / "s.viete",
-                 R"({"format": "viete session", "version": 5, "model": "model.obj", "cage": "cage.obj", )" +
+                 R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" +
                      parts + "}");
   Workspace w;
   REQUIRE_MESSAGE(open_now(w, {OpenRequest::What::model, {files / "s.viete"}}), warnings_of(w));
@@ -150,25 +150,6 @@ TEST_CASE("weights_as_they_are_typed_come_back_to_the_last_bit") {
     CHECK(library_of(JsonReader(json, "file"), {}, warnings).poses[0].weight == weight);
     CHECK(warnings.empty());
   }
-}
-
-TEST_CASE("only_sessions_that_have_poses_or_keys_are_of_version_5") {
-  const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
-  const auto version = [&] {
-    const auto text = session_text(session_of(w), files / "s.viete");
-    return nlohmann::json::parse(text)["version"].get<int>();
-  };
-  CHECK(version() < 5);
-  CHECK_FALSE(mentions(session_text(session_of(w), files / "s.viete"), "\"time\""));
-  w.document.timeline.rate = 30;
-  CHECK(version() == 5);
-  w.document.timeline = {};
-  test::add_two_poses(w.document);
-  CHECK(version() == 5);
-  w.document.library = {};
-  CHECK(version() < 5);
 }
 
 TEST_CASE("what_is_damaged_of_a_pose_costs_that_pose_or_less") {
@@ -290,7 +271,7 @@ TEST_CASE("poses_and_keys_that_cannot_be_drawn_are_refused_with_the_session_and_
        {std::pair("\"poses\": [{\"name\": \"far\", " + far + "}]", "the pose \"far\""),
         {"\"time\": {\"keys\": [{\"frame\": 7, " + far + "}]}", "frame 7"}}) {
     test::put_file(files / "s.viete",
-                   R"({"format": "viete session", "version": 5, "model": "model.obj", "cage": "cage.obj", )" +
+                   R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" +
                        parts + "}");
     Workspace w;
     CHECK_FALSE(open_now(w, {OpenRequest::What::model, {files / "s.viete"}}));

@@ -33,14 +33,11 @@ TEST_CASE("only_the_work_of_programs_that_have_ended_is_left_over") {
   CHECK(leftovers[0].file.filename().string().starts_with("999999999-1"));
 }
 
-TEST_CASE("the_work_of_a_program_that_has_ended_and_is_still_listed_is_left_over_or_goes") {
+TEST_CASE("the_work_of_a_program_that_has_ended_and_is_still_listed_is_left_over") {
   const test::TemporaryFolder folder;
   const test::Zombie zombie;
   test::put_file(folder / (zombie.name + ".viete"), "{}");
-  test::put_file(folder / (zombie.name + "_1.discarded"), "{}");
   CHECK(find_leftovers(folder.path()).size() == 1);
-  remove_discarded(folder.path());
-  CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
@@ -112,23 +109,6 @@ TEST_CASE("names_for_work_set_aside_do_not_collide") {
   const fs::path first = set_aside_file(folder.path());
   test::put_file(first, "{}");
   CHECK(set_aside_file(folder.path()) != first);
-}
-
-TEST_CASE("what_was_discarded_comes_back_or_goes_with_its_program") {
-  const test::TemporaryFolder folder;
-  const fs::path file = folder / "999999999-1.viete";
-  test::put_file(file, "work");
-  const DiscardedLeftover discarded = discard({file, "work", 0});
-  CHECK(find_leftovers(folder.path()).empty());
-  CHECK(test::file_bytes(discarded.aside) == "work");
-  undo_discard(discarded);
-  CHECK(test::file_bytes(file) == "work");
-  CHECK_THROWS_AS(undo_discard(discarded), base::Error);
-
-  const DiscardedLeftover again = discard({file, "work", 0});
-  test::put_file(folder / "999999999-1_1.discarded", "of a program that was killed");
-  remove_discarded(folder.path());
-  CHECK(fs::is_empty(folder.path()));
 }
 
 TEST_CASE("times_of_today_are_told_without_the_day") {

@@ -8,7 +8,7 @@ _viete_value() {
   local words=
   case $prev in
     --pose | --model | --cage | --rest | --examples) _filedir "$_viete_meshes" ;;
-    --binding | --keys) _filedir ;;
+    --keys) _filedir ;;
     --published) _filedir -d ;;
     --camera) _filedir viete ;;
     --json) _filedir json ;;
@@ -16,7 +16,6 @@ _viete_value() {
     -o | --output)
       case $1 in
         render) _filedir '@(png|svg|pfm)' ;;
-        replay) _filedir '@(viete|png)' ;;
         report) _filedir -d ;;
         animate) _filedir '@(pc2|mdd|glb|gltf|obj|ply|off|stl|png|mp4|webm|mkv|gif)' ;;
         between) _filedir "$_viete_caches" ;;
@@ -52,25 +51,23 @@ _viete_options() {
   local options=--help
   case $1 in
     '' | view)
-      options+=' --pose --model --cage --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold --binding --scale --frames'
+      options+=' --pose --model --cage --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold --scale --frames'
       [[ $1 ]] || options+=' --version'
       ;;
     render)
-      options+=' --output --force --pose --model --cage --size --scale --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold --binding --look --camera --shading --map --compare --panels --light --wireframe
+      options+=' --output --force --pose --model --cage --size --scale --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold --look --camera --shading --map --compare --panels --light --wireframe
         --transparent --pass --line-width --error-map --show-cage --no-grid'
       ;;
     deform) options+=' --output --digits --force --pose --model --cage --mask --stream --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold' ;;
     animate)
       options+=' --output --force --model --cage --keys --frames --step --rate --tolerance --no-normals --largest --straight --turntable --digits --method --way --weights --blend --radius --turn --stretch --stitched --iterations --pins --hold
-        --size --scale --binding --line-width --look --camera --shading --map --compare --panels --light --wireframe --error-map --show-cage --no-grid'
+        --size --scale --line-width --look --camera --shading --map --compare --panels --light --wireframe --error-map --show-cage --no-grid'
       ;;
     between) options+=' --output --frames --at --rest --loop --linear --straight --rate --digits --force' ;;
     mix) options+=' --output --shape --straight --digits --force' ;;
     pose) options+=' --output --examples --pin --pull --firmness --freedom --restraint --digits --force' ;;
-    bind) options+=' --output --force --model --cage --way --weights --radius --tolerance' ;;
     cage) options+=' --output --force --kind --triangles --margin --gap --symmetry --quads --cells --own-axes' ;;
     info) options+=' --cage' ;;
-    replay) options+=' --output --scale --force' ;;
     report) options+=' --output --quick --force' ;;
     'bench exp') options+=' --force --count --json --float --plot' ;;
     'bench eigen') options+=' --force --count --json --plot' ;;
@@ -91,7 +88,7 @@ _viete() {
   local cur prev words cword split
   _init_completion -s || return
 
-  local commands='view render replay deform animate between mix pose bind cage info manual bench report help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
+  local commands='view render deform animate between mix pose cage info manual bench report help' benches='exp eigen accuracy sym3 frame bind files cage modes stitched time shapes'
   local command=${words[1]}
   [[ $cword -gt 1 && " $commands " == *" $command "* ]] || command=
   [[ $command == bench && $cword -gt 2 && " $benches " == *" ${words[2]} "* ]] && command+=" ${words[2]}"
@@ -104,7 +101,6 @@ _viete() {
     *:bench\ frame | *:bench\ bind | *:bench\ files | *:bench\ cage | *:bench\ modes | *:bench\ stitched | *:bench\ shapes) _filedir "$_viete_meshes" ;;
     *:bench\ time) _filedir viete ;;
     *:bench\ *) ;;
-    *:replay) _filedir script ;;
     *:manual) COMPREPLY=($(compgen -W 'window cages blending time shapes files command_line python blender cpp figures' -- "$cur")) ;;
     *:between) _filedir "$_viete_caches" ;;
     *:info | *:cage | *:mix | *:pose | *:report) _filedir "$_viete_meshes" ;;

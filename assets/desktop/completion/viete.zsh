@@ -18,9 +18,8 @@ local -a amounts=('--turn=[how much of rotations acts, percent]:percent:(0 50 10
 local -a stitched=('--stitched[as rigid as possible]' '--iterations=[how often a stitched mesh is solved for]:iterations:(1 2 3 5)'
   '--pins=[how near to the cage a stitched mesh is pinned]:percent:(0 5 10)' '--hold=[how firmly a stitched mesh is held]:percent:(0 5 20)')
 local -a tolerance=('--tolerance=[of compressed weights]:tolerance:')
-local -a binding=('--binding=[what viete bind has saved]:binding:_files')
 local -a scale=('--scale=[device pixels per logical pixel]:scale:')
-local -a picture=($binding $scale
+local -a picture=($scale
   '--size=[logical pixels]:size:(1280x800 1920x1080 3840x2160)'
   '--look=[from where]:view:(home front back left right top bottom)'
   '--camera=[seen as that session is]:session:_files -g "*.viete"'
@@ -68,7 +67,6 @@ case $command in
       '*--pin=[a vertex and where it is held, VERTEX=x,y,z]:pin: ' '*--pull=[a vertex and where it is pulled, VERTEX=x,y,z]:pin: '
       '--firmness=[how much vertices are pulled]:number: ' '--freedom=[how freely it turns off the blend of examples]:number:(0 0.3 1)'
       '--restraint=[how near to 0 weights of examples stay]:number: ') ;;
-  bind) specs+=($files $output $weighting $way $limits $tolerance) ;;
   cage) specs+=("1:mesh:$mesh" $output '--kind=[what cage]:kind:(automatic box hull)'
       '--triangles=[size of the cage]:triangles:(60 200 600)' '--margin=[distance to the mesh, percent]:percent:(0.15 0.5 2)'
       '--gap=[which gaps are closed, percent]:percent:(0.15 0.5 2)' '--symmetry=[about which plane]:symmetry:(auto none x y z)'
@@ -76,7 +74,6 @@ case $command in
       '--own-axes[of boxes, along the extents of the mesh]') ;;
   info) specs+=("--cage=[cage to check]:cage:$mesh" "*:mesh:$mesh") ;;
   manual) specs+=('1:chapter:(window cages blending time shapes files command_line python blender cpp figures)') ;;
-  replay) specs+=('1:script:_files -g "*.script"' $output $scale) ;;
   report) specs+=($meshes "*:pose:$mesh" $force '(-o --output)'{-o+,--output=}'[folder to write]:folder:_files -/' '--quick[fewer matrices, cages and rounds]') ;;
   'bench exp') specs+=($count $json $plot $float) ;;
   'bench eigen') specs+=($count $json $plot) ;;
@@ -92,15 +89,15 @@ case $command in
   'bench shapes') specs+=("*:mesh:$mesh" $json $rounds '--published=[folder with lion and horse, whose bars are checked]:folder:_files -/') ;;
   'bench '*) specs+=('1:benchmark:(exp eigen accuracy sym3 frame bind files cage modes stitched time shapes)') ;;
   *) # view, which may be left out
-    specs+=($files $pose $method $weighting $blend $way $limits $amounts $stitched $binding $scale '--frames=[close after so many frames]:frames:')
+    specs+=($files $pose $method $weighting $blend $way $limits $amounts $stitched $scale '--frames=[close after so many frames]:frames:')
     [[ $command == view ]] || specs+=('--version[version, compiler and kernel]')
     ;;
 esac
 
 if ((CURRENT == 2)) && [[ $PREFIX != -* ]]; then
-  local -a commands=('view:open the viewer' 'render:render a picture' 'replay:do again what was recorded' 'deform:deform a mesh by a posed cage'
+  local -a commands=('view:open the viewer' 'render:render a picture' 'deform:deform a mesh by a posed cage'
     'animate:write the frames of a timeline' 'between:what lies between shapes of a model' 'mix:mix shapes of a model' 'pose:pose a model by its vertices and by examples'
-    'bind:bind a model to its cage' 'cage:make a cage around a mesh' 'info:what mesh files hold' 'manual:show the manual' 'bench:measure speed and accuracy'
+    'cage:make a cage around a mesh' 'info:what mesh files hold' 'manual:show the manual' 'bench:measure speed and accuracy'
     'report:write a page of figures, measured here'
     'help:what a command can do')
   _describe command commands
@@ -110,7 +107,7 @@ fi
 
 # The words of the command are no files.
 local -i skip=0
-[[ $command == (view|render|replay|deform|animate|between|mix|pose|bind|cage|info|manual|report|bench\ *) ]] && skip=1
+[[ $command == (view|render|deform|animate|between|mix|pose|cage|info|manual|report|bench\ *) ]] && skip=1
 [[ $command == bench\ (exp|eigen|accuracy|sym3|frame|bind|files|cage|modes|stitched|time|shapes) ]] && ((CURRENT > 3)) && skip=2
 shift $skip words
 ((CURRENT -= skip))

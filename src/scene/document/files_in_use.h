@@ -38,6 +38,6 @@ private:
 inline constexpr std::string_view the_session = "the session", the_cage = "the cage", the_pose = "the pose",
                                   no_own = "", the_model = "the model", the_keys = "the keys",
                                   an_imported_pose = "an imported pose", a_shape = "a shape",
-                                  the_binding = "the binding", the_mask = "the mask";
+                                  the_mask = "the mask";
 
 }  // namespace viete::scene

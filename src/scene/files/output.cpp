@@ -5,7 +5,6 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
-#include "deform/binding_file.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
@@ -46,7 +45,6 @@ bool may_be_replaced(const fs::path& file, const mesh::Beginning& beginning, Con
       const mesh::Format* found = mesh::format_of_content(file, beginning);
       return found && found->name == named->name;
     }
-    case Content::binding: return deform::is_binding(bytes);
     case Content::picture: return bytes.starts_with("\x89PNG\r\n\x1a\n");
     case Content::json: return !mesh::text_in_json(bytes, {"figure"}).empty();
     case Content::session: return is_session_text(bytes);
@@ -58,15 +56,9 @@ bool may_be_replaced(const fs::path& file, const mesh::Beginning& beginning, Con
 }
 
 std::string name_of(const fs::path& file, Content content) {
-  constexpr const char* names[] = {"",
-                                   "a saved binding",
-                                   "a PNG picture",
-                                   "measurements by Viete",
-                                   "a drawing (SVG)",
-                                   "distances (PFM)",
-                                   "",
-                                   "a session",
-                                   "a page of a report"};
+  constexpr const char* names[] = {
+      "", "a PNG picture", "measurements by Viete", "a drawing (SVG)", "distances (PFM)",
+      "", "a session",     "a page of a report"};
   const std::string name = names[static_cast<std::size_t>(content)];
   if (!name.empty()) return name;
   if (const mesh::Format* format = mesh::find_format(file)) return std::string(format->name);
@@ -76,7 +68,6 @@ std::string name_of(const fs::path& file, Content content) {
 std::string name_of_found(const fs::path& file, const mesh::Beginning& beginning) {
   if (beginning.bytes().empty()) return "not readable";
   if (is_session_text(beginning.bytes())) return name_of(file, Content::session);
-  if (deform::is_binding(beginning.bytes())) return name_of(file, Content::binding);
   if (const mesh::Format* format = mesh::format_of_content(file, beginning)) return std::string(format->name);
   return std::string(mesh::name_of_content(beginning.bytes()));
 }

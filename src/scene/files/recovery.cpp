@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "base/process.h"
 #include "scene/files/session.h"
 
@@ -20,23 +19,6 @@ std::string process_of(const fs::path& file) {
   return stem.substr(0, stem.find('_'));
 }
 
-// A name in that folder that is free: PROCESS_1.viete.
-fs::path free_name(const fs::path& folder, const std::string& extension) {
-  std::error_code ignored;
-  for (int i = 1;; ++i) {
-    const fs::path file = folder / (base::process_name() + "_" + std::to_string(i) + extension);
-    if (!fs::exists(file, ignored)) return file;
-  }
-}
-
-void rename_leftover(const fs::path& from, const fs::path& to) {
-  std::error_code code;
-  fs::rename(from, to, code);
-  if (code)
-    throw base::Error(from.string(), "cannot be moved to " + to.filename().string() + ": " + code.message());
-}
-
-constexpr const char* discarded_extension = ".discarded";
 constexpr const char* restored_ending = "_restored";
 
 // The edited parts of a session, without its view.
@@ -94,26 +76,10 @@ fs::path recovery_file(const fs::path& folder) {
 }
 
 fs::path set_aside_file(const fs::path& folder) {
-  return free_name(folder, ".viete");
-}
-
-DiscardedLeftover discard(const Leftover& leftover) {
-  const DiscardedLeftover discarded{leftover, free_name(leftover.file.parent_path(), discarded_extension)};
-  rename_leftover(leftover.file, discarded.aside);
-  return discarded;
-}
-
-void undo_discard(const DiscardedLeftover& discarded) {
-  rename_leftover(discarded.aside, discarded.leftover.file);
-}
-
-void remove_discarded(const fs::path& folder) {
-  std::error_code code, ignored;
-  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
-    const fs::path& file = entry->path();
-    const std::string process = process_of(file);
-    if (file.extension() != discarded_extension) continue;
-    if (process == base::process_name() || !base::process_runs(process)) fs::remove(file, ignored);
+  std::error_code ignored;
+  for (int i = 1;; ++i) {
+    const fs::path file = folder / (base::process_name() + "_" + std::to_string(i) + ".viete");
+    if (!fs::exists(file, ignored)) return file;
   }
 }
 

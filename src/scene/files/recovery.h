@@ -20,22 +20,10 @@ struct Leftover {
   friend bool operator==(const Leftover&, const Leftover&) = default;
 };
 
-/// A discarded leftover: moved aside until the program ends, so that it can come back.
-struct DiscardedLeftover {
-  Leftover leftover;
-  std::filesystem::path aside;
-};
-
 /// Where the running program keeps its work: PROCESS.viete in the folder, see base::process_name().
 std::filesystem::path recovery_file(const std::filesystem::path& folder);
 /// Another name of this program in that folder, for work that was set aside when another file was opened.
 std::filesystem::path set_aside_file(const std::filesystem::path& folder);
-
-/// Moves the file aside, and back. Throw base::Error, and then it is where it was.
-DiscardedLeftover discard(const Leftover& leftover);
-void undo_discard(const DiscardedLeftover& discarded);
-/// Removes for good what was discarded by this program and by those that have ended.
-void remove_discarded(const std::filesystem::path& folder);
 
 /// Renames the file of a leftover that was opened and closed without further edits. Returns the new name, or
 /// the old one if renaming fails.

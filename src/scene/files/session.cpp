@@ -33,7 +33,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr const char* format_name = "viete session";
-constexpr std::uint32_t newest_version = 6;
+constexpr std::uint32_t format_version = 1;
 
 struct ViewFlag {
   const char* key;
@@ -185,11 +185,10 @@ void check_version(const JsonReader& json, const fs::path& file) {
     throw base::Error(file.string(), "this is not a session", "choose a file that this program has saved");
   }
   const auto version = json.at("version").index();
-  if (version >= 1 && version <= newest_version) return;
-  json.at("version").fail(
-      "the session has version " + std::to_string(version) + ", this program reads 1 to " +
-          std::to_string(newest_version),
-      version > newest_version ? "open it with a newer program" : "save the session again");
+  if (version == format_version) return;
+  json.at("version").fail("the session has version " + std::to_string(version) + ", this program reads " +
+                              std::to_string(format_version),
+                          "open it with the program that saved it");
 }
 
 ordered_json mask_json(const std::vector<MaskRun>& mask) {
@@ -245,20 +244,10 @@ OpenedSurface made_cage_of(const JsonReader& json) {
   return made_surface(std::move(surface), name ? name->text() : "made here");
 }
 
-// The oldest whose programs read all of it.
-std::uint32_t version_of(const Session& session, bool has_shapes) {
-  const auto is_pin = [](const deform::Probe& probe) { return probe.pin.has_value(); };
-  if (has_shapes || std::ranges::any_of(session.probes.all, is_pin)) return 6;
-  if (!session.library.poses.empty() || session.timeline != Timeline{}) return 5;
-  if (session.made_cage) return 4;
-  if (!session.probes.empty()) return 3;
-  return is_plain(session.scheme) && session.mask.empty() ? 1 : 2;
-}
-
 }  // namespace
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
-  ordered_json json = {{"format", format_name}, {"version", 1}};
+  ordered_json json = {{"format", format_name}, {"version", format_version}};
   ShapeTable shapes;
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
@@ -293,7 +282,6 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (session.timeline != Timeline{}) json["time"] = timeline_json(session.timeline, session.frame, shapes);
   if (session.shape) json["shape"] = shapes.number_of(session.shape);
   ordered_json all_shapes = shapes.json();
-  json["version"] = version_of(session, !all_shapes.empty());
   if (!all_shapes.empty()) json["shapes"] = std::move(all_shapes);
   return readable(json, file);
 }

@@ -22,8 +22,8 @@ struct MaskRun {
   friend bool operator==(const MaskRun&, const MaskRun&) = default;
 };
 
-/// What a session file holds. JSON, version 1 to 6:
-///   "format": "viete session", "version": 1 to 6,
+/// What a session file holds. JSON:
+///   "format": "viete session", "version": 1,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them
 ///   "made_cage"           instead of "cage", one that is in no file: "name", "positions": [x, y, z] a
@@ -66,10 +66,7 @@ struct MaskRun {
 ///   missing:
 ///                         there are none
 ///   "shape"               the number of the one that the model has; missing: it is at rest
-/// Version 1 has only such weights and blends as "coordinates" has a word for: programs that know
-/// no others read it; version 3 is what has probes, version 4 what has a cage that is in no file,
-/// version 5 what has poses with names, or keys, version 6 what has shapes or pins. Only
-/// format, version and model are required. Unknown keys are ignored, so that newer programs may add some.
+/// Only format, version and model are required. Unknown keys are ignored, so that newer programs may add some.
 /// Ranges are those of scene/document/range.h. What is damaged beside model, cage and the list of positions
 /// costs its own part: it counts as missing, and a warning says so.
 struct Session {

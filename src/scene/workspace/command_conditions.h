@@ -128,8 +128,6 @@ inline constexpr Condition has_leftovers{
 inline constexpr Condition offers_leftovers{
     [](const Workspace& w) { return has_leftovers(w) && w.offers_leftovers; },
     "Recovered edits are not shown."};
-inline constexpr Condition has_discarded{[](const Workspace& w) { return !w.discarded.empty(); },
-                                         "Nothing was discarded since the program was started."};
 inline constexpr Condition can_undo{
     [](const Workspace& w) { return w.document.history.can_undo() && !in_hand(w); },
     "There is no edit to take back."};

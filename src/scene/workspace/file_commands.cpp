@@ -106,11 +106,6 @@ void browse_to_locate(Workspace& w, Purpose purpose) {
   recovery ? show(w.browser, purpose, w.remembered.folder) : browse_beside(w, purpose, session);
 }
 
-const Leftover& offered_leftover(const Workspace& w) {
-  const auto chosen = std::ranges::find(w.leftovers, w.chosen_leftover, &Leftover::file);
-  return chosen == w.leftovers.end() ? w.leftovers.front() : *chosen;
-}
-
 void add_file_commands(CommandTable& table) {
   table.heading("File");
   table.add("open_model", {"Open a model or session", "Open"}, "Open a mesh to deform, or a session.",
@@ -145,21 +140,17 @@ void add_file_commands(CommandTable& table) {
   table.add("stop_export", {"Cancel the export", "Cancel"},
             "Stop writing the deformed mesh or its animation; every file is whole or as it was.",
             is_exporting, passing([](Workspace& w) { w.requests.stop_export = true; }));
-  table.add("restore_leftover", {"Restore recovered edits", "Restore"},
-            "Open the recovered edits, or list them first.", {key('B'), true}, has_leftovers,
-            passing([](Workspace& w) {
+  table.add("restore_leftover", {"Restore recovered edits", "Restore"}, "Open the newest recovered edits.",
+            {key('B'), true}, has_leftovers, passing([](Workspace& w) {
               if (!std::exchange(w.offers_leftovers, true)) return;
-              w.requests.open = OpenRequest{OpenRequest::What::recovery, {offered_leftover(w).file}};
+              w.requests.open = OpenRequest{OpenRequest::What::recovery, {w.leftovers.front().file}};
             }));
-  table.add("discard_leftovers", {"Discard recovered edits", "Discard"},
-            "Discard all recovered edits (can be undone until you quit).", offers_leftovers,
-            passing([](Workspace& w) { w.requests.discard = true; }));
+  table.add("discard_leftovers", {"Discard recovered edits", "Discard"}, "Delete all recovered edits.",
+            offers_leftovers,
+            passing([](Workspace& w) { w.question = ask_before_discarding(w.leftovers.size()); }));
   table.add("put_off_leftovers", {"Keep recovered edits for later", "Later"},
             "Hide this row. The next start offers the recovered edits again.", offers_leftovers,
             passing([](Workspace& w) { w.offers_leftovers = false; }));
-  table.add("undo_discard", "Undo discarding recovered edits", "Bring the discarded edits back.",
-            {key('B'), true, true}, has_discarded,
-            passing([](Workspace& w) { w.requests.undo_discard = true; }));
   table.add("screenshot", {"Save a screenshot", "Screenshot"}, "Save a picture of the window.", {Key::f12},
             always, [](Workspace& w) { w.requests.screenshot = true; });
   table.add("quit", "Quit", "Close the program.", {key('Q'), true}, always,

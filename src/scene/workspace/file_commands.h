@@ -13,6 +13,4 @@ void browse_to_save_named_pose(Workspace& workspace);
 /// The file that a question asks for, beside the session. Requires an unopened one.
 void browse_to_locate(Workspace& workspace, FileBrowser::Purpose purpose);
 
-/// The leftover that was chosen, or the newest. Requires that there are some.
-const Leftover& offered_leftover(const Workspace& workspace);
 }  // namespace viete::scene

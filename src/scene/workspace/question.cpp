@@ -45,6 +45,13 @@ Question ask_to_remove_fins(const std::string& problem) {
           "Faces that stick out can be removed as the cage is opened. The file does not change.", problem};
 }
 
+Question ask_before_discarding(std::size_t count) {
+  return {Asked::discard, "Delete the recovered edits?",
+          (count == 1 ? "They are" : "All " + std::to_string(count) + " are") +
+              std::string(" in no other file. This cannot be undone."),
+          "", 1};
+}
+
 std::size_t answer_count(Asked kind) {
   return kind <= Asked::replace ? 3 : 2;
 }
@@ -58,9 +65,10 @@ const char* label(Asked kind, Answer answer) {
     case Asked::replace: return saves ? "Save as" : "Save anyway";
     case Asked::locate_model:
     case Asked::locate_cage: return "Locate file...";
-    case Asked::fins: break;
+    case Asked::fins: return "Remove fins";
+    case Asked::discard: break;
   }
-  return "Remove fins";
+  return "Delete";
 }
 
 }  // namespace viete::scene

@@ -17,12 +17,13 @@ struct Question {
     replace,       ///< a session is to be saved over one that has changed on disk
     locate_model,  ///< of a session, which is not where it was
     locate_cage,   ///< likewise
-    fins           ///< a cage is opened that has some
+    fins,          ///< a cage is opened that has some
+    discard        ///< recovered edits are to be deleted
   };
   Kind kind = Kind::close;
   std::string title, text;
   std::string why;         ///< the problem, in its own words; may be empty
-  std::size_t chosen = 0;  ///< the answer that Enter gives; the first is safe
+  std::size_t chosen = 0;  ///< the answer that Enter gives; always a safe one
 };
 
 /// Each says why it is asked; `work` is what may be lost, see name_of_work().
@@ -35,6 +36,7 @@ Question ask_after_failed_save(const std::string& work, Question::Kind kind, con
 /// key: "model" or "cage".
 Question ask_to_locate(std::string_view key, const std::string& problem);
 Question ask_to_remove_fins(const std::string& problem);
+Question ask_before_discarding(std::size_t count);
 
 /// Other kinds of questions have only the first two.
 std::size_t answer_count(Question::Kind kind);

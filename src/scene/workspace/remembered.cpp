@@ -123,18 +123,6 @@ std::vector<RecentFile> recent_in(const fs::path& file) {
 
 }  // namespace
 
-std::string arrangement_of(const Remembered& remembered) {
-  ordered_json json;
-  put_arrangement(json, remembered);
-  return json.dump();
-}
-
-void arrange(Remembered& remembered, const std::string& arrangement, const std::string& place) {
-  const nlohmann::json json = nlohmann::json::parse(arrangement, nullptr, false);
-  if (json.is_discarded()) throw base::Error(place, "this is no JSON", "record the script again");
-  take_arrangement(remembered, JsonReader(json, place));
-}
-
 void Remembered::add(const RecentFile& file) {
   const RecentFile entry{from_root(file.file), from_root(file.cage)};
   std::erase(recent, entry);

@@ -39,11 +39,6 @@ struct Remembered {
   friend bool operator==(const Remembered&, const Remembered&) = default;
 };
 
-/// Panels, theme, hints and keys: what decides where things are and what keys do. One line of JSON.
-std::string arrangement_of(const Remembered& remembered);
-/// The rest stays as it is. Throws base::Error naming `place`.
-void arrange(Remembered& remembered, const std::string& arrangement, const std::string& place);
-
 /// Throws base::Error if the file is there and cannot be understood; nothing is remembered if it is missing.
 Remembered read_remembered(const std::filesystem::path& file);
 

@@ -194,7 +194,6 @@ FilesInUse files_open(const Workspace& w, std::string_view own) {
   add_document(files, w.document, own);
   if (own != the_session) files.add(w.saved.session, the_session);
   files.add(w.recovered_from, "unsaved work");
-  files.add(w.binding_file, the_binding);
   return files;
 }
 

@@ -9,14 +9,6 @@ namespace viete::scene {
 
 namespace {
 
-constexpr Condition is_shown_script{[](const Workspace& w) { return w.scripting.shown(); },
-                                    "No tour is under way; the menu Help has it."};
-
-template <ScriptRequest Which>
-void asks(Workspace& w) {
-  w.requests.script = Which;
-}
-
 // With the panels, where they are hidden.
 template <Column Which>
 void toggle_column_of(Workspace& w) {
@@ -78,20 +70,6 @@ void mark_point(Workspace& w) {
   if (!hit) return w.messages.info("Point at the model to mark it.");
   if (w.marks.size() == 2) w.marks.clear();
   w.marks.push_back(*hit);
-}
-
-void add_script_commands(CommandTable& table) {
-  table.add("tour", {"Take the tour", "Tour"}, "Six short steps through the program, on the bundled dragon.",
-            hand_is_free, asks<ScriptRequest::tour>);
-  table.add("record", {"Record what the hand does", "Record"},
-            "Write what is done from now on as a script, for viete replay; or end that.", always,
-            {asks<ScriptRequest::record>, [](const Workspace& w) { return w.scripting.recording; }});
-  table.add("next_chapter", {"Next step of the tour", "Next"}, "Go on with the tour.", is_shown_script,
-            passing(asks<ScriptRequest::next>));
-  table.add("previous_chapter", {"Back in the tour", "Back"}, "The step of the tour before this one.",
-            is_shown_script, passing(asks<ScriptRequest::back>));
-  table.add("end_script", {"End the tour", "End"}, "End what is shown; what it has done stays.",
-            is_shown_script, passing(asks<ScriptRequest::end>));
 }
 
 }  // namespace
@@ -184,8 +162,9 @@ void add_help_commands(CommandTable& table) {
             "Show all that was said since the program was started, or hide it again.", always,
             [](Workspace& w) { w.show_messages = !w.show_messages; });
   table.add("manual", {"Read the manual", "Manual"}, "Open the manual in the browser.", always,
-            [](Workspace& w) { w.requests.manual = true; });
-  add_script_commands(table);
+            [](Workspace& w) { w.requests.manual = ""; });
+  table.add("first_steps", "First steps", "Open the chapter of the manual about the window.", always,
+            [](Workspace& w) { w.requests.manual = "window"; });
 }
 
 }  // namespace viete::scene

@@ -41,7 +41,6 @@
 #include "scene/workspace/playback.h"
 #include "scene/workspace/question.h"
 #include "scene/workspace/remembered.h"
-#include "scene/workspace/scripting.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
 #include "scene/workspace/vertex_view.h"
@@ -111,13 +110,10 @@ struct Requests {
   bool stop_export = false;
   bool frame_finding = false;  ///< move the camera to the finding that is shown
   bool show_report = false, stop_report = false;
-  bool manual = false;
-  ScriptRequest script = ScriptRequest::none;
+  std::optional<std::string> manual;  ///< the chapter to show; empty: the first page
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_named_pose, save_cage, save_model,
       save_animation;
-  bool discard = false;          ///< all leftovers
-  bool undo_discard = false;     ///< all that were discarded
   std::optional<Answer> answer;  ///< to the question
 };
 
@@ -240,20 +236,16 @@ struct Workspace {
   bool offer_cage = true;  ///< ways to get one are shown while the model has none
   CheckState checks;
   WorkState reporting;
-  Scripting scripting;
   Saved saved;
   Remembered remembered;
   std::vector<Leftover> leftovers;           ///< unsaved work that can be brought back, newest first
-  std::filesystem::path chosen_leftover;     ///< of several; none of these: the newest
   bool offers_leftovers = false;             ///< their notice is shown, until it is answered
   float notice_height = 0;                   ///< logical pixels of its row, as it was drawn last
   std::filesystem::path example;             ///< session with poses and keys of the bundled model
-  std::filesystem::path binding_file;        ///< a saved binding that was named; empty: none
   std::filesystem::path recovered_from;      ///< the leftover that is open, until its work is safe elsewhere
   Revision opened = 0;                       ///< another document was opened
   std::vector<std::string> pose_notes;       ///< what the deformer had to decide in this pose, one line each
   deform::LogReport pose_report;             ///< the same, to be marked at the cage
-  std::vector<DiscardedLeftover> discarded;  ///< newest last; gone when the program ends
   std::optional<Question> question;          ///< waits for an answer; nothing else is done meanwhile
   std::optional<OpenRequest> unopened;       ///< what the question is of, when it is opened in another way
   std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
