@@ -16,10 +16,9 @@ struct Bound {
   std::shared_ptr<const deform::Binding> binding;
   std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme asked for it
 
-  /// True if its stitching is for the elements of this scheme, held as it says.
+  /// True if its stitching holds the model as this scheme says.
   bool stitches(const deform::Scheme& scheme) const {
-    return stitching && stitching->handles == deform::entry(scheme.weighting.elements).handles &&
-           stitching->settings == deform::settings_of(scheme);
+    return stitching && stitching->settings == deform::settings_of(scheme);
   }
   /// True if it binds the document's model to the document's cage, by whatever weights.
   bool binds(const scene::Document& document) const {

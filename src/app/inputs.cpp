@@ -46,17 +46,17 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
       "--coordinates",
       [&choice](const std::string& word) {
         const deform::Scheme scheme = scheme_of(*deform::way_of_old_word(word));
-        choice = {scheme.weighting.elements, scheme.weighting.weights, scheme.blend};
+        choice = {scheme.weighting.weights, scheme.blend};
       },
       "");
   one_of(coordinates, {"face", "mvc"})->group("");
   add_choice_options(app, choice);
-  for (const char* other : {"--elements", "--weights", "--blend", "--coordinates"}) {
+  for (const char* other : {"--weights", "--blend", "--coordinates"}) {
     auto* given = app.get_option_no_throw(other);
     if (given) way->excludes(given);
     if (given && given != coordinates) coordinates->excludes(given);
   }
-  add_weighting_options(app, inputs.settings.weighting);
+  add_radius_option(app, inputs.settings.radius);
   add_amount_option(app, "--turn", "rotation", inputs.settings.turn);
   add_amount_option(app, "--stretch", "stretch", inputs.settings.stretch);
   add_stitching_options(app, inputs.settings);

@@ -92,50 +92,18 @@ CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way) {
 }
 
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
-  add_choice(app, "--elements", "Which maps the cage carries", deform::all_elements(), choice.elements);
-  add_choice(app, "--weights", "How much of each a vertex takes", deform::all_weights(), choice.weights);
+  add_choice(app, "--weights", "How much of each face or vertex of the cage a vertex takes",
+             deform::all_weights(), choice.weights);
   add_choice(app, "--blend", "What of the maps is summed", deform::all_blends(), choice.blend);
 }
 
-CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take) {
-  const std::string lowest = deform::text_of_reach(deform::lowest_reach);
-  return app
-      .add_option_function<std::string>(
-          "--reach",
-          [take, lowest](const std::string& text) {
-            const auto number = deform::reach_from_text(text);
-            if (!number)
-              throw CLI::ValidationError("--reach",
-                                         "needs a number from " + lowest + " on, or all, not " + text);
-            take(*number);
-          },
-          "Of inverse distances: how many times as far as the nearest faces a face still moves the mesh, " +
-              lowest + " or more, or all: every face moves all of it")
-      ->option_text("NUMBER")
-      ->default_str("all");
-}
-
-void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked) {
-  add_reach_option(app, [&asked](double reach) { asked.reach = reach; });
+void add_radius_option(CLI::App& app, std::optional<double>& asked) {
   auto* radius = app.add_option_function<double>(
-      "--radius", [&asked](double percent) { asked.radius = deform::radius_from_percent(percent); },
+      "--radius", [&asked](double percent) { asked = deform::radius_from_percent(percent); },
       "Of cut-off weights: where they end, in percent of the cage's size");
   in_range(radius, 100 * deform::least_radius, 100 * deform::largest_radius)
       ->option_text("PERCENT")
       ->default_str("25");
-  auto* exponent = app.add_option_function<int>(
-      "--exponent", [&asked](int e) { asked.exponent = e; },
-      "Of inverse distances and cut-off weights: the higher, the more local");
-  whole_in_range(exponent, 1, deform::most_exponent)->default_str("2");
-  auto* clamp = app.add_flag_callback(
-      "--clamp", [&asked] { asked.clamp = true; },
-      "Of biharmonic weights: those below 0 become 0 (the default)");
-  app.add_flag_callback(
-         "--no-clamp", [&asked] { asked.clamp = false; }, "Of biharmonic weights: those below 0 stay")
-      ->excludes(clamp);
-  app.add_flag(
-      "--normalise", asked.normalise,
-      "Of cut-off weights: they always sum to 1, also where few elements reach; what none reaches stays");
 }
 
 CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::optional<double>& value,

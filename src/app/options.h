@@ -58,14 +58,13 @@ void add_stitching_options(CLI::App& app, scene::AskedSettings& asked);
 
 CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way);
 
-/// --elements, --weights and --blend, by the names of the tables.
+/// --weights and --blend, by the names of the tables.
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice);
 
-/// --reach, --radius, --exponent, --clamp and --normalise.
-void add_weighting_options(CLI::App& app, deform::AskedWeighting& asked);
+/// --radius PERCENT.
+void add_radius_option(CLI::App& app, std::optional<double>& asked);
 
-/// --reach NUMBER|all.
-CLI::Option* add_reach_option(CLI::App& app, const std::function<void(double)>& take);
+/// FILE, written by `viete bind`.
 /// --digits NUMBER|all, of coordinates in text files.
 void add_digits_option(CLI::App& app, mesh::Digits& digits);
 /// Of a picture; its sides are no longer than 131072.

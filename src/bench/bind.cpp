@@ -24,8 +24,7 @@ namespace viete::bench {
 
 namespace {
 
-constexpr deform::Weighting faces{}, integrals{deform::Elements::face, deform::Weights::integrated},
-    mean_values{deform::Elements::point, deform::Weights::mean_value},
+constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform::Weights::mean_value},
     harmonics{deform::Elements::face, deform::Weights::harmonic},
     biharmonics{deform::Elements::face, deform::Weights::biharmonic};
 
@@ -59,8 +58,6 @@ public:
     add("leaves and rings", [this] { lay_out(model_, cage_, faces); });
     add("bound, dense", [this] { dense_ = bind(faces, 0); });
     add("bound, compressed", [this] { compressed_ = bind(faces, deform::usual_tolerance); });
-    add("integrated, vectors", [this] { weigh(integrals); });
-    add("integrated, bound, compressed", [this] { bind(integrals, deform::usual_tolerance); });
     add("harmonic, bound, compressed", [this] { bind(harmonics, deform::usual_tolerance); });
     add("biharmonic, bound, compressed", [this] { bind(biharmonics, deform::usual_tolerance); });
     if (plain_)
@@ -134,10 +131,6 @@ void bench_bind(const BindOptions& options) {
   if (promised && time_of(results, "plain loops") > 0) {
     bars.check("weights: plain loops / vectors", faster("plain loops", "vectors"), 45, true);
     bars.check("bound, compressed: plain loops /", faster("plain loops", "bound, compressed"), 5, true);
-  }
-  if (promised) {
-    bars.check("bound, compressed: integrated / inverse",
-               faster("integrated, bound, compressed", "bound, compressed"), 3, false);
   }
   const double memory =
       static_cast<double>(runs.dense().bytes()) / static_cast<double>(runs.compressed().bytes());

@@ -133,7 +133,6 @@ void add_frame_bench(CLI::App& command, Action& action) {
   add_rounds_option(command, options.rounds, "11");
   auto* tolerance = command.add_option("--tolerance", options.tolerance, "Of compressed weights");
   in_range(tolerance, 0, 0.1)->default_str("3e-5");
-  add_reach_option(command, [&options](double reach) { options.reach = reach; });
   finish(command, action, bench, bench_frame, prepare_model<FrameOptions>);
 }
 
@@ -171,7 +170,7 @@ void add_modes_bench(CLI::App& command, Action& action) {
       ->default_str("those of the dragon");
   add_method_option(command, [&settings](sym3::Method method) { settings.method = method; });
   add_choice_options(command, settings.choice);
-  add_weighting_options(command, settings.weighting);
+  add_radius_option(command, settings.radius);
   auto asked = std::make_shared<scene::AskedSettings>();
   add_stitching_options(command, *asked);
   add_rounds_option(command, settings.rounds, "11");

@@ -119,21 +119,17 @@ struct FusedFrame {
 /// One model in one cage: everything that is compared, bound and ready.
 class FrameRuns {
 public:
-  FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage, double tolerance,
-            double reach)
-      : cage_(std::move(cage)), pose_(moderate_pose(*cage_)), weighting_{.reach = reach} {
+  FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage, double tolerance)
+      : cage_(std::move(cage)), pose_(moderate_pose(*cage_)) {
     bind_staged(model);
     dense_ = bind_fused(model, 0, deform::Storage::dense);
-    compressed_ = bind_fused(model, tolerance,
-                             weighting_.local() ? std::optional(deform::Storage::factors) : std::nullopt);
-    if (weighting_.local()) listed_ = bind_fused(model, 0, deform::Storage::lists);
+    compressed_ = bind_fused(model, tolerance, std::nullopt);
     if (staged_) add_staged();
     for (auto* pool : {&one_, &all_}) {
       if (pool == &all_ && all_.threads() == 1) continue;
       add_fused(frame_names::dense, dense_, *pool, false);
       if (compressed_->compressed()) add_fused(frame_names::compressed, compressed_, *pool, false);
-      if (listed_) add_fused(frame_names::listed, listed_, *pool, false);
-      add_fused(frame_names::dragged, listed_ ? listed_ : compressed_, *pool, true);
+      add_fused(frame_names::dragged, compressed_, *pool, true);
     }
     add_floors();
   }
@@ -262,7 +258,7 @@ private:
   deform::Weighting weighting_;
   base::WorkerPool one_{1}, all_{0};
   std::shared_ptr<const deform::Binding> binding_;
-  std::shared_ptr<const deform::TiledBinding> dense_, compressed_, listed_;
+  std::shared_ptr<const deform::TiledBinding> dense_, compressed_;
   std::vector<double> bind_ms_;
   int step_ = 0;
   std::unique_ptr<deform::Deformer> staged_;
@@ -302,8 +298,6 @@ void FrameRuns::print(std::span<const FrameTime> times) const {
   }
   std::printf("\n  bound in %.0f ms dense, %.0f ms compressed%s", bind_ms_[0], bind_ms_[1],
               compressed_->compressed() ? "" : " (which does not pay here)");
-  if (listed_)
-    std::printf(", %.0f ms as lists of %.0f triangles on average", bind_ms_[2], listed_->mean_rows());
   std::printf(" (processor time, one thread)\n");
 }
 
@@ -344,7 +338,7 @@ std::vector<FrameTime> measured(const FrameOptions& options, const scene::Docume
     for (const auto& cage : cages_around(model, opened, options.faces)) {
       progress.section(done / total, (done + 1) / total);
       ++done;
-      FrameRuns runs(model, cage, options.tolerance, options.reach);
+      FrameRuns runs(model, cage, options.tolerance);
       runs.run(std::max<std::size_t>(3, options.rounds / share), progress);
       const auto times = runs.times();
       show(runs, times);
@@ -368,8 +362,6 @@ nlohmann::json to_json(std::span<const FrameTime> times) {
 }
 
 void bench_frame(const FrameOptions& options) {
-  if (options.reach < deform::whole_cage)
-    std::printf("reach %s; ", deform::text_of_reach(options.reach).c_str());
   std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
   const scene::Document opened = open_model(options.model, options.cage);
   base::Progress progress;
@@ -377,8 +369,8 @@ void bench_frame(const FrameOptions& options) {
   const std::vector<FrameTime> all = measured(options, opened, show, progress);
   std::printf("\n");
   Bars bars;
-  // They are of 1/d^2 without an end, in cages that are made.
-  if (options.reach == deform::whole_cage && !opened.has_cage()) check_frame(all, bars);
+  // They are of cages that are made.
+  if (!opened.has_cage()) check_frame(all, bars);
   write_json(options.json, {{"figure", "frame"}, {"results", to_json(all)}, {"bars", bars.rows}});
 }
 

@@ -21,7 +21,6 @@ struct FrameOptions {
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   std::size_t rounds = 11;
   double tolerance = deform::usual_tolerance;
-  double reach = deform::whole_cage;
   std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
 };
 

@@ -26,7 +26,6 @@ inline constexpr const char* reference = "reference";
 inline constexpr const char* staged_fast = "staged, fast";
 inline constexpr const char* dense = "fused, dense";
 inline constexpr const char* compressed = "fused, compressed";
-inline constexpr const char* listed = "fused, lists";
 inline constexpr const char* dragged = "one vertex dragged";
 inline constexpr const char* exponential = "exponentials alone";
 inline constexpr const char* read_floor = "floor: reading";

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <deque>
 #include <limits>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -127,12 +126,10 @@ private:
 
   // Held alike in all modes.
   std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
-    const deform::Elements elements = scheme.weighting.elements;
-    auto& made = stitchings_[elements];
-    if (!made)
-      made = std::make_shared<const deform::Stitching>(
-          deform::stitch(surface_, *cage_, elements, all_, deform::settings_of(scheme)));
-    return made;
+    if (!stitching_)
+      stitching_ = std::make_shared<const deform::Stitching>(
+          deform::stitch(surface_, *cage_, all_, deform::settings_of(scheme)));
+    return stitching_;
   }
 
   void note(const std::vector<std::string>& warnings) {
@@ -166,7 +163,7 @@ private:
   std::vector<mesh::Edge> near_pairs_;
   std::shared_ptr<const deform::Binding> staged_;
   std::deque<Bound> bound_;  // what is made stays where it is
-  std::map<deform::Elements, std::shared_ptr<const deform::Stitching>> stitchings_;
+  std::shared_ptr<const deform::Stitching> stitching_;
   std::vector<Frame> frames_;
   std::vector<std::string> warnings_;
 };
@@ -175,13 +172,13 @@ private:
 std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   std::vector<deform::Scheme> all, schemes;
   for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
-  const auto& others = settings.named_only     ? std::vector<deform::Scheme>()
-                       : settings.choice.any() ? deform::valid_schemes()
-                                               : deform::offered_schemes();
-  all.insert(all.end(), others.begin(), others.end());
+  if (!settings.named_only) {
+    const auto others = deform::valid_schemes();
+    all.insert(all.end(), others.begin(), others.end());
+  }
   for (deform::Scheme scheme : all) {
     if (way_of(scheme) != deform::Way::mean_value && !fits(settings.choice, scheme)) continue;
-    scheme.weighting = with(scheme.weighting, settings.weighting);
+    scheme.weighting.radius = settings.radius.value_or(scheme.weighting.radius);
     if (settings.iterations > 0) scheme.iterations = settings.iterations;
     if (conflict(scheme)) scheme.iterations = 0;
     if (scheme.stitched()) scheme.holding = settings.holding;
@@ -282,29 +279,15 @@ std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, 
   return poses;
 }
 
-namespace {
-
-// Of weights: reach, and what else was asked for.
-std::string settings_text(const deform::AskedWeighting& asked) {
-  const deform::Weighting weighting = with({}, asked);
-  std::string text = "reach " + deform::text_of_reach(weighting.reach);
-  if (asked.radius) text += ", radius " + deform::text_of_percent(weighting.radius);
-  if (asked.exponent) text += ", exponent " + std::to_string(weighting.exponent);
-  return text;
-}
-
-}  // namespace
-
 void bench_modes(const ModesOptions& options) {
   const scene::Document opened = open_model(options.model, options.cage);
   const mesh::Surface& model = *opened.model.surface;
   std::vector<std::string> warnings = opened.cage->warnings;
   const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);
-  std::printf("modes: %s vertices, %zu cage triangles, method %s, %s, kernel %s, %s\n%s",
+  std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
               base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
               std::string(sym3::name(options.settings.method)).c_str(),
-              settings_text(options.settings.weighting).c_str(), std::string(sym3::kernel_name()).c_str(),
-              processor_name().c_str(), modes_legend);
+              std::string(sym3::kernel_name()).c_str(), processor_name().c_str(), modes_legend);
   for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
   base::Progress progress;
   const ModeComparison compared = measure_modes(model, opened.cage, poses, options.settings, progress);

@@ -21,7 +21,7 @@ namespace viete::bench {
 struct ModeSettings {
   std::size_t rounds = 11;
   deform::PartialChoice choice{};  ///< if any: all ways of blending that have it, and mean value coordinates
-  deform::AskedWeighting weighting{};
+  std::optional<double> radius{};  ///< of cut-off weights
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< of stitching, where a way of blending can be stitched
   deform::Holding holding{};
@@ -35,10 +35,9 @@ struct ModesOptions {
   std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
 };
 
-/// The ways that have names and the other schemes that are offered, or all valid ones that have what is
-/// chosen, measured in double, link by link, stitched ones as they run; frames as the program would run them,
-/// one after the other, in interleaved rounds, of the first pose. poses must not be empty. Throws
-/// base::Error, base::Cancelled.
+/// The ways that have names and the other valid schemes that have what is chosen, measured in double, link by
+/// link, stitched ones as they run; frames as the program would run them, one after the other, in interleaved
+/// rounds, of the first pose. poses must not be empty. Throws base::Error, base::Cancelled.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,
                              base::Progress& progress);

@@ -138,7 +138,6 @@ nlohmann::json to_json(const ShapeQuality& q, const std::string& pose) {
 nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
   const deform::Scheme& scheme = mode.scheme;
   nlohmann::json json = {{"name", deform::text(scheme)},
-                         {"elements", deform::entry(scheme.weighting.elements).name},
                          {"weights", deform::entry(scheme.weighting.weights).name},
                          {"blend", deform::entry(scheme.blend).name}};
   if (const auto way = deform::way_of(scheme)) json["way"] = deform::entry(*way).name;

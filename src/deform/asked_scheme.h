@@ -10,22 +10,20 @@ namespace viete::deform {
 struct AskedScheme {
   std::optional<Way> way{};  ///< all of it; what is asked for besides is changed in it
   PartialChoice choice{};
-  AskedWeighting weighting{};
+  std::optional<double> radius{};           ///< of cut-off weights
   std::optional<double> turn{}, stretch{};  ///< of Amounts
   std::optional<int> iterations{};          ///< of stitching
   std::optional<double> pins{}, hold{};     ///< of Holding
 
-  bool any() const {
-    return way || choice.any() || weighting.any() || turn || stretch || iterations || pins || hold;
-  }
+  bool any() const { return way || choice.any() || radius || turn || stretch || iterations || pins || hold; }
 };
 
-/// What is left open stays as it is now, where that goes together with what is asked for. Throws base::Error if
-/// choices do not go together, or a setting is asked for that weights do not have, or amounts or stitching where maps
-/// only move.
+/// What is left open stays as it is now, where that goes together with what is asked for. Throws base::Error
+/// if choices do not go together, or a radius of weights that have none, or amounts or stitching where
+/// elements only move.
 ///
-/// A setting that the weights of `now` do not have chooses others that do, unless someone has chosen these: by name
-/// here, or before (`chosen`), as in a session.
+/// A radius chooses cut-off weights, unless someone has chosen others: by name here, or before (`chosen`), as
+/// in a session.
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 
 }  // namespace viete::deform

@@ -8,7 +8,6 @@
 #include "deform/cage_state.h"
 #include "deform/cut_off.h"
 #include "deform/face_maps.h"
-#include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "deform/surface_weights.h"
@@ -44,17 +43,13 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
   for (std::size_t i = begin; i < end; ++i) {
     const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
     switch (b.weighting.weights) {
-      case Weights::inverse:
-        inverse_distance_weights(cage, b.rest[i], row, b.weighting.reach, entry(b.weighting.elements).handles,
-                                 b.weighting.exponent);
-        break;
+      case Weights::inverse: inverse_distance_weights(cage, b.rest[i], row, b.weighting.elements); break;
       case Weights::cut_off:
-        b.shares[i] = share_of_motion(b.weighting, cut_off_weights(cage, b.rest[i], b.weighting, row));
+        b.shares[i] = share_of_motion(cut_off_weights(cage, b.rest[i], b.weighting, row));
         break;
-      case Weights::integrated: integrated_weights(cage, b.rest[i], row); break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
       case Weights::harmonic:
-      case Weights::biharmonic: normalise(row, b.weighting.used_clamp()); break;  // solved for before
+      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // solved for before
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }
@@ -91,7 +86,7 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
                           const Weighting& weighting) {
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
   const double slots = n + slot_block - 1;
-  const bool compressed = entry(weighting.elements).affine && compressible(vertices, handles);
+  const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
   // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
   // vertices
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;

@@ -18,8 +18,6 @@ struct DistanceTriangle {
   T along[2][3], inward[2][3];
   T outside;  ///< 0; infinity where there is no area: nothing is inside
   T near;  ///< squared, a sixteenth of the longest edge, or a little: nearer distances lose digits in float
-  T twice_area;
-  T opposite;       ///< dot product of the two edges at the corner opposite to the longest one
   bool degenerate;  ///< without influence
 };
 
@@ -28,9 +26,8 @@ struct WeightJob {
   const DistanceTriangle<T>* triangles;
   const T (*shifts)[3];
   std::size_t count;
-  T least_square;   ///< of a distance: the squared contact, or the squared softening
-  T cut;            ///< of inverse distances 1 / reach^2, of cut-off ones 1 / radius; 0: no end
-  int exponent;     ///< of distances
+  T least_square;   ///< of an inverse distance: the squared contact
+  T cut;            ///< of cut-off ones 1 / radius
   const T* points;  ///< [3][lane]
 };
 

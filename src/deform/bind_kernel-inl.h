@@ -70,75 +70,6 @@ static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const Dis
   return hn::MulAdd(z, z, hn::IfThenElseZero(outside, edges));
 }
 
-template <class D, class V = hn::Vec<D>>
-static HWY_INLINE V power(D d, V x, int exponent) {
-  V product = hn::Set(d, 1);
-  for (; exponent > 0; --exponent) product = hn::Mul(product, x);
-  return product;
-}
-
-// A power of the distance from one of its square.
-template <class D, class V = hn::Vec<D>>
-static HWY_INLINE V half_power(D d, V square, int exponent) {
-  const V whole = power(d, square, exponent / 2);
-  return exponent % 2 ? hn::Mul(whole, hn::Sqrt(square)) : whole;
-}
-
-// Ratios [handle][stride], least squared distance over squared distance, become powers of themselves.
-// Returns their sum.
-template <class D, class T = hn::TFromD<D>>
-static HWY_INLINE hn::Vec<D> raise(D d, int exponent, std::size_t count, T* ratios, std::size_t stride) {
-  using V = hn::Vec<D>;
-  V sum = hn::Zero(d);
-  for (std::size_t block = 0; block < count; block += summed_at_once) {
-    V part = hn::Zero(d);
-    for (std::size_t i = block; i < std::min(block + summed_at_once, count); ++i) {
-      const V w = half_power(d, hn::LoadU(d, ratios + i * stride), exponent);
-      part = hn::Add(part, w);
-      hn::StoreU(w, d, ratios + i * stride);
-    }
-    sum = hn::Add(sum, part);
-  }
-  return sum;
-}
-
-// The same ratios become tapered weights: see inverse_distance.h. Returns their sum.
-template <class D, class T = hn::TFromD<D>>
-static HWY_INLINE hn::Vec<D> taper(D d, T cut, int exponent, std::size_t count, T* ratios,
-                                   std::size_t stride) {
-  using V = hn::Vec<D>;
-  V third = hn::Zero(d), fourth = third;
-  for (std::size_t block = 0; block < count; block += summed_at_once) {
-    V cubes = hn::Zero(d), squares = cubes;
-    for (std::size_t i = block; i < std::min(block + summed_at_once, count); ++i) {
-      const V r = hn::LoadU(d, ratios + i * stride), r2 = hn::Mul(r, r);
-      cubes = hn::MulAdd(r2, r, cubes);
-      squares = hn::MulAdd(r2, r2, squares);
-    }
-    third = hn::Add(third, cubes);
-    fourth = hn::Add(fourth, squares);
-  }
-  const V end = hn::Mul(hn::Set(d, cut), hn::Div(fourth, third));
-  V sum = hn::Zero(d);
-  for (std::size_t block = 0; block < count; block += summed_at_once) {
-    V part = hn::Zero(d);
-    for (std::size_t i = block; i < std::min(block + summed_at_once, count); ++i) {
-      const V r = hn::LoadU(d, ratios + i * stride), left = hn::Sub(r, end);
-      const auto reached = hn::Gt(r, end);
-      V w = hn::Zero(d);
-      if (!hn::AllFalse(d, reached)) {
-        const V share = exponent == 2 ? hn::Div(hn::Mul(left, left), r)
-                                      : hn::Mul(power(d, hn::Div(left, r), 2), half_power(d, r, exponent));
-        w = hn::IfThenElseZero(reached, share);
-      }
-      part = hn::Add(part, w);
-      hn::StoreU(w, d, ratios + i * stride);
-    }
-    sum = hn::Add(sum, part);
-  }
-  return sum;
-}
-
 static void inverse_distance(const WeightJob<double>& job, double* weights) {
   const PointTag d;
   for (std::size_t l = 0; l < bind_lanes; l += hn::Lanes(d)) {
@@ -156,11 +87,6 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
       sum = hn::Add(sum, ratio);
       hn::StoreU(ratio, d, w);
     }
-    if (job.cut > 0) {
-      sum = taper(d, job.cut, job.exponent, job.count, weights + l, bind_lanes);
-    } else if (job.exponent != 2) {
-      sum = raise(d, job.exponent, job.count, weights + l, bind_lanes);
-    }
     const PointV share = hn::Div(hn::Set(d, 1.0), sum);
     for (std::size_t i = 0; i < job.count; ++i) {
       double* w = weights + i * bind_lanes + l;
@@ -174,7 +100,7 @@ struct CutOffSum {
   V weights, near;  // where near is not 0 a distance is not known well enough in floats
 };
 
-// (1 - d cut)^exponent to weights [triangle][stride], 0 beyond.
+// (1 - d cut)^2 to weights [triangle][stride], 0 beyond.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& job, const Points<D>& p,
                                                       T* weights, std::size_t stride) {
@@ -186,7 +112,8 @@ static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& j
     if (!t.degenerate) {
       const V square = squared_distance(d, p, t, job.shifts[i]);
       const V left = hn::NegMulAdd(hn::Sqrt(square), hn::Set(d, job.cut), hn::Set(d, 1));
-      w = power(d, hn::Max(hn::Zero(d), left), job.exponent);
+      const V inside = hn::Max(hn::Zero(d), left);
+      w = hn::Mul(inside, inside);
       sum.near = hn::Max(sum.near, hn::IfThenElseZero(hn::Lt(square, hn::Set(d, t.near)), hn::Set(d, 1)));
     }
     sum.weights = hn::Add(sum.weights, w);
@@ -291,11 +218,6 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
         hn::StoreU(ratio, d, w);
       }
       sum = hn::Add(sum, part);
-    }
-    if (job.cut > 0) {
-      sum = taper(d, job.cut, job.exponent, job.count, out.rows + l, row_lanes);
-    } else if (job.exponent != 2) {
-      sum = raise(d, job.exponent, job.count, out.rows + l, row_lanes);
     }
     hn::StoreU(hn::Div(hn::Set(d, 1.0f), sum), d, shares + l);
   }

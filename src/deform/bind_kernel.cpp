@@ -7,7 +7,6 @@
 #include <hwy/foreach_target.h>
 
 #include "deform/bind_kernel-inl.h"
-#include "deform/integrated_kernel-inl.h"
 #include "deform/mean_value_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,8 +16,6 @@ static constexpr BindKernel bind = {.inverse_distance = inverse_distance,
                                     .inverse_distance_rows = inverse_distance_rows,
                                     .cut_off = cut_off,
                                     .cut_off_rows = cut_off_rows,
-                                    .integrated = integrated,
-                                    .integrated_rows = integrated_rows,
                                     .mean_value = mean_value,
                                     .to_rows = to_rows,
                                     .take_out = take_out,

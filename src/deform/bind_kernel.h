@@ -19,10 +19,6 @@ struct BindKernel {
   void (*cut_off)(const WeightJob<double>& job, double* weights, double* totals);
   /// As inverse_distance_rows, of these.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// weights [triangle][8 lanes]: integrated_weights().
-  void (*integrated)(const WeightJob<double>& job, double* weights);
-  /// As inverse_distance_rows, of these; also false where a point is too far away for floats.
-  bool (*integrated_rows)(const WeightJob<float>& job, const RowJob& rows);
   /// weights [corner][lane], each lane summing to 1. Returns a bit for each lane that mean_value_weights()
   /// must decide: its point lies in or next to a triangle's plane, or the weights vanish.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);

@@ -58,9 +58,6 @@ void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::siz
   switch (rows.columns()) {
     case 3: return blend_columns<3>(binding, rows, begin, end, sums);
     case 12: return blend_columns<12>(binding, rows, begin, end, sums);
-    case 21: return blend_columns<21>(binding, rows, begin, end, sums);
-    case 24: return blend_columns<24>(binding, rows, begin, end, sums);
-    case 13: return blend_columns<13>(binding, rows, begin, end, sums);
     default: assert(false);  // a form has another number of columns
   }
 }

@@ -111,15 +111,15 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-std::vector<Vec3> component_means(const MapGraph& graph, std::span<const Vec3> logs) {
-  std::vector<Vec3> sums(graph.roots.size() + 1, {0, 0, 0});
-  std::vector<std::size_t> counts(graph.roots.size() + 1);
-  for (std::size_t m = 0; m < logs.size(); ++m) {
-    sums[graph.component[m]] = sums[graph.component[m]] + logs[m];
-    ++counts[graph.component[m]];
+std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs) {
+  std::vector<Vec3> sums(cage.roots.size() + 1, {0, 0, 0});
+  std::vector<std::size_t> counts(cage.roots.size() + 1);
+  for (std::size_t e = 0; e < logs.size(); ++e) {
+    sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
+    ++counts[cage.parts[e]];
   }
-  sums.pop_back();  // of skipped maps
-  for (std::size_t c = 0; c < sums.size(); ++c) sums[c] = (1 / static_cast<double>(counts[c])) * sums[c];
+  sums.pop_back();  // of elements without area
+  for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
   return sums;
 }
 
@@ -134,13 +134,13 @@ bool stays(const Vec3& v, const Vec3& reference) {
 // branch of it is farther than the principal one from all that roots are compared with, the references and
 // the leader. Let r be the longest of these. The principal log v is at most |v| + r away from them, its other
 // branches, which are at least 2 pi - |v| long, at least 2 pi - |v| - r: more, if |v| + r < pi.
-bool all_stay_principal(const MapGraph& graph, std::span<const Vec3> principal, std::span<const Vec3> turns,
+bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
   for (const auto& reference : turns) longest = std::max(longest, norm(reference));
   const auto within = [&](const Vec3& log) { return norm(log) + longest < turn / 2 - to_spare; };
   return std::all_of(principal.begin(), principal.end(), within) &&
-         std::all_of(graph.edges.begin(), graph.edges.end(), [&](const mesh::Edge& pair) {
+         std::all_of(cage.dual_edges.begin(), cage.dual_edges.end(), [&](const mesh::Edge& pair) {
            const Vec3 &a = principal[pair[0]], &b = principal[pair[1]];
            return stays(a, b) && stays(b, a);
          });
@@ -169,41 +169,19 @@ std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotat
 
 namespace {
 
-// Of each component, those of its part.
-std::vector<Vec3> references(const MapGraph& graph, std::span<const Vec3> turns) {
-  std::vector<Vec3> of(graph.roots.size(), {0, 0, 0});
-  for (std::size_t c = 0; c < of.size(); ++c) {
-    if (graph.part_of[c] < turns.size()) of[c] = turns[graph.part_of[c]];
-  }
-  return of;
-}
-
-// Of each part, that of the component that tells it.
-std::vector<Vec3> turns_of_parts(const MapGraph& graph, std::span<const Vec3> means) {
-  std::vector<Vec3> turns(graph.component_of.size(), {0, 0, 0});
-  for (std::size_t p = 0; p < turns.size(); ++p) {
-    if (graph.component_of[p] < means.size()) turns[p] = means[graph.component_of[p]];
-  }
-  return turns;
-}
-
-Branches nearest_branches(const MapGraph& graph, Rotations rotations, std::span<const Vec3> principal,
+Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const Vec3> principal,
                           std::span<const Vec3> turns) {
-  Branches result{{principal.begin(), principal.end()}, {}};
-  std::vector<Vec3> means = component_means(graph, principal);
-  if (all_stay_principal(graph, principal, turns, means)) {
-    result.turns = turns_of_parts(graph, means);
-    return result;
-  }
-  const std::vector<Vec3> followed = references(graph, turns);
-  const mesh::Adjacency forest = mesh::adjacency(rotations.size(), spanning_forest(graph.edges, rotations));
-  for (std::size_t c = 0; c < graph.roots.size(); ++c) {
-    const Tree tree = tree_of(forest, graph.roots[c]);
-    const Branching chosen = choose(tree, principal, {followed[c], c > 0 ? means[0] : followed[c]});
+  Branches result{{principal.begin(), principal.end()}, means_of_parts(cage, principal)};
+  if (all_stay_principal(cage, principal, turns, result.turns)) return result;
+  const mesh::Adjacency forest =
+      mesh::adjacency(rotations.size(), spanning_forest(cage.dual_edges, rotations));
+  for (std::size_t p = 0; p < cage.roots.size(); ++p) {
+    const Tree tree = tree_of(forest, cage.roots[p]);
+    const Vec3 followed = p < turns.size() ? turns[p] : Vec3{0, 0, 0};
+    const Branching chosen = choose(tree, principal, {followed, p > 0 ? result.turns[0] : followed});
     for (std::size_t n = 0; n < chosen.logs.size(); ++n) result.logs[tree.maps[n]] = chosen.logs[n];
-    means[c] = chosen.mean();
+    result.turns[p] = chosen.mean();
   }
-  result.turns = turns_of_parts(graph, means);
   return result;
 }
 
@@ -216,19 +194,16 @@ bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
 }
 
 // Of each part the squares of the distances between neighbours' logs.
-std::vector<double> roughness(const MapGraph& graph, std::span<const Vec3> logs) {
-  std::vector<double> rough(graph.component_of.size() + 1);
-  for (const auto& [a, b] : graph.edges)
-    rough[graph.part_of[graph.component[a]]] += squared_norm(logs[a] - logs[b]);
+std::vector<double> roughness(const Cage& cage, std::span<const Vec3> logs) {
+  std::vector<double> rough(cage.roots.size());
+  for (const auto& [a, b] : cage.dual_edges) rough[cage.parts[a]] += squared_norm(logs[a] - logs[b]);
   return rough;
 }
 
 // The logs of a part as they are in another choice of branches.
-void take_logs(const MapGraph& graph, std::size_t part, const Branches& from, Branches& to) {
-  for (std::size_t m = 0; m < to.logs.size(); ++m) {
-    const auto component = graph.component[m];
-    if (component < graph.roots.size() && graph.part_of[component] == part) to.logs[m] = from.logs[m];
-  }
+void take_logs(const Cage& cage, std::size_t part, const Branches& from, Branches& to) {
+  for (std::size_t e = 0; e < to.logs.size(); ++e)
+    if (cage.parts[e] == part) to.logs[e] = from.logs[e];
 }
 
 }  // namespace
@@ -243,22 +218,22 @@ Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least) {
   return (turn * count + dot(least, axis)) * axis;
 }
 
-Branches choose_branches(const MapGraph& graph, Rotations rotations, std::span<const Vec3> principal,
+Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const Vec3> principal,
                          std::span<const Vec3> turns) {
-  Branches result = nearest_branches(graph, rotations, principal, turns);
+  Branches result = nearest_branches(cage, rotations, principal, turns);
   const auto lacks = [&](std::size_t part) { return may_lack_turns(result.turns[part], turns[part]); };
   std::vector<std::size_t> lacking;
   for (std::size_t part = 0; part < std::min(turns.size(), result.turns.size()); ++part)
     if (lacks(part)) lacking.push_back(part);
   if (lacking.empty()) return result;
-  const Branches least = nearest_branches(graph, rotations, principal, {});
-  const auto rough = roughness(graph, result.logs), rough_least = roughness(graph, least.logs);
+  const Branches least = nearest_branches(cage, rotations, principal, {});
+  const auto rough = roughness(cage, result.logs), rough_least = roughness(cage, least.logs);
   for (const std::size_t part : lacking) {
     const double count = whole_turns(turns[part], least.turns[part]);
     if (count == 0) continue;
     result.turns[part] = with_whole_turns((1 / norm(turns[part])) * turns[part], count, least.turns[part]);
     if (rough[part] > incoherent * incoherent * rough_least[part] + rougher_at_rest)
-      take_logs(graph, part, least, result);
+      take_logs(cage, part, least, result);
   }
   return result;
 }

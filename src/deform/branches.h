@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/map_graph.h"
+#include "deform/cage.h"
 #include "sym3/general.h"
 #include "sym3/rotation.h"
 
@@ -32,7 +32,7 @@ struct Branches {
       turns;  ///< mean log of each part of the cage, or with_whole_turns() that logs cannot tell
 };
 
-/// Logs of the maps' rotations, from their principal logs. Within a component all follow their neighbour,
+/// Logs of the elements' rotations, from their principal logs. Within a component all follow their neighbour,
 /// from the root on, along a minimum spanning forest of the graph by relative angle (ties: lowest pair).
 /// Which whole turns the component has made is decided by all its logs together: their root mean square
 /// distance to turns[its part] (missing: 0) is the least, as long as neighbours stay as close, so that one
@@ -42,7 +42,7 @@ struct Branches {
 /// Logs can have whole turns about the axes of their rotations alone. Where a part's rotations are not about
 /// the axis of its turns, and these are of more than half a turn, the whole ones of them stay as they are;
 /// the logs are those without them where only these are coherent. A pure function of its inputs. O(k log k).
-Branches choose_branches(const MapGraph& graph, std::span<const sym3::Mat3<double>> rotations,
+Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 
 }  // namespace viete::deform

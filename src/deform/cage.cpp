@@ -47,23 +47,6 @@ Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
   return from + (1.0 / (end - first)) * sum;
 }
 
-bool is_concave(const mesh::Surface& surface, std::uint32_t polygon) {
-  constexpr double least_sine = 1e-3;
-  const auto first = surface.polygon_starts[polygon];
-  const std::size_t n = surface.polygon_starts[polygon + 1] - first;
-  const auto corner = [&](std::size_t i) -> const mesh::Point& {
-    return surface.positions[surface.corners[first + i % n]];
-  };
-  Vec3 area{0, 0, 0};
-  for (std::size_t i = 0; i < n; ++i) area = area + cross(corner(i) - corner(0), corner(i + 1) - corner(0));
-  for (std::size_t i = 0; n > 3 && i < n; ++i) {
-    const Vec3 next = corner(i + 1) - corner(i), previous = corner(i + n - 1) - corner(i);
-    if (dot(cross(next, previous), area) < -least_sine * norm(next) * norm(previous) * norm(area))
-      return true;
-  }
-  return false;
-}
-
 namespace {
 
 void add_elements(Cage& cage) {
@@ -74,12 +57,6 @@ void add_elements(Cage& cage) {
     cage.bases.push_back(rest_basis(cage.surface.positions, cage.surface.triangles[e]));
     cage.degenerate.push_back(!mesh::has_area(t.a, t.b, t.c));
     if (cage.degenerate.back()) found.push_back(e);
-  }
-  for (std::size_t e = 0; e < cage.surface.triangle_polygon.size(); ++e) {
-    const auto polygon = cage.surface.triangle_polygon[e];
-    cage.polygon_centers.push_back(is_concave(cage.surface, polygon)
-                                       ? cage.centers[e]
-                                       : polygon_center(cage.surface, polygon, cage.surface.positions));
   }
   if (found.size() == cage.element_count()) {
     throw base::Error("", "the cage has no triangle with area", "choose a surface that encloses the model");
@@ -152,9 +129,6 @@ Cage make_cage(mesh::Surface surface) {
   cage.unused.assign(cage.surface.positions.size(), 1);
   for (const auto v : cage.surface.corners) cage.unused[v] = 0;
   cage.edges = mesh::polygon_edges(cage.surface);
-  for (const auto& [a, b] : cage.edges)
-    cage.edge_centers.push_back(cage.surface.positions[a] +
-                                0.5 * (cage.surface.positions[b] - cage.surface.positions[a]));
   add_elements(cage);
   cage.diagonal = mesh::used_bounds(cage.surface).diagonal();
   cage.size = mesh::used_size(cage.surface);

@@ -19,9 +19,7 @@ struct Cage {
   mesh::Surface surface;                 ///< rest positions and triangles
   std::vector<std::uint8_t> unused;      ///< 1 where no polygon has the vertex
   std::vector<mesh::Edge> edges;         ///< of its polygons, each once
-  std::vector<Vec3> edge_centers;        ///< their middles at rest
   std::vector<Vec3> centers;             ///< rest centroid of each element
-  std::vector<Vec3> polygon_centers;     ///< of each element the mean of its polygon's corners at rest
   std::vector<RestBasis> bases;          ///< of each element; of use where it has area
   std::vector<std::uint8_t> degenerate;  ///< 1 where an element has no area at rest: identity map, no weight
   /// Pairs of elements that share an edge (vertices at the same place count as one); sorted. Elements without
@@ -46,9 +44,6 @@ struct Cage {
 /// The mean of its corners.
 Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
                     std::span<const mesh::Point> positions);
-
-/// Whether a corner of it turns back by more than rounding.
-bool is_concave(const mesh::Surface& surface, std::uint32_t polygon);
 
 /// What radii are parts of. As before version 0.3, see Weighting::as_before, the diagonal.
 inline double size_of(const Cage& cage, bool as_before) {

@@ -3,14 +3,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "deform/cage.h"
-#include "deform/element_maps.h"
 #include "deform/links.h"
 #include "deform/log_maps.h"
 #include "deform/map_split.h"
+#include "deform/patch_maps.h"
 #include "deform/rows.h"
 #include "deform/scheme.h"
 
@@ -46,7 +48,10 @@ struct Rows {
 class CageState {
 public:
   /// cage must not be null.
-  CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend, bool as_before = false);
+  CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend, bool as_before = false)
+      : CageState(std::move(cage), elements, row_form(elements, blend), as_before) {}
+  /// Maps of points are those of the patches about them.
+  CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form, bool as_before = false);
 
   /// Throws base::Error if pose.positions is not one per cage vertex.
   void set_pose(const Pose& pose);
@@ -74,26 +79,25 @@ private:
   bool set_positions(const Pose& pose, bool few);
   bool set_maps(const Pose& pose, bool few);
   bool takes_logs() const;
-  void write_rows(std::span<const std::uint32_t> maps);
-  void write_row_of(std::uint32_t map, std::span<double> row) const;
+  void compute_maps(std::span<const mesh::Point> posed, const Vec3& origin,
+                    std::span<const std::uint32_t> which);
+  void write_row_of(std::uint32_t handle);
   bool others_stayed() const;
 
   std::shared_ptr<const Cage> cage_;
-  Handles handles_;
   RowForm form_;
   double moment_length_;
   Amounts amounts_;
   bool keeps_origin_ = false;
-  std::unique_ptr<const ElementMaps> elements_;  // null where rows are positions
-  std::vector<std::uint32_t> all_, moving_;      // handles
-  std::vector<std::uint32_t> all_maps_, moving_maps_;
+  std::optional<VertexPatches> patches_;     // of points that have maps
+  std::vector<std::uint32_t> all_, moving_;  // handles
   Vec3 origin_{0, 0, 0};
   bool posed_ = false;
   std::vector<AffineMap> maps_;
   std::vector<MapSplit> splits_;
   std::vector<MapLog> logs_, logs_before_;
   std::vector<double> values_;
-  std::vector<Vec3> rest_centers_;  // of the handles, from the middle of the rest cage
+  std::vector<Vec3> rest_centers_;  // from the middle of the rest cage
   unsigned long resting_revision_ = 0;
   LogReport report_;
   LinkTimes times_;

@@ -8,22 +8,18 @@
 
 namespace viete::deform {
 
-double share_of_motion(const Weighting& weighting, double total) {
-  return weighting.normalise && total > 0 ? 1 : std::min(total, 1.0);
-}
-
 double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& weighting,
                        std::span<double> weights) {
   const auto& x = cage.surface.positions;
   const double radius = weighting.radius * size_of(cage, weighting.as_before);
-  const Handles handles = entry(weighting.elements).handles;
   double total = 0;
   for (std::size_t h = 0; h < weights.size(); ++h) {
-    const auto [t, weighs] = handle_shape(cage, handles, h);
+    const auto [t, weighs] = handle_shape(cage, weighting.elements, h);
     weights[h] = 0;
     if (!weighs) continue;
     const double d2 = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;
-    weights[h] = std::pow(std::max(0.0, 1 - std::sqrt(d2) / radius), weighting.exponent);
+    const double left = std::max(0.0, 1 - std::sqrt(d2) / radius);
+    weights[h] = left * left;
     total += weights[h];
   }
   if (total > 0) {

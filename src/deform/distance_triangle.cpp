@@ -57,8 +57,6 @@ DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c
   set_edge(bx, 0, cx - bx, cy, t.along[0], t.inward[0], t.length[1]);
   set_edge(cx, cy, -cx, -cy, t.along[1], t.inward[1], t.length[2]);
   t.outside = has_area ? 0 : std::numeric_limits<double>::infinity();
-  t.twice_area = bx * cy;
-  t.opposite = cx * (cx - bx) + cy * cy;
   const double near = std::max(bx / 16, least_near);
   t.near = near * near;
   return t;
@@ -89,8 +87,6 @@ DistanceTriangle<float> in_float(const DistanceTriangle<double>& t) {
   convert(t.length, f.length);
   f.outside = static_cast<float>(t.outside);
   f.near = static_cast<float>(t.near);
-  f.twice_area = static_cast<float>(t.twice_area);
-  f.opposite = static_cast<float>(t.opposite);
   f.degenerate = t.degenerate;
   return f;
 }

@@ -24,10 +24,6 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed) {
   return std::isfinite(squared_norm(origin)) ? origin : pose.center();
 }
 
-Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions) {
-  return triangle_basis(positions, cage.surface.triangles[element], cage.bases[element].corner).n;
-}
-
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin) {
   const auto& [a, b, c] = cage.surface.triangles[element];

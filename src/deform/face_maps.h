@@ -21,9 +21,6 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 /// nothing moved.
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
 
-/// n of an element at these positions, see RestBasis; 0 without area.
-Vec3 posed_normal(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions);
-
 /// Centroid of an element at these positions, relative to origin.
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin);

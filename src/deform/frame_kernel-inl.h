@@ -8,7 +8,6 @@
 #endif
 
 #include "deform/frame_jobs.h"
-#include "deform/matrix_exp-inl.h"
 #include "sym3/exp-inl.h"
 #include "sym3/rotation-inl.h"
 
@@ -24,8 +23,6 @@ constexpr int vectors_at_once = 2;
 #else
 constexpr int vectors_at_once = 1;
 #endif
-
-constexpr float least_square_angle = 1e-30f;
 
 template <class T>
 using Tag = hn::CappedTag<T, tile_lanes<T>>;
@@ -66,17 +63,16 @@ static HWY_INLINE void load_base(const TileRun<T>& run, std::size_t group, Sums<
   }
 }
 
-// The product of the frame: sums += weights * table, of columns [First, First + Count), whose sums are held
-// in registers.
-template <bool Listed, std::size_t First, std::size_t Count, class T, std::size_t Columns>
+// The product of the frame: sums += weights * table, whose sums are held in registers.
+template <bool Listed, class T, std::size_t Columns>
 static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& sums) {
   const Tag<T> d;
   using V = hn::Vec<Tag<T>>;
-  V s[vectors_at_once][Count];
+  V s[vectors_at_once][Columns];
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) {
 #pragma GCC unroll 24
-    for (std::size_t c = 0; c < Count; ++c) s[v][c] = sums[v][First + c];
+    for (std::size_t c = 0; c < Columns; ++c) s[v][c] = sums[v][c];
   }
   const T *weights[vectors_at_once], *next[vectors_at_once];
 #pragma GCC unroll 2
@@ -86,7 +82,7 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
   }
   const auto add_row = [&](std::size_t j, const T* const(&soon)[vectors_at_once], std::size_t line) HWY_ATTR
       __attribute__((always_inline)) {
-    const T* entry = run.table + Columns * (Listed ? run.listed[j] : j) + First;
+    const T* entry = run.table + Columns * (Listed ? run.listed[j] : j);
     V w[vectors_at_once];
 #pragma GCC unroll 2
     for (int v = 0; v < vectors_at_once; ++v) {
@@ -94,7 +90,7 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
       w[v] = hn::Load(d, weights[v] + j * tile_lanes<T>);
     }
 #pragma GCC unroll 24
-    for (std::size_t c = 0; c < Count; ++c) {
+    for (std::size_t c = 0; c < Columns; ++c) {
       const V t = hn::Set(d, entry[c]);
 #pragma GCC unroll 2
       for (int v = 0; v < vectors_at_once; ++v) s[v][c] = hn::MulAdd(w[v], t, s[v][c]);
@@ -106,23 +102,15 @@ static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums
 #pragma GCC unroll 2
   for (int v = 0; v < vectors_at_once; ++v) {
 #pragma GCC unroll 24
-    for (std::size_t c = 0; c < Count; ++c) sums[v][First + c] = s[v][c];
+    for (std::size_t c = 0; c < Columns; ++c) sums[v][c] = s[v][c];
   }
-}
-
-// More columns than the registers hold sums of go in two halves: the second finds the weights in the cache.
-template <bool Listed, class T, std::size_t Columns>
-static HWY_INLINE void blend_columns(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& sums) {
-  constexpr std::size_t first = Columns <= 13 ? Columns : (Columns + 1) / 2;
-  blend_rows<Listed, 0, first, T, Columns>(run, group, sums);
-  if constexpr (first < Columns) blend_rows<Listed, first, Columns - first, T, Columns>(run, group, sums);
 }
 
 template <class T, std::size_t Columns>
 static HWY_INLINE void blend_group(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& sums) {
   load_base<T, Columns>(run, group, sums);
-  if (run.listed) return blend_columns<true, T, Columns>(run, group, sums);
-  blend_columns<false, T, Columns>(run, group, sums);
+  if (run.listed) return blend_rows<true, T, Columns>(run, group, sums);
+  blend_rows<false, T, Columns>(run, group, sums);
 }
 
 template <class T>
@@ -283,146 +271,6 @@ struct ByPositions {
   HWY_INLINE auto operator()(D, const Column& at, const Rest&, const Offset& offset) const {
     const lanes::Three o = offset();
     return lanes::Three{Add(at(0), o.x), Add(at(1), o.y), Add(at(2), o.z)};
-  }
-};
-
-// S o, of S - I in the first columns.
-template <class Column, class V>
-static HWY_INLINE lanes::Three<V> stretched(const Column& at, const lanes::Three<V>& o) {
-  const lanes::Six<V> s{at(0), at(1), at(2), at(3), at(4), at(5)};
-  const lanes::Three<V> more = lanes::times(s, o);
-  return {Add(o.x, more.x), Add(o.y, more.y), Add(o.z, more.z)};
-}
-
-struct ByStretches {
-  static constexpr RowShape shape = stretch_shape;
-
-  template <class D, class Column, class Rest, class Offset>
-  HWY_INLINE auto operator()(D d, const Column& at, const Rest&, const Offset& offset) const {
-    const lanes::Three turn{at(6), at(7), at(8)};
-    const lanes::Three p = lanes::rotate_lanes(d, turn, stretched(at, offset()));
-    return lanes::Three{Add(p.x, at(9)), Add(p.y, at(10)), Add(p.z, at(11))};
-  }
-};
-
-// 2 / x; 0 where x is.
-template <class D, class V = hn::Vec<D>>
-static HWY_INLINE V twice_inverse(D d, V x) {
-  return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), hn::Div(hn::Set(d, 2.0f), x));
-}
-template <class D, class V>
-static HWY_INLINE lanes::Two<V> twice_inverse(D d, lanes::Two<V> x) {
-  return {twice_inverse(d, x.a), twice_inverse(d, x.b)};
-}
-
-struct ByQuaternions {
-  static constexpr RowShape shape = quaternion_shape;
-
-  template <class D, class Column, class Rest, class Offset>
-  HWY_INLINE auto operator()(D d, const Column& at, const Rest&, const Offset& offset) const {
-    using V = decltype(at(0));
-    const lanes::Three<V> u = stretched(at, offset()), v{at(7), at(8), at(9)};
-    const V w = Add(at(6), V(hn::Set(d, 1.0f)));
-    const V factor = twice_inverse(d, MulAdd(w, w, lanes::sum_of_products(v.x, v.x, v.y, v.y, v.z, v.z)));
-    const lanes::Three<V> c = lanes::cross(v, u), t{Mul(factor, c.x), Mul(factor, c.y), Mul(factor, c.z)};
-    const lanes::Three<V> tt = lanes::cross(v, t);
-    return lanes::Three<V>{Add(Add(MulAdd(w, t.x, u.x), tt.x), at(10)),
-                           Add(Add(MulAdd(w, t.y, u.y), tt.y), at(11)),
-                           Add(Add(MulAdd(w, t.z, u.z), tt.z), at(12))};
-  }
-};
-
-struct ByMatrixLogs {
-  static constexpr RowShape shape = matrix_log_shape;
-
-  template <class D, class Column, class Rest, class Offset>
-  HWY_INLINE auto operator()(D d, const Column& at, const Rest&, const Offset& offset) const {
-    const lanes::Nine log{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)};
-    const lanes::Three p = exp_times(d, log, offset());
-    return lanes::Three{Add(p.x, at(9)), Add(p.y, at(10)), Add(p.z, at(11))};
-  }
-};
-
-// L y, and (E - I) y, of columns that hold such matrices.
-template <class Column, class V>
-static HWY_INLINE lanes::Three<V> general_times(const Column& at, std::size_t first,
-                                                const lanes::Three<V>& y) {
-  return {lanes::sum_of_products(at(first), y.x, at(first + 1), y.y, at(first + 2), y.z),
-          lanes::sum_of_products(at(first + 3), y.x, at(first + 4), y.y, at(first + 5), y.z),
-          lanes::sum_of_products(at(first + 6), y.x, at(first + 7), y.y, at(first + 8), y.z)};
-}
-
-template <class V>
-static HWY_INLINE lanes::Three<V> plus(const lanes::Three<V>& a, const lanes::Three<V>& b) {
-  return {Add(a.x, b.x), Add(a.y, b.y), Add(a.z, b.z)};
-}
-template <class V>
-static HWY_INLINE lanes::Three<V> minus(const lanes::Three<V>& a, const lanes::Three<V>& b) {
-  return {Sub(a.x, b.x), Sub(a.y, b.y), Sub(a.z, b.z)};
-}
-template <class D, class V>
-static HWY_INLINE lanes::Three<V> halved(D d, const lanes::Three<V>& a) {
-  const auto half = hn::Set(d, 0.5f);
-  return {Mul(a.x, half), Mul(a.y, half), Mul(a.z, half)};
-}
-
-// 1 / x; 1 where x is so small that no float shows the difference.
-template <class D, class V = hn::Vec<D>>
-static HWY_INLINE V inverse_or_one(D d, V x) {
-  const V one = hn::Set(d, 1.0f);
-  return hn::Div(one, hn::IfThenElse(hn::Gt(x, hn::Set(d, least_square_angle)), x, one));
-}
-template <class D, class V>
-static HWY_INLINE lanes::Two<V> inverse_or_one(D d, lanes::Two<V> x) {
-  return {inverse_or_one(d, x.a), inverse_or_one(d, x.b)};
-}
-
-// phi(Y) y as in sym3/translation_log.cpp: y sin / angle + (1 - cos) / angle^2 Y x y + what is along Y.
-template <class D, class V>
-static HWY_INLINE lanes::Three<V> rotation_phi(D d, const lanes::Three<V>& turn, const lanes::Three<V>& y) {
-  const lanes::HalfAngle<V> half = lanes::half_angle_lanes(d, turn);
-  const V sine2 = Add(half.sine, half.sine);
-  const V straight = Mul(half.cosine, sine2), across = Mul(half.sine, sine2);
-  const V square = lanes::sum_of_products(turn.x, turn.x, turn.y, turn.y, turn.z, turn.z);
-  const V dot = lanes::sum_of_products(turn.x, y.x, turn.y, y.y, turn.z, y.z);
-  const V along = Mul(dot, Mul(Sub(V(hn::Set(d, 1.0f)), straight), inverse_or_one(d, square)));
-  const lanes::Three<V> c = lanes::cross(turn, y);
-  return {MulAdd(along, turn.x, MulAdd(across, c.x, Mul(straight, y.x))),
-          MulAdd(along, turn.y, MulAdd(across, c.y, Mul(straight, y.y))),
-          MulAdd(along, turn.z, MulAdd(across, c.z, Mul(straight, y.z)))};
-}
-
-struct ByScrews {
-  static constexpr RowShape shape = screw_shape;
-
-  template <class D, class Column, class Rest, class Offset>
-  HWY_INLINE auto operator()(D d, const Column& at, const Rest& rest, const Offset& offset) const {
-    using V = decltype(at(0));
-    const lanes::Six<V> log{at(0), at(1), at(2), at(3), at(4), at(5)};
-    const lanes::Three<V> turn{at(6), at(7), at(8)}, center{at(18), at(19), at(20)}, o = offset();
-    const lanes::Three<V> m = minus(rest(), o), way = minus(center, m);
-    const lanes::Six<V> e{at(9), at(10), at(11), at(12), at(13), at(14)};
-    const lanes::Three<V> a{at(15), at(16), at(17)};
-    const lanes::Three<V> u =
-        plus(minus(a, plus(way, lanes::times(e, way))), halved(d, lanes::cross(turn, plus(center, m))));
-    const lanes::Three<V> stretched_offset = lanes::times(lanes::exp_lanes(d, log), o);
-    const lanes::Three<V> moved = rotation_phi(d, turn, plus(lanes::cross(turn, stretched_offset), u));
-    return plus(center, plus(stretched_offset, moved));
-  }
-};
-
-struct ByAffineLogs {
-  static constexpr RowShape shape = affine_log_shape;
-
-  template <class D, class Column, class Rest, class Offset>
-  HWY_INLINE auto operator()(D d, const Column& at, const Rest& rest, const Offset& offset) const {
-    using V = decltype(at(0));
-    const lanes::Nine<V> log{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)};
-    const lanes::Three<V> center{at(21), at(22), at(23)}, a{at(18), at(19), at(20)}, o = offset();
-    const lanes::Three<V> m = minus(rest(), o), way = minus(center, m);
-    const lanes::Three<V> u = plus(minus(a, plus(way, general_times(at, 9, way))),
-                                   halved(d, general_times(at, 0, plus(center, m))));
-    return plus(center, plus(o, phi_times(d, log, plus(general_times(at, 0, o), u))));
   }
 };
 

@@ -20,11 +20,6 @@ static constexpr TileKernel kernel_of(RowForm form) {
     case RowForm::logs: return tile_kernel<ByLogs>();
     case RowForm::maps: return tile_kernel<ByMaps>();
     case RowForm::positions: return tile_kernel<ByPositions>();
-    case RowForm::stretches: return tile_kernel<ByStretches>();
-    case RowForm::quaternions: return tile_kernel<ByQuaternions>();
-    case RowForm::matrix_logs: return tile_kernel<ByMatrixLogs>();
-    case RowForm::screws: return tile_kernel<ByScrews>();
-    case RowForm::affine_logs: return tile_kernel<ByAffineLogs>();
     case RowForm::affine_moments: return moment_kernel<AffineFit>();
     case RowForm::similar_moments: return moment_kernel<SimilarFit>();
     case RowForm::rigid_moments: return moment_kernel<RigidFit>();

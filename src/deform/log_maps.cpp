@@ -62,25 +62,25 @@ bool raise_to_floor(const AffineMap& map, double mean, MapSplit& split) {
   return !is_ordinary(split.least, split.largest, mean) && split_collapsed(map, mean, split);
 }
 
-void log_maps(const MapGraph& graph, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
+void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {
   report = {};
   std::vector<double> largest;
   for (const MapSplit& split : splits) largest.push_back(split.largest);
-  const double mean = mean_stretch(graph.skipped, largest);
+  const double mean = mean_stretch(cage.degenerate, largest);
   std::vector<sym3::Mat3<double>> rotations(maps.size());
   std::vector<Vec3> principal(maps.size());
   for (std::uint32_t e = 0; e < maps.size(); ++e) {
     MapSplit split = splits[e];
-    if (!graph.skipped[e] && raise_to_floor(maps[e], mean, split)) report.collapsed.push_back(e);
+    if (!cage.degenerate[e] && raise_to_floor(maps[e], mean, split)) report.collapsed.push_back(e);
     rotations[e] = split.rotation;
     principal[e] = split.turn;
     logs[e] = {split.stretch, {0, 0, 0}, maps[e].center};
   }
-  Branches branches = choose_branches(graph, rotations, principal, turns);
+  Branches branches = choose_branches(cage, rotations, principal, turns);
   for (std::size_t e = 0; e < logs.size(); ++e) logs[e].rotation = branches.logs[e];
   report.turns = std::move(branches.turns);
-  for (const auto& pair : graph.edges) {
+  for (const auto& pair : cage.dual_edges) {
     const auto [i, j] = pair;
     if (torn(rotations[i], rotations[j], logs[i].rotation, logs[j].rotation)) report.torn.push_back(pair);
   }

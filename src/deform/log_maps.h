@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "deform/face_maps.h"
-#include "deform/map_graph.h"
 #include "deform/map_split.h"
-#include "deform/scheme.h"
 #include "sym3/sym3.h"
 
 namespace viete::deform {
@@ -35,7 +33,6 @@ struct LogReport {
   /// choice of branches is right around a ring of elements that turns once): between them the blend is
   /// ambiguous.
   std::vector<mesh::Edge> torn;
-  Handles handles = Handles::faces;  ///< what the numbers of CageState's report name
 };
 
 /// Geometric mean of the largest stretches of what is not skipped: what size a pose has as a whole.
@@ -58,7 +55,7 @@ bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 ///
 /// The log itself has a limit: rotations near a whole turn other than 0 (|Y| about 360 degrees) have nearly
 /// arbitrary axes, so elements there that do not turn rigidly together blend badly; `torn` says so.
-void log_maps(const MapGraph& graph, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
+void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
 }  // namespace viete::deform

@@ -10,7 +10,7 @@
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/cage_state.h"
-#include "deform/moment_rows.h"
+#include "deform/map_rows.h"
 
 namespace viete::deform {
 

@@ -73,6 +73,13 @@ struct FitInput {
   V scale;
 };
 
+template <class V>
+static HWY_INLINE lanes::Three<V> times(const lanes::Nine<V>& m, const lanes::Three<V>& u) {
+  return {lanes::sum_of_products(m.xx, u.x, m.xy, u.y, m.xz, u.z),
+          lanes::sum_of_products(m.yx, u.x, m.yy, u.y, m.yz, u.z),
+          lanes::sum_of_products(m.zx, u.x, m.zy, u.y, m.zz, u.z)};
+}
+
 // M o of each form.
 struct AffineFit {
   static constexpr bool rotates = false;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <vector>
 
+#include "deform/dual_graph.h"
 #include "deform/face_maps.h"
 #include "deform/linear_map.h"
 #include "mesh/normals.h"
@@ -21,7 +21,8 @@ constexpr double width_of_fit = 0.03;  // e, of the cage's size
 constexpr double least_spread = 0.1;   // of the largest singular value
 constexpr double flat_spread = 1e-3;   // below it a patch lies in a plane
 constexpr std::size_t most_vertices = 256;
-constexpr double least_area = 1e-9;  // of a sum of areas: what is less has cancelled
+constexpr double least_area = 1e-9;       // of a sum of areas: what is less has cancelled
+constexpr std::size_t most_corners = 16;  // of a polygon all of whose corners are neighbours
 
 // Sums of w x x^T, lengths in sizes of the cage.
 struct Spread {
@@ -54,47 +55,46 @@ Symmetric inverse(const Symmetric& m) {
   return {scale * c.xx, scale * c.xy, scale * c.xz, scale * c.yy, scale * c.yz, scale * c.zz};
 }
 
-// A cage vertex, and how far its movement goes into the map of a patch.
-struct PatchVertex {
-  std::uint32_t vertex;
-  Vec3 dual;
-};
+void add_pair(std::vector<mesh::Edge>& pairs, std::uint32_t a, std::uint32_t b) {
+  if (a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
+}
 
-// What patches are of: their centres, what each begins with, and where it grows. As many maps as centres.
-struct Seeds {
-  std::vector<Vec3> centers;        // at rest
-  std::vector<Vec3> normals;        // at rest, as long as the size of what they stand on
-  mesh::Adjacency corners, around;  // the vertices of each, and its neighbours
-  std::vector<std::uint8_t> skipped;
-};
-
-struct Patches {
-  std::vector<std::size_t> starts;    // in vertices; one more than patches
-  std::vector<PatchVertex> vertices;  // patch by patch; none where it is skipped
-  std::vector<Vec3> normal_duals;     // of each patch's normal; 0 where its vertices do
-
-  std::span<const PatchVertex> of(std::size_t patch) const {
-    return std::span(vertices).subspan(starts[patch], starts[patch + 1] - starts[patch]);
+// Vertices of the cage are neighbours that share a polygon (of more than 16 corners, an edge of it), or a
+// place.
+mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
+  const mesh::Surface& surface = cage.surface;
+  const mesh::Surface welded = mesh::welded(surface);
+  std::vector<mesh::Edge> pairs;
+  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
+    const std::size_t first = surface.polygon_starts[p], n = surface.polygon_starts[p + 1] - first;
+    const std::size_t reach = n > most_corners ? 1 : n / 2;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 1; k <= reach; ++k)
+        add_pair(pairs, welded.corners[first + i], welded.corners[first + (i + k) % n]);
+    }
   }
-};
+  for (std::size_t c = 0; c < surface.corners.size(); ++c)
+    add_pair(pairs, surface.corners[c], welded.corners[c]);
+  return mesh::adjacency(surface.positions.size(), without_skipped(std::move(pairs), cage.unused));
+}
 
-// Makes the patches one after the other; what it knows of vertices and seeds is marked by the patch that saw
-// them last.
+// Makes the patches one after the other; vertices are marked by the patch that saw them last.
 class PatchMaker {
 public:
-  PatchMaker(const Cage& cage, double size, const Seeds& seeds)
+  PatchMaker(const Cage& cage, double size, const std::vector<Vec3>& rest_normals)
       : cage_(cage),
+        positions_(cage.surface.positions),
+        rest_normals_(rest_normals),
         scale_(1 / size),
-        seeds_(seeds),
-        seen_seed_(seeds.centers.size(), none),
-        seen_vertex_(cage.surface.positions.size(), none) {}
+        around_(neighbours_of_vertices(cage)),
+        seen_(positions_.size(), none) {}
 
-  Patches make() {
+  VertexPatches::Patches make() {
     patches_.starts.push_back(0);
-    patches_.normal_duals.assign(seeds_.centers.size(), {0, 0, 0});
-    for (std::uint32_t s = 0; s < seeds_.centers.size(); ++s) {
-      if (!seeds_.skipped[s]) add_patch(s);
-      patches_.starts.push_back(patches_.vertices.size());
+    patches_.normal_duals.assign(positions_.size(), {0, 0, 0});
+    for (std::uint32_t v = 0; v < positions_.size(); ++v) {
+      if (!cage_.unused[v]) add_patch(v);
+      patches_.starts.push_back(patches_.members.size());
     }
     return std::move(patches_);
   }
@@ -102,48 +102,43 @@ public:
 private:
   static constexpr std::uint32_t none = ~0u;
 
-  void add_patch(std::uint32_t seed) {
-    patch_ = seed;
+  void add_patch(std::uint32_t center) {
+    patch_ = center;
     vertices_.clear();
     spread_ = {};
-    std::vector<std::uint32_t> ring = {seed};
-    seen_seed_[seed] = patch_;
-    add_corners(seed);
+    std::vector<std::uint32_t> ring = {center};
+    seen_[center] = patch_;
+    add(center);
     do {
       ring = next_ring(ring);
-      for (const auto s : ring) add_corners(s);
+      for (const auto v : ring) add(v);
     } while (!ring.empty() && spread_.ratio() < least_spread && vertices_.size() < most_vertices);
     finish();
   }
 
   std::vector<std::uint32_t> next_ring(const std::vector<std::uint32_t>& ring) {
     std::vector<std::uint32_t> next;
-    for (const auto s : ring) {
-      for (const auto n : seeds_.around.of(s)) {
-        if (std::exchange(seen_seed_[n], patch_) != patch_) next.push_back(n);
+    for (const auto v : ring) {
+      for (const auto n : around_.of(v)) {
+        if (std::exchange(seen_[n], patch_) != patch_) next.push_back(n);
       }
     }
     return next;
   }
 
-  Vec3 from_center(std::uint32_t vertex) const {
-    return scale_ * (cage_.surface.positions[vertex] - seeds_.centers[patch_]);
-  }
+  Vec3 from_center(std::uint32_t vertex) const { return scale_ * (positions_[vertex] - positions_[patch_]); }
   static double weight(const Vec3& x) { return 1 / (width_of_fit * width_of_fit + squared_norm(x)); }
 
-  void add_corners(std::uint32_t seed) {
-    for (const auto v : seeds_.corners.of(seed)) {
-      if (std::exchange(seen_vertex_[v], patch_) == patch_) continue;
-      const Vec3 x = from_center(v);
-      spread_.add(weight(x), x);
-      vertices_.push_back(v);
-    }
+  void add(std::uint32_t vertex) {
+    const Vec3 x = from_center(vertex);
+    spread_.add(weight(x), x);
+    vertices_.push_back(vertex);
   }
 
   void finish() {
     if (spread_.ratio() < flat_spread) {
-      if (squared_norm(seeds_.normals[patch_]) == 0) return;
-      const Vec3 n = scale_ * seeds_.normals[patch_];
+      if (squared_norm(rest_normals_[patch_]) == 0) return;
+      const Vec3 n = scale_ * rest_normals_[patch_];
       const double w = spread_.largest() / squared_norm(n);
       spread_.add(w, n);
       patches_.normal_duals[patch_] = (scale_ * w) * times(inverse(spread_.k), n);
@@ -151,34 +146,38 @@ private:
     const Symmetric k = inverse(spread_.k);
     for (const auto v : vertices_) {
       const Vec3 x = from_center(v);
-      patches_.vertices.push_back({v, (scale_ * weight(x)) * times(k, x)});
+      patches_.members.push_back({v, (scale_ * weight(x)) * times(k, x)});
     }
   }
 
   const Cage& cage_;
+  const std::vector<mesh::Point>& positions_;
+  const std::vector<Vec3>& rest_normals_;
   double scale_;
-  const Seeds& seeds_;
-  std::vector<std::uint32_t> seen_seed_, seen_vertex_;
-  Patches patches_;
+  mesh::Adjacency around_;
+  std::vector<std::uint32_t> seen_;
+  VertexPatches::Patches patches_;
   // Of the patch that is being made:
   std::uint32_t patch_ = 0;
   std::vector<std::uint32_t> vertices_;
   Spread spread_;
 };
 
-void add_product(sym3::Mat3<double>& m, const Vec3& a, const Vec3& b) {
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) m[3 * r + c] += a[r] * b[c];
-  }
+}  // namespace
+
+VertexPatches::VertexPatches(const Cage& cage, double size)
+    : cage_(cage), triangles_(mesh::vertex_triangles(cage.surface.positions.size(), cage.surface.triangles)) {
+  for (std::uint32_t v = 0; v < cage.surface.positions.size(); ++v)
+    rest_normals_.push_back(normal(v, cage.surface.positions));
+  patches_ = PatchMaker(cage, size, rest_normals_).make();
 }
 
 // The sum of the areas around a vertex, as long as its root; 0 where they cancel.
-Vec3 vertex_normal(const Cage& cage, std::span<const std::uint32_t> triangles,
-                   std::span<const mesh::Point> at) {
+Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at) const {
   Vec3 sum{0, 0, 0};
   double total = 0;
-  for (const auto e : triangles) {
-    const auto& [a, b, c] = cage.surface.triangles[e];
+  for (const auto e : triangles_.of(vertex)) {
+    const auto& [a, b, c] = cage_.surface.triangles[e];
     const Vec3 area = cross(at[b] - at[a], at[c] - at[a]);
     sum = sum + area;
     total += norm(area);
@@ -186,127 +185,35 @@ Vec3 vertex_normal(const Cage& cage, std::span<const std::uint32_t> triangles,
   return norm(sum) > least_area * total ? side_along(sum) : Vec3{0, 0, 0};
 }
 
-mesh::Adjacency movers(const Seeds& seeds, const Patches& patches) {
-  return mesh::make_adjacency(seeds.centers.size(), [&](const auto& add) {
-    for (std::uint32_t s = 0; s < seeds.centers.size(); ++s) {
-      for (const auto v : seeds.corners.of(s)) add(s, v);
-      for (const auto& p : patches.of(s)) add(s, p.vertex);
-    }
-  });
-}
-
-// posed normal(patch, positions) and center(patch, positions, origin).
-template <class Normal, class Center>
-class PatchMaps : public ElementMaps {
-public:
-  PatchMaps(const Cage& cage, MapGraph graph, const Seeds& seeds, Patches patches, Normal normal,
-            Center center)
-      : ElementMaps(std::move(graph), movers(seeds, patches)),
-        cage_(cage),
-        corners_(seeds.corners),
-        rest_normals_(seeds.normals),
-        patches_(std::move(patches)),
-        normal_(std::move(normal)),
-        center_(std::move(center)) {}
-
-  // Near rest by how far vertices moved, the whole pose aside: exactly I where none did.
-  void compute(std::span<const mesh::Point> posed, const Vec3& origin, std::span<const std::uint32_t> which,
-               std::span<AffineMap> maps) const override {
-    const auto& rest = cage_.surface.positions;
-    const Vec3 rest_origin = middle(rest);
-    const auto to = [&](std::uint32_t v) { return posed[v] - origin; };
-    const auto way = [&](std::uint32_t v) { return to(v) - (rest[v] - rest_origin); };
-    for (const auto e : which) {
-      maps[e].center = center_(e, posed, origin);
-      maps[e].linear = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-      if (graph().skipped[e]) continue;
-      const bool near = is_near(e, way, rest);
-      if (!near) maps[e].linear = {};
-      auto& m = maps[e].linear;
-      const Vec3 of_center = near ? mean(e, way) : mean(e, to);
-      for (const auto& [v, dual] : patches_.of(e)) add_product(m, (near ? way(v) : to(v)) - of_center, dual);
-      const Vec3& normal_dual = patches_.normal_duals[e];
-      if (squared_norm(normal_dual) == 0) continue;
-      const Vec3 normal = normal_(e, posed);
-      add_product(m, near ? normal - rest_normals_[e] : normal, normal_dual);
-    }
-  }
-
-private:
-  template <class Of>
-  Vec3 mean(std::uint32_t patch, const Of& of) const {
-    const auto corners = corners_.of(patch);
-    Vec3 sum{0, 0, 0};
-    for (const auto v : corners) sum = sum + of(v);
-    return (1.0 / static_cast<double>(corners.size())) * sum;
-  }
-
-  // Of patches that are not empty.
-  template <class Way>
-  bool is_near(std::uint32_t patch, const Way& way, std::span<const mesh::Point> rest) const {
-    const Vec3 way_of_center = mean(patch, way), center = mean(patch, [&](auto v) { return rest[v]; });
+// Near rest by how far vertices moved, the whole pose aside: exactly I where none did.
+void VertexPatches::compute(std::span<const mesh::Point> posed, const Vec3& origin,
+                            std::span<const std::uint32_t> which, std::span<AffineMap> maps) const {
+  const auto& rest = cage_.surface.positions;
+  const Vec3 rest_origin = middle(rest);
+  const auto to = [&](std::uint32_t v) { return posed[v] - origin; };
+  const auto way = [&](std::uint32_t v) { return to(v) - (rest[v] - rest_origin); };
+  for (const auto patch : which) {
+    maps[patch] = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, to(patch)};
+    if (cage_.unused[patch]) continue;
     double moved = 0, size = 0;
-    for (const auto& [v, dual] : patches_.of(patch)) {
-      moved += squared_norm(way(v) - way_of_center);
-      size += squared_norm(rest[v] - center);
+    for (const auto& [v, dual] : members(patch)) {
+      moved += squared_norm(way(v) - way(patch));
+      size += squared_norm(rest[v] - rest[patch]);
     }
-    return moved <= 0.25 * size;
+    const bool near = moved <= 0.25 * size;
+    auto& m = maps[patch].linear;
+    if (!near) m = {};
+    const auto add_product = [&m](const Vec3& a, const Vec3& b) {
+      for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) m[3 * r + c] += a[r] * b[c];
+      }
+    };
+    for (const auto& [v, dual] : members(patch))
+      add_product(near ? way(v) - way(patch) : to(v) - to(patch), dual);
+    if (squared_norm(patches_.normal_duals[patch]) == 0) continue;
+    const Vec3 posed_normal = normal(patch, posed);
+    add_product(near ? posed_normal - rest_normals_[patch] : posed_normal, patches_.normal_duals[patch]);
   }
-
-  const Cage& cage_;
-  mesh::Adjacency corners_;
-  std::vector<Vec3> rest_normals_;
-  Patches patches_;
-  Normal normal_;
-  Center center_;
-};
-
-template <class Normal, class Center>
-std::unique_ptr<const ElementMaps> patch_maps(const Cage& cage, double size, MapGraph graph, Seeds seeds,
-                                              Normal normal, Center center) {
-  const auto& rest = cage.surface.positions;
-  const Vec3 zero{0, 0, 0};
-  for (std::uint32_t s = 0; s < graph.count(); ++s) {
-    seeds.centers.push_back(center(s, rest, zero));
-    seeds.normals.push_back(normal(s, rest));
-  }
-  seeds.skipped = graph.skipped;
-  Patches patches = PatchMaker(cage, size, seeds).make();
-  return std::make_unique<PatchMaps<Normal, Center>>(cage, std::move(graph), seeds, std::move(patches),
-                                                     std::move(normal), std::move(center));
-}
-
-}  // namespace
-
-std::unique_ptr<const ElementMaps> face_patch_maps(const Cage& cage, double size) {
-  MapGraph graph = face_graph(cage);
-  Seeds seeds;
-  seeds.corners = mesh::make_adjacency(graph.count(), [&](const auto& add) {
-    for (std::uint32_t e = 0; e < graph.count(); ++e) {
-      for (const auto v : cage.surface.triangles[e]) add(e, v);
-    }
-  });
-  seeds.around = mesh::adjacency(graph.count(), graph.edges);
-  return patch_maps(
-      cage, size, std::move(graph), std::move(seeds),
-      [&cage](std::uint32_t e, std::span<const mesh::Point> at) { return posed_normal(cage, e, at); },
-      [&cage](std::uint32_t e, std::span<const mesh::Point> at, const Vec3& origin) {
-        return element_center(cage, e, at, origin);
-      });
-}
-
-std::unique_ptr<const ElementMaps> vertex_patch_maps(const Cage& cage, double size) {
-  MapGraph graph = vertex_graph(cage);
-  Seeds seeds;
-  seeds.corners = mesh::make_adjacency(graph.count(), [&](const auto& add) {
-    for (std::uint32_t v = 0; v < graph.count(); ++v) add(v, v);
-  });
-  seeds.around = mesh::adjacency(graph.count(), graph.edges);
-  return patch_maps(
-      cage, size, std::move(graph), std::move(seeds),
-      [&cage, around = mesh::vertex_triangles(cage.surface.positions.size(), cage.surface.triangles)](
-          std::uint32_t v, std::span<const mesh::Point> at) { return vertex_normal(cage, around.of(v), at); },
-      [](std::uint32_t v, std::span<const mesh::Point> at, const Vec3& origin) { return at[v] - origin; });
 }
 
 }  // namespace viete::deform

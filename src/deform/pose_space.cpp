@@ -2,7 +2,6 @@
 
 #include <numeric>
 
-#include "deform/all_element_maps.h"
 #include "deform/branches.h"
 #include "deform/cage_state.h"
 #include "deform/face_maps.h"
@@ -22,8 +21,7 @@ LogSpace logs_of(const Cage& cage) {
 
 }  // namespace
 
-PoseSpace::PoseSpace(std::shared_ptr<const Cage> cage)
-    : cage_(std::move(cage)), elements_(element_maps(*cage_, Elements::face)), logs_(logs_of(*cage_)) {}
+PoseSpace::PoseSpace(std::shared_ptr<const Cage> cage) : cage_(std::move(cage)), logs_(logs_of(*cage_)) {}
 
 // Whole turns that the logs of a part do not tell; its logs become those without them.
 std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::span<const MapSplit> splits,
@@ -41,7 +39,7 @@ std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::s
   LogReport of_least;
   for (std::size_t part = 0; part < wholes.size(); ++part) {
     if (counts[part] == 0 || tell(part)) continue;
-    if (of_least.turns.empty()) log_maps(elements_->graph(), maps, splits, {}, least, of_least);
+    if (of_least.turns.empty()) log_maps(*cage_, maps, splits, {}, least, of_least);
     const Vec3& turn = report.turns[part];
     const double count = whole_turns(turn, of_least.turns[part]);
     if (count == 0) continue;
@@ -54,15 +52,15 @@ std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::s
 
 LogVector PoseSpace::vector(const Pose& pose, std::span<const Vec3> turns_before) const {
   check_pose(*cage_, pose);
-  std::vector<std::uint32_t> all(elements_->count());
+  std::vector<std::uint32_t> all(cage_->element_count());
   std::iota(all.begin(), all.end(), 0u);
   std::vector<AffineMap> maps(all.size());
   std::vector<MapSplit> splits(all.size());
   std::vector<MapLog> logs(all.size());
-  elements_->compute(pose.positions, pose_origin(*cage_, pose.positions), all, maps);
+  face_maps(*cage_, pose.positions, pose_origin(*cage_, pose.positions), all, maps);
   split_maps(maps, all, splits);
   LogReport report;
-  log_maps(elements_->graph(), maps, splits, pose.turns.empty() ? turns_before : pose.turns, logs, report);
+  log_maps(*cage_, maps, splits, pose.turns.empty() ? turns_before : pose.turns, logs, report);
 
   LogVector vector;
   vector.wholes = take_wholes(maps, splits, report, logs);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "deform/cage.h"
-#include "deform/element_maps.h"
 #include "deform/log_maps.h"
 #include "deform/log_space.h"
 #include "deform/map_split.h"
@@ -39,7 +38,6 @@ private:
   std::vector<Vec3> turns(std::span<const LogTerm> terms) const;
 
   std::shared_ptr<const Cage> cage_;
-  std::unique_ptr<const ElementMaps> elements_;
   LogSpace logs_;
 };
 

@@ -24,7 +24,7 @@ StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form,
       vertices_(binding_->vertices) {
   const std::size_t n = binding_->vertices;
   if (!has_moments(form)) sums_.resize(n * shape(form).columns);
-  if (has_stretch_logs(form)) logs_.resize(n), stretches_.resize(n);
+  if (form == RowForm::logs) logs_.resize(n), stretches_.resize(n);
 }
 
 template <class Body>
@@ -62,7 +62,7 @@ void StagedEngine::blend_rows(const Rows& rows, sym3::Method method) {
     stretch_logs(rows.form, sums_, begin, end, logs_);
   });
   times_[Link::blend] = watch.lap_ms();
-  if (has_stretch_logs(rows.form)) {
+  if (rows.form == RowForm::logs) {
     for_vertices([&](std::size_t begin, std::size_t end) {
       const std::size_t count = end - begin;
       sym3::exp<double>(std::span(logs_).subspan(begin, count), std::span(stretches_).subspan(begin, count),

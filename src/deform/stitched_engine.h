@@ -18,7 +18,7 @@ namespace viete::deform {
 /// does.
 class StitchedEngine : public Engine {
 public:
-  /// Neither may be null; of the same model, cage and elements. form not of positions; iterations 1 or more.
+  /// Neither may be null; of the same model, cage and elements. form logs or maps; iterations 1 or more.
   StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 

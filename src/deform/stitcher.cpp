@@ -9,8 +9,6 @@
 #include "deform/apply.h"
 #include "deform/leaves.h"
 #include "deform/linear_map.h"
-#include "deform/map_rows.h"
-#include "sym3/general.h"
 #include "sym3/polar.h"
 
 namespace viete::deform {
@@ -29,14 +27,14 @@ using Stretch = sym3::Sym3<double>;
 // number by number, [entry][triangle], so that vector code goes along the triangles.
 struct Stitcher::Maps {
   static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
-  static constexpr std::size_t ahead = 12;      // triangles, whose rows are asked for before they are needed
-  static constexpr std::size_t most_used = 10;  // columns that make a map's linear part
+  static constexpr std::size_t ahead = 12;  // triangles, whose rows are asked for before they are needed
+  static constexpr std::size_t used = 9;    // columns that make a map's linear part
   using Plane = double[stride];
 
-  alignas(64) Plane sums[most_used], stretches[6], rotations[9];
+  alignas(64) Plane sums[used], stretches[6], rotations[9];
 
   void average(std::span<const double> of, RowForm form, std::span<const mesh::Triangle> triangles) {
-    const std::size_t columns = shape(form).columns, used = form == RowForm::quaternions ? 10 : 9;
+    const std::size_t columns = shape(form).columns;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       // Rows of vertices lie in the file's order, which no processor guesses.
       for (const auto v : triangles[std::min(i + ahead, triangles.size() - 1)]) {
@@ -49,15 +47,9 @@ struct Stitcher::Maps {
     }
   }
 
-  void rotate(std::size_t first, std::size_t count) {
-    sym3::exp_rotation(sym3::VecView<const double>(sums[first], stride),
+  void rotate_by_logs(std::size_t count) {
+    sym3::exp_rotation(sym3::VecView<const double>(sums[6], stride),
                        sym3::MatView<double>(rotations[0], stride), count);
-  }
-  void stretch_by_sums(std::size_t count) {
-    for (std::size_t k = 0; k < 6; ++k) {
-      const double one = k == 0 || k == 3 || k == 5;
-      for (std::size_t i = 0; i < count; ++i) stretches[k][i] = one + sums[k][i];
-    }
   }
   void stretch_by_logs(std::size_t count, sym3::Method method) {
     if (method == sym3::Method::fast) {
@@ -70,19 +62,11 @@ struct Stitcher::Maps {
       put(stretches, i, std::array{s.xx, s.xy, s.xz, s.yy, s.yz, s.zz});
     }
   }
-  void rotate_by_quaternions(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-      put(rotations, i, rotation_of({1 + sums[6][i], sums[7][i], sums[8][i], sums[9][i]}));
-  }
-  void take_whole(std::size_t count, bool by_log) {
+  void take_whole(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       Mat m;
       for (std::size_t k = 0; k < 9; ++k) m[k] = sums[k][i];
-      if (by_log) {
-        m = sym3::exp_general(m);
-      } else {
-        m[0] += 1, m[4] += 1, m[8] += 1;
-      }
+      m[0] += 1, m[4] += 1, m[8] += 1;
       put(rotations, i, m);
       put(stretches, i, std::array<double, 6>{1, 0, 0, 1, 0, 1});
     }
@@ -94,19 +78,8 @@ struct Stitcher::Maps {
   }
 
   void make(RowForm form, std::size_t count, sym3::Method method, bool apart) {
-    switch (form) {
-      case RowForm::logs:
-      case RowForm::screws: stretch_by_logs(count, method), rotate(6, count); return;
-      case RowForm::stretches: stretch_by_sums(count), rotate(6, count); return;
-      case RowForm::quaternions: stretch_by_sums(count), rotate_by_quaternions(count); return;
-      case RowForm::matrix_logs:
-      case RowForm::affine_logs: take_whole(count, true); break;
-      case RowForm::maps: take_whole(count, false); break;
-      case RowForm::positions:
-      case RowForm::affine_moments:
-      case RowForm::similar_moments:
-      case RowForm::rigid_moments: assert(false);  // refused by conflict()
-    }
+    if (form == RowForm::logs) return stretch_by_logs(count, method), rotate_by_logs(count);
+    take_whole(count);
     if (apart) split(count);
   }
 
@@ -134,16 +107,6 @@ struct Stitcher::Maps {
   static void put(Plane* planes, std::size_t i, const std::array<double, N>& entries) {
     for (std::size_t k = 0; k < N; ++k) planes[k][i] = entries[k];
   }
-
-  static Mat rotation_of(const std::array<double, 4>& q) {
-    const auto [w, x, y, z] = q;
-    const double square = w * w + x * x + y * y + z * z;
-    if (!(square > 0)) return {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    const double s = 2 / square;
-    return {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),
-            s * (x * y + w * z),     1 - s * (x * x + z * z), s * (y * z - w * x),
-            s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
-  }
 };
 
 Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool)
@@ -155,7 +118,7 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
       pin_targets_(stitching_.pins.size()),
       right_(stitching_.vertices()),
       positions_(stitching_.vertices()) {
-  assert(form != RowForm::positions && !has_moments(form));
+  assert(form == RowForm::logs || form == RowForm::maps);
 }
 
 void Stitcher::set_shares(const Shares& shares) {

@@ -15,7 +15,7 @@ namespace viete::deform {
 /// The buffers of stitched frames. Not thread-safe; the same bits for any number of threads.
 class Stitcher {
 public:
-  /// The form must be of maps or of what makes one, not positions. Both must outlive this.
+  /// The form must be logs or maps. Both must outlive this.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
   /// Of the next poses, one a vertex; empty: all 1. Pins take part in what their vertices make of them.

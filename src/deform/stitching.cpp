@@ -11,7 +11,6 @@
 #include "base/error.h"
 #include "deform/apply.h"
 #include "deform/face_maps.h"
-#include "deform/inverse_distance.h"
 #include "deform/laplacian.h"
 #include "deform/leaves.h"
 #include "deform/map_rows.h"
@@ -79,14 +78,9 @@ private:
 
 class StitchMaker {
 public:
-  StitchMaker(const mesh::Surface& model, const Cage& cage, Elements elements,
-              const StitchingSettings& settings, base::WorkerPool& pool, base::Progress* progress)
-      : model_(model),
-        cage_(cage),
-        elements_(elements),
-        settings_(settings),
-        pool_(pool),
-        progress_(progress) {}
+  StitchMaker(const mesh::Surface& model, const Cage& cage, const StitchingSettings& settings,
+              base::WorkerPool& pool, base::Progress* progress)
+      : model_(model), cage_(cage), settings_(settings), pool_(pool), progress_(progress) {}
 
   Stitching make() {
     find_thin();
@@ -95,8 +89,7 @@ public:
     hold_the_rest();
     SparseMatrix matrix = with_couplings(stiffness_matrix(model_.positions, model_.triangles), couplings_);
     add_diagonal(matrix);
-    Stitching s{entry(elements_).handles,
-                settings_,
+    Stitching s{settings_,
                 {},
                 {},
                 {},
@@ -135,13 +128,12 @@ private:
   }
 
   void find_pins() {
-    const auto centers = handle_centers(cage_, elements_);
+    const auto& centers = cage_.centers;
     std::vector<std::vector<Stitching::Pin>> found(centers.size());
     pool_.for_blocks(centers.size(), 1, [&](std::size_t h, std::size_t) {
       if (progress_)
         progress_->report(found_pins * static_cast<double>(h) / static_cast<double>(centers.size()));
-      if (handle_shape(cage_, entry(elements_).handles, h).weighs)
-        found[h] = pins_of(static_cast<std::uint32_t>(h), centers[h]);
+      if (!cage_.degenerate[h]) found[h] = pins_of(static_cast<std::uint32_t>(h), centers[h]);
     });
     for (const auto& pins : found) pins_.insert(pins_.end(), pins.begin(), pins.end());
   }
@@ -155,8 +147,7 @@ private:
     const double radius = settings_.radius * size_of(cage_, settings_.as_before);
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
       const double d = norm(model_.positions[v] - center);
-      if (d < radius)
-        pins.push_back({v, handle, settings_.pin * std::pow((radius - d) / radius, settings_.exponent)});
+      if (d < radius) pins.push_back({v, handle, settings_.pin * std::pow((radius - d) / radius, 2)});
     }
     return pins;
   }
@@ -245,7 +236,7 @@ private:
   }
 
   void fill_pinned(Stitching& s) const {
-    const auto centers = handle_centers(cage_, elements_);
+    const auto& centers = cage_.centers;
     Binding& b = s.pinned;
     b.vertices = s.pins.size();
     b.rest_origin = middle(cage_.surface.positions);
@@ -257,7 +248,6 @@ private:
 
   const mesh::Surface& model_;
   const Cage& cage_;
-  Elements elements_;
   StitchingSettings settings_;
   base::WorkerPool& pool_;
   base::Progress* progress_;
@@ -287,7 +277,7 @@ StitchingSettings settings_of(const Scheme& scheme) {
           .as_before = scheme.weighting.as_before};
 }
 
-Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements, base::WorkerPool& pool,
+Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const StitchingSettings& settings, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
@@ -295,7 +285,7 @@ Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements
                               "use a coarser model, or leave stitching off", ""};
   base::require_memory(need);
   try {
-    return StitchMaker(model, cage, elements, settings, pool, progress).make();
+    return StitchMaker(model, cage, settings, pool, progress).make();
   } catch (const std::bad_alloc&) {
     base::refuse_memory(need);
   }

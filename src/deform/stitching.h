@@ -16,9 +16,9 @@ namespace viete::deform {
 /// How firmly a stitched model is held. Weights are of one vertex, beside a stiffness of about 1 between
 /// neighbours, see stiffness_matrix().
 struct StitchingSettings {
-  double pin = 0.03;       ///< of each corner of the triangle nearest to a handle, to where its map takes it
-  double radius = 0;       ///< in sizes of the cage (size_of()): vertices so near to a handle are pinned too
-  double exponent = 2;     ///< by pin ((radius - distance) / radius)^exponent
+  double pin = 0.03;  ///< of each corner of the triangle nearest to a handle, to where its map takes it
+  double radius = 0;  ///< in sizes of the cage (size_of()): vertices so near to a handle are pinned too, by
+                      ///< pin ((radius - distance) / radius)^2
   double translation = 0;  ///< of every vertex, to its blended position
   bool as_before = false;  ///< Weighting::as_before: parts of the model are not coupled
 
@@ -55,7 +55,6 @@ struct Stitching {
     double weight;
   };
 
-  Handles handles;  ///< of the cage, which the pins name
   StitchingSettings settings;
   std::vector<std::uint32_t> order;       ///< all vertices, neighbours near each other
   std::vector<mesh::Triangle> triangles;  ///< that count, in the order of their vertices; then couplings
@@ -81,10 +80,10 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// Bytes that it takes, about, for a surface of so many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Of affine elements. Throws base::Error when the model has no vertices, or is so large or so small
+/// To the cage's faces. Throws base::Error when the model has no vertices, or is so large or so small
 /// (beyond 1e75 and 1e-75) that its system cannot be factored; base::Cancelled. The same for any number of
 /// threads.
-Stitching stitch(const mesh::Surface& model, const Cage& cage, Elements elements, base::WorkerPool& pool,
+Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const StitchingSettings& settings = {}, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

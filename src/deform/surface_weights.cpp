@@ -77,14 +77,13 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                       "choose weights inverse, or another model");
   }
   const mesh::PointTree tree(model.positions, std::move(used));
-  const Handles kind = entry(elements).handles;
   const auto& x = cage.surface.positions;
   OwnedVertices owned{std::vector<std::uint32_t>(handle_count(cage, elements), OwnedVertices::none),
                       std::vector<std::uint32_t>(model.positions.size(), 0),
                       {}};
   pool.for_blocks(owned.of_handle.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
-      const auto [t, weighs] = handle_shape(cage, kind, h);
+      const auto [t, weighs] = handle_shape(cage, elements, h);
       if (weighs) owned.of_handle[h] = tree.nearest(x[t[0]], x[t[1]], x[t[2]]);
     }
   });
@@ -96,13 +95,12 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
 
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
                    Elements elements, base::WorkerPool& pool) {
-  const Handles kind = entry(elements).handles;
   const auto& x = cage.surface.positions;
   const std::size_t k = owned.of_handle.size();
   std::vector<HandleShape> shapes;
   std::vector<mesh::Triangle> weighing;
   for (std::size_t h = 0; h < k; ++h) {
-    shapes.push_back(handle_shape(cage, kind, h));
+    shapes.push_back(handle_shape(cage, elements, h));
     if (shapes[h].weighs) weighing.push_back(shapes[h].corners);
   }
   if (weighing.empty()) return;

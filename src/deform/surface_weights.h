@@ -32,7 +32,7 @@ struct OwnedVertices {
   std::vector<std::vector<std::uint32_t>> elsewhere;
 };
 
-/// Distances are exact: to the triangle, the edge or the vertex. Throws base::Error where the model has no
+/// Distances are exact: to the triangle or the vertex. Throws base::Error where the model has no
 /// triangles. O(k log n).
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
                              base::WorkerPool& pool);

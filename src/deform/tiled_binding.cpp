@@ -67,7 +67,7 @@ public:
 
   TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
     if (entry(b_.weighting.weights).on_surface) solve_surface_weights();
-    const bool local = b_.weighting.local(), sample = worth_sampling(tolerance) || local;
+    const bool local = b_.weighting.partial(), sample = worth_sampling(tolerance) || local;
     require(local ? 0 : sample ? 0.25 : 1);  // what lists take, only the sample tells
     const Costs shares = sample ? sampled_shares(tolerance) : Costs();
     const double lossless = std::min(shares.lists, 1.0);
@@ -131,7 +131,7 @@ private:
     };
     system.solve(store, pool_, progress_, factored, share);
     for (std::size_t s = 0; s < sampled.size(); ++s)
-      normalise(std::span(b_.sample).subspan(s * k, k), b_.weighting.used_clamp());
+      normalise(std::span(b_.sample).subspan(s * k, k), b_.weighting.clamped());
     solved_ = share;
   }
 
@@ -146,7 +146,7 @@ private:
         const float* from = surface_weights_.data() + b_.leaves.order[begin + s + l] * solved_columns;
         for (std::size_t j = 0; j < b_.handles; ++j)
           row[j] = from[j / solved_columns * solved_columns * n + j % solved_columns];
-        if (b_.weighting.used_clamp()) normalise(row, true);
+        if (b_.weighting.clamped()) normalise(row, true);
         for (std::size_t j = 0; j < b_.handles; ++j) weights[j * bind_lanes + l] = row[j];
       }
       double sum[3][lanes];
@@ -197,7 +197,7 @@ private:
 
   // Handles that only move blend positions alone: a quarter of the work, for which factors do not pay.
   bool worth_sampling(double tolerance) const {
-    return tolerance > 0 && entry(b_.weighting.elements).affine &&
+    return tolerance > 0 && b_.weighting.elements == Elements::face &&
            compressible(b_.leaves.vertices, b_.handles);
   }
 

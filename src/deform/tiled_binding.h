@@ -108,7 +108,7 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighti
 bool compressible(std::size_t vertices, std::size_t handles);
 
 /// Weights leaf by leaf, in parallel; the full matrix of doubles never exists, nor, compressed, that of
-/// floats. What a reach leaves out is kept as lists, and weights are compressed by `tolerance` (0: never),
+/// floats. What a radius leaves out is kept as lists, and weights are compressed by `tolerance` (0: never),
 /// where a sample of leaves says that frames become cheaper by it, or as `storage` says. The same bits for
 /// any number of threads. Throws base::Cancelled; throws base::Error when the memory that is free now would
 /// not suffice, or when the model has no vertices.

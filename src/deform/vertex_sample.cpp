@@ -1,7 +1,6 @@
 #include "deform/vertex_sample.h"
 
 #include "deform/inverse_distance.h"
-#include "deform/map_rows.h"
 #include "deform/place_vertices.h"
 
 namespace viete::deform {
@@ -95,7 +94,7 @@ std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const B
                                                  base::Progress* progress) {
   constexpr std::size_t portion = 1024;
   std::vector<sym3::Sym3<double>> sample;
-  if (!has_stretch_logs(rows.form)) return sample;
+  if (rows.form != RowForm::logs) return sample;
   std::vector<mesh::Point> points;
   const auto vertices = spread_vertices(binding.vertices, limit);
   for (const auto v : vertices) points.push_back(binding.rest[v]);

@@ -37,7 +37,7 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
                      std::size_t vertex) {
   VertexSum sum;
   // Of stretches without logs, and of moments, no rotation stands beside them.
-  sum.has_logs = rows.form == RowForm::logs || rows.form == RowForm::screws;
+  sum.has_logs = rows.form == RowForm::logs;
   const auto visit = [&](std::size_t, const std::vector<double>& weights, double share) {
     if (mask) share *= static_cast<double>((*mask)[vertex]);
     for (std::size_t j = 0; j < weights.size(); ++j)

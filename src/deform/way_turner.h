@@ -23,7 +23,7 @@ public:
   }
 
   explicit WayTurner(std::shared_ptr<const Cage> cage)
-      : state_(std::move(cage), Elements::vertex_patch, Blend::linear) {}
+      : state_(std::move(cage), Elements::point, RowForm::maps) {}
 
   void set_pose(const Pose& pose) { state_.set_pose(pose); }
   /// Of all vertices of a binding with tiles, masked.

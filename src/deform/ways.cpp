@@ -48,45 +48,14 @@ constexpr std::array ways_table = {
              scheme(Elements::face, Weights::cut_off, Blend::srl)},
 };
 
-// Beside what is one choice away from a way with a name.
-constexpr std::array offered_besides = {
-    // Schaefer, McPhail and Warren, Image deformation using moving least squares, 2006, in space.
-    scheme(Elements::point, Weights::inverse, Blend::mls_affine),
-    scheme(Elements::point, Weights::inverse, Blend::mls_similarity),
-    // Of those that follow affine poses exactly, the one that distorts least without a surface.
-    scheme(Elements::vertex_patch, Weights::mean_value, Blend::sse),
-};
-
 struct OldWord {
   std::string_view word;
   Way way;
 };
 constexpr std::array old_words = {OldWord{"face", Way::paper}, OldWord{"mvc", Way::mean_value}};
 
-int in_common(const Scheme& a, const Scheme& b) {
-  return (a.weighting.elements == b.weighting.elements) + (a.weighting.weights == b.weighting.weights) +
-         (a.blend == b.blend);
-}
 bool same_choices(const Scheme& a, const Scheme& b) {
-  return in_common(a, b) == 3;
-}
-
-bool is_offered(const Scheme& s) {
-  const auto is_near = [&](const WayEntry& way) { return in_common(s, way.scheme) >= 2; };
-  const auto is_this = [&](const Scheme& other) { return same_choices(s, other); };
-  return std::ranges::any_of(ways_table, is_near) || std::ranges::any_of(offered_besides, is_this);
-}
-
-// The published ways come first where several serve someone as well.
-int rank(const Scheme& s) {
-  return old_word(s).empty() ? 0 : 1;
-}
-
-// How well a scheme serves who prefers the other one. `point` alone stays what it was before maps were fitted
-// to points.
-int likeness(const Scheme& s, const Scheme& preferred) {
-  const bool unasked = entry(s.blend).of_points && !entry(preferred.blend).of_points;
-  return 2 * (in_common(s, preferred) - (unasked ? 3 : 0)) + rank(s);
+  return a.weighting.weights == b.weighting.weights && a.blend == b.blend;
 }
 
 }  // namespace
@@ -105,10 +74,7 @@ Scheme scheme_of(Way way, const Scheme& now) {
 }
 
 std::optional<Way> way_of(const Scheme& s) {
-  Weighting usual{s.weighting.elements, s.weighting.weights};
-  usual.radius = s.weighting.radius;
-  const bool as_before = s.changed_in_03() && s.weighting.as_before;
-  if (as_before || !s.weighting.same_numbers(usual)) return std::nullopt;
+  if (s.changed_in_03() && s.weighting.as_before) return std::nullopt;
   const auto is_it = [&](const WayEntry& way) {
     return same_choices(s, way.scheme) && s.stitched() == way.scheme.stitched();
   };
@@ -131,31 +97,19 @@ Scheme default_scheme(bool has_triangles) {
   return entry(has_triangles ? Way::smooth : Way::paper).scheme;
 }
 
-const std::vector<Scheme>& offered_schemes() {
-  static const std::vector<Scheme> offered = [] {
-    std::vector<Scheme> all = valid_schemes();
-    std::erase_if(all, [](const Scheme& s) { return !is_offered(s); });
-    return all;
-  }();
-  return offered;
-}
-
-Scheme complete(const PartialChoice& choice, const Scheme& preferred, const std::vector<Scheme>& among) {
-  const Scheme* best = nullptr;
-  for (const Scheme& s : among) {
-    if (fits(choice, s) && (!best || likeness(s, preferred) > likeness(*best, preferred))) best = &s;
-  }
-  if (!best) {
-    throw base::Error(
-        "", "these elements, weights and blend do not go together: " + std::string(reason_against(choice)),
-        "leave one of them out, and it is chosen to fit");
-  }
-  Scheme result = preferred;
-  result.weighting.elements = best->weighting.elements;
-  result.weighting.weights = best->weighting.weights;
-  result.blend = best->blend;
-  if (conflict(result)) result.iterations = 0;
-  return result;
+Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
+  Scheme s = preferred;
+  s.iterations = 0;
+  s.weighting.weights = choice.weights.value_or(preferred.weighting.weights);
+  s.blend = choice.blend.value_or(preferred.blend);
+  if (conflict(s) && !choice.blend) s.blend = Blend::linear;
+  if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
+  if (const auto reason = conflict(s))
+    throw base::Error("", "these weights and this blend do not go together: " + std::string(*reason),
+                      "leave one of them out, and it is chosen to fit");
+  s.weighting.elements = elements_of(s.weighting.weights, s.blend);
+  if (s.has_maps()) s.iterations = preferred.iterations;
+  return s;
 }
 
 }  // namespace viete::deform

@@ -1,5 +1,4 @@
-// The ways of blending that have names, the other combinations that are offered beside them, and how choices
-// that someone made become one scheme.
+// The combinations of weights and blend that have names, and how choices that someone made become one scheme.
 #pragma once
 
 #include <optional>
@@ -38,14 +37,6 @@ std::optional<Way> way_of_old_word(std::string_view word);
 /// surface where there is none.
 Scheme default_scheme(bool has_triangles = true);
 
-/// Those of the valid schemes that people are offered: named ways, without their stitching; what differs from
-/// one of them in one choice; and those that are published as a whole or best of their kind. What is asked
-/// for by three words runs as well, if it is valid, and so does what older sessions have.
-const std::vector<Scheme>& offered_schemes();
-
-inline PartialChoice only(Elements elements) {
-  return {.elements = elements};
-}
 inline PartialChoice only(Weights weights) {
   return {.weights = weights};
 }
@@ -53,21 +44,19 @@ inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
 
-/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, the numbers of its
-/// weights, its amounts, and its stitching where that goes with the rest. Maps are fitted to points (see
-/// BlendEntry) only where that is asked for or preferred.
-/// Throws base::Error if there is none among these, saying why.
-Scheme complete(const PartialChoice& choice, const Scheme& preferred = {},
-                const std::vector<Scheme>& among = valid_schemes());
+/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, its radius, its
+/// amounts, and its stitching where that goes with the rest. Throws base::Error if the choices
+/// do not go together, saying why.
+Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 
-/// What someone gets who picks this in place of what is in force: a way, or one of the three choices, with
-/// as much of the rest as what is offered allows.
+/// What someone gets who picks this in place of what is in force: a way, weights or a blend, with
+/// as much of the rest as goes with it.
 inline Scheme chosen(Way way, const Scheme& now) {
   return scheme_of(way, now);
 }
 template <class Choice>
 Scheme chosen(Choice choice, const Scheme& now) {
-  return complete(only(choice), now, offered_schemes());
+  return complete(only(choice), now);
 }
 
 }  // namespace viete::deform

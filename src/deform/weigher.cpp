@@ -10,7 +10,6 @@
 #include "deform/distance_triangle.h"
 #include "deform/face_maps.h"
 #include "deform/frame_kernel.h"
-#include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "mesh/half_edges.h"
@@ -58,9 +57,8 @@ Vec3 Weigher::scaled(const mesh::Point& p) const {
 }
 
 void Weigher::add_triangles() {
-  const Handles kind = entry(weighting_.elements).handles;
   for (std::size_t h = 0; h < handles_.size(); ++h) {
-    const auto [t, weighs] = handle_shape(cage_, kind, h);
+    const auto [t, weighs] = handle_shape(cage_, weighting_.elements, h);
     Vec3 origin;
     auto triangle = distance_triangle({corners_[t[0]], corners_[t[1]], corners_[t[2]]}, origin);
     triangle.degenerate = !weighs;
@@ -113,16 +111,14 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
   shares.fill(1);
   double at[3 * bind_lanes];
   for (std::size_t l = 0; l < bind_lanes; ++l) {
-    Vec3 p = scaled(points[l]);
-    if (weighting_.weights == Weights::integrated) p = std::min(1.0, farthest_weighed / norm(p)) * p;
+    const Vec3 p = scaled(points[l]);
     for (int i = 0; i < 3; ++i) at[i * bind_lanes + l] = p[i];
   }
   switch (weighting_.weights) {
-    case Weights::inverse: kernel_.inverse_distance(job(squared_contact(), at), scratch.data()); return 0;
-    case Weights::integrated: kernel_.integrated(job(squared_softening(), at), scratch.data()); return 0;
+    case Weights::inverse: kernel_.inverse_distance(job(at), scratch.data()); return 0;
     case Weights::cut_off:
-      kernel_.cut_off(job(0, at), scratch.data(), shares.data());
-      for (double& share : shares) share = share_of_motion(weighting_, share);
+      kernel_.cut_off(job(at), scratch.data(), shares.data());
+      for (double& share : shares) share = share_of_motion(share);
       return 0;
     case Weights::mean_value: return weigh_mean_values(points, at, scratch);
     case Weights::harmonic:
@@ -131,14 +127,8 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
   return 0;
 }
 
-WeightJob<double> Weigher::job(double least_square, const double* at) const {
-  return {triangles_.data(),
-          numbers(shifts_),
-          triangles_.size(),
-          least_square,
-          cut(),
-          weighting_.used_exponent(),
-          at};
+WeightJob<double> Weigher::job(const double* at) const {
+  return {triangles_.data(), numbers(shifts_), triangles_.size(), squared_contact(), cut(), at};
 }
 
 unsigned Weigher::weigh_mean_values(std::span<const mesh::Point, bind_lanes> points, const double* at,
@@ -163,22 +153,15 @@ double Weigher::squared_contact() const {
   return scale_ * cage_.contact * scale_ * cage_.contact;
 }
 
-double Weigher::squared_softening() const {
-  return scale_ * softening(cage_) * scale_ * softening(cage_);
-}
-
 double Weigher::cut() const {
-  if (weighting_.weights == Weights::cut_off)
-    return 1 / (scale_ * size_of(cage_, weighting_.as_before) * weighting_.radius);
-  return 1 / weighting_.reach / weighting_.reach;
+  return 1 / (scale_ * size_of(cage_, weighting_.as_before) * weighting_.radius);
 }
 
 std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                        std::span<float> shares) const {
   std::vector<bool> failed(points.size());
   base::AlignedVector<double> scratch(scratch_size());  // across cache lines it takes a tenth longer
-  // Whether an element reaches a point at all is for doubles to say.
-  const bool in_float = weighting_.weights != Weights::mean_value && !weighting_.used_normalise();
+  const bool in_float = weighting_.weights != Weights::mean_value;
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);
   for (std::size_t e = 0; e < shifts.size(); ++e) {
@@ -214,17 +197,11 @@ bool Weigher::weigh_in_float(std::span<const mesh::Point, lanes> points, const V
     const Vec3 p = scaled(points[l]) - middle;
     for (int i = 0; i < 3; ++i) at[i * lanes + l] = static_cast<float>(p[i]);
   }
-  const bool integrated = weighting_.weights == Weights::integrated;
-  const double least_square = integrated ? squared_softening() : squared_contact();
-  const WeightJob<float> job{float_triangles_.data(),
-                             numbers(shifts),
-                             float_triangles_.size(),
-                             static_cast<float>(least_square),
-                             static_cast<float>(cut()),
-                             weighting_.used_exponent(),
-                             at};
-  if (weighting_.weights == Weights::cut_off) return kernel_.cut_off_rows(job, out);
-  return (integrated ? kernel_.integrated_rows : kernel_.inverse_distance_rows)(job, out);
+  const WeightJob<float> job{float_triangles_.data(),   numbers(shifts),
+                             float_triangles_.size(),   static_cast<float>(squared_contact()),
+                             static_cast<float>(cut()), at};
+  const bool cut_off = weighting_.weights == Weights::cut_off;
+  return (cut_off ? kernel_.cut_off_rows : kernel_.inverse_distance_rows)(job, out);
 }
 
 }  // namespace viete::deform

@@ -14,9 +14,8 @@
 namespace viete::deform {
 
 /// The weights of Binding for any points, but those that live on the model's surface (of these it has only
-/// what does not depend on the model): inverse_distance_weights(), integrated_weights() and
-/// mean_value_weights() to 1e-13, less
-/// where those themselves are less certain. Keeps a reference to the cage. Thread-safe.
+/// what does not depend on the model): inverse_distance_weights() and mean_value_weights() to 1e-13,
+/// less where those themselves are less certain. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kernel& kernel = sym3::kernel());
@@ -45,11 +44,10 @@ private:
   void add_triangles();
   void add_views();
   Vec3 scaled(const mesh::Point& p) const;
-  WeightJob<double> job(double least_square, const double* at) const;
+  WeightJob<double> job(const double* at) const;
   unsigned weigh_mean_values(std::span<const mesh::Point, bind_lanes> points, const double* at,
                              std::span<double> scratch) const;
   double squared_contact() const;
-  double squared_softening() const;
   double cut() const;
   bool weigh_in_float(std::span<const mesh::Point, tile_lanes<float>> points, const Vec3& middle,
                       std::span<const std::array<float, 3>> shifts, const RowJob& out) const;

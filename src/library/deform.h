@@ -59,13 +59,9 @@ Mesh make_cage(const Mesh& model, const CageWish& wish = {}, const Watch& watch 
 /// How the cage moves the model; the words and numbers of the command line. What is left open is as the way
 /// has it.
 struct Blending {
-  std::string way = "smooth";                  ///< "smooth", "paper", "mean-value", "rigid", "arap", "local"
-  std::string elements{}, weights{}, blend{};  ///< in place of what the way has; empty: as it is
-  std::optional<double> reach{};               ///< 1.5 or more
-  std::optional<double> radius{};              ///< in sizes of the cage, 0.001 to 10
-  std::optional<int> exponent{};               ///< 1 to 8
-  std::optional<bool> clamp{};
-  bool normalise = false;
+  std::string way = "smooth";               ///< "smooth", "paper", "mean-value", "rigid", "arap", "local"
+  std::string weights{}, blend{};           ///< in place of what the way has; empty: as it is
+  std::optional<double> radius{};           ///< in sizes of the cage, 0.001 to 10
   std::optional<double> turn{}, stretch{};  ///< how much of rotations and stretches acts, 0 to 2
   std::optional<int> stitched{};            ///< how often it is solved for, 1 to 20
   std::optional<double> pins{}, hold{};     ///< of stitched models, 0 to 1

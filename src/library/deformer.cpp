@@ -37,17 +37,13 @@ deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   deform::AskedScheme asked;
   // Of points there is no surface along which weights could spread.
   if (has_triangles || b.way != Blending{}.way) take(deform::all_ways(), b.way, "way", asked.way);
-  take(deform::all_elements(), b.elements, "elements", asked.choice.elements);
   take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
   take(deform::all_blends(), b.blend, "blend", asked.choice.blend);
-  check("reach", b.reach, deform::lowest_reach, deform::whole_cage);
   check("radius", b.radius, deform::least_radius, deform::largest_radius);
-  check("exponent", b.exponent, 1, deform::most_exponent);
   check("turn", b.turn, 0, deform::largest_amount), check("stretch", b.stretch, 0, deform::largest_amount);
   check("stitched", b.stitched, 1, deform::most_iterations);
   check("pins", b.pins, 0, deform::largest_pin_radius), check("hold", b.hold, 0, 1);
-  asked.weighting = {b.reach, b.radius, b.exponent, b.clamp, b.normalise};
-  asked.turn = b.turn, asked.stretch = b.stretch, asked.iterations = b.stitched;
+  asked.radius = b.radius, asked.turn = b.turn, asked.stretch = b.stretch, asked.iterations = b.stitched;
   asked.pins = b.pins, asked.hold = b.hold;
   try {
     return deform::scheme_of(asked, deform::default_scheme(has_triangles));
@@ -137,8 +133,8 @@ struct Deformer::Impl {
           model, *cage, scheme.weighting, deform::EngineKind::staged, binding.get(), pool, progress));
     std::shared_ptr<const deform::Stitching> stitching;
     if (scheme.stitched())
-      stitching = std::make_shared<const deform::Stitching>(deform::stitch(
-          model, *cage, scheme.weighting.elements, pool, deform::settings_of(scheme), progress));
+      stitching = std::make_shared<const deform::Stitching>(
+          deform::stitch(model, *cage, pool, deform::settings_of(scheme), progress));
     live_ = std::make_unique<deform::Deformer>(cage, std::move(binding), scheme, pool, std::move(stitching));
     live_->set_mask(mask), live_->set_shape(shape), live_->set_probes(probes);
     return *live_;

@@ -42,8 +42,7 @@ std::string ways_text() {
 }
 
 std::string choices_text() {
-  return "\nelements:" + lines_of(deform::all_elements()) + "\nweights:" + lines_of(deform::all_weights()) +
-         "\nblend:" + lines_of(deform::all_blends());
+  return "\nweights:" + lines_of(deform::all_weights()) + "\nblend:" + lines_of(deform::all_blends());
 }
 
 std::string falloffs_text() {

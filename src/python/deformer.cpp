@@ -232,12 +232,10 @@ std::string init_text() {
          "lists.\n"
          "way: how the cage moves the model." +
          library::ways_text() +
-         "\nelements, weights, blend: in place of what the way has; not all of them go together, and Error "
+         "\nweights, blend: in place of what the way has; not all of them go together, and Error "
          "says which do." +
          library::choices_text() +
-         "\nreach (1.5 or more), radius (0.001 to 10 sizes of the cage), exponent (1 to 8), clamp, "
-         "normalise: of "
-         "weights that have them.\n"
+         "\nradius: where cut-off weights end, 0.001 to 10 sizes of the cage.\n"
          "turn, stretch: how much of rotations and stretches acts, 0 to 2.\n"
          "stitched: triangles follow the maps, and vertices are solved for so often, 1 to 20. pins, hold (0 "
          "to "
@@ -258,24 +256,21 @@ std::string init_text() {
 void define_deformer(py::module_& m) {
   py::class_<PythonDeformer>(m, "Deformer", "One model bound to one cage.")
       .def(py::init([](const py::object& vertices, const py::object& faces, const py::object& cage_vertices,
-                       const py::object& cage_faces, const std::string& way, const std::string& elements,
-                       const std::string& weights, const std::string& blend, std::optional<double> reach,
-                       std::optional<double> radius, std::optional<int> exponent, std::optional<bool> clamp,
-                       bool normalise, std::optional<double> turn, std::optional<double> stretch,
-                       std::optional<int> stitched, std::optional<double> pins, std::optional<double> hold,
-                       const std::string& method, int threads, const py::object& dtype) {
+                       const py::object& cage_faces, const std::string& way, const std::string& weights,
+                       const std::string& blend, std::optional<double> radius, std::optional<double> turn,
+                       std::optional<double> stretch, std::optional<int> stitched, std::optional<double> pins,
+                       std::optional<double> hold, const std::string& method, int threads,
+                       const py::object& dtype) {
              return make_deformer(vertices, faces, cage_vertices, cage_faces,
-                                  {way, elements, weights, blend, reach, radius, exponent, clamp, normalise,
-                                   turn, stretch, stitched, pins, hold, method},
+                                  {way, weights, blend, radius, turn, stretch, stitched, pins, hold, method},
                                   threads, dtype);
            }),
            py::arg("vertices"), py::arg("faces"), py::arg("cage_vertices"), py::arg("cage_faces"),
-           py::arg("way") = "smooth", py::kw_only(), py::arg("elements") = "", py::arg("weights") = "",
-           py::arg("blend") = "", py::arg("reach") = py::none(), py::arg("radius") = py::none(),
-           py::arg("exponent") = py::none(), py::arg("clamp") = py::none(), py::arg("normalise") = false,
-           py::arg("turn") = py::none(), py::arg("stretch") = py::none(), py::arg("stitched") = py::none(),
-           py::arg("pins") = py::none(), py::arg("hold") = py::none(), py::arg("method") = "fast",
-           py::arg("threads") = 0, py::arg("dtype") = "float64", init_text().c_str())
+           py::arg("way") = "smooth", py::kw_only(), py::arg("weights") = "", py::arg("blend") = "",
+           py::arg("radius") = py::none(), py::arg("turn") = py::none(), py::arg("stretch") = py::none(),
+           py::arg("stitched") = py::none(), py::arg("pins") = py::none(), py::arg("hold") = py::none(),
+           py::arg("method") = "fast", py::arg("threads") = 0, py::arg("dtype") = "float64",
+           init_text().c_str())
       .def("deform", &PythonDeformer::deform, py::arg("cage"), py::arg("out") = py::none(),
            py::arg("normals") = py::none(),
            "The model's vertices (n, 3) for the cage's, (k, 3), as they are posed.\n\n"

@@ -42,11 +42,6 @@ private:
   void blended(scene::Blend blend) {
     switch (blend) {
       case B::srl: exp_of("Y"), exp_of("X"), offset_from_center(); break;
-      case B::slrl: exp_of("Y"), sum_of("S", true), offset_from_center(); break;
-      case B::sql: operator_of("R"), sum_of("q", true), offset_from_center(); break;
-      case B::log3: exp_of("L"), offset_from_center(); break;
-      case B::sse: exp_of("T"), exp_of("X"), offset_from_center(); break;
-      case B::log4: exp_of("L"), rest(); break;
       case B::linear: linear(); break;
       case B::mls_affine:
       case B::mls_similarity:
@@ -72,13 +67,6 @@ private:
     lowered("j", sums());
     symbol(of, link);
     lowered("j", link);
-  }
-  void sum_of(const char* of, bool in_brackets) {
-    break_here();
-    if (in_brackets) symbol("(", sums());
-    weighted(of, Link::log_maps);
-    if (in_brackets) symbol(")", sums());
-    word(" ");
   }
   void exp_of(const char* of) {
     break_here();
@@ -120,7 +108,7 @@ private:
     word(")");
   }
   void translation(scene::Blend blend) {
-    if (blend == B::linear || blend == B::log4) return;
+    if (blend == B::linear) return;
     break_here();
     symbol(" + ", apply());
     center(true);

@@ -31,7 +31,6 @@ std::string consequences(const scene::Workspace& w, const scene::Scheme& next, s
     if (before != after && after != chosen)
       text += (text.empty() ? "" : "\n") + std::string(what) + ": " + std::string(after);
   };
-  say("Elements", entry(now.weighting.elements).label, entry(next.weighting.elements).label);
   say("Weights", entry(now.weighting.weights).label, entry(next.weighting.weights).label);
   say("Blend", entry(now.blend).label, entry(next.blend).label);
   if (w.document.has_cage() && now.weighting != next.weighting)
@@ -94,25 +93,6 @@ Slid stops(const Context& ui, const char* name, const char* label, int& stop, in
   return slid;
 }
 
-void reach_slider(const Context& ui) {
-  scene::Document& document = ui.workspace.document;
-  const scene::Condition& condition = scene::find_command("reach_longer")->enabled;
-  const bool used = condition(ui.workspace);
-  const auto reaches = scene::usual_reaches();
-  const double reach = used ? document.scheme.weighting.reach : scene::whole_cage;
-  int stop = static_cast<int>(scene::nearest_reach(reach));
-  const Slid slid = stops(
-      ui, "reach", "Reach", stop, static_cast<int>(reaches.size()) - 1, used,
-      {reach, scene::lowest_reach, scene::whole_cage},
-      reach < scene::whole_cage ? scene::text_of_reach(reach) + " x nearest" : "whole cage",
-      used ? "How far each face of the cage reaches. At 3, a part of the model follows the faces that are "
-             "at most 3 times as far away as the nearest ones, and no others: edits stay where they are "
-             "made. The whole cage: every face moves all of the model, if only a little."
-           : std::string(condition.otherwise));
-  if (slid.moved) scene::set_reach(document, reaches[static_cast<std::size_t>(stop)]);
-  if (slid.typed) scene::set_reach(document, *slid.typed);
-}
-
 // A slider of these shares: the one that it was moved to, or that was typed in percent.
 std::optional<double> share_slider(const Context& ui, const char* name, const char* label, double share,
                                    std::span<const double> all, const char* hint_text) {
@@ -134,37 +114,10 @@ void radius_slider(const Context& ui) {
   if (radius) scene::set_radius(document, *radius);
 }
 
-// With what else weights can be set by.
-void falloff_slider(const Context& ui) {
-  scene::Document& document = ui.workspace.document;
-  const bool used = entry(document.scheme.weighting.weights).has.exponent;
-  const int exponent = used ? document.scheme.weighting.exponent : 2;
-  int stop = exponent - 1;
-  const Slid slid =
-      stops(ui, "exponent", "Falloff", stop, scene::most_exponent - 1, used,
-            {double(exponent), 1, scene::most_exponent}, used ? "power " + std::to_string(exponent) : "-",
-            used ? "The power of distances in these weights: the higher, the more each part of the model "
-                   "follows what is nearest."
-                 : "These weights are no powers of distances.");
-  if (slid.moved) scene::set_exponent(document, stop + 1);
-  if (slid.typed) scene::set_exponent(document, static_cast<int>(std::lround(*slid.typed)));
-}
-
-void weight_limits(const Context& ui) {
+// Of older sessions alone.
+void as_before(const Context& ui) {
   const scene::Scheme& scheme = ui.workspace.document.scheme;
-  const scene::Weighting& weighting = scheme.weighting;
-  const bool sums = entry(weighting.weights).has.normalise;
-  const char* name = sums ? "toggle_normalise" : "toggle_clamp";
-  const scene::Condition& condition = scene::find_command(name)->enabled;
-  const bool possible = condition(ui.workspace);
-  row_label("Limits", chooser_label);
-  ImGui::BeginDisabled(!possible);
-  command_toggle(ui, name, sums ? weighting.used_normalise() : weighting.used_clamp());
-  record(ui, name, possible);
-  ImGui::EndDisabled();
-  if (!possible) hint(std::string(condition.otherwise));
-  if (!scheme.changed_in_03() || !scheme.weighting.as_before) return;  // of older sessions alone
-  ImGui::SameLine();
+  if (!scheme.changed_in_03() || !scheme.weighting.as_before) return;
   command_toggle(ui, "toggle_as_before", true);
   record(ui, "toggle_as_before", true);
 }
@@ -185,7 +138,7 @@ bool amount_slider(const Context& ui, const char* name, const char* label, doubl
 
 void amount_sliders(const Context& ui) {
   scene::Document& document = ui.workspace.document;
-  const bool used = entry(document.scheme.weighting.elements).affine;
+  const bool used = document.scheme.has_maps();
   scene::Amounts amounts = document.scheme.amounts;
   const bool turned =
       amount_slider(ui, "turn", "Rotation", amounts.turn, used,
@@ -245,12 +198,9 @@ void panel_custom(const Context& ui) {
   if (!section(ui, "Custom deformer", false)) return;
   const scene::Scheme& scheme = ui.workspace.document.scheme;
   if (const auto stage = frame_formula(ui)) ui.workspace.interaction.stage = stage;
-  chooser(ui, "elements", "Elements", scene::all_elements(), std::optional(scheme.weighting.elements));
   chooser(ui, "weights", "Weights", scene::all_weights(), std::optional(scheme.weighting.weights));
   chooser(ui, "blend", "Blend", scene::all_blends(), std::optional(scheme.blend));
-  if (!entry(scheme.weighting.weights).has.radius) reach_slider(ui);
-  falloff_slider(ui);
-  weight_limits(ui);
+  as_before(ui);
   stitching(ui);
 }
 
@@ -258,7 +208,7 @@ void panel_deformer(const Context& ui) {
   const scene::Scheme& scheme = ui.workspace.document.scheme;
   heading(ui, "Deformer");
   chooser(ui, "way", "", scene::all_ways(), scene::way_of(scheme));
-  if (entry(scheme.weighting.weights).has.radius) radius_slider(ui);
+  if (scheme.weighting.partial()) radius_slider(ui);
   amount_sliders(ui);
 }
 

@@ -35,8 +35,6 @@ void PicturePainter::draw(const Shape& shape) {
     case Ink::weight: return weighed(shape);
     case Ink::behind: return line(shape, faded(colors.accent, 0.4f), 1);
     case Ink::cage: return line(shape, colors.accent, 1.25f);
-    case Ink::map: return square(shape);
-    case Ink::spot: return fill(shape, faded(colors.highlight, 0.4f));
     case Ink::marked: return line(shape, colors.highlight, 2);
   }
 }
@@ -61,11 +59,6 @@ void PicturePainter::fill(const Shape& shape, ImU32 color) {
 void PicturePainter::lit(const Shape& shape) {
   fill(shape, darkened(ui_.colors.model, shape.tones[0]));
   line(shape, faded(darkened(ui_.colors.model, 0.5f), 0.45f), 1, ImDrawFlags_Closed);
-}
-
-void PicturePainter::square(const Shape& shape) {
-  fill(shape, IM_COL32(255, 255, 255, 90));
-  line(shape, ui_.colors.text, 1.25f, ImDrawFlags_Closed);
 }
 
 ImU32 PicturePainter::color_of(float weight) const {

@@ -23,7 +23,6 @@ private:
   void line(const Shape& shape, ImU32 color, float width, ImDrawFlags flags = 0);
   void fill(const Shape& shape, ImU32 color);
   void lit(const Shape& shape);
-  void square(const Shape& shape);
   ImU32 color_of(float weight) const;
   void weighed(const Shape& shape);
   void triangles(const Shape& shape, const std::vector<ImU32>& colors);

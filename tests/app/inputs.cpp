@@ -85,12 +85,12 @@ TEST_CASE("stitching_takes_a_number_of_iterations_or_one") {
   CHECK(mentions(refusal(Use::picture, "a.obj --iterations 4"), "--stitched"));
   for (const char* bad : {"0", "21", "-1", "1.5", "many"})
     CHECK(mentions(refusal(Use::picture, std::string("a.obj --stitched --iterations ") + bad), "1 to 20"));
-  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --stitched --elements point"), base::Error);
+  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --stitched --weights mean-value"), base::Error);
 }
 
 TEST_CASE("settings_that_do_not_go_together_are_told_before_anything_is_opened") {
-  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --elements face --weights mean-value"), base::Error);
-  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --coordinates mvc --reach 3"), base::Error);
+  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --blend srl --weights mean-value"), base::Error);
+  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --coordinates mvc --radius 3"), base::Error);
   // What a session has is not known yet.
-  CHECK(refusal(Use::picture, "s.viete --reach 3").empty());
+  CHECK(refusal(Use::picture, "s.viete --radius 3").empty());
 }

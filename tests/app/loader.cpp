@@ -87,18 +87,18 @@ TEST_CASE("it_is_bound_as_what_is_open_or_as_the_session_says") {
   const test::CubeFiles files;
   app::Loader loader;
   scene::Document current;
-  scene::set_reach(current, 3);
+  current.scheme.weighting = {deform::Elements::face, deform::Weights::cut_off, 0.3};
   const Result model = loaded(loader, {What::model, {files.model, files.cage}}, current);
   REQUIRE(model.value);
-  CHECK(model.value->bound.binding->weighting.reach == 3);
+  CHECK(model.value->bound.binding->weighting.radius == 0.3);
 
   scene::Workspace saved;
   saved.document = opened(loader, {What::model, {files.model, files.cage}});
-  scene::set_reach(saved.document, 2);
+  saved.document.scheme.weighting = {deform::Elements::face, deform::Weights::cut_off, 0.2};
   REQUIRE(scene::save_session(saved, files / "a.viete"));
   const Result session = loaded(loader, {What::model, {files / "a.viete"}}, current);
   REQUIRE(session.value);
-  CHECK(session.value->bound.binding->weighting.reach == 2);
+  CHECK(session.value->bound.binding->weighting.radius == 0.2);
 }
 
 TEST_CASE("files_that_cannot_be_opened_are_a_problem_that_names_them") {

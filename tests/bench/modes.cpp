@@ -33,12 +33,12 @@ ModeComparison compare(const mesh::Surface& model, const ModeSettings& settings 
 }  // namespace
 
 TEST_CASE("every_way_of_blending_is_measured_and_none_distorts_a_cage_at_rest") {
-  const ModeSettings settings{.rounds = 1, .weighting = {.radius = deform::largest_radius}};
+  const ModeSettings settings{.rounds = 1, .radius = deform::largest_radius};
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
   CHECK(compared.without_area == 0);
-  CHECK(compared.modes.size() == deform::offered_schemes().size() + 1);  // and Way::arap
-  for (deform::Scheme scheme : deform::offered_schemes()) {
+  CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // and Way::arap
+  for (deform::Scheme scheme : deform::valid_schemes()) {
     scheme.weighting.radius = deform::largest_radius;
     const auto found =
         std::ranges::find_if(compared.modes, [&](const Mode& m) { return m.scheme == scheme; });
@@ -83,16 +83,15 @@ TEST_CASE("an_open_model_has_no_volume_to_compare_and_all_else") {
   }
 }
 
-TEST_CASE("the_reach_is_that_of_all_modes_and_only_method_fast_has_fused_frames_of_exponentials") {
-  const auto near =
-      compare(test::sphere(2), {.rounds = 1, .weighting = {.reach = 2}, .method = sym3::Method::diag});
+TEST_CASE("the_radius_is_that_of_all_modes_and_only_method_fast_has_fused_frames_of_exponentials") {
+  const auto near = compare(test::sphere(2), {.rounds = 1, .radius = 0.1, .method = sym3::Method::diag});
   const auto all = compare(test::sphere(2));
   for (std::size_t m = 0; m < all.modes.size(); ++m) {
     const Mode& mode = near.modes[m];
     INFO(deform::text(mode.scheme));
-    CHECK(mode.scheme.weighting.reach == 2);
+    CHECK(mode.scheme.weighting.radius == 0.1);
     const bool changed = mode.qualities[1].distortion.energy != all.modes[m].qualities[1].distortion.energy;
-    if (deform::entry(mode.scheme.weighting.weights).has.reach) CHECK(changed);
+    if (mode.scheme.weighting.partial()) CHECK(changed);
     if (mode.scheme.exponential()) CHECK_FALSE(mode.fused);
     if (!deform::old_word(mode.scheme).empty()) CHECK(all.modes[m].fused);
   }

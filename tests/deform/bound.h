@@ -11,18 +11,13 @@
 namespace viete::test {
 
 inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_value},
-    face_integrals{Elements::face, Weights::integrated}, harmonics{Elements::face, Weights::harmonic},
-    biharmonics{Elements::face, Weights::biharmonic};
-inline Weighting faces_reaching(double reach) {
-  return {Elements::face, Weights::inverse, reach};
+    harmonics{Elements::face, Weights::harmonic}, biharmonics{Elements::face, Weights::biharmonic};
+inline Weighting cut_off(double radius) {
+  return {Elements::face, Weights::cut_off, radius};
 }
-
-inline Weighting cut_off(double radius, int exponent = 2) {
-  return {Elements::face, Weights::cut_off, whole_cage, radius, exponent};
-}
-/// All that are offered, every vertex following the cage: of cut-off weights those that reach everywhere.
+/// All, every vertex following the cage: of cut-off weights those that reach everywhere.
 inline std::vector<Scheme> whole_schemes() {
-  auto schemes = offered_schemes();
+  auto schemes = valid_schemes();
   for (Scheme& s : schemes) s.weighting.radius = largest_radius;
   return schemes;
 }

@@ -19,7 +19,7 @@ Rotations all(const Cage& cage, const Vec3& axis, double degrees) {
 Branches branches_of(const Cage& cage, const Rotations& rotations, const std::vector<Vec3>& turns) {
   std::vector<Vec3> principal;
   for (const auto& r : rotations) principal.push_back(sym3::log_rotation(r));
-  return choose_branches(face_graph(cage), rotations, principal, turns);
+  return choose_branches(cage, rotations, principal, turns);
 }
 
 }  // namespace

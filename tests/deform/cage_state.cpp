@@ -130,7 +130,7 @@ TEST_CASE("the_origin_stays_during_a_drag_and_follows_when_it_is_over") {
 TEST_CASE("without_logs_the_turns_of_a_pose_are_handed_on") {
   const auto cage = bent_tube();
   for (const auto& [elements, blend] : schemes()) {
-    if (has_logs(row_form(elements, blend))) continue;
+    if (blend == Blend::srl) continue;
     CageState state(cage, elements, blend);
     state.set_pose({cage->surface.positions, {{1, 2, 3}}});
     CHECK(state.report().turns == std::vector<Vec3>{{1, 2, 3}});

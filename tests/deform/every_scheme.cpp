@@ -4,7 +4,6 @@
 #include "deform/bind.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
-#include "deform/map_rows.h"
 #include "deform/ways.h"
 #include "support/longer.h"
 
@@ -48,7 +47,6 @@ TEST_CASE("every_scheme_keeps_rest_and_follows_similarities" * doctest::test_sui
   const double angles[] = {0, 1e-9, 90, 179.999, 180, 270}, scales[] = {1e-3, 1, 1e3};
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
-    const bool logs_of_motions = scheme.blend == Blend::sse || scheme.blend == Blend::log4;
     Both b(model(), cage_of_a_part(), scheme);
     const auto& rest = b.staged.model.positions;
     CHECK(largest_distance(b.staged.deform(rest_pose(*b.staged.cage)), rest) <
@@ -59,21 +57,19 @@ TEST_CASE("every_scheme_keeps_rest_and_follows_similarities" * doctest::test_sui
         const bool rigid = scheme.blend == Blend::mls_rigid;
         if (rigid ? scale != 1 : (a + s) % every != 0) continue;
         const auto map = similarity({1, -2, 3}, angle * degree, scale, {20 * scale, scale, -scale});
-        CHECK(b.staged.error(map) < (logs_of_motions ? 2e-11 : 5e-12));
-        CHECK(b.difference(b.staged.pose(map)) < (scheme.blend == Blend::log4 && scale > 1 ? 5e-5 : 1e-6));
+        CHECK(b.staged.error(map) < 5e-12);
+        CHECK(b.difference(b.staged.pose(map)) < 1e-6);
       }
     }
   }
 }
 
-TEST_CASE("affine_poses_are_exact_where_elements_or_weights_promise_it") {
+TEST_CASE("affine_poses_are_exact_where_weights_or_blend_promise_it") {
   std::size_t exact = 0;
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     const bool promised =
-        entry(scheme.weighting.elements).reproduces == "affine poses" ||
-        (scheme.weighting.elements == Elements::point && scheme.weighting.weights == Weights::mean_value) ||
-        scheme.blend == Blend::mls_affine;
+        scheme.weighting.weights == Weights::mean_value || scheme.blend == Blend::mls_affine;
     Both b(model(), cage_of_a_part(), scheme);
     const double error = b.staged.error(shear());
     CHECK((error < 1e-12) == promised);
@@ -115,13 +111,9 @@ TEST_CASE("both_engines_agree_on_twists_beyond_180_degrees_and_on_mirrored_and_c
 
 TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
   for (const Scheme& scheme : whole_schemes()) {
-    if (!has_logs(row_form(scheme.weighting.elements, scheme.blend))) continue;
+    if (scheme.blend != Blend::srl) continue;
     CAPTURE(text(scheme));
     Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
-    // Where the angle between two maps passes 180 degrees their matrix logs jump, unless both are
-    // similarities: among many a little, alone in full.
-    const bool matrix_logs = scheme.blend == Blend::log3 || scheme.blend == Blend::log4;
-    if (matrix_logs && entry(scheme.weighting.weights).on_surface) continue;
     // One end ahead of the other through 180 degrees, and all together through 360 and 540.
     for (const double ahead : {15.0, 0.0}) {
       std::vector<mesh::Point> before;
@@ -159,7 +151,7 @@ TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_
   const auto turned = similarity({1, -2, 3}, 70 * degree, 1.3, {1, 2, 3});
   const auto half_and_twice = similarity({1, -2, 3}, 35 * degree, 1.3 * 1.3, {0, 0, 0});
   for (Scheme scheme : whole_schemes()) {
-    if (!entry(scheme.weighting.elements).affine) continue;
+    if (!scheme.has_maps()) continue;
     CAPTURE(text(scheme));
     Both b(model(), cage_of_a_part(), scheme);
     const Pose pose = b.staged.pose(turned);
@@ -177,7 +169,7 @@ TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_
     CHECK(largest_distance(exported.positions, other) < 1e-12 * b.staged.cage->diagonal);
     CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);  // the pose's own
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
-    if (!entry(scheme.blend).about_center) continue;
+    if (scheme.blend != Blend::srl) continue;
     // About the blended centre each vertex turns by half and is stretched by the square.
     Scheme none = scheme;
     none.amounts = {0, 0};
@@ -210,11 +202,9 @@ TEST_CASE("model_cage_and_pose_that_are_turned_together_give_the_turned_result")
   const auto map = similarity({1, -2, 3}, 37 * degree, 1, {0.5, 2, -1});
   const auto small = shaken(model(), 0.02), cage = shaken(cage_of_a_part(), 0.05);
   const auto pose = shaken(cage, 0.15).positions;
-  auto schemes = offered_schemes();
-  for (const Elements e : {Elements::face, Elements::vertex_patch}) {
-    schemes.push_back(complete(only(e), default_scheme()));
-    schemes.back().iterations = 1, schemes.back().holding = {0.2, 0.1};
-  }
+  auto schemes = valid_schemes();
+  schemes.push_back(default_scheme());
+  schemes.back().iterations = 1, schemes.back().holding = {0.2, 0.1};
   base::WorkerPool pool(2);
   for (Scheme scheme : schemes) {
     CAPTURE(text(scheme));

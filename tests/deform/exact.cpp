@@ -52,7 +52,7 @@ std::optional<double> memory(const std::string& key) {
 }  // namespace
 
 TEST_CASE("block_by_block_gives_the_staged_frame_by_every_method_and_weighting") {
-  for (const Weighting weighting : {faces, faces_reaching(2), mean_values}) {
+  for (const Weighting weighting : {faces, test::cut_off(0.2), mean_values}) {
     Bound b(cloud(700), tube(9, 12, 1.4, 4), weighting);
     const Pose pose = b.pose(bent_and_stretched);
     for (const Method method : all_methods) {
@@ -73,7 +73,7 @@ TEST_CASE("numbers_of_vertices_at_the_edges_of_blocks_and_lanes_lose_nothing") {
   }
   for (const std::size_t n : {15, 16, 17, 53}) {
     CAPTURE(n);
-    Bound b(cloud(n), tube(60, 60, 1.4, 4), faces_reaching(3));
+    Bound b(cloud(n), tube(60, 60, 1.4, 4), test::cut_off(0.3));
     CHECK(diagonals_from_staged(b, b.pose(bent_and_stretched), Method::fast) < 1e-12);
   }
 }
@@ -177,6 +177,6 @@ TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once" * doctest::test_
     return;
   }
   base::WorkerPool pool(2);
-  deform::deform_exactly(model, cage, {faces_reaching(3)}, rest_pose(*cage), Method::fast, pool);
+  deform::deform_exactly(model, cage, {test::cut_off(0.3)}, rest_pose(*cage), Method::fast, pool);
   CHECK(*memory("VmHWM") - *before < 0.5 * matrix);
 }

@@ -104,26 +104,20 @@ Vector nearest(const Vector& v, const Vector& other) {
 
 constexpr Matrix identity = quad_identity;
 
-// A map, the handle that it is of, and how much of that.
+// A map of the cage.
 struct Element {
   Vector rest_center, center, turn{};  // turn: the log of the rotation
   Matrix map = identity, rotation = identity;
-  QuadSym stretch{1, 0, 0, 1, 0, 1}, log_of_stretch{};
-  Matrix log{};                   // of the whole map, where that is asked for
-  Matrix inverse_phi = identity;  // of the log of its motion, where that is
-  std::size_t handle = 0;
-  Quad share = 1;
+  QuadSym log_of_stretch{};
 };
 
-Element element(const Matrix& m, const Vector& rest_center, const Vector& center, std::size_t handle) {
+Element element(const Matrix& m, const Vector& rest_center, const Vector& center) {
   const QuadSym squared = squared_stretch(m);
   Element e{rest_center, center};
   e.map = m;
   e.rotation = quad_product(m, full(quad_inv_sqrt(squared)));
   e.turn = log_of_rotation(e.rotation);
-  e.stretch = quad_function(squared, [](Quad x) { return sqrtq(x); });
   e.log_of_stretch = quad_function(squared, [](Quad x) { return logq(x) / 2; });
-  e.handle = handle;
   return e;
 }
 
@@ -182,7 +176,7 @@ Maps face_maps(const mesh::Surface& cage, Points posed) {
   Maps maps{{}, beside(triangles_by_edge(cage), cage.triangles.size())};
   for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
     const Corners rest = corners(cage.triangles[t], cage.positions), to = corners(cage.triangles[t], posed);
-    maps.elements.push_back(element(affine_map(frame(rest), frame(to)), centroid(rest), centroid(to), t));
+    maps.elements.push_back(element(affine_map(frame(rest), frame(to)), centroid(rest), centroid(to)));
   }
   return maps;
 }
@@ -203,10 +197,10 @@ Quad size_of(const mesh::Surface& cage) {
   return 2 * farthest;
 }
 
-// Of a patch: what it begins with, where it grows, and its vertices so far.
+// A patch about a vertex of the cage, and its vertices so far.
 struct Patch {
   Vector center;
-  std::vector<bool> grown, taken;  // seeds, vertices
+  std::vector<bool> taken;
   std::vector<std::size_t> vertices;
 };
 
@@ -228,44 +222,31 @@ bool spreads_evenly(const QuadSym& k) {
   return *least >= *largest / 100;
 }
 
-// Ring by ring, one at least, until it spreads as far in all directions. seeds: the vertices of each.
-void grow(Patch& patch, std::size_t seed, const Lists& seeds, const Lists& around, Points rest, Quad width) {
-  const auto take = [&](std::size_t s) {
-    patch.grown[s] = true;
-    for (const auto v : seeds[s]) {
-      if (!patch.taken[v]) patch.vertices.push_back(v);
-      patch.taken[v] = true;
-    }
-  };
-  std::vector<std::size_t> ring{seed};
-  take(seed);
+// Ring by ring, one at least, until it spreads as far in all directions.
+void grow(Patch& patch, std::size_t center, const Lists& around, Points rest, Quad width) {
+  std::vector<std::size_t> ring{center};
+  patch.vertices.push_back(center), patch.taken[center] = true;
   do {
     std::vector<std::size_t> next;
-    for (const auto s : ring) {
-      for (const auto n : around[s]) {
-        if (!patch.grown[n]) next.push_back(n), patch.grown[n] = true;
+    for (const auto v : ring) {
+      for (const auto n : around[v]) {
+        if (!patch.taken[n]) next.push_back(n), patch.taken[n] = true;
       }
     }
-    for (const auto s : next) take(s);
+    patch.vertices.insert(patch.vertices.end(), next.begin(), next.end());
     ring = next;
   } while (!ring.empty() && !spreads_evenly(spread(patch, rest, width)));
 }
 
-Vector mean_of(const std::vector<std::size_t>& vertices, Points at) {
-  Vector sum{};
-  for (const auto v : vertices) sum = plus(sum, quad(at[v]));
-  return plus({}, sum, 1 / Quad(vertices.size()));
-}
-
-// The least-squares fit of each patch about the mean of its seed's vertices.
-Maps patch_maps(const mesh::Surface& cage, Points posed, const Lists& seeds, const Lists& groups) {
+// The least-squares fit of each patch about its vertex.
+Maps vertex_patch_maps(const mesh::Surface& cage, Points posed) {
   const Points rest = cage.positions;
   const Quad width = Quad(0.03) * size_of(cage);
-  Maps maps{{}, beside(groups, seeds.size())};
-  for (std::size_t s = 0; s < seeds.size(); ++s) {
-    Patch patch{mean_of(seeds[s], rest), std::vector<bool>(seeds.size()), std::vector<bool>(rest.size()), {}};
-    grow(patch, s, seeds, maps.around, rest, width);
-    const Vector center = mean_of(seeds[s], posed);
+  Maps maps{{}, beside(vertices_by_triangle(cage), rest.size())};
+  for (std::size_t c = 0; c < rest.size(); ++c) {
+    Patch patch{quad(rest[c]), std::vector<bool>(rest.size()), {}};
+    grow(patch, c, maps.around, rest, width);
+    const Vector center = quad(posed[c]);
     const Matrix inverse_spread =
         full(quad_function(spread(patch, rest, width), [](Quad x) { return 1 / x; }));
     Matrix m{};
@@ -274,97 +255,9 @@ Maps patch_maps(const mesh::Surface& cage, Points posed, const Lists& seeds, con
       const Vector dual = plus({}, times(inverse_spread, x), 1 / (width * width + inner(x, x)));
       for (int i = 0; i < 9; ++i) m[i] += to[i / 3] * dual[i % 3];
     }
-    maps.elements.push_back(element(m, patch.center, center, s));
+    maps.elements.push_back(element(m, patch.center, center));
   }
   return maps;
-}
-
-Maps vertex_patch_maps(const mesh::Surface& cage, Points posed) {
-  Lists vertices;
-  for (std::size_t v = 0; v < cage.positions.size(); ++v) vertices.push_back({v});
-  return patch_maps(cage, posed, vertices, vertices_by_triangle(cage));
-}
-
-// A side of a triangle, from the corner that it begins at, and all sides that belong to the same handle.
-struct Side {
-  Corners triangle;  // from that corner on
-  std::vector<Corners> same;
-};
-
-Vector area(const Corners& t) {
-  return outer(minus(t[1], t[0]), minus(t[2], t[0]));
-}
-
-Vector unit(const Vector& v) {
-  return plus({}, v, 1 / length(v));
-}
-
-// The two vectors of a side's map, and the third one, which those of a handle share.
-Corners span_of(const Side& side, deform::Elements kind) {
-  if (kind == deform::Elements::vertex_face) return frame(side.triangle);
-  Vector normals{};
-  Quad areas = 0;
-  for (const Corners& t : side.same) normals = plus(normals, unit(area(t))), areas += length(area(t)) / 2;
-  const auto& [at, next, previous] = side.triangle;
-  const Vector along = minus(next, at), middle = plus(at, along, 0.5);
-  if (kind == deform::Elements::edge)
-    return {along, minus(centroid(side.triangle), middle), plus({}, unit(normals), length(along))};
-  return {along, minus(previous, at), plus({}, unit(normals), sqrtq(areas))};
-}
-
-Corners side_at(const mesh::Surface& cage, std::size_t side, Points at) {
-  const auto& t = cage.triangles[side / 3];
-  return {quad(at[t[side % 3]]), quad(at[t[(side + 1) % 3]]), quad(at[t[(side + 2) % 3]])};
-}
-
-// The sides of each handle: of edges those along it, of vertices those that begin there.
-Lists sides_of_handles(const mesh::Surface& cage, deform::Elements kind) {
-  Lists lists(kind == deform::Elements::edge ? 0 : cage.positions.size());
-  if (kind == deform::Elements::edge) {
-    for (const auto& [edge, sides] : sides_of_edges(cage)) lists.push_back(sides);
-    return lists;
-  }
-  for (std::size_t side = 0; side < 3 * cage.triangles.size(); ++side)
-    lists[cage.triangles[side / 3][side % 3]].push_back(side);
-  return lists;
-}
-
-Maps corner_maps(const mesh::Surface& cage, Points posed, deform::Elements kind) {
-  Maps maps;
-  Lists groups(cage.triangles.size());
-  for (const auto& sides : sides_of_handles(cage, kind)) {
-    const std::size_t handle = groups.size() - cage.triangles.size();
-    groups.emplace_back();
-    for (const auto side : sides) {
-      const auto at = [&](Points points) {
-        Side s{side_at(cage, side, points), {}};
-        for (const auto other : sides) s.same.push_back(side_at(cage, other, points));
-        return s;
-      };
-      const Side rest = at(cage.positions), to = at(posed);
-      const auto center = [&](const Corners& t) {
-        return kind == deform::Elements::edge ? plus(plus({}, t[0], 0.5), t[1], 0.5) : t[0];
-      };
-      groups[side / 3].push_back(maps.elements.size()), groups.back().push_back(maps.elements.size());
-      maps.elements.push_back(element(affine_map(span_of(rest, kind), span_of(to, kind)),
-                                      center(rest.triangle), center(to.triangle), handle));
-      maps.elements.back().share = 1 / Quad(sides.size());
-    }
-  }
-  maps.around = beside(groups, maps.elements.size());
-  return maps;
-}
-
-Maps maps_of(const mesh::Surface& cage, Points posed, deform::Elements kind) {
-  switch (kind) {
-    case deform::Elements::face:
-    case deform::Elements::polygon: return face_maps(cage, posed);  // of triangles they are the same
-    case deform::Elements::patch:
-      return patch_maps(cage, posed, vertices_by_triangle(cage), triangles_by_edge(cage));
-    case deform::Elements::point:
-    case deform::Elements::vertex_patch: return vertex_patch_maps(cage, posed);
-    default: return corner_maps(cage, posed, kind);
-  }
 }
 
 // Breadth first from the first element, whose log is given; and how far all are from `reference`, squared.
@@ -433,63 +326,34 @@ void divide_by_sum(std::vector<Quad>& weights) {
 }
 
 // Of all handles.
-std::vector<Quad> squared_distances(const Vector& p, const mesh::Surface& cage, deform::Handles handles) {
+std::vector<Quad> squared_distances(const Vector& p, const mesh::Surface& cage, deform::Elements elements) {
   std::vector<Quad> squares;
   const auto& x = cage.positions;
-  if (handles == deform::Handles::vertices) {
+  if (elements == deform::Elements::point) {
     for (const auto& v : x) squares.push_back(inner(minus(p, quad(v)), minus(p, quad(v))));
-  } else if (handles == deform::Handles::edges) {
-    for (const auto& [edge, sides] : sides_of_edges(cage))
-      squares.push_back(squared_distance_to_segment(p, quad(x[edge.first]), quad(x[edge.second])));
   } else {
     for (const auto& t : cage.triangles) squares.push_back(squared_distance(p, corners(t, x)));
   }
   return squares;
 }
 
-std::vector<Quad> inverse_distance(const std::vector<Quad>& squares, double reach, int exponent) {
+std::vector<Quad> inverse_distance(const std::vector<Quad>& squares) {
   std::vector<Quad> weights;
-  Quad sixth = 0, eighth = 0;
-  for (const Quad s : squares) sixth += 1 / (s * s * s), eighth += 1 / (s * s * s * s);
-  const Quad end = std::isfinite(reach) ? Quad(reach) * reach * sixth / eighth : HUGE_VALQ;
-  for (const Quad s : squares) {
-    const Quad taper = s < end ? 1 - s / end : 0;
-    weights.push_back(taper * taper / powq(s, Quad(exponent) / 2));
-  }
+  for (const Quad s : squares) weights.push_back(1 / s);
   divide_by_sum(weights);
   return weights;
 }
 
 // Their sum is 1 at most: the share of its motion that a point makes.
-std::vector<Quad> cut_off(const std::vector<Quad>& squares, Quad radius, int exponent, bool normalise) {
+std::vector<Quad> cut_off(const std::vector<Quad>& squares, Quad radius) {
   std::vector<Quad> weights;
   Quad sum = 0;
   for (const Quad s : squares) {
     const Quad left = 1 - sqrtq(s) / radius;
-    weights.push_back(left > 0 ? powq(left, exponent) : 0);
+    weights.push_back(left > 0 ? left * left : 0);
     sum += weights.back();
   }
-  if (sum > 1 || (normalise && sum > 0)) divide_by_sum(weights);
-  return weights;
-}
-
-// In closed form, with as many digits more as cancel.
-Quad inverse_fourth_power(const Vector& p, const Corners& t) {
-  const Vector n = outer(minus(t[1], t[0]), minus(t[2], t[0]));
-  const Quad height = inner(minus(p, t[0]), n) / length(n), h2 = height * height;
-  Quad sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    const Vector u = minus(t[i], p), v = minus(t[(i + 1) % 3], p), edge = minus(v, u);
-    const Quad m = inner(n, outer(u, edge)) / (length(n) * length(edge)), q = sqrtq(h2 + m * m);
-    sum += m / q * atan2q(q * length(edge), inner(u, v));
-  }
-  return sum / (2 * h2);
-}
-
-std::vector<Quad> integrated(const Vector& p, const mesh::Surface& cage) {
-  std::vector<Quad> weights;
-  for (const auto& t : cage.triangles) weights.push_back(inverse_fourth_power(p, corners(t, cage.positions)));
-  divide_by_sum(weights);
+  if (sum > 1) divide_by_sum(weights);
   return weights;
 }
 
@@ -541,96 +405,6 @@ Vector by_logs(const Vector& x, const std::vector<Element>& elements, const std:
   }
   const Matrix stretch = full(quad_exp({sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]}));
   return plus(times(quad_rotation(turn), times(stretch, offset)), center);
-}
-
-// Weighted sums of N numbers an element, and of what all blends about a centre need.
-template <std::size_t N, class Numbers>
-std::array<Quad, N> weighted(const std::vector<Element>& elements, const std::vector<Quad>& weights,
-                             const Numbers& numbers) {
-  std::array<Quad, N> sum{};
-  for (std::size_t j = 0; j < elements.size(); ++j) {
-    const std::array<Quad, N> row = numbers(elements[j]);
-    for (std::size_t i = 0; i < N; ++i) sum[i] += weights[j] * row[i];
-  }
-  return sum;
-}
-
-Vector about_center(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights,
-                    const Matrix& m) {
-  const Vector rest = weighted<3>(elements, weights, [](const Element& e) { return e.rest_center; });
-  const Vector center = weighted<3>(elements, weights, [](const Element& e) { return e.center; });
-  return plus(times(m, minus(x, rest)), center);
-}
-
-Matrix mean_stretch(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
-  const auto s = weighted<6>(elements, weights, [](const Element& e) { return entries(e.stretch); });
-  return full({s[0], s[1], s[2], s[3], s[4], s[5]});
-}
-
-Matrix rotation_of(const Vector& turn) {
-  Matrix r{};
-  for (int i = 0; i < 3; ++i) {
-    Vector axis{};
-    axis[i] = 1;
-    const Vector column = times(quad_rotation(turn), axis);
-    for (int k = 0; k < 3; ++k) r[3 * k + i] = column[k];
-  }
-  return r;
-}
-
-Matrix turned_mean_stretch(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
-  const Vector turn = weighted<3>(elements, weights, [](const Element& e) { return e.turn; });
-  return quad_product(rotation_of(turn), mean_stretch(elements, weights));
-}
-
-// Of half the angle of each turn; the mean is as long as it is.
-Matrix mean_quaternion_stretch(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
-  const auto q = weighted<4>(elements, weights, [](const Element& e) {
-    const Quad angle = length(e.turn), sine = angle > 0 ? sinq(angle / 2) / angle : Quad(0.5);
-    return std::array<Quad, 4>{cosq(angle / 2), sine * e.turn[0], sine * e.turn[1], sine * e.turn[2]};
-  });
-  const Vector v{q[1], q[2], q[3]};
-  const Quad sine = length(v), angle = 2 * atan2q(sine, q[0]);
-  return quad_product(rotation_of(plus({}, v, sine > 0 ? angle / sine : 0)), mean_stretch(elements, weights));
-}
-
-Matrix mean_of_matrix_logs(const std::vector<Element>& elements, const std::vector<Quad>& weights) {
-  return quad_exp_general(weighted<9>(elements, weights, [](const Element& e) { return e.log; }));
-}
-
-Matrix cross_matrix(const Vector& w) {
-  return {0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0};
-}
-
-// I + L / 2 + L^2 / 6 + ...
-Matrix phi(const Matrix& log) {
-  Matrix term = identity, sum = identity;
-  for (int n = 2; n <= 80; ++n) {
-    term = quad_combined(quad_product(term, log), term, Quad(1) / n, 0);
-    sum = quad_combined(sum, term, 1, 1);
-  }
-  return sum;
-}
-
-// Motions about m and m', the weighted means of the centres: x' = m' + exp(L) y + phi(L) u, L and u weighted
-// means of logs of (linear, (c' - m') - linear (c - m)).
-Vector by_motions(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights,
-                  bool rigid) {
-  const Vector m = weighted<3>(elements, weights, [](const Element& e) { return e.rest_center; });
-  const Vector center = weighted<3>(elements, weights, [](const Element& e) { return e.center; });
-  const Matrix log =
-      weighted<9>(elements, weights, [&](const Element& e) { return rigid ? cross_matrix(e.turn) : e.log; });
-  const Vector u = weighted<3>(elements, weights, [&](const Element& e) {
-    const Vector way =
-        minus(minus(e.center, center), times(rigid ? e.rotation : e.map, minus(e.rest_center, m)));
-    return times(e.inverse_phi, way);
-  });
-  Vector y = minus(x, m);
-  if (rigid) {
-    const auto s = weighted<6>(elements, weights, [](const Element& e) { return entries(e.log_of_stretch); });
-    y = times(full(quad_exp({s[0], s[1], s[2], s[3], s[4], s[5]})), y);
-  }
-  return plus(center, plus(times(quad_exp_general(log), y), times(phi(log), u)));
 }
 
 Vector by_maps(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& weights) {
@@ -690,39 +464,19 @@ double largest_step(const std::vector<Element>& elements, const Lists& around) {
 }
 
 std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const deform::Weighting& weighting) {
-  switch (weighting.weights) {
-    case deform::Weights::mean_value: return mean_value(x, cage);
-    case deform::Weights::integrated: return integrated(x, cage);
-    default: break;
-  }
-  const auto squares = squared_distances(x, cage, deform::entry(weighting.elements).handles);
+  if (weighting.weights == deform::Weights::mean_value) return mean_value(x, cage);
+  const auto squares = squared_distances(x, cage, weighting.elements);
   if (weighting.weights == deform::Weights::cut_off)
-    return cut_off(squares, weighting.radius * size_of(cage), weighting.exponent, weighting.normalise);
-  return inverse_distance(squares, weighting.reach, weighting.exponent);
+    return cut_off(squares, weighting.radius * size_of(cage));
+  return inverse_distance(squares);
 }
 
-Vector blended(const Vector& x, const std::vector<Element>& elements, const std::vector<Quad>& w,
-               deform::Blend blend) {
-  using enum deform::Blend;
-  switch (blend) {
-    case srl: return by_logs(x, elements, w);
-    case slrl: return about_center(x, elements, w, turned_mean_stretch(elements, w));
-    case sql: return about_center(x, elements, w, mean_quaternion_stretch(elements, w));
-    case sse: return by_motions(x, elements, w, true);
-    case log4: return by_motions(x, elements, w, false);
-    case log3: return about_center(x, elements, w, mean_of_matrix_logs(elements, w));
-    default: return by_maps(x, elements, w);
-  }
-}
-
-// Of each handle's weight its maps have their shares; what is missing to 1 the identity about x has.
-Vector by_elements(const Vector& x, std::vector<Element> elements, const std::vector<Quad>& of_handles,
+// What weights miss to 1 the identity about x has.
+Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Quad> weights,
                    deform::Blend blend) {
-  std::vector<Quad> weights;
-  for (const Element& e : elements) weights.push_back(e.share * of_handles[e.handle]);
   elements.push_back({x, x});
-  weights.push_back(1 - sum_of(of_handles));
-  return blended(x, elements, weights, blend);
+  weights.push_back(1 - sum_of(weights));
+  return blend == deform::Blend::srl ? by_logs(x, elements, weights) : by_maps(x, elements, weights);
 }
 
 Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
@@ -740,22 +494,13 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
   return by_elements(x, elements, w, scheme.blend);
 }
 
-void find_logs(std::vector<Element>& elements, deform::Blend blend) {
-  using enum deform::Blend;
-  for (Element& e : elements) {
-    if (blend == log3 || blend == log4) e.log = quad_log_general(e.map);
-    if (blend == log4 || blend == sse)
-      e.inverse_phi = quad_inverse(phi(blend == sse ? cross_matrix(e.turn) : e.log));
-  }
-}
-
 }  // namespace
 
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
                                       const IndependentPose& pose, const deform::Scheme& scheme) {
-  auto [elements, around] = maps_of(cage, pose.positions, scheme.weighting.elements);
+  auto [elements, around] =
+      scheme.has_maps() ? face_maps(cage, pose.positions) : vertex_patch_maps(cage, pose.positions);
   choose_turns(elements, around, quad(pose.turn));
-  find_logs(elements, scheme.blend);
   IndependentFrame frame{{}, largest_step(elements, around)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector x = quad(points[i]);

@@ -25,13 +25,11 @@ struct IndependentFrame {
 };
 
 /// Points moved by a posed cage, from the papers. Maps: of triangles with a normal of length sqrt|N|; of
-/// corners, as corner_maps.h has them; of patches, by the normal equations of patch_maps.h. Weights: d^-e
-/// (within the reach, see inverse_distance.h), (1 - d/r)^e, integrals of r^-4, or mean value coordinates by
+/// patches, by the normal equations of patch_maps.h. Weights: d^-2, (1 - d/r)^2, or mean value coordinates by
 /// spherical triangles (Ju, Schaefer, Warren, SIGGRAPH 2005, figure 4); what they miss to 1 the identity
-/// about the point has. Blends: exp(Y) exp(X) (x - sum w c) + sum w c', or the sums of RowForm for other
-/// blends; logs of whole matrices are principal ones. Moving least squares: the map that takes points to
-/// where they are posed, means aside, with the least sum of squares, among all, similarities, or rotations,
-/// and of the way there the share that weights sum to.
+/// about the point has. Blends: exp(Y) exp(X) (x - sum w c) + sum w c', or the sum of maps. Moving least
+/// squares: the map that takes points to where they are posed, means aside, with the least sum of squares,
+/// among all, similarities, or rotations, and of the way there the share that weights sum to.
 ///
 /// The cage is one closed part of triangles that have area at rest and posed, its patches are not flat, and
 /// points do not lie on it. Logs follow their neighbours breadth first, so the answer is the only sensible

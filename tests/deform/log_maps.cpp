@@ -18,7 +18,7 @@ Logs logs_of(const Cage& cage, const std::vector<AffineMap>& maps, const std::ve
   std::vector<MapSplit> splits(maps.size());
   split_maps(maps, first(maps.size()), splits);
   Logs result{std::vector<MapLog>(maps.size()), {}};
-  log_maps(face_graph(cage), maps, splits, turns, result.logs, result.report);
+  log_maps(cage, maps, splits, turns, result.logs, result.report);
   return result;
 }
 

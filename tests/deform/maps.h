@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "deform/element_maps.h"
 #include "deform/face_maps.h"
 
 namespace viete::test {
@@ -20,13 +19,6 @@ inline std::vector<std::uint32_t> first(std::size_t count) {
 inline std::vector<deform::AffineMap> maps_of(const deform::Cage& cage, std::span<const mesh::Point> posed) {
   std::vector<deform::AffineMap> maps(cage.element_count());
   face_maps(cage, posed, pose_origin(cage, posed), first(maps.size()), maps);
-  return maps;
-}
-
-inline std::vector<deform::AffineMap> maps_of(const deform::Cage& cage, const deform::ElementMaps& elements,
-                                              std::span<const mesh::Point> posed) {
-  std::vector<deform::AffineMap> maps(elements.count());
-  elements.compute(posed, pose_origin(cage, posed), first(maps.size()), maps);
   return maps;
 }
 

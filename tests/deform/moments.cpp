@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/bind.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
-#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -204,7 +204,7 @@ TEST_CASE("fitted_maps_are_exported_as_they_are_shown_and_take_no_amounts") {
 
 TEST_CASE("fitted_maps_have_the_same_bits_on_every_instruction_set_and_however_weights_are_kept") {
   for (const Blend fit : fitted_blends) {
-    const Scheme scheme{{Elements::point, Weights::inverse, 2.5}, fit};
+    const Scheme scheme{{Elements::point, Weights::cut_off, 0.4}, fit};
     CAPTURE(text(scheme));
     Bound b(limb(), limb_cage(), scheme.weighting, 2, fit);
     const Pose pose = b.pose(Twist{2, {0, 0, 0}, -1.7, 1.7, -80 * degree, 120 * degree});

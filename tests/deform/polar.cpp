@@ -5,20 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "deform/linear_map.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;
 using Matrix = viete::sym3::Mat3<double>;
 
 namespace {
-
-Matrix times(const Matrix& a, const Matrix& b) {
-  Matrix m{};
-  for (int i = 0; i < 9; ++i) {
-    for (int k = 0; k < 3; ++k) m[i] += a[i / 3 * 3 + k] * b[3 * k + i % 3];
-  }
-  return m;
-}
 
 Matrix transposed(const Matrix& m) {
   return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]};

@@ -40,9 +40,8 @@ struct ShapedFrames {
       : scheme(scheme_),
         staged(shaped_model(), tube(9, 7, 0.4, 2.2), scheme.weighting, 2, scheme.blend),
         shape(bent(staged.model)),
-        stitching(scheme.stitched() ? std::make_shared<const Stitching>(
-                                          stitch(staged.model, *staged.cage, scheme.weighting.elements,
-                                                 staged.pool, settings_of(scheme)))
+        stitching(scheme.stitched() ? std::make_shared<const Stitching>(stitch(
+                                          staged.model, *staged.cage, staged.pool, settings_of(scheme)))
                                     : nullptr),
         fused(staged.cage,
               std::make_shared<const Binding>(bind(staged.model, *staged.cage, scheme.weighting,

@@ -83,7 +83,7 @@ TEST_CASE("a_mask_of_ones_changes_nothing_and_one_of_zeros_leaves_the_model_at_r
   }
 }
 
-TEST_CASE("part_of_a_way_is_that_part_of_it_and_part_of_a_turn_is_near_that_turn") {
+TEST_CASE("part_of_a_way_is_that_part_of_it_and_of_a_linear_turn_too") {
   const Vec3 axis = (1 / norm(Vec3{1, -2, 3})) * Vec3{1, -2, 3}, way{3, -1, 2};
   const auto moved = [&](const Vec3& x) { return x + way; };
   const auto turned = similarity(axis, 80 * degree);
@@ -98,8 +98,6 @@ TEST_CASE("part_of_a_way_is_that_part_of_it_and_part_of_a_turn_is_near_that_turn
       CHECK(norm(by_way[i] - (rest[i] + s * way)) < 1e-12);
       const Vec3 straight = (1 - s) * rest[i] + s * turned(rest[i]);
       if (scheme.blend == Blend::linear) CHECK(norm(by_turn[i] - straight) < 1e-12);
-      if (scheme.blend == Blend::sse || scheme.blend == Blend::log4)
-        CHECK(norm(by_turn[i] - similarity(axis, s * 80 * degree)(rest[i])) < 0.03);
     }
   }
 }
@@ -136,7 +134,7 @@ TEST_CASE("shares_do_not_depend_on_where_the_scene_stands") {
 }
 
 TEST_CASE("what_cut_off_weights_do_not_reach_stays_to_the_last_bit_and_what_they_do_follows") {
-  for (Scheme scheme : offered_schemes()) {
+  for (Scheme scheme : valid_schemes()) {
     if (!scheme.weighting.partial()) continue;
     CAPTURE(text(scheme));
     scheme.weighting.radius = 0.08;
@@ -160,25 +158,15 @@ TEST_CASE("what_cut_off_weights_do_not_reach_stays_to_the_last_bit_and_what_they
   }
 }
 
-TEST_CASE("the_share_of_cut_off_weights_has_no_jump_and_normalised_ones_follow_as_one") {
+TEST_CASE("the_share_of_cut_off_weights_has_no_jump") {
   Bound near(shared_model(), tube(9, 7, 0.4, 2.2), test::cut_off(0.1));
   const auto& model = near.model;
   const auto posed = near.deform(near.pose(similarity({0, 0, 1}, 30 * degree, 1, {0.2, 0, 0})));
   CHECK(largest_edge_stretch(model, posed) < 5);
-  Weighting weighting = test::cut_off(0.1);
-  weighting.normalise = true;
-  Bound whole(model, tube(9, 7, 0.4, 2.2), weighting);
-  const auto turned = similarity({1, 2, 3}, 50 * degree, 1.2, {3, 2, 1});
-  const auto moved = whole.deform(whole.pose(turned));
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    const auto& shares = whole.binding->shares;
-    const bool follows = shares.empty() || shares[i] == 1;
-    CHECK(norm(moved[i] - (follows ? turned(model.positions[i]) : model.positions[i])) < 1e-12);
-  }
 }
 
 TEST_CASE("a_drag_under_a_mask_gives_what_a_whole_frame_gives_also_when_the_mask_changes_meanwhile") {
-  for (const Weighting& weighting : {faces, faces_reaching(2), test::cut_off(0.15)}) {
+  for (const Weighting& weighting : {faces, test::cut_off(0.15)}) {
     SharedFrames f({weighting}, tube(20, 12, 0.6, 3));
     Pose pose = f.staged.pose(shared_twist);
     f.set_mask(ramp(f.staged.model));
@@ -202,8 +190,7 @@ TEST_CASE("stitched_frames_keep_what_a_mask_keeps") {
     Bound b(shared_model(), tube(9, 7, 0.6, 3.4));
     const auto tiles = std::make_shared<const Binding>(
         bind(b.model, *b.cage, scheme.weighting, EngineKind::fused, nullptr, b.pool));
-    const auto stitching =
-        std::make_shared<const Stitching>(stitch(b.model, *b.cage, Elements::face, b.pool));
+    const auto stitching = std::make_shared<const Stitching>(stitch(b.model, *b.cage, b.pool));
     Deformer stitched(b.cage, tiles, scheme, b.pool, stitching);
     const Pose pose = b.pose(shared_twist);
     for (const Mask& mask : {ramp(b.model), everywhere(b.model, 0)}) {

@@ -101,12 +101,9 @@ void check_product(const SparseMatrix& matrix) {
   const auto neighbours = neighbours_of_unknowns(matrix);
   base::WorkerPool pool(2);
   for (const auto& kernel : sym3::kernels()) {
-    for (const std::size_t piece : {5u, 1000u}) {
-      const auto f = factor(matrix, neighbours, elimination_order(neighbours, pool, {}, 0, piece), pool, {},
-                            sparse_kernel(kernel));
-      CAPTURE(kernel.name);
-      CHECK((product(f) - whole).cwiseAbs().maxCoeff() <= 1e-14 * whole.cwiseAbs().maxCoeff());
-    }
+    const auto f = factor(matrix, neighbours, elimination_order(neighbours), pool, {}, sparse_kernel(kernel));
+    CAPTURE(kernel.name);
+    CHECK((product(f) - whole).cwiseAbs().maxCoeff() <= 1e-14 * whole.cwiseAbs().maxCoeff());
   }
 }
 
@@ -158,24 +155,21 @@ TEST_CASE("solutions_are_eigens") {
   Random random(6);
   for (const SparseMatrix& matrix :
        {firm_laplacian(tube(90, 61, 0.7, 5)), random_definite(2000, 2, random)}) {
-    const auto neighbours = neighbours_of_unknowns(matrix);
     const std::size_t n = matrix.size();
     Eigen::VectorXd right(n);
     for (double& x : right) x = random(-1, 1);
     const Eigen::VectorXd theirs = Eigen::SimplicialLDLT<EigensSparse>(eigens(matrix)).solve(right);
-    for (const std::size_t piece : {200u, 100'000u}) {
-      const auto f = factor(matrix, neighbours, elimination_order(neighbours, pool, {}, 0, piece), pool);
-      base::AlignedVector<double> block(4 * n, 0.0);
-      for (std::size_t i = 0; i < n; ++i) block[4 * i + 2] = right[f.order[i]];
-      sparse_kernel(sym3::kernel()).forward_four(f.view(), block.data());
-      sparse_kernel(sym3::kernel()).backward_four(f.view(), block.data());
-      Eigen::VectorXd ours(n);
-      for (std::size_t i = 0; i < n; ++i) {
-        ours[f.order[i]] = block[4 * i + 2];
-        CHECK(block[4 * i] == 0);
-      }
-      CHECK((ours - theirs).norm() < 1e-12 * theirs.norm());
+    const auto f = factor(matrix, pool);
+    base::AlignedVector<double> block(4 * n, 0.0);
+    for (std::size_t i = 0; i < n; ++i) block[4 * i + 2] = right[f.order[i]];
+    sparse_kernel(sym3::kernel()).forward_four(f.view(), block.data());
+    sparse_kernel(sym3::kernel()).backward_four(f.view(), block.data());
+    Eigen::VectorXd ours(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      ours[f.order[i]] = block[4 * i + 2];
+      CHECK(block[4 * i] == 0);
     }
+    CHECK((ours - theirs).norm() < 1e-12 * theirs.norm());
   }
 }
 
@@ -183,11 +177,9 @@ TEST_CASE("factors_are_the_same_for_any_number_of_threads") {
   base::WorkerPool one(1), two(2), three(3);
   Random random(7);
   for (const SparseMatrix& matrix : {firm_laplacian(tube(90, 61, 0.7, 5)), dense_definite(1000, random)}) {
-    const auto neighbours = neighbours_of_unknowns(matrix);
-    const auto order = elimination_order(neighbours, one, {}, 0, 300);
-    const auto first = factor(matrix, neighbours, order, one);
+    const auto first = factor(matrix, one);
     for (auto* pool : {&two, &three}) {
-      const auto other = factor(matrix, neighbours, order, *pool);
+      const auto other = factor(matrix, *pool);
       CHECK(other.order == first.order);
       CHECK(other.rows == first.rows);
       CHECK(other.values == first.values);
@@ -220,7 +212,7 @@ TEST_CASE("a_factorisation_says_often_how_far_it_is") {
   Random random(9);
   for (const SparseMatrix& matrix : {firm_laplacian(tube(200, 101, 0.7, 9)), dense_definite(900, random)}) {
     const auto neighbours = neighbours_of_unknowns(matrix);
-    const auto order = elimination_order(neighbours, pool);
+    const auto order = elimination_order(neighbours);
     double last = 0, longest = 0;
     const auto watch = [&](double done) {
       CHECK(done >= last);

@@ -2,10 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/bind.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
 #include "mesh/normals.h"
-#include "deform/bind.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -30,7 +30,7 @@ struct StitchedFrame {
         pool(threads),
         binding(std::make_shared<const Binding>(
             bind(model, *cage, scheme.weighting, EngineKind::fused, nullptr, pool))),
-        stitching(std::make_shared<const Stitching>(stitch(model, *cage, scheme.weighting.elements, pool))),
+        stitching(std::make_shared<const Stitching>(stitch(model, *cage, pool))),
         deformer(cage, binding, scheme, pool, stitching) {}
 
   template <class Map>

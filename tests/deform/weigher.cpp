@@ -4,7 +4,6 @@
 
 #include "deform/bound.h"
 #include "deform/cut_off.h"
-#include "deform/integrated_distance.h"
 #include "deform/inverse_distance.h"
 #include "deform/mean_value.h"
 #include "deform/shapes.h"
@@ -34,11 +33,8 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
 void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::mesh::Point& p,
                     std::span<double> weights) {
   switch (weighting.weights) {
-    case Weights::inverse:
-      return inverse_distance_weights(cage, p, weights, weighting.reach, entry(weighting.elements).handles,
-                                      weighting.exponent);
+    case Weights::inverse: return inverse_distance_weights(cage, p, weights, weighting.elements);
     case Weights::cut_off: cut_off_weights(cage, p, weighting, weights); return;
-    case Weights::integrated: return integrated_weights(cage, p, weights);
     case Weights::mean_value: mean_value_weights(cage, p, weights); return;
     case Weights::harmonic:
     case Weights::biharmonic: FAIL("these are not of points");
@@ -46,19 +42,11 @@ void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::m
 }
 
 const Weighting weightings[] = {faces,
-                                faces_reaching(lowest_reach),
-                                faces_reaching(3),
                                 mean_values,
-                                face_integrals,
-                                {Elements::edge, Weights::inverse},
-                                {Elements::vertex, Weights::inverse},
-                                {Elements::vertex_patch, Weights::inverse, 3},
-                                {.exponent = 1},
-                                {.exponent = 4},
-                                {.reach = 3, .exponent = 5},
+                                {Elements::point, Weights::inverse},
                                 {Elements::face, Weights::cut_off},
-                                {Elements::edge, Weights::cut_off, whole_cage, 0.6, 1},
-                                {Elements::vertex, Weights::cut_off, whole_cage, 0.1, 3, false, true}};
+                                {Elements::face, Weights::cut_off, 0.6},
+                                {Elements::point, Weights::cut_off, 0.1}};
 
 }  // namespace
 
@@ -71,7 +59,6 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
   const auto points = points_around(cage);
   for (const auto& weighting : weightings) {
     CAPTURE(entry(weighting.weights).name);
-    CAPTURE(weighting.reach);
     for (const auto& kernel : viete::sym3::kernels()) {
       const Weigher weigher(cage, weighting, kernel);
       std::vector<double> many(weigher.scratch_size()), one(weigher.handles());
@@ -85,7 +72,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
           weights_of_one(cage, weighting, eight[l], one);
           if (weighting.partial()) {
             const double total = cut_off_weights(cage, eight[l], weighting, one);
-            CHECK(shares[l] == doctest::Approx(share_of_motion(weighting, total)).epsilon(1e-12));
+            CHECK(shares[l] == doctest::Approx(share_of_motion(total)).epsilon(1e-12));
           }
           for (std::size_t j = 0; j < one.size(); ++j)
             worst = std::max(worst, std::abs(many[j * bind_lanes + l] - one[j]));
@@ -151,7 +138,6 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
     const Cage cage = make_cage(scaled);
     for (const auto& weighting : weightings) {
       const bool by_distance = weighting.weights != Weights::mean_value;
-      CAPTURE(weighting.reach);
       auto points = points_around(make_cage(surface));
       const double farthest = by_distance ? 1e25 : 10;  // mean values grow with the distance
       for (double far = 10; far <= farthest; far *= 1e5) points.push_back({far, 0.5 * far, 1});
@@ -188,48 +174,6 @@ TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
         CHECK(worst < (by_distance ? 2e-6 : 2e-5));
         CHECK(off < 1e-13 * cage.diagonal);
       }
-    }
-  }
-}
-
-TEST_CASE("integrals_of_points_that_are_near_each_other_are_their_definition_in_double_and_in_float") {
-  Random random(23);
-  for (const auto& surface : {box({1, 2, 3}), tube(7, 9, 0.5, 3)}) {
-    const Cage cage = make_cage(surface);
-    std::vector<viete::mesh::Point> points;
-    for (int n = 0; n < 60; ++n) {
-      // Anywhere, in the plane of a face, in line with an edge, and far away.
-      const auto& t = surface.triangles[n % surface.triangles.size()];
-      const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
-      const Vec3 u = random(1.2, 3) * (b - a), v = random(-3, 3) * (c - a);
-      const Vec3 middles[] = {random.vector(1.5), a + u + v, a + u,
-                              std::pow(10, random(0, 9)) * random.vector(1)};
-      const double size = n % 3 == 0 ? 0 : 0.03;
-      for (std::size_t i = 0; i < 16; ++i) points.push_back(middles[n % 4] + random.vector(size));
-    }
-    for (const auto& kernel : viete::sym3::kernels()) {
-      CAPTURE(kernel.name);
-      const Weigher weigher(cage, face_integrals, kernel);
-      std::vector<double> eight(weigher.scratch_size()), one(weigher.handles());
-      std::vector<float> rows(16 * weigher.handles());
-      std::vector<Vec3> sums(16);
-      std::vector<float> shares(16);
-      Weigher::LaneShares exact;
-      double worst = 0, worst_in_float = 0;
-      for (std::size_t tile = 0; tile < points.size(); tile += 16) {
-        weigher.weigh_tiles(std::span(points).subspan(tile, 16), rows.data(), sums, shares);
-        for (std::size_t s = 0; s < 16; ++s) {
-          if (s % bind_lanes == 0)
-            weigher.weigh(std::span(points).subspan(tile + s).first<bind_lanes>(), eight, exact);
-          integrated_weights(cage, points[tile + s], one);
-          for (std::size_t j = 0; j < one.size(); ++j) {
-            worst = std::max(worst, std::abs(eight[j * bind_lanes + s % bind_lanes] - one[j]));
-            worst_in_float = std::max(worst_in_float, std::abs(rows[j * 16 + s] - one[j]));
-          }
-        }
-      }
-      CHECK(worst < 1e-11);
-      CHECK(worst_in_float < 2e-6);
     }
   }
 }

@@ -45,7 +45,7 @@ public:
                   std::optional<WithPixels> pixels = pictures_wanted())
       : offscreen_(options,
                    pixels ? platform::OffscreenContext::create(pixels->kind) : std::make_unique<NoPixels>()) {
-    // What tests ask of frames, links and reach they ask of the published way, unless they choose another.
+    // What tests ask of frames and links they ask of the published way, unless they choose another.
     document().scheme = {};
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
       workspace().remembered.layout.sections[title] = true;
@@ -156,9 +156,7 @@ public:
   /// Unfolds what ways of blending are made of, where the widget is part of that. True if it is there then.
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {
-        "elements",         "weights",          "blend",           "reach",      "exponent", "toggle_clamp",
-        "toggle_normalise", "toggle_as_before", "toggle_stitched", "iterations", "pins",     "hold",
-        "formula"};
+        "weights", "blend", "toggle_as_before", "toggle_stitched", "iterations", "pins", "hold", "formula"};
     const auto& recorder = viewer().recorder();
     if (parts.contains(widget) && !recorder.find(widget) && recorder.find("section/Custom deformer")) {
       workspace().remembered.layout.sections["Custom deformer"] = true;

@@ -254,7 +254,6 @@ TEST_CASE("each_entry_of_a_chooser_shows_its_picture_beside_the_list") {
       d.open_dragon();
       const std::string look = std::string(dark ? "dark" : "light") + (scale == 1 ? "_1x" : "_2x");
       visit_chooser(d, "way", scene::all_ways(), look);
-      visit_chooser(d, "elements", scene::all_elements(), look);
       visit_chooser(d, "weights", scene::all_weights(), look);
       visit_chooser(d, "blend", scene::all_blends(), look);
     }

@@ -131,7 +131,6 @@ const ViewPicture views[] = {
     {"model_alone", "pose_alert", {"toggle_cage", "toggle_grid"}},
     {"posed_light", "pose_alert", {"toggle_theme"}},
     {"ghost", "pose_alert", {"toggle_ghost", "toggle_model"}},
-    {"posed_patches", "pose_alert", {"elements_patch", "toggle_cage"}},
     {"posed_linear", "pose_alert", {"blend_linear", "toggle_cage"}},
     {"posed_biharmonic", "pose_alert", {"weights_biharmonic", "toggle_cage"}},
     {"posed_mean_value", "pose_alert", {"weights_mean_value", "toggle_cage"}},
@@ -385,9 +384,6 @@ void show_choice(Driver& d, const char* chooser, const char* entry) {
   d.move(d.place_of(entry));
   d.frame(3);
 }
-void show_elements(Driver& d) {
-  show_choice(d, "elements", "elements_patch");
-}
 void show_ways(Driver& d) {
   show_choice(d, "way", "way_arap");
 }
@@ -440,7 +436,6 @@ const Picture texts[] = {
     {"keys", {1400, 800}, show_keys, of_text},
     {"browser", {960, 520}, show_browser, of_text},
     {"choice_way", {640, 480}, show_ways},
-    {"choice_elements", {640, 480}, show_elements},
     {"choice_blend", {640, 560}, show_blend},
     {"cage_offer", {860, 520}, show_cage_offer},
     {"cage_making", {860, 560}, show_making},

@@ -364,7 +364,7 @@ TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to
   d.settle();
   scene::Workspace other;
   REQUIRE(scene::open_now(other, {What::model, {session}}));
-  scene::set_reach(other.document, 3);
+  scene::set_radius(other.document, 0.3);
   REQUIRE(scene::save_session(other, session));
   const std::string theirs = test::file_bytes(session);
 

@@ -110,11 +110,11 @@ struct Held : Driver {
 
 TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
   Held d;
-  scene::set_reach(d.document(), 3);
+  scene::set_radius(d.document(), 0.3);
   scene::undo(d.document());
   REQUIRE(d.document().history.can_redo());
   const glm::vec2 right{31, 0};
-  for (const char* slider : {"reach", "exponent", "turn", "stretch", "pose_weight/0", "soft_radius"})
+  for (const char* slider : {"turn", "stretch", "pose_weight/0", "soft_radius"})
     d.check_called_off(slider, right);
   d.check_called_off("time/handle1", {20, -20});
   d.check_called_off("edge/methods", {-40, 0});
@@ -166,14 +166,6 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     CHECK(d.workspace().typed_slider.name.empty());
   };
   auto& scheme = d.document().scheme;
-  type("reach", "2.75");
-  CHECK(scheme.weighting.reach == 2.75);
-  type("reach", "0.5", false);
-  CHECK(scheme.weighting.reach == scene::lowest_reach);
-  type("exponent", "5");
-  CHECK(scheme.weighting.exponent == 5);
-  type("exponent", "99", false);
-  CHECK(scheme.weighting.exponent == scene::most_exponent);
   type("turn", "33");
   CHECK(scheme.amounts.turn == doctest::Approx(0.33));
   type("stretch", "1000");
@@ -260,8 +252,8 @@ TEST_CASE("esc_closes_what_has_dropped_down_and_changes_nothing") {
       true;  // below the probes, so that these are scrolled into view
   d.run("add_probe");
   for (const char* chooser :
-       {"way", "elements", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance",
-        "probe_mix", "probe_turn", "time/repeat", "time/easing", "menu/File", "menu/View"}) {
+       {"way", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance", "probe_mix",
+        "probe_turn", "time/repeat", "time/easing", "menu/File", "menu/View"}) {
     const bool in_bar = std::string_view(chooser).starts_with("menu/");  // above what is scrolled
     const auto rect = d.viewer().recorder().find(chooser);
     const glm::vec2 place = in_bar ? glm::vec2(rect.value().x0 + 4, rect->y0 + 4) : d.place_of(chooser);
@@ -387,7 +379,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
       REQUIRE(recorder.find(widget));
       CHECK(recorder.find(widget)->visible);
     }
-    CHECK_FALSE(recorder.find("elements"));
+    CHECK_FALSE(recorder.find("weights"));
     keep_picture(d, "first_sight_" + std::to_string(size.x));
   }
 }

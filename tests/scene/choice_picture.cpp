@@ -8,7 +8,7 @@
 #include <cmath>
 
 using namespace viete;
-using deform::Blend, deform::Elements, deform::Weights;
+using deform::Blend, deform::Weights;
 using scene::choice_picture, scene::ChoicePicture, scene::Ink;
 
 namespace {
@@ -81,29 +81,8 @@ double covered(const ChoicePicture& picture) {
 }  // namespace
 
 TEST_CASE("each_entry_of_a_chooser_has_a_picture_of_its_own_the_same_each_time") {
-  check_pictures(deform::all_elements());
   check_pictures(deform::all_weights());
   check_pictures(deform::all_blends());
-}
-
-TEST_CASE("pictures_of_elements_mark_what_an_element_is_made_of") {
-  CHECK(count(choice_picture(Elements::face), Ink::spot) == 1);
-  CHECK(count(choice_picture(Elements::edge), Ink::spot) == 2);
-  CHECK(count(choice_picture(Elements::patch), Ink::spot) == 3);  // and one that is not in front
-  CHECK(count(choice_picture(Elements::point), Ink::spot) == 0);
-  CHECK(count(choice_picture(Elements::face), Ink::map) == 6);
-  CHECK(count(choice_picture(Elements::edge), Ink::map) == 13);
-  CHECK(count(choice_picture(Elements::vertex), Ink::map) == 8);
-  for (const auto& e : deform::all_elements()) CHECK(count(choice_picture(e.value), Ink::marked) == 1);
-}
-
-TEST_CASE("squares_of_points_only_move") {
-  for (const auto& shape : choice_picture(Elements::point).shapes) {
-    if (shape.ink != Ink::map) continue;
-    CHECK(shape.points[0].x == doctest::Approx(shape.points[1].x));
-    CHECK(shape.points[1].y == doctest::Approx(shape.points[2].y));
-    CHECK(shape.points[2].x - shape.points[1].x == doctest::Approx(shape.points[0].y - shape.points[1].y));
-  }
 }
 
 TEST_CASE("pictures_of_weights_show_what_reaches_across_the_gap") {
@@ -123,8 +102,8 @@ TEST_CASE("pictures_of_blends_show_what_caves_in_and_what_does_not_grow") {
 
 TEST_CASE("a_picture_is_kept_once_it_is_made") {
   scene::ChoicePictures pictures;
-  const ChoicePicture& first = pictures.of(Elements::face);
-  CHECK(first == choice_picture(Elements::face));
+  const ChoicePicture& first = pictures.of(Weights::inverse);
+  CHECK(first == choice_picture(Weights::inverse));
   CHECK(pictures.of(Blend::srl) == choice_picture(Blend::srl));
-  CHECK(&pictures.of(Elements::face) == &first);
+  CHECK(&pictures.of(Weights::inverse) == &first);
 }

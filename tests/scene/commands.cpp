@@ -129,41 +129,15 @@ TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
   for (const double turn : {0.9, 0.5, 0.25}) set_amounts(w.document, {turn, 1});
   set_amounts(w.document, {0.25, 1});  // no change
   CHECK(test::edit_count(w.document.history) == 1);
-  set_reach(w.document, 3);
+  set_radius(w.document, 0.3);
   set_amounts(w.document, {0.25, 2});
   CHECK(test::edit_count(w.document.history) == 3);
-  CHECK(test::run_command(w, "blend_log3"));
+  CHECK(test::run_command(w, "blend_linear"));
   CHECK(w.document.scheme.amounts == deform::Amounts{0.25, 2});
   for (int n = 0; n < 4; ++n) CHECK(test::run_command(w, "undo"));
   CHECK(w.document.scheme.amounts.whole());
   CHECK(test::run_command(w, "redo"));
   CHECK(w.document.scheme.amounts == deform::Amounts{0.25, 1});
-}
-
-TEST_CASE("reaches_are_stepped_through_as_one_edit_where_weights_have_one") {
-  Workspace w = test::cube_workspace();
-  w.document.scheme = {};
-  auto& reach = w.document.scheme.weighting.reach;
-  CHECK(test::run_command(w, "reach_longer"));
-  CHECK(reach == deform::whole_cage);
-  CHECK_FALSE(w.document.history.can_undo());
-  for (const double expected : {10.0, 6.0, 4.0}) {
-    CHECK(test::run_command(w, "reach_shorter"));
-    CHECK(reach == expected);
-  }
-  CHECK(test::run_command(w, "reach_longer"));
-  CHECK(reach == 6);
-  CHECK(test::edit_count(w.document.history) == 1);
-  CHECK(test::run_command(w, "undo"));
-  CHECK(reach == deform::whole_cage);
-  CHECK(test::run_command(w, "redo"));
-  CHECK(reach == 6);
-  CHECK(test::run_command(w, "weights_mean_value"));
-  CHECK_FALSE(test::run_command(w, "reach_shorter"));
-  CHECK(test::run_command(w, "blend_srl"));
-  CHECK(reach == 6);
-  CHECK(test::run_command(w, "reach_shorter"));
-  CHECK(test::edit_count(w.document.history) == 4);
 }
 
 TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a_row_are_one") {
@@ -180,9 +154,9 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK(test::run_command(w, "redo"));
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "elements_patch"));  // stays stitched
+  CHECK(test::run_command(w, "weights_harmonic"));  // stays stitched
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "elements_point"));  // which have nothing to stitch
+  CHECK(test::run_command(w, "weights_mean_value"));  // which have nothing to stitch
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK_FALSE(test::run_command(w, "toggle_stitched"));
   CHECK(test::run_command(w, "undo"));

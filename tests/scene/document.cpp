@@ -135,14 +135,14 @@ TEST_CASE("a_pose_or_a_cage_without_a_document_is_refused_with_advice") {
   CHECK(w.messages.all().back().text.find("open the cage first") != std::string::npos);
 }
 
-TEST_CASE("loading_keeps_method_coordinates_and_reach") {
+TEST_CASE("loading_keeps_method_way_and_radius") {
   const Files files;
   Workspace w;
   w.document.method = sym3::Method::diag;
   w.document.scheme = deform::scheme_of(deform::Way::mean_value);
-  w.document.scheme.weighting.reach = 3;
+  w.document.scheme.weighting.radius = 0.3;
   REQUIRE(test::load_model(w, files.model, files.cage));
   CHECK(w.document.method == sym3::Method::diag);
   CHECK(w.document.scheme == deform::scheme_of(deform::Way::mean_value));
-  CHECK(w.document.scheme.weighting.reach == 3);
+  CHECK(w.document.scheme.weighting.radius == 0.3);
 }

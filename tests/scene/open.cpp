@@ -240,13 +240,13 @@ TEST_CASE(
   Workspace w;
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
   w.document.put_method(sym3::Method::sd);
-  set_reach(w.document, 3);
+  set_radius(w.document, 0.3);
   REQUIRE(save_session(w, files / "a.viete"));
 
   Workspace as_saved;
   REQUIRE(open_now(as_saved, {What::model, {files / "a.viete"}}));
   CHECK(as_saved.document.method == sym3::Method::sd);
-  CHECK(as_saved.document.scheme.weighting.reach == 3);
+  CHECK(as_saved.document.scheme.weighting.radius == 0.3);
   CHECK_FALSE(has_unsaved_edits(as_saved));
 
   AskedSettings asked;
@@ -260,7 +260,7 @@ TEST_CASE(
   Workspace other_blend;
   REQUIRE(open_now(other_blend, {What::model, {files / "a.viete"}, asked}));
   CHECK(other_blend.document.scheme.blend == deform::Blend::linear);
-  CHECK(other_blend.document.scheme.weighting.reach == 3);
+  CHECK(other_blend.document.scheme.weighting.radius == 0.3);
   CHECK(has_unsaved_edits(other_blend));
 
   asked = {};
@@ -269,7 +269,7 @@ TEST_CASE(
   REQUIRE(open_now(stitched, {What::model, {files / "a.viete"}, asked}));
   CHECK(stitched.document.scheme.iterations == 2);
   CHECK(has_unsaved_edits(stitched));
-  asked.choice.elements = deform::Elements::point;
+  asked.choice.weights = deform::Weights::mean_value;
   Workspace refused;
   CHECK_FALSE(open_now(refused, {What::model, {files / "a.viete"}, asked}));
 }
@@ -294,22 +294,23 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
   Workspace w;
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
   w.document.put_method(sym3::Method::sd);
-  set_reach(w.document, 3);
+  set_scheme(w.document, deform::scheme_of(deform::Way::local));
+  set_radius(w.document, 0.3);
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
   CHECK(w.document.method == sym3::Method::sd);
-  CHECK(w.document.scheme.weighting.reach == 3);
+  CHECK(w.document.scheme.weighting.radius == 0.3);
   AskedSettings asked;
-  asked.weighting.reach = 4;
+  asked.radius = 0.4;
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK(w.document.method == sym3::Method::sd);
-  CHECK(w.document.scheme.weighting.reach == 4);
+  CHECK(w.document.scheme.weighting.radius == 0.4);
   CHECK_FALSE(has_unsaved_edits(w));
 }
 
 TEST_CASE("settings_that_do_not_go_together_open_nothing") {
   const test::CubeFiles files;
   AskedSettings asked;
-  asked.choice = {deform::Elements::face, deform::Weights::mean_value, std::nullopt};
+  asked.choice = {deform::Weights::mean_value, deform::Blend::srl};
   Workspace w;
   CHECK_FALSE(open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK_FALSE(w.document.model.surface);
@@ -322,31 +323,23 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
     return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->scheme;
   };
   CHECK(opened({}, files.model) == deform::default_scheme());
-  const auto by_reach = opened({{.weighting = {.reach = 3}}}, files.model);
-  CHECK(text(by_reach) == "face, inverse, srl");
-  CHECK(by_reach.weighting.reach == 3);
-  CHECK(text(opened({{.weighting = {.radius = 0.2}}}, files.model)) == "face, cutoff, srl");
-  CHECK(text(opened({{.weighting = {.clamp = false}}}, files.model)) == "face, biharmonic, srl");
-  CHECK(text(opened({{.choice = {.elements = deform::Elements::patch}}}, files.model)) ==
-        "patch, biharmonic, srl");
-  CHECK_THROWS_AS(
-      opened({{.choice = {.weights = deform::Weights::mean_value}, .weighting = {.reach = 3}}}, files.model),
-      base::Error);
+  CHECK(text(opened({{.radius = 0.2}}, files.model)) == "cutoff, srl");
+  CHECK_THROWS_AS(opened({{.choice = {.weights = deform::Weights::mean_value}, .radius = 0.3}}, files.model),
+                  base::Error);
   // Of a session they count as chosen.
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
   CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->scheme) ==
-        "face, inverse, srl");  // as it was before there was another default
+        "inverse, srl");  // as it was before there was another default
   test::put_file(
       files / "b.viete",
       R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
-  CHECK_THROWS_AS(
-      open_files({OpenRequest::What::model, {files / "b.viete"}, {{.weighting = {.reach = 3}}}}, {}),
-      base::Error);
+  CHECK_THROWS_AS(open_files({OpenRequest::What::model, {files / "b.viete"}, {{.radius = 0.3}}}, {}),
+                  base::Error);
   // Points without triangles have no surface for weights to spread along.
   test::put_file(files / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
   try {
-    CHECK(text(opened({}, files / "points.obj")) == "face, inverse, srl");
+    CHECK(text(opened({}, files / "points.obj")) == "inverse, srl");
   } catch (const base::Error& refused) {
     CHECK(test::mentions(refused.what(), "points.obj"));
   }

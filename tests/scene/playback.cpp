@@ -445,7 +445,7 @@ TEST_CASE("auto_key_makes_no_key_of_what_changes_no_pose") {
   p.w.playback.auto_key = true;
   go_to_frame(p.w, 6);
   p.pass(0);
-  set_reach(p.document(), 3);
+  set_radius(p.document(), 0.3);
   p.pass(0);
   set_selection(p.document(), Selection(ElementKind::face));
   p.pass(0);

@@ -97,7 +97,7 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
   CHECK(offered());
   undo(w.document);
   CHECK_FALSE(offered());
-  set_reach(w.document, 3);
+  set_radius(w.document, 0.3);
   CHECK(offered());
   undo(w.document);
   fs::remove(session);
@@ -145,7 +145,7 @@ TEST_CASE("kept_work_tells_the_first_edit_since_it_was_saved_and_a_saved_session
     transform_selection(w.document, Tool::move, test::plain_grip(w.document), by);
   };
   move();
-  set_reach(w.document, 3);
+  set_radius(w.document, 0.3);
   CHECK(first_edit_kept(w, kept) == "move 8 vertices");
 
   REQUIRE(save_session(w, files / "saved.viete"));

@@ -76,29 +76,29 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   CHECK(has_unsaved_edits(w));
 }
 
-TEST_CASE("coordinates_and_reach_are_edits_that_a_session_keeps_and_a_pose_does_not_and_the_method_is_none") {
+TEST_CASE("weights_and_radius_are_edits_that_a_session_keeps_and_a_pose_does_not_and_the_method_is_none") {
   const test::CubeFiles files;
   Workspace w;
   REQUIRE(test::load_model(w, files.model, files.cage));
-  w.document.scheme = {};
+  w.document.scheme = deform::scheme_of(deform::Way::local);
   mark_saved(w);
   w.document.put_method(sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(w));
-  set_reach(w.document, 3);
+  set_radius(w.document, 0.3);
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_pose(w, files / "p.obj"));
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_session(w, files / "a.viete"));
   CHECK_FALSE(has_unsaved_edits(w));
-  test::run_command(w, "elements_patch");
+  test::run_command(w, "blend_linear");
   CHECK(has_unsaved_edits(w));
-  test::run_command(w, "elements_face");
+  test::run_command(w, "blend_srl");
   CHECK_FALSE(has_unsaved_edits(w));
 
   Workspace back;
   REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
   CHECK_FALSE(has_unsaved_edits(back));
-  set_reach(back.document, deform::whole_cage);
+  set_radius(back.document, 0.25);
   CHECK(has_unsaved_edits(back));
 }
 

@@ -40,7 +40,7 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.selection.apply(std::vector<std::uint32_t>{2, 5}, SelectMode::replace);
   w.document.method = sym3::Method::sd;
   w.document.scheme = deform::scheme_of(deform::Way::mean_value);
-  w.document.scheme.weighting.reach = 2.7;
+  w.document.scheme.weighting.radius = 0.27;
   w.document.scheme.amounts = {0.29, 1.75};
   w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f});
   w.view = {.dark = false,
@@ -194,7 +194,7 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
       {"method", "\"best\"", "a.viete: method: \"best\" is not known; fast instead, of diag"},
       {"method", "7", "a.viete: method: found a number where a text belongs; fast instead"},
       {"coordinates", "\"x\"", "a.viete: coordinates: \"x\" is not known; face instead"},
-      {"reach", "1.4", "a.viete: reach: a reach must be 1.5 or more; the whole cage instead"},
+      {"radius", "0.01", "a.viete: radius: a radius must be 0.1 to 1000 percent"},
       {"turn", "201", "a.viete: turn: an amount must be 0 to 200 percent; 100 percent instead"},
       {"stretch", "-1", "a.viete: stretch: an amount must be 0 to 200 percent; 100 percent instead"},
       {"stitched", "0", "a.viete: stitched: iterations must be 1 to 20; not stitched instead"},
@@ -202,8 +202,8 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
       {"stitched", "true", "a.viete: stitched: found"},
       {"pins", "101", "a.viete: pins: it must be 0 to 100 percent; 0 instead"},
       {"hold", "-1", "a.viete: hold: it must be 0 to 100 percent; 0 instead"},
-      {"reach", "-1e999", "a.viete: reach"},
-      {"reach", "\"far\"", "a.viete: reach: found a text where a number belongs"},
+      {"radius", "-1e999", "a.viete: radius"},
+      {"radius", "\"far\"", "a.viete: radius: found a text where a number belongs"},
       {"camera", "[]",
        "a.viete: camera: found a list of 0 where an object belongs; the whole model is shown"},
       {"camera", R"({"target": [0, 0, 0], "distance": -1, "yaw": 0, "pitch": 0})", "camera.distance"},
@@ -238,7 +238,7 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
     CHECK(w.messages.all()[0].severity == Severity::warning);
     CHECK_MESSAGE(mentions(w.messages.all()[0].text, c.said), w.messages.all()[0].text);
     CHECK(w.document.method == sym3::Method::fast);
-    CHECK(w.document.scheme.weighting.reach == deform::whole_cage);
+    CHECK(w.document.scheme.weighting.radius == 0.25);
     CHECK_FALSE(w.document.scheme.stitched());
     CHECK(w.document.selection.empty());
     CHECK(std::isfinite(w.camera.pose().target.y));
@@ -303,18 +303,6 @@ TEST_CASE("whatever_is_typed_or_looked_at_can_be_saved_and_opened_again") {
   }
 }
 
-TEST_CASE("a_session_without_a_reach_has_the_whole_cage") {
-  const test::CubeFiles files;
-  Workspace w = worked(files);
-  w.document.scheme.weighting.reach = deform::whole_cage;
-  REQUIRE(save_session(w, files / "a.viete"));
-  CHECK_FALSE(mentions(test::file_bytes(files / "a.viete"), "reach"));
-  Workspace back;
-  back.document.scheme.weighting.reach = 3;
-  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
-  CHECK(back.document.scheme.weighting.reach == deform::whole_cage);
-}
-
 TEST_CASE("more_turns_than_the_cage_has_parts_are_refused") {
   const test::CubeFiles files;
   Workspace w = worked(files);
@@ -323,17 +311,16 @@ TEST_CASE("more_turns_than_the_cage_has_parts_are_refused") {
   CHECK(mentions(refusal(files / "a.viete"), "a.viete: pose.turns"));
 }
 
-TEST_CASE("elements_weights_and_blend_are_kept_and_older_programs_read_what_they_know") {
+TEST_CASE("weights_and_blend_are_kept_and_older_programs_read_what_they_know") {
   const test::CubeFiles files;
   for (deform::Scheme scheme : deform::valid_schemes()) {
     CAPTURE(text(scheme));
-    scheme.weighting.reach = 3;
+    scheme.weighting.radius = 0.3;
     Workspace w;
     REQUIRE(test::load_model(w, files.model, files.cage));
     w.document.scheme = scheme;
     REQUIRE(save_session(w, files / "a.viete"));
     const auto json = read_json(files / "a.viete");
-    CHECK(json["elements"] == std::string(deform::entry(scheme.weighting.elements).name));
     CHECK(json["weights"] == std::string(deform::entry(scheme.weighting.weights).name));
     CHECK(json["blend"] == std::string(deform::entry(scheme.blend).name));
     CHECK(json.value("coordinates", "") == std::string(old_word(scheme)));
@@ -341,7 +328,7 @@ TEST_CASE("elements_weights_and_blend_are_kept_and_older_programs_read_what_they
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
     CHECK(back.document.scheme == w.document.scheme);
-    CHECK(back.document.scheme.weighting.reach == 3);
+    CHECK(back.document.scheme.weighting.radius == 0.3);
   }
 }
 
@@ -377,34 +364,25 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
 TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
   const test::CubeFiles files;
   for (const deform::Weighting& weighting :
-       {deform::Weighting{deform::Elements::face, deform::Weights::cut_off, 3, 0.29, 5, false, true},
-        deform::Weighting{deform::Elements::edge, deform::Weights::biharmonic, 3, 0.29, 5, true, false}}) {
+       {deform::Weighting{deform::Elements::face, deform::Weights::cut_off, 0.29},
+        deform::Weighting{deform::Elements::face, deform::Weights::biharmonic, 0.29}}) {
     Workspace w;
     REQUIRE(test::load_model(w, files.model, files.cage));
     w.document.scheme.weighting = weighting;
     REQUIRE(save_session(w, files / "a.viete"));
     const auto json = read_json(files / "a.viete");
     CHECK(json["radius"] == 29);
-    CHECK(json.contains("clamp") == !weighting.clamp);
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
     const deform::Weighting& kept = back.document.scheme.weighting;
     CHECK(kept == weighting);
     CHECK(kept.radius == 0.29);  // also those that these weights do not use
-    CHECK(kept.exponent == 5);
-    CHECK(kept.clamp == weighting.clamp);
-    CHECK(kept.normalise == weighting.normalise);
   }
   const struct {
     const char *key, *value, *warning;
   } wrong[] = {
       {"radius", "0", "radius: a radius must be 0.1 to 1000 percent of the cage's size; 25 percent instead"},
-      {"radius", "1001", "radius: a radius must be 0.1"},
-      {"exponent", "0", "exponent: an exponent must be 1 to 8; 2 instead"},
-      {"exponent", "9", "exponent: an exponent must be 1 to 8"},
-      {"exponent", "2.5", "exponent: "},
-      {"clamp", "1", "clamp: found a number where true or false belongs"},
-      {"normalise", "\"yes\"", "normalise: found a text where true or false belongs"}};
+      {"radius", "1001", "radius: a radius must be 0.1"}};
   for (const auto& w : wrong) {
     test::put_file(files / "a.viete", with(w.key, w.value));
     const Session session = read_session(files / "a.viete");
@@ -423,20 +401,19 @@ TEST_CASE("a_session_may_name_any_part_of_a_scheme") {
     return read_session(files / "a.viete");
   };
   const auto word = [](const Session& s) { return text(s.scheme); };
-  CHECK(word(scheme(R"("reach": 3)")) == "face, inverse, srl");
-  CHECK(word(scheme(R"("coordinates": "mvc")")) == "point, mean-value, linear");
-  CHECK(word(scheme(R"("weights": "mean-value")")) == "point, mean-value, linear");
-  CHECK(word(scheme(R"("blend": "linear")")) == "face, inverse, linear");
-  CHECK(word(scheme(R"("blend": "linear", "coordinates": "mvc")")) == "face, inverse, linear");
+  CHECK(word(scheme(R"("radius": 30)")) == "inverse, srl");
+  CHECK(word(scheme(R"("coordinates": "mvc")")) == "mean-value, linear");
+  CHECK(word(scheme(R"("weights": "mean-value")")) == "mean-value, linear");
+  CHECK(word(scheme(R"("blend": "linear")")) == "inverse, linear");
+  CHECK(word(scheme(R"("blend": "linear", "coordinates": "mvc")")) == "inverse, linear");
   CHECK(scheme(R"("blend": "linear")").warnings.empty());
-  CHECK(word(scheme(R"("blend": "mls-rigid", "weights": "biharmonic")")) == "point, biharmonic, mls-rigid");
-  const Session apart = scheme(R"("elements": "face", "weights": "mean-value")");
-  CHECK(word(apart) == "face, inverse, srl");
+  CHECK(word(scheme(R"("blend": "mls-rigid", "weights": "biharmonic")")) == "biharmonic, mls-rigid");
+  const Session apart = scheme(R"("blend": "srl", "weights": "mean-value")");
+  CHECK(word(apart) == "inverse, srl");
   REQUIRE(apart.warnings.size() == 1);
-  CHECK(
-      mentions(apart.warnings[0], "a.viete: weights: these elements, weights and blend do not go together"));
+  CHECK(mentions(apart.warnings[0], "a.viete: blend: these weights and this blend do not go together"));
   const Session unknown = scheme(R"("blend": "magic", "weights": "mean-value")");
-  CHECK(word(unknown) == "point, mean-value, linear");
+  CHECK(word(unknown) == "mean-value, linear");
   REQUIRE(unknown.warnings.size() == 1);
   CHECK(
       mentions(unknown.warnings[0], "a.viete: blend: \"magic\" is not known; what fits the others instead"));
@@ -600,7 +577,7 @@ TEST_CASE("of_sessions_that_do_not_say_so_the_parts_of_a_model_come_apart_as_the
   const auto read = [&](const nlohmann::json& json) {
     return scheme_of(JsonReader(json, "a.viete"), warnings).weighting;
   };
-  const nlohmann::json older = {{"elements", "face"}, {"weights", "biharmonic"}, {"blend", "srl"}};
+  const nlohmann::json older = {{"weights", "biharmonic"}, {"blend", "srl"}};
   CHECK(read(older).used_as_before());
   const deform::Scheme now = deform::default_scheme();
   CHECK_FALSE(now.weighting.as_before);

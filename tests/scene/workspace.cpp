@@ -15,14 +15,14 @@ using namespace viete::scene;
 TEST_CASE("what_a_held_slider_has_done_is_called_off_to_the_last_bit") {
   Workspace w;
   w.document = test::cube_document();
-  set_reach(w.document, 3);
-  set_reach(w.document, 5.123456789);
+  set_radius(w.document, 0.3);
+  set_radius(w.document, 0.5123456789);
   undo(w.document);
   REQUIRE(w.document.history.can_redo());
   const deform::Scheme scheme = w.document.scheme;
   const std::string label = w.document.history.undo_label();
   take_hold(w);
-  for (const double reach : {4.0, 2.0}) set_reach(w.document, reach);
+  for (const double radius : {0.4, 0.2}) set_radius(w.document, radius);
   w.handling.soft.radius = 0.7;
   w.brush.radius = 99;
   w.making.wish.triangles = 444;
@@ -41,11 +41,11 @@ TEST_CASE("what_a_held_slider_has_done_is_called_off_to_the_last_bit") {
 TEST_CASE("steps_that_go_on_an_older_edit_are_called_off_without_it") {
   Workspace w;
   w.document = test::cube_document();
-  set_reach(w.document, 3);
+  set_radius(w.document, 0.3);
   take_hold(w);
-  set_reach(w.document, 4);  // still the same entry
+  set_radius(w.document, 0.4);  // still the same entry
   call_off_hold(w);
-  CHECK(w.document.scheme.weighting.reach == 3);
+  CHECK(w.document.scheme.weighting.radius == 0.3);
   CHECK(w.document.history.can_undo());
   undo(w.document);
   CHECK_FALSE(w.document.history.can_undo());

@@ -13,10 +13,10 @@ namespace viete::deform {
 namespace {
 
 constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
-constexpr double step = 4e6;     // multiplications between two reports, about
-constexpr double small = 2e7;    // multiplications that are not shared among threads
-constexpr double tasks = 64;     // subtrees have at most one part in so many of the work
-constexpr double before = 0.45;  // what comes before the numbers, of the time
+constexpr double step = 4e6;    // multiplications between two reports, about
+constexpr double small = 2e7;   // multiplications that are not shared among threads
+constexpr double tasks = 64;    // subtrees have at most one part in so many of the work
+constexpr double before = 0.2;  // the order, of the time
 
 std::size_t padded(std::size_t rows) {
   return (rows + front_lanes - 1) / front_lanes * front_lanes;
@@ -236,11 +236,6 @@ private:
   bool shared_ = false;
 };
 
-FactorReport part_of(const FactorReport& report, double from, double to) {
-  if (!report) return {};
-  return [&report, from, to](double done) { report(std::lerp(from, to, done)); };
-}
-
 }  // namespace
 
 FactorReport told(base::Progress* progress, double from, double to) {
@@ -250,8 +245,10 @@ FactorReport told(base::Progress* progress, double from, double to) {
 
 SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report) {
   const mesh::Adjacency neighbours = neighbours_of_unknowns(matrix);
-  auto order = elimination_order(neighbours, pool, part_of(report, 0, before));
-  return factor(matrix, neighbours, std::move(order), pool, part_of(report, before, 1));
+  if (report) report(0);
+  FactorReport rest;
+  if (report) rest = [&report](double done) { report(std::lerp(before, 1.0, done)); };
+  return factor(matrix, neighbours, elimination_order(neighbours), pool, rest);
 }
 
 SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,

@@ -1,5 +1,7 @@
 #include "deform/sparse/symbolic_factor.h"
 
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <utility>
 
@@ -160,6 +162,33 @@ void find_rows(const Structure& structure, const FactorReport& report, SymbolicF
 }
 
 }  // namespace
+
+mesh::Adjacency neighbours_of_unknowns(const SparseMatrix& matrix) {
+  return mesh::make_adjacency(matrix.size(), [&](const auto& add) {
+    for (std::uint32_t v = 0; v < matrix.size(); ++v) {
+      for_column(matrix, v, [&](std::uint32_t row, double) {
+        if (row > v) add(row, v), add(v, row);
+      });
+    }
+  });
+}
+
+std::vector<std::uint32_t> elimination_order(const mesh::Adjacency& neighbours) {
+  const auto n = static_cast<std::uint32_t>(neighbours.starts.size() - 1);
+  std::vector<Eigen::Triplet<double>> lower;
+  lower.reserve(n + neighbours.items.size() / 2);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    lower.emplace_back(v, v, 1);
+    for (const auto u : neighbours.of(v)) {
+      if (u > v) lower.emplace_back(u, v, 1);
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(lower.begin(), lower.end());
+  Eigen::AMDOrdering<int>::PermutationType permutation;
+  if (n > 0) Eigen::AMDOrdering<int>()(matrix.selfadjointView<Eigen::Lower>(), permutation);
+  return {permutation.indices().begin(), permutation.indices().end()};
+}
 
 std::vector<std::uint32_t> inverted(const std::vector<std::uint32_t>& order) {
   std::vector<std::uint32_t> place(order.size());

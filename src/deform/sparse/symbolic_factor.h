@@ -1,15 +1,28 @@
-// Where the factor of a sparse symmetric matrix has entries, before any of them is known.
+// In which order the unknowns of a sparse symmetric system are eliminated, and where its factor has entries
+// then, before any of them is known.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "deform/sparse/elimination_order.h"
 #include "deform/sparse/sparse_kernel.h"
+#include "deform/sparse/sparse_matrix.h"
 #include "mesh/adjacency.h"
 
 namespace viete::deform {
+
+/// Called often, from any thread of the pool, with how much is done, in [0, 1]; what it throws ends the work.
+using FactorReport = std::function<void(double)>;
+
+/// The unknowns that each one shares an entry of the lower triangle with, itself excluded.
+mesh::Adjacency neighbours_of_unknowns(const SparseMatrix& matrix);
+
+/// A permutation of the unknowns, the first to be eliminated first, so that little fills in: approximate
+/// minimum degree (P. R. Amestoy, T. A. Davis, I. S. Duff, 1996; Eigen's), which nothing can interrupt: 0.04
+/// seconds for 100,000.
+std::vector<std::uint32_t> elimination_order(const mesh::Adjacency& neighbours);
 
 inline constexpr std::uint32_t no_parent = 0xffffffff;
 

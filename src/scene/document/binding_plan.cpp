@@ -1,8 +1,8 @@
 #include "scene/document/binding_plan.h"
 
 #include "base/quantity.h"
-#include "deform/cage_state.h"
 #include "deform/bind.h"
+#include "deform/cage_state.h"
 
 namespace viete::scene {
 
@@ -17,8 +17,7 @@ BindingPlan binding_plan(const Document& document, const deform::Weighting& weig
 
 std::string text(const BindingPlan& plan) {
   return "Binding " + base::with_thousands(plan.vertices) + " vertices to " +
-         base::with_thousands(plan.handles) + ' ' +
-         std::string(deform::name(deform::entry(plan.elements).handles)) + ", " +
+         base::with_thousands(plan.handles) + ' ' + std::string(deform::name(plan.elements)) + ", " +
          base::memory_size(static_cast<double>(plan.bytes));
 }
 

@@ -28,12 +28,11 @@
 
 namespace viete::scene {
 
-using deform::all_blends, deform::all_elements, deform::all_ways, deform::all_weights, deform::chosen,
-    deform::complete, deform::entry, deform::only, deform::way_of;
+using deform::all_blends, deform::all_ways, deform::all_weights, deform::chosen, deform::complete,
+    deform::entry, deform::only, deform::way_of;
 using deform::all_falloffs, deform::all_probe_mixes, deform::linear_part;
 using deform::Amounts, deform::Blend, deform::Holding, deform::largest_amount, deform::largest_pin_radius,
-    deform::lowest_reach, deform::most_exponent, deform::most_iterations, deform::Scheme,
-    deform::text_of_percent, deform::text_of_reach, deform::Weighting, deform::whole_cage;
+    deform::most_iterations, deform::Scheme, deform::text_of_percent, deform::Weighting;
 using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
 
@@ -45,7 +44,7 @@ using Revision = unsigned long;
 struct Revisions {
   Revision surfaces = 0;  ///< another document: model or cage were opened
   Revision cage = 0;      ///< another cage around the same model, by an edit
-  Revision weights = 0;   ///< elements, weights or reach
+  Revision weights = 0;   ///< weights or radius
   Revision pose = 0;      ///< positions of the cage, or its turns
   Revision method = 0;    ///< blend, or how exp is computed
   Revision whole = 0;     ///< the pose, as time, a pose of the list or undo has put it there: by no hand

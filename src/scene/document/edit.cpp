@@ -1,8 +1,6 @@
 #include "scene/document/edit.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "scene/document/elements.h"
@@ -15,7 +13,7 @@ namespace viete::scene {
 namespace {
 
 // Those that ask for another binding, or for one that may not be had.
-enum class Setting : std::size_t { blending, reach, radius, exponent, iterations, holding };
+enum class Setting : std::size_t { blending, radius, iterations, holding };
 
 EditStep binding_step(Setting setting) {
   return {EditKind::binding, static_cast<std::size_t>(setting)};
@@ -72,19 +70,9 @@ void set_scheme(Document& document, const deform::Scheme& scheme) {
   document.put_scheme(scheme);
 }
 
-void set_reach(Document& document, double reach) {
-  slide(document, "change reach", binding_step(Setting::reach), reach,
-        [](deform::Scheme& scheme) { return &scheme.weighting.reach; });
-}
-
 void set_radius(Document& document, double radius) {
   slide(document, "change radius", binding_step(Setting::radius), radius,
         [](deform::Scheme& scheme) { return &scheme.weighting.radius; });
-}
-
-void set_exponent(Document& document, int exponent) {
-  slide(document, "change exponent", binding_step(Setting::exponent), exponent,
-        [](deform::Scheme& scheme) { return &scheme.weighting.exponent; });
 }
 
 void set_amounts(Document& document, const deform::Amounts& amounts) {
@@ -102,14 +90,6 @@ void set_holding(Document& document, const deform::Holding& holding) {
         [](deform::Scheme& scheme) { return &scheme.holding; });
 }
 
-void step_reach(Document& document, int step) {
-  const auto all = usual_reaches();
-  const double now = document.scheme.weighting.reach;
-  const auto nearest = static_cast<std::ptrdiff_t>(nearest_reach(now));
-  const auto last = static_cast<std::ptrdiff_t>(all.size()) - 1;
-  set_reach(document, all[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(nearest + step, 0, last))]);
-}
-
 void give_up_scheme(Document& document, const deform::Scheme& instead) {
   History& history = document.history;
   const auto last = history.last_step();
@@ -119,19 +99,6 @@ void give_up_scheme(Document& document, const deform::Scheme& instead) {
     history.go_on();  // what is kept of the edits is to be kept anew
   }
   document.put_scheme(instead);
-}
-
-std::span<const double> usual_reaches() {
-  static constexpr std::array all = {2.0, 2.5, 3.0, 4.0, 6.0, 10.0, deform::whole_cage};
-  return all;
-}
-
-std::size_t nearest_reach(double reach) {
-  const auto all = usual_reaches();
-  const auto above = std::lower_bound(all.begin(), all.end(), reach);
-  const bool down =
-      above != all.begin() && *above > reach && std::log(*above / reach) > std::log(reach / above[-1]);
-  return static_cast<std::size_t>(above - all.begin()) - (down ? 1 : 0);
 }
 
 }  // namespace viete::scene

@@ -22,18 +22,13 @@ void reset_selected(Document& document, const Mirror* mirror = nullptr);
 /// all holds. An edit like any of the selection.
 void select_kind(Document& document, ElementKind kind);
 
-/// How the cage moves the model. Undoable; reaches that are chosen one after the other are one edit, amounts
+/// How the cage moves the model. Undoable; radii that are chosen one after the other are one edit, amounts
 /// too.
 void set_scheme(Document& document, const deform::Scheme& scheme);
-/// deform::lowest_reach or more. Of weights that have none it is kept for others.
-void set_reach(Document& document, double reach);
-/// deform::least_radius to largest_radius, and 1 to most_exponent; the same.
+/// deform::least_radius to largest_radius. Of weights that have none it is kept for others.
 void set_radius(Document& document, double radius);
-void set_exponent(Document& document, int exponent);
 /// Each 0 to deform::largest_amount.
 void set_amounts(Document& document, const deform::Amounts& amounts);
-/// The next shorter or longer one of those that people choose from.
-void step_reach(Document& document, int step);
 /// How often a stitched model is solved for, 1 to deform::most_iterations, or 0: not stitched. Undoable;
 /// numbers that are chosen one after the other are one edit. Requires elements that turn and stretch, or 0.
 void set_iterations(Document& document, int iterations);
@@ -42,11 +37,5 @@ void set_holding(Document& document, const deform::Holding& holding);
 /// They are not to be had: the last one that was chosen counts as never chosen, or these are put in its
 /// place.
 void give_up_scheme(Document& document, const deform::Scheme& instead);
-
-/// Reaches to choose from, ascending: below 2 a model shows the edges of a coarse cage. A session may have
-/// others.
-std::span<const double> usual_reaches();
-/// The place of the one that is nearest in proportion.
-std::size_t nearest_reach(double reach);
 
 }  // namespace viete::scene

@@ -49,7 +49,7 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
     notes.push_back(
-        std::to_string(report.collapsed.size()) + " of the cage's " + std::string(name(report.handles)) +
+        std::to_string(report.collapsed.size()) + std::string(" of the cage's faces") +
         (report.collapsed.size() == 1 ? " has" : " have") +
         " collapsed (first: " + std::to_string(report.collapsed.front()) +
         (report.collapsed.size() == 1 ? "); its stretch is floored" : "); their stretches are floored"));
@@ -59,10 +59,9 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
   if (inside_out > 0) notes.push_back(inside_out_note(inside_out, cage.roots.size()));
   if (inside_out < cage.roots.size()) {
     const auto& [a, b] = report.torn.front();
-    notes.push_back(
-        base::counted(report.torn.size(), "pair") +
-        " of cage neighbours turned by over 120 degrees (first: " + std::string(name(report.handles)) + " " +
-        std::to_string(a) + ", " + std::to_string(b) + "); the mesh may fold there");
+    notes.push_back(base::counted(report.torn.size(), "pair") +
+                    " of cage neighbours turned by over 120 degrees (first: faces " + std::to_string(a) +
+                    ", " + std::to_string(b) + "); the mesh may fold there");
   }
   return notes;
 }
@@ -70,20 +69,14 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
 std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& report,
                                                      const deform::Cage& cage, std::size_t most) {
   const auto& triangles = cage.surface.triangles;
-  const bool faces = deform::of_triangles(report.handles);
   std::vector<std::array<std::uint32_t, 2>> edges;
-  if (!faces && report.handles != deform::Handles::vertices) return edges;
   for (const auto& [a, b] : report.torn | std::views::take(most)) {
-    std::vector<std::uint32_t> ends{a, b};
-    if (faces) {
-      ends.clear();
-      if (a < triangles.size() && b < triangles.size())
-        std::ranges::copy_if(triangles[a], std::back_inserter(ends), [&, other = b](std::uint32_t v) {
-          return std::ranges::count(triangles[other], v) > 0;
-        });
-    }
-    if (ends.size() == 2 && std::ranges::max(ends) < cage.surface.positions.size())
-      edges.push_back({ends[0], ends[1]});
+    if (std::max(a, b) >= triangles.size()) continue;
+    std::vector<std::uint32_t> ends;
+    std::ranges::copy_if(triangles[a], std::back_inserter(ends), [&, other = b](std::uint32_t v) {
+      return std::ranges::count(triangles[other], v) > 0;
+    });
+    if (ends.size() == 2) edges.push_back({ends[0], ends[1]});
   }
   return edges;
 }

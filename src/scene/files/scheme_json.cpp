@@ -20,25 +20,10 @@ double percent(double amount) {
   return std::round(1e8 * amount) / 1e6;
 }
 
-double reach_of(const JsonReader& json) {
-  const double reach = json.number();
-  if (!(reach >= deform::lowest_reach)) {
-    json.fail("a reach must be " + deform::text_of_reach(deform::lowest_reach) + " or more");
-  }
-  return reach;
-}
-
 double radius_of(const JsonReader& json) {
   const auto radius = deform::radius_from_percent(json.number());
   if (!radius) json.fail("a radius must be 0.1 to 1000 percent of the cage's size");
   return *radius;
-}
-
-int exponent_of(const JsonReader& json) {
-  const std::uint32_t number = json.index();
-  if (number < 1 || number > deform::most_exponent)
-    json.fail("an exponent must be 1 to " + std::to_string(deform::most_exponent));
-  return static_cast<int>(number);
 }
 
 double amount_of(const JsonReader& json) {
@@ -62,33 +47,23 @@ int iterations_of(const JsonReader& json, deform::Scheme scheme) {
   return scheme.iterations;
 }
 
-// Of the same kind, with what weights have unless something else is asked for.
-deform::Weighting usual(const deform::Weighting& w) {
-  return {.elements = w.elements, .weights = w.weights, .reach = w.reach};
-}
-
 }  // namespace
 
 bool is_plain(const deform::Scheme& scheme) {
   const deform::Weighting& weighting = scheme.weighting;
   return !deform::old_word(scheme).empty() && scheme.amounts.whole() && !scheme.stitched() &&
-         scheme.holding == deform::Holding{} && weighting.same_numbers(usual(weighting));
+         scheme.holding == deform::Holding{} &&
+         weighting == deform::Weighting{.elements = weighting.elements, .weights = weighting.weights};
 }
 
 ordered_json scheme_json(const deform::Scheme& scheme) {
   const deform::Weighting& weighting = scheme.weighting;
-  const deform::Weighting usually = usual(weighting);
   ordered_json json;
-  json["elements"] = deform::entry(scheme.weighting.elements).name;
   json["weights"] = deform::entry(scheme.weighting.weights).name;
   json["blend"] = deform::entry(scheme.blend).name;
   const std::string_view old_word = deform::old_word(scheme);
   if (!old_word.empty()) json["coordinates"] = old_word;
-  if (weighting.reach < deform::whole_cage) json["reach"] = weighting.reach;
-  if (weighting.radius != usually.radius) json["radius"] = percent(weighting.radius);
-  if (weighting.exponent != usually.exponent) json["exponent"] = weighting.exponent;
-  if (!weighting.clamp) json["clamp"] = false;
-  if (weighting.normalise) json["normalise"] = true;
+  if (weighting.radius != deform::Weighting{}.radius) json["radius"] = percent(weighting.radius);
   if (scheme.changed_in_03()) json["as_before"] = weighting.as_before;
   const deform::Amounts& amounts = scheme.amounts;
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
@@ -119,14 +94,10 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
     take_part(json, key, choice, read, instead.c_str(), warnings);
   };
   deform::PartialChoice choice;
-  take_choice("elements", choice.elements, deform::all_elements());
   take_choice("weights", choice.weights, deform::all_weights());
   take_choice("blend", choice.blend, deform::all_blends());
   std::optional<deform::Scheme> scheme;
-  const char* key = choice.blend      ? "blend"
-                    : choice.weights  ? "weights"
-                    : choice.elements ? "elements"
-                                      : nullptr;
+  const char* key = choice.blend ? "blend" : choice.weights ? "weights" : nullptr;
   if (key) {
     take_part(
         json, key, scheme,
@@ -151,19 +122,15 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
   }
   deform::Scheme result = scheme.value_or(deform::Scheme{});
   deform::Weighting& weighting = result.weighting;
-  take_part(json, "reach", weighting.reach, reach_of, "the whole cage instead", warnings);
-  constexpr auto flag_of = &JsonReader::boolean;
   take_part(json, "radius", weighting.radius, radius_of, "25 percent instead", warnings);
-  take_part(json, "exponent", weighting.exponent, exponent_of, "2 instead", warnings);
-  take_part(json, "clamp", weighting.clamp, flag_of, "clamped instead", warnings);
-  take_part(json, "normalise", weighting.normalise, flag_of, "not normalised instead", warnings);
   take_part(json, "turn", result.amounts.turn, amount_of, "100 percent instead", warnings);
   take_part(json, "stretch", result.amounts.stretch, amount_of, "100 percent instead", warnings);
   take_part(
       json, "stitched", result.iterations, [&](const auto& v) { return iterations_of(v, result); },
       "not stitched instead", warnings);
   weighting.as_before = result.changed_in_03();  // older sessions do not say
-  take_part(json, "as_before", weighting.as_before, flag_of, "as before version 0.3 instead", warnings);
+  take_part(json, "as_before", weighting.as_before, &JsonReader::boolean, "as before version 0.3 instead",
+            warnings);
   take_part(json, "pins", result.holding.radius, share_of, "0 instead", warnings);
   take_part(json, "hold", result.holding.weight, share_of, "0 instead", warnings);
   return result;

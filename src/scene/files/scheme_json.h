@@ -10,13 +10,13 @@
 
 namespace viete::scene {
 
-/// The keys that session.h lists from "elements" to "normalise".
+/// The keys that session.h lists from "weights" to "hold".
 nlohmann::ordered_json scheme_json(const deform::Scheme& scheme);
 
-/// True if "coordinates" and "reach" say all of it: what programs know that read no session but of version 1.
+/// True if "coordinates" says all of it: what programs know that read no session but of version 1.
 bool is_plain(const deform::Scheme& scheme);
 
-/// Elements, weights and blend by their own keys, or all by the one word that older programs know. What is
+/// Weights and blend by their own keys, or all by the one word that older programs know. What is
 /// damaged costs its own part, and a warning says what is taken instead.
 deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warnings);
 

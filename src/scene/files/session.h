@@ -34,15 +34,12 @@ struct MaskRun {
 ///   "session_content"     likewise: checksum of that file as it was then, 16 hexadecimal digits
 ///   "first_edit"          likewise: what was done first since that was saved, for people
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
-///   "elements", "weights", "blend"   names of deform/scheme.h; missing: what fits the others
+///   "weights", "blend"   names of deform/scheme.h; missing: what fits the others
 ///   "coordinates"         "face" or "mvc", short for three that go together; those count where both stand
 ///   "turn", "stretch"     how much of maps' rotations and stretches acts, percent, 0 to 200; missing: 100
 ///   "stitched"            how often a stitched model is solved for, 1 to 20; missing: it is not stitched
 ///   "pins", "hold"        of stitched models, percent, 0 to 100, see deform::Holding; missing: 0
-///   "reach"               of weights that have one, 1.5 or more; missing: the whole cage
-///   "radius", "exponent"  of weights that have them, percent of the cage's size (missing: 25) and 1 to 8
-///                         (missing: 2)
-///   "clamp", "normalise"  of weights that have them, true or false; missing: true, false
+///   "radius"              of cut-off weights, percent of the cage's size; missing: 25
 ///   "mask"                painted shares of the model's vertices in their order, in 255ths: [share, for how
 ///                         many vertices, share, ...]; missing: every vertex follows the cage
 ///   "probes"              see probes_json.h; missing: there are none

@@ -21,12 +21,6 @@ namespace {
 constexpr double turn_rounding = 1e-6;  // relative
 constexpr double largest_step = 30;     // degrees in which branches are followed safely
 
-// Those of the frame, or else faces: points do not turn.
-deform::Elements turning_elements(const Document& document) {
-  const deform::Elements used = document.scheme.weighting.elements;
-  return deform::entry(used).affine ? used : deform::Elements::face;
-}
-
 // A transform on its way from the pose before it.
 struct Motion {
   Document& document;
@@ -42,7 +36,7 @@ struct Motion {
   // Turns in small steps; the pose's turns go along.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
-    deform::CageState cage(document.cage, turning_elements(document), deform::Blend::srl);
+    deform::CageState cage(document.cage, deform::Elements::face, deform::Blend::srl);
     for (int i = 1; i <= steps; ++i) {
       show(from + (to - from) * i / steps);
       cage.set_pose(document.pose);
@@ -91,7 +85,7 @@ double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
 }
 
 std::vector<mesh::Vec3> least_turns(const Document& document, const std::vector<mesh::Point>& positions) {
-  deform::CageState state(document.cage, turning_elements(document), deform::Blend::srl);
+  deform::CageState state(document.cage, deform::Elements::face, deform::Blend::srl);
   state.set_pose({positions, {}});
   return state.report().turns;
 }

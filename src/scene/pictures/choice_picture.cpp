@@ -5,12 +5,9 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
-#include <set>
 #include <span>
 
-#include "deform/all_element_maps.h"
 #include "deform/bind.h"
-#include "deform/element_maps.h"
 #include "deform/exact.h"
 #include "scene/pictures/lattice.h"
 
@@ -47,90 +44,6 @@ std::vector<Point> deformed(const Example& e, const deform::Scheme& scheme) {
 template <class Shapes>
 void add(ChoicePicture& picture, Shapes shapes) {
   std::ranges::move(shapes, std::back_inserter(picture.shapes));
-}
-
-// Elements: a bar that is bent, wider at one end.
-
-constexpr double bar_end = 3.2, bar_side = 0.9, bend = 100 * degree, widening = 1.5;
-
-// In a cage of quads, or cut into triangles.
-Example bent_bar(bool cut) {
-  const mesh::Surface cage = lattice_surface(
-      {even(-bar_end, bar_end, 3), even(-bar_side, bar_side, 1), even(-bar_side, bar_side, 1)});
-  Example e = example(lattice_surface({even(-3, 3, 24), even(-0.6, 0.6, 5), even(-0.6, 0.6, 5)}),
-                      cut ? mesh::from_triangles(cage.positions, cage.triangles) : cage);
-  const double length = 2 * bar_end, radius = length / bend;
-  for (Point& p : e.pose.positions) {
-    const double angle = bend * p[0] / length;
-    const double out = radius + (p[0] == bar_end ? widening : 1) * p[1];
-    p = {out * std::sin(angle), out * std::cos(angle), p[2]};
-  }
-  return e;
-}
-
-// What a handle's map makes of a point: the row of maps, or of positions, that the linear blend sums.
-Point moved(const deform::Rows& rows, std::size_t handle, const Point& center, const Point& p) {
-  const double* row = rows.values.data() + handle * rows.columns();
-  if (rows.form == deform::RowForm::positions)
-    return p - center + Point{row[0], row[1], row[2]} + rows.origin;
-  Point result = p + Point{row[9], row[10], row[11]} + rows.origin;
-  for (int i = 0; i < 9; ++i) result[i / 3] += row[i] * p[i % 3];
-  return result;
-}
-
-// Of a cage whose middle is 0.
-std::vector<PictureShape> squares(const PictureView& view, const Example& e, deform::Elements elements,
-                                  std::uint32_t marked) {
-  constexpr double half = 0.22;
-  deform::CageState state(e.cage, elements, deform::Blend::linear);
-  state.set_pose(e.pose);
-  const auto centers = deform::handle_centers(*e.cage, elements);
-  std::vector<PictureShape> shapes;
-  for (std::size_t h = 0; h < centers.size(); ++h) {
-    if (centers[h][2] < 0.9 * bar_side) continue;  // not in front
-    PictureShape shape{Ink::map}, around{Ink::marked};
-    for (const Vec3& corner : {Vec3{-half, -half, 0}, {-half, half, 0}, {half, half, 0}, {half, -half, 0}})
-      shape.points.push_back(view.at(moved(state.rows(), h, centers[h], centers[h] + corner)));
-    around.points = shape.points;
-    around.points.push_back(shape.points.front());
-    shapes.push_back(std::move(shape));
-    if (h == marked) shapes.push_back(std::move(around));
-  }
-  return shapes;
-}
-
-// Of those in front, to the right of the middle.
-std::uint32_t spoken_of(const Example& e, deform::Elements elements) {
-  const auto centers = deform::handle_centers(*e.cage, elements);
-  const auto distance = [](const Point& center) {
-    return mesh::squared_norm(center - Point{0.7, 0.5, bar_side});
-  };
-  return static_cast<std::uint32_t>(std::ranges::min_element(centers, {}, distance) - centers.begin());
-}
-
-// The vertices of the cage that an element's maps move with.
-std::set<std::uint32_t> moving(const Example& e, deform::Elements elements, std::uint32_t element) {
-  if (!deform::entry(elements).affine) return {element};
-  const auto maps = deform::element_maps(*e.cage, elements);
-  std::set<std::uint32_t> vertices;
-  for (std::size_t m = 0; m < maps->count(); ++m) {
-    if (maps->owners()[m] == element) vertices.insert(maps->vertices(m).begin(), maps->vertices(m).end());
-  }
-  return vertices;
-}
-
-std::vector<PictureShape> spots(const PictureView& view, const Example& e,
-                                const std::set<std::uint32_t>& vertices) {
-  std::vector<PictureShape> shapes;
-  const mesh::Surface& cage = e.cage->surface;
-  for (const std::size_t p : facing(view, cage, e.cage->surface.positions)) {
-    const auto corners =
-        std::span(cage.corners)
-            .subspan(cage.polygon_starts[p], cage.polygon_starts[p + 1] - cage.polygon_starts[p]);
-    if (std::ranges::all_of(corners, [&](auto v) { return vertices.contains(v); }))
-      shapes.push_back(area(view, Ink::spot, cage, p, e.pose.positions));
-  }
-  return shapes;
 }
 
 // Weights: a fork of which the end of one prong is held.
@@ -198,21 +111,6 @@ Example twisted_bar() {
 }
 
 }  // namespace
-
-ChoicePicture choice_picture(deform::Elements elements) {
-  const Example e = bent_bar(elements != deform::Elements::polygon);
-  const PictureView view({}, {e.pose.positions, choice_picture_size, 16});
-  const std::uint32_t element = spoken_of(e, elements);
-  ChoicePicture picture{{},
-                        deform::entry(elements).affine
-                            ? "What each map makes of a square. Amber: one of them, and its faces."
-                            : "What each point makes of a square: it only moves. Amber: one of them."};
-  add(picture, lit_model(view, e.model, deformed(e, scheme_with(elements))));
-  add(picture, spots(view, e, moving(e, elements, element)));
-  add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::cage));
-  add(picture, squares(view, e, elements, element));
-  return picture;
-}
 
 ChoicePicture choice_picture(deform::Weights weights) {
   const Example e = fork();

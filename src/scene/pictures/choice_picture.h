@@ -28,8 +28,6 @@ struct ChoicePicture {
 ///
 /// Ways: what becomes of a bar between two ends that are turned against each other, and of which one grows.
 ChoicePicture choice_picture(deform::Way way);
-/// Elements: what each map of a bent cage makes of the same square, and which faces one of them is made of.
-ChoicePicture choice_picture(deform::Elements elements);
 /// How much each place of a fork follows the end of one prong.
 ChoicePicture choice_picture(deform::Weights weights);
 /// The same bar as of ways.
@@ -55,8 +53,8 @@ private:
     }
   }
 
-  std::tuple<std::map<deform::Way, ChoicePicture>, std::map<deform::Elements, ChoicePicture>,
-             std::map<deform::Weights, ChoicePicture>, std::map<deform::Blend, ChoicePicture>>
+  std::tuple<std::map<deform::Way, ChoicePicture>, std::map<deform::Weights, ChoicePicture>,
+             std::map<deform::Blend, ChoicePicture>>
       kept_;
 };
 

@@ -18,9 +18,7 @@ enum class Ink {
   weight,  ///< an area of it; tones are weights, 0 to 1
   behind,  ///< a line of the cage that the model may hide
   cage,    ///< a line of the cage before the model
-  map,     ///< an area: what a map of the cage makes of a square
-  spot,    ///< an area of what is spoken of
-  marked   ///< a line around it
+  marked   ///< a line around a polygon
 };
 
 /// An area is convex and clockwise on screen; a line goes from each point to the next one.

@@ -7,13 +7,6 @@ namespace viete::scene {
 
 namespace {
 
-template <bool deform::Weighting::*Setting>
-void toggle_weighting(Workspace& w) {
-  Scheme scheme = w.document.scheme;
-  scheme.weighting.*Setting = !(scheme.weighting.*Setting);
-  set_scheme(w.document, scheme);
-}
-
 // A way, or one of the choices that ways are made of.
 template <class Entry>
 void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
@@ -39,7 +32,6 @@ void add_blend_commands(CommandTable& table) {
   add_methods(table);
   table.heading("Blend");
   add_table(table, deform::all_ways(), "Deformer");
-  add_table(table, deform::all_elements(), "Elements");
   add_table(table, deform::all_weights(), "Weights");
   add_table(table, deform::all_blends(), "Blend");
   table.add("toggle_stitched", {"Stitch the model (ARAP)", "Stitched (ARAP)"},
@@ -48,22 +40,14 @@ void add_blend_commands(CommandTable& table) {
             with_free_hand<has_maps>,
             {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
              [](const Workspace& w) { return w.document.scheme.stitched(); }});
-  table.add("toggle_clamp", "No negative weights",
-            "Weights below 0 become 0, and what they took from the others with them.",
-            with_free_hand<has_clamp>, toggle_weighting<&deform::Weighting::clamp>);
-  table.add("toggle_normalise", "Weights sum to 1",
-            "Every vertex that an element reaches at all follows in full: the motion ends with a jump. Else "
-            "it fades out.",
-            with_free_hand<has_normalise>, toggle_weighting<&deform::Weighting::normalise>);
   table.add("toggle_as_before", "As before 0.3",
             "As in sessions before version 0.3: weights spread along the surface alone, so that parts of a "
             "model come apart, and radii are parts of a box along the axes.",
-            with_free_hand<changed_in_03>, toggle_weighting<&deform::Weighting::as_before>);
-  table.add("reach_shorter", "Shorter reach", "Faces of the cage move only what is near them.", {key('K')},
-            with_free_hand<has_reach>, [](Workspace& w) { step_reach(w.document, -1); });
-  table.add("reach_longer", "Longer reach", "Faces of the cage move what is farther away, too.",
-            {key('K'), false, true}, with_free_hand<has_reach>,
-            [](Workspace& w) { step_reach(w.document, 1); });
+            with_free_hand<changed_in_03>, [](Workspace& w) {
+              Scheme scheme = w.document.scheme;
+              scheme.weighting.as_before = !scheme.weighting.as_before;
+              set_scheme(w.document, scheme);
+            });
   table.heading("Method");
   table.add(
       "toggle_same_path", "Same engine for all (staged, double)",

@@ -19,8 +19,6 @@ inline constexpr const char* choice_prefix = nullptr;
 template <>
 inline constexpr const char* choice_prefix<deform::Way> = "way_";
 template <>
-inline constexpr const char* choice_prefix<deform::Elements> = "elements_";
-template <>
 inline constexpr const char* choice_prefix<deform::Weights> = "weights_";
 template <>
 inline constexpr const char* choice_prefix<deform::Blend> = "blend_";

@@ -26,19 +26,10 @@ inline constexpr Condition always{[](const Workspace&) { return true; }, ""};
 inline constexpr Condition uses_method{
     [](const Workspace& w) { return w.document.scheme.exponential(); },
     "This way of blending takes no exponential; choose the blend Log space first."};
-inline constexpr Condition has_reach{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.reach; },
-    "These weights have no reach: all of the cage moves all of the model."};
-inline constexpr Condition has_clamp{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.clamp; },
-    "These weights are not clamped: they are never below 0, or are what they are by that."};
-inline constexpr Condition has_normalise{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.weights).has.normalise; },
-    "These weights always sum to 1."};
 inline constexpr Condition changed_in_03{[](const Workspace& w) { return w.document.scheme.changed_in_03(); },
                                          "These weights are a matter of space: parts always stay together."};
 inline constexpr Condition has_maps{
-    [](const Workspace& w) { return deform::entry(w.document.scheme.weighting.elements).affine; },
+    [](const Workspace& w) { return w.document.scheme.has_maps(); },
     "These elements only move: there are no maps that triangles could follow."};
 inline constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
                                      "Open a model first."};
