@@ -2,7 +2,6 @@
 #version 330 core
 
 uniform vec3 top, bottom;
-uniform vec2 tile_corner;
 in float height;
 out vec4 color;
 
@@ -11,5 +10,5 @@ float noise(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.0671
 
 void main() {
   vec3 gradient = mix(bottom, top, smoothstep(0.0, 1.0, height));
-  color = vec4(gradient + (noise(gl_FragCoord.xy + tile_corner) - 0.5) / 255.0, 1.0);
+  color = vec4(gradient + (noise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);
 }

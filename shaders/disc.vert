@@ -4,7 +4,6 @@
 uniform samplerBuffer points, looks;  // looks: per disc the colour, then (radius, ring, -, -)
 uniform mat4 eye_from_model, clip_from_eye;
 uniform vec2 viewport;
-uniform float heights;  // of the target, in the picture
 uniform float scale;
 
 out vec2 offset;  // device pixels from the middle
@@ -22,7 +21,7 @@ void main() {
   vec4 eye = eye_from_model * vec4(texelFetch(points, disc).xyz, 1.0);
   vec4 clip = clip_from_eye * eye;
   // Nearer to the eye by a few of its radii, so that slanted faces around the point do not cut into the disc.
-  float depth_shift = (0.0071 * heights + 2.5 * shape.x / (0.5 * viewport.y)) * clip.w / clip_from_eye[1][1];
+  float depth_shift = (0.0071 + 2.5 * shape.x / (0.5 * viewport.y)) * clip.w / clip_from_eye[1][1];
   vec4 nearer = clip_from_eye * vec4(eye.xy, eye.z + depth_shift, 1.0);
   float depth = nearer.w > 0.0 ? max(nearer.z / nearer.w, -1.0) : -1.0;
   gl_Position = vec4(clip.xy / clip.w + offset / (0.5 * viewport), depth, 1.0);

@@ -6,7 +6,6 @@ uniform samplerBuffer points, colors;  // colours: two a segment, of its ends
 uniform mat4 eye_from_model, clip_from_eye;
 uniform vec2 viewport;
 uniform float width;    // device pixels
-uniform float heights;  // of the target, in the picture
 
 out vec2 place;  // pixels along and across the segment, from its first end
 flat out float segment_length;
@@ -17,7 +16,7 @@ flat out vec4 first_color, last_color;
 vec4 project(uint point) {
   vec4 eye = eye_from_model * vec4(texelFetch(points, int(point)).xyz, 1.0);
   vec4 clip = clip_from_eye * eye;
-  vec4 nearer = clip_from_eye * vec4(eye.xy, eye.z + 0.0053 * heights * clip.w / clip_from_eye[1][1], 1.0);
+  vec4 nearer = clip_from_eye * vec4(eye.xy, eye.z + 0.0053 * clip.w / clip_from_eye[1][1], 1.0);
   clip.z = clip.w > 0.0 && nearer.w > 0.0 ? max(nearer.z / nearer.w * clip.w, -clip.w) : clip.z;
   return clip;
 }

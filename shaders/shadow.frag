@@ -3,7 +3,6 @@
 
 uniform sampler2D darkness;
 uniform vec4 color;
-uniform vec2 tile_corner;
 in vec2 texel;
 out vec4 result;
 
@@ -12,5 +11,5 @@ float noise(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.0671
 
 void main() {
   float dark = texture(darkness, texel).r;
-  result = vec4(color.rgb, color.a * dark * (0.96 + 0.08 * noise(gl_FragCoord.xy + tile_corner)));
+  result = vec4(color.rgb, color.a * dark * (0.96 + 0.08 * noise(gl_FragCoord.xy)));
 }

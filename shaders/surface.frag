@@ -24,12 +24,8 @@ in vec2 texture_point;
 #ifdef COLORS
 in vec3 vertex_color;
 #endif
-#if defined(FLAT) || defined(PASS)
+#ifdef FLAT
 in vec3 eye_position;
-#endif
-#ifdef PASS
-uniform int pass;  // 1 depth, 2 normals, 3 triangles, 4 occlusion
-uniform vec2 depth_range;
 #endif
 
 in vec4 normal_and_occlusion;
@@ -197,31 +193,11 @@ vec3 base_color() {
 #endif
 }
 
-#ifdef PASS
-vec3 bits(float number) {
-  float high = floor(number / 65536.0), middle = floor(number / 256.0) - 256.0 * high;
-  return vec3(high, middle, number - 65536.0 * high - 256.0 * middle) / 255.0;
-}
-
-vec3 told(vec3 n, float open) {
-  if (pass == 1) {
-    float at = (-eye_position.z - depth_range.x) / (depth_range.y - depth_range.x);
-    return bits(floor(clamp(at, 0.0, 1.0) * 16777215.0 + 0.5));
-  }
-  if (pass == 2) return 0.5 + 0.5 * n;
-  return pass == 3 ? bits(float(gl_PrimitiveID + 1)) : vec3(open);
-}
-#endif
-
 void main() {
   vec3 v = normalize(vec3(-(gl_FragCoord.xy * eye_ray.xy + eye_ray.zw), 1.0));
   float side = gl_FrontFacing ? 1.0 : -1.0;
   vec3 n = normalize(normal_and_occlusion.xyz) * side;
   float open = mix(1.0, normal_and_occlusion.w, occlusion_strength) * (gl_FrontFacing ? 1.0 : 0.7);
-#ifdef PASS
-  color = vec4(told(n, open), 1.0);
-  return;
-#endif
 #ifdef LOOKS
 #ifdef FLAT
   n = normalize(cross(dFdx(eye_position), dFdy(eye_position)));  // the triangle's own, towards the eye

@@ -15,7 +15,7 @@ uniform samplerBuffer colors;  // per vertex or corner
 uniform int colors_of_corners;
 out vec3 vertex_color;         // in linear light
 #endif
-#if defined(FLAT) || defined(PASS)
+#ifdef FLAT
 out vec3 eye_position;
 #endif
 
@@ -41,7 +41,7 @@ void main() {
   vec3 c = texelFetch(colors, colors_of_corners != 0 ? gl_VertexID : vertex).rgb;
   vertex_color = c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);  // sRGB to light, within 0.003
 #endif
-#if defined(FLAT) || defined(PASS)
+#ifdef FLAT
   eye_position = vec3(eye_from_model * vec4(position, 1.0));
 #endif
   gl_Position = clip_from_eye * (eye_from_model * vec4(position, 1.0));

@@ -37,8 +37,7 @@ public:
 
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {
     surface_.draw(view, theme, style);
-    if (colored_ && colored_->strokes && style.pass == render::Pass::none)
-      strokes_.draw(view, {1.25f, 0.75f, 0});
+    if (colored_ && colored_->strokes) strokes_.draw(view, {1.25f, 0.75f, 0});
   }
   void draw_shadow(const render::View& view, const render::Theme& theme, const render::ShadowStyle& style) {
     shadow_.draw(view, theme, style);

@@ -99,6 +99,10 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
     throw base::Error("picture", "it would have more than 268 million pixels",
                       "ask for a smaller size or scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
+  const int most = offscreen->viewer().longest_side();
+  if (pixels.x > most || pixels.y > most)
+    throw base::Error("picture", "no side may be longer than " + std::to_string(most) + " pixels here",
+                      "ask for a smaller size or scale");
   scene::Workspace& workspace = offscreen->viewer().workspace();
   scene::take(workspace, std::move(opened));
   workspace.view = view_of(options, session);

@@ -34,10 +34,6 @@ namespace {
 
 constexpr double still_seconds = 0.25;
 
-int longest_side(const render::Gl& gl, const ViewerOptions& options) {
-  return options.longest_tile > 0 ? options.longest_tile : render::longest_side(gl);
-}
-
 }  // namespace
 
 Viewer::ImGuiOwner::ImGuiOwner() {
@@ -426,49 +422,15 @@ ViewDrawing Viewer::drawing() const {
   return wanted;
 }
 
-bool Viewer::draws_in_tiles() const {
-  const int most = longest_side(gl_, options_);
-  return device_size().x > most || device_size().y > most;
-}
-
 render::Image Viewer::picture() {
-  render::Image image =
-      draws_in_tiles() ? picture_in_tiles(drawing(), true) : framebuffer_.read(!options_.transparent);
+  render::Image image = framebuffer_.read(!options_.transparent);
   if (options_.transparent) render::divide_by_opacity(image);
-  return image;
-}
-
-render::Image Viewer::picture(render::Pass pass) {
-  ViewDrawing wanted = drawing();
-  wanted.pass = pass;
-  render::Image image = picture_in_tiles(wanted, false);
-  render::divide_by_opacity(image);
-  return image;
-}
-
-render::Image Viewer::picture_in_tiles(const ViewDrawing& whole, bool panels) {
-  render::Image image = render::empty_image(whole.size);
-  const bool opaque = !whole.transparent && whole.pass == render::Pass::none;
-  const int samples = std::max(options_.samples, options_.still_samples), side = longest_side(gl_, options_);
-  for (int y = 0; y < whole.size.y; y += side) {
-    for (int x = 0; x < whole.size.x; x += side) {
-      ViewDrawing part = whole;
-      part.tile = glm::min(glm::ivec2(side), whole.size - glm::ivec2(x, y));
-      part.corner = {x, whole.size.y - y - part.tile.y};
-      framebuffer_.begin(part.tile, samples);
-      renderer_.draw(part);
-      framebuffer_.resolve();
-      if (panels) imgui_renderer_.draw(*ImGui::GetDrawData(), {x, y}, part.tile);
-      render::put(image, framebuffer_.read(opaque), {x, y});
-    }
-  }
   return image;
 }
 
 void Viewer::draw(scene::FrameTimes& times) {
   base::Stopwatch watch;
   has_drawn_ = false;
-  if (draws_in_tiles()) return;  // by picture() alone
   const ViewDrawing wanted = drawing();
   has_drawn_ =
       view_.draw(renderer_, wanted, fineness(wanted)) || !imgui_renderer_.has_drawn(*ImGui::GetDrawData());

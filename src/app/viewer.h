@@ -33,9 +33,8 @@ struct ViewerOptions {
   bool transparent = false;    ///< pictures have no background
   float cage_width = 1.25f;    ///< of the cage's lines, logical pixels
   float wire_width = 1;        ///< of edges of the mesh
-  int longest_tile = 0;  ///< longest side of what is drawn at once, device pixels; 0: what the driver takes
-  bool builtin_font = false;  ///< the same text on every machine, for picture tests
-  bool probe = true;          ///< measure the methods aside
+  bool builtin_font = false;   ///< the same text on every machine, for picture tests
+  bool probe = true;           ///< measure the methods aside
   std::filesystem::path
       state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
   std::filesystem::path program =
@@ -105,10 +104,9 @@ public:
   void finish_views();
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
-  /// Of any size: in tiles, where it is larger than the driver takes.
   render::Image picture();
-  /// What is told of the model instead, with opacity 0 where it is not.
-  render::Image picture(render::Pass pass);
+  /// The most that the driver draws, in device pixels.
+  int longest_side() const { return render::longest_side(gl_); }
   /// As the view is drawn.
   ViewDrawing drawing() const;
   /// The deformer of the open document; null while there is none.
@@ -137,8 +135,6 @@ private:
   void share_ranges();
   void upload(scene::FrameTimes& times);
   void draw(scene::FrameTimes& times);
-  bool draws_in_tiles() const;
-  render::Image picture_in_tiles(const ViewDrawing& whole, bool panels);
   Fineness fineness(const ViewDrawing& wanted);
   void draw_whole();
   void panels(scene::FrameTimes& times);

@@ -75,18 +75,10 @@ std::vector<glm::vec4> ramp_of_ends(const std::vector<float>& shares, const rend
 }
 
 render::View seen(const ViewDrawing& d, const ViewDrawing::Part& part) {
-  const render::View whole{part.view, part.projection, d.size, d.scale};
-  return d.tile.x > 0 ? render::tile_of(whole, d.corner, d.tile) : whole;
+  return {part.view, part.projection, d.size, d.scale};
 }
 
 }  // namespace
-
-// From the near plane of the projection to its far one.
-glm::vec2 depth_range(const ViewDrawing::Part& part) {
-  const glm::dmat4& p = part.projection;
-  if (p[3][3] == 0) return {p[3][2] / (p[2][2] - 1), p[3][2] / (p[2][2] + 1)};
-  return {(p[3][2] + 1) / p[2][2], (p[3][2] - 1) / p[2][2]};
-}
 
 WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
     : gl_(gl),
@@ -270,11 +262,11 @@ void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& p
   const glm::ivec2 low(glm::round(part.low * glm::vec2(d.size))),
       high(glm::round(part.high * glm::vec2(d.size)));
   gl_.Enable(GL_SCISSOR_TEST);
-  gl_.Scissor(low.x - d.corner.x, d.size.y - high.y - d.corner.y, high.x - low.x, high.y - low.y);
+  gl_.Scissor(low.x, d.size.y - high.y, high.x - low.x, high.y - low.y);
 }
 
 void WorkspaceRenderer::draw_background(const ViewDrawing& d, const render::Theme& theme) const {
-  if (!d.transparent && d.pass == render::Pass::none) return backdrop_.draw(theme, seen(d, {}));
+  if (!d.transparent) return backdrop_.draw(theme);
   gl_.ClearColor(0, 0, 0, 0);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
@@ -283,12 +275,6 @@ void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const 
   const ViewDrawing::Part& part = d.parts[view];
   const render::View view_of_it = seen(d, part);
   ModelLayer& model = *models_[view];
-  if (d.pass != render::Pass::none) {
-    render::SurfaceStyle style = part.surface;
-    style.pass = d.pass;
-    style.depth = depth_range(part);
-    return model.draw(view_of_it, theme, style);
-  }
   if (d.model) model.draw(view_of_it, theme, part.surface);
   if (d.grid) {
     if (d.model) model.draw_shadow(view_of_it, theme, d.shadow);

@@ -37,9 +37,7 @@ struct ViewDrawing {
   glm::ivec2 size{1, 1};    ///< of the window, device pixels
   float scale = 1;          ///< device pixels per logical pixel
   bool dark = true, transparent = false;
-  render::Pass pass = render::Pass::none;  ///< is all that is told, of the model alone, over nothing
-  glm::ivec2 corner{0, 0}, tile{0, 0};     ///< of the window from its lower left, what is drawn; 0: all of it
-  float cage_width = 1.25f;                ///< of its lines, logical pixels
+  float cage_width = 1.25f;                                       ///< of its lines, logical pixels
   bool model = false, grid = false, cage = false, ghost = false;  ///< are shown
   render::ShadowStyle shadow;
   render::GridStyle ground;
@@ -47,9 +45,6 @@ struct ViewDrawing {
 
   friend bool operator==(const ViewDrawing&, const ViewDrawing&) = default;
 };
-
-/// What Pass::depth spans, in eye space: view units from the eye.
-glm::vec2 depth_range(const ViewDrawing::Part& part);
 
 class WorkspaceRenderer {
 public:

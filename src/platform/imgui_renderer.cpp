@@ -118,14 +118,6 @@ void ImGuiRenderer::draw(const ImDrawData& data) {
   render::debug_check_gl(gl_, "panels");
 }
 
-void ImGuiRenderer::draw(const ImDrawData& data, glm::ivec2 corner, glm::ivec2 size) {
-  const ImVec2 scale = data.FramebufferScale;
-  ImDrawData part = data;
-  part.DisplayPos = {static_cast<float>(corner.x) / scale.x, static_cast<float>(corner.y) / scale.y};
-  part.DisplaySize = {static_cast<float>(size.x) / scale.x, static_cast<float>(size.y) / scale.y};
-  draw(part);
-}
-
 void ImGuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data) {
   upload(list);
   for (const ImDrawCmd& command : list.CmdBuffer) {

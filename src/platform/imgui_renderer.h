@@ -21,8 +21,6 @@ public:
   /// Draws into the bound framebuffer, whose size must be DisplaySize * FramebufferScale. Data from
   /// ImGui::GetDrawData() after ImGui::Render(). Leaves blending and scissor off.
   void draw(const ImDrawData& data);
-  /// The part of it whose upper left device pixel is at `corner`, into a framebuffer of `size`.
-  void draw(const ImDrawData& data, glm::ivec2 corner, glm::ivec2 size);
   /// True if the last draw() was of the same: another one would give the same picture.
   bool has_drawn(const ImDrawData& data) const;
 

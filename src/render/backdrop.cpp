@@ -4,14 +4,10 @@ namespace viete::render {
 
 Backdrop::Backdrop(const Gl& gl) : gl_(gl), program_(gl, "backdrop"), vertex_array_(gl) {}
 
-void Backdrop::draw(const Theme& theme, const View& view) const {
+void Backdrop::draw(const Theme& theme) const {
   program_.use();
   program_.set("top", theme.background_top);
   program_.set("bottom", theme.background_bottom);
-  const float low =
-      view.whole.y > 0 ? static_cast<float>(view.corner.y) / static_cast<float>(view.whole.y) : 0;
-  program_.set("heights", glm::vec2(low, 1 / view.heights()));
-  program_.set("tile_corner", glm::vec2(view.corner));
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_BLEND);
   gl_.BindVertexArray(vertex_array_.id());

@@ -11,8 +11,7 @@ namespace viete::render {
 class Backdrop {
 public:
   explicit Backdrop(const Gl& gl);
-  /// view: for a tile.
-  void draw(const Theme& theme, const View& view = {}) const;
+  void draw(const Theme& theme) const;
 
 private:
   const Gl& gl_;

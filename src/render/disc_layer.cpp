@@ -36,7 +36,6 @@ void DiscLayer::draw(const View& view, const DiscStyle& style) const {
   program_.set("eye_from_model", eye_matrix(view, origin_));
   program_.set("clip_from_eye", glm::mat4(view.projection));
   program_.set("viewport", glm::vec2(view.size));
-  program_.set("heights", view.heights());
   program_.set("scale", view.scale);
   program_.set("outline_color", style.outline);
   program_.set("ring_color", style.ring);

@@ -68,24 +68,6 @@ Rgba8 Image::pixel(int x, int y) const {
   return {rgba[at], rgba[at + 1], rgba[at + 2], rgba[at + 3]};
 }
 
-Image empty_image(glm::ivec2 size) {
-  Image image{size.x, size.y, {}};
-  try {
-    image.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-  } catch (const std::bad_alloc&) {
-    throw base::Error("picture", "there is no memory for so many pixels", "ask for a smaller size or scale");
-  }
-  return image;
-}
-
-void put(Image& image, const Image& part, glm::ivec2 corner) {
-  const std::size_t row = 4 * static_cast<std::size_t>(part.width);
-  for (int y = 0; y < part.height; ++y) {
-    const std::size_t to = 4 * (static_cast<std::size_t>(corner.y + y) * image.width + corner.x);
-    std::copy_n(&part.rgba[row * static_cast<std::size_t>(y)], row, &image.rgba[to]);
-  }
-}
-
 void divide_by_opacity(Image& image) {
   for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
     const int opacity = std::max<int>(1, image.rgba[i + 3]);

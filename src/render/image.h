@@ -23,11 +23,6 @@ struct Image {
   Rgba8 pixel(int x, int y) const;
 };
 
-/// Nothing anywhere. Throws base::Error if there is no memory for it.
-Image empty_image(glm::ivec2 size);
-/// A part of it, whose upper left pixel is at `corner`.
-void put(Image& image, const Image& part, glm::ivec2 corner);
-
 /// What is drawn over nothing has its colour times its opacity; files have it whole.
 void divide_by_opacity(Image& image);
 

@@ -57,7 +57,6 @@ void LineLayer::draw(const View& view, const LineStyle& style) const {
   program_.set("eye_from_model", eye_matrix(view, origin_));
   program_.set("clip_from_eye", glm::mat4(view.projection));
   program_.set("viewport", glm::vec2(view.size));
-  program_.set("heights", view.heights());
   segments_.bind(0);
   points_.bind(1);
   colors_.bind(2);

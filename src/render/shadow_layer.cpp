@@ -93,7 +93,6 @@ void ShadowLayer::draw(const View& view, const Theme& theme, const ShadowStyle& 
   if (seen <= 0) return;
   const glm::vec2 extent = shadow_.cell * glm::vec2(shadow_.width, shadow_.height);
   program_.use();
-  program_.set("tile_corner", glm::vec2(view.corner));
   program_.set("darkness", 0);
   program_.set("squares", 1);
   program_.set("eye_from_ground", eye_matrix(view, style.center) * axes);

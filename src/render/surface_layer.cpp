@@ -12,13 +12,6 @@ namespace viete::render {
 
 namespace {
 
-constexpr std::array pass_table = {
-    base::Choice{"none", "None", "how the model looks"},
-    base::Choice{"depth", "Depth", "how far it is along the view"},
-    base::Choice{"normals", "Normals", "where its surface faces, to the eye's right, up and towards the eye"},
-    base::Choice{"triangles", "Triangles", "which triangle is seen"},
-    base::Choice{"occlusion", "Occlusion", "how open it is, as creases are darkened"}};
-
 static_assert(sizeof(SurfaceVertex) == 8 * sizeof(float));
 
 // With smaller copies of itself, filtered in linear light. Where a processor draws, the finest filter is too
@@ -54,10 +47,6 @@ std::size_t material_kind(Paint paint) {
 }
 
 }  // namespace
-
-std::span<const base::Choice> choices(Pass) {
-  return pass_table;
-}
 
 SurfaceLayer::SurfaceLayer(const Gl& gl)
     : gl_(gl),
@@ -174,13 +163,10 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
                                           "#define LOOKS\n#define FLAT\n",
                                           "#define PORCELAIN\n",
                                           "#define JADE\n",
-                                          "#define ZEBRA\n",
-                                          "#define PASS\n"};
-  const bool told = style.pass != Pass::none;
-  const bool looks = !told && !style.scalars && takes_looks(style.paint);
-  const bool colors = looks && has_colors_ && style.paint == Paint::file,
-             wired = !told && style.wireframe > 0;
-  const std::size_t kind = told ? 7 : style.scalars ? 1 : looks ? (flat ? 3 : 2) : material_kind(style.paint);
+                                          "#define ZEBRA\n"};
+  const bool looks = !style.scalars && takes_looks(style.paint);
+  const bool colors = looks && has_colors_ && style.paint == Paint::file, wired = style.wireframe > 0;
+  const std::size_t kind = style.scalars ? 1 : looks ? (flat ? 3 : 2) : material_kind(style.paint);
   auto& program = programs_[4 * kind + (colors ? 2 : 0) + (wired ? 1 : 0)];
   if (!program) {
     program.emplace(
@@ -208,7 +194,7 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   gl_.DepthFunc(GL_LESS);
   if (style.closed) gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(vertex_array_.id());
-  if (style.pass != Pass::none || style.scalars || !takes_looks(style.paint)) {
+  if (style.scalars || !takes_looks(style.paint)) {
     use(program_for(style), view, theme, style);
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangle_count_));
   } else {
@@ -266,8 +252,6 @@ void SurfaceLayer::set_looks(const Program& program, const View& view, const The
   program.set("scalar_factor", range > 0 ? 1 / range : 0.0F);
   program.set("palette_size", palette_size_);
   program.set("paint", static_cast<int>(style.paint));
-  program.set("pass", static_cast<int>(style.pass));
-  program.set("depth_range", style.depth);
   program.set("image", 4);
   program.set("texture_points", 5);
   program.set("colors", 6);

@@ -19,13 +19,6 @@ namespace viete::render {
 /// show curvature; `file`, `checker` and `normals` colour it by what is known of its points.
 enum class Paint { plain, file, checker, normals, porcelain, jade, zebra };
 
-/// What is told of the surface instead of how it looks; `none`: it is drawn. `depth`: along the view, from
-/// SurfaceStyle::depth[0] to depth[1], in 24 bits: red, green, blue. `normals`: towards the eye's x, y and z,
-/// half a level each and a half. `triangles`: their numbers, from 1, in 24 bits. `occlusion`: how open it is,
-/// grey.
-enum class Pass { none, depth, normals, triangles, occlusion };
-std::span<const base::Choice> choices(Pass);
-
 /// Consecutive triangles that look alike.
 struct SurfaceRun {
   std::size_t triangles = 0;
@@ -56,8 +49,6 @@ struct SurfaceStyle {
   float occlusion = 1;   ///< how much of the baked darkening is used, 0 to 1
   bool scalars = false;  ///< colour by set_scalars() through set_palette() instead of theme.model
   float scalar_low = 0;  ///< the scalar at the first palette colour
-  Pass pass = Pass::none;
-  glm::vec2 depth{0, 1};  ///< of Pass::depth, in the caller's eye space
   float scalar_high = 1;  ///< the scalar at the last palette colour
 
   friend bool operator==(const SurfaceStyle&, const SurfaceStyle&) = default;

@@ -4,18 +4,6 @@
 
 namespace viete::render {
 
-View tile_of(const View& view, glm::ivec2 corner, glm::ivec2 size) {
-  View tile = view;
-  tile.size = size, tile.corner = corner, tile.whole = view.size;
-  const glm::dvec2 factor = glm::dvec2(view.size) / glm::dvec2(size);
-  const glm::dvec2 shift = (glm::dvec2(view.size) - 2.0 * glm::dvec2(corner)) / glm::dvec2(size) - 1.0;
-  glm::dmat4 crop(1);
-  crop[0][0] = factor.x, crop[1][1] = factor.y;
-  crop[3][0] = shift.x, crop[3][1] = shift.y;
-  tile.projection = crop * view.projection;
-  return tile;
-}
-
 glm::mat4 eye_matrix(const View& view, const Point& origin) {
   return glm::mat4(glm::translate(view.view, glm::dvec3(origin[0], origin[1], origin[2])));
 }

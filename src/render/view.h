@@ -39,18 +39,8 @@ struct View {
   glm::dmat4 projection{1};  ///< eye to clip space, depth -1 to 1 as glm::perspective and glm::ortho make it
   glm::ivec2 size{1, 1};     ///< device pixels
   float scale = 1;           ///< device pixels per logical pixel; widths and radii below are logical
-  /// Of a tile of a larger picture: where its lower left corner is in that, and the size of that; 0: all of
-  /// it.
-  glm::ivec2 corner{0, 0}, whole{0, 0};
-
-  /// The picture in heights of this target: 1, of a tile more.
-  float heights() const { return whole.y > 0 ? static_cast<float>(whole.y) / static_cast<float>(size.y) : 1; }
   friend bool operator==(const View&, const View&) = default;
 };
-
-/// The part of a picture that a target of `size` shows whose lower left pixel is at `corner`: the same
-/// pixels.
-View tile_of(const View& view, glm::ivec2 corner, glm::ivec2 size);
 
 /// World to eye for vertices that are stored relative to `origin`.
 glm::mat4 eye_matrix(const View& view, const Point& origin);

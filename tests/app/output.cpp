@@ -91,8 +91,7 @@ TEST_CASE("files_of_others_are_kept_whatever_their_name_is") {
     for (const char* ending : {"obj", "ply", "off", "stl", "glb", "gltf"}) check(ending, Content::surface);
     for (const char* ending : {"pc2", "mdd", "glb", "mp4", "webm", "mkv", "gif"})
       check(ending, Content::animation);
-    for (const Content content : {Content::json, Content::svg, Content::distances, Content::page})
-      check("json", content);
+    for (const Content content : {Content::json, Content::svg, Content::page}) check("json", content);
   }
 }
 

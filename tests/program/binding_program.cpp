@@ -148,15 +148,11 @@ TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_st
 TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_a_cancel_keeps_them") {
   Driver d(small_window());
   d.open_dragon();
-  for (const bool coordinates : {true, false}) {
-    CAPTURE(coordinates);
+  for (const char* weights : {"weights_mean_value", "weights_biharmonic"}) {
+    CAPTURE(weights);
     const auto before = deformed_positions(d);
     d.document().changed_pose().positions[0][1] += 0.3;
-    if (coordinates) {
-      test::run_command(d.workspace(), "weights_mean_value");
-    } else {
-      scene::set_reach(d.document(), 3);
-    }
+    test::run_command(d.workspace(), weights);
     d.frame();  // begins the binding, and deforms by the old one
     REQUIRE(d.workspace().binding.running);
     CHECK(d.workspace().binding.what.starts_with("Binding 3,000 vertices to "));
@@ -165,7 +161,6 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_a_cancel_keeps_t
     d.press_key(scene::Key::escape);
     CHECK_FALSE(d.workspace().binding.running);
     CHECK(d.document().scheme.weighting.weights == deform::Weights::inverse);
-    CHECK(d.document().scheme.weighting.reach == deform::whole_cage);
     CHECK(deformed_positions(d) == moved);
     CHECK_FALSE(d.viewer().deformer()->sample_matrices(10).empty());
   }

@@ -404,16 +404,6 @@ TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_
   CHECK_FALSE(mentions(run("info " + model + " --cage " + quoted(scratch / "cage.obj")), "has a fin"));
 }
 
-TEST_CASE("info_says_sizes_with_the_unit_that_the_head_of_the_file_names") {
-  const TemporaryFolder scratch;
-  const fs::path model = scratch.path() / "model.obj";
-  const std::string tetrahedron = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-  std::ofstream(model) << "# File units = centimeters\n" << tetrahedron;
-  CHECK(mentions(run("info " + quoted(model)), "volume      2 cm\u00b3\n"));
-  std::ofstream(model) << tetrahedron;
-  CHECK(mentions(run("info " + quoted(model)), "volume      2\n"));
-}
-
 TEST_CASE("errors_name_file_and_reason_and_exit_with_1") {
   const TemporaryFolder scratch;
   const fs::path broken = scratch.path() / "broken.obj";

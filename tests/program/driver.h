@@ -174,7 +174,9 @@ public:
   void choose(const std::string& chooser, const std::string& item) {
     click(chooser);
     frame(2);
-    click(item);
+    const auto rect = viewer().recorder().find(item);  // in front of columns and status bar
+    if (!rect || !rect->visible) return click(item);
+    click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
   }
   glm::vec2 place_of(const std::string& widget) {
     if (!unfold_custom(widget)) unfold_columns(widget);

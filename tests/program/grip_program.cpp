@@ -356,34 +356,6 @@ TEST_CASE("a drag at once after a click is a drag and no double click") {
   CHECK(d.workspace().camera.destination() == before);
 }
 
-TEST_CASE("an end of the cage is posed like another one by two keys, and what does not match is said") {
-  const test::TemporaryFolder folder;
-  Hand d(folder.path());
-  const auto select_side = [&](bool positive) {
-    scene::find_command(positive ? "side_x_positive" : "side_x_negative")->run(d.workspace());
-    d.frame(2);
-  };
-  select_side(false);
-  for (const auto v : {0, 2, 4, 6}) {
-    d.positions()[v][0] -= 0.5;
-    d.positions()[v][1] *= 0.5;
-  }
-  d.press_key('C', true);
-  select_side(true);
-  d.press_key('V', true, true);
-  for (const auto v : {1, 3, 5, 7}) {
-    CHECK(d.positions()[v][0] == doctest::Approx(2));
-    CHECK(d.positions()[v][1] == doctest::Approx(0.5 * d.rest()[v][1]));
-    CHECK(d.positions()[v][2] == doctest::Approx(d.rest()[v][2]));
-  }
-  d.press_key('Z', true);
-  CHECK(d.positions()[1] == d.rest()[1]);
-  scene::find_command("select_all")->run(d.workspace());
-  d.press_key('V', true, true);
-  CHECK(d.workspace().messages.all().back().text.find("4 and 8 vertices") != std::string::npos);
-  CHECK(d.positions()[1] == d.rest()[1]);
-}
-
 TEST_CASE("with soft selection the edges of the cage go over from the colour of the selection to their own") {
   Hand d(test::with_pixels);
   const auto v = d.free_vertex();

@@ -446,7 +446,7 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   auto options = Driver::default_options();
   options.size = {1440, 900};
   Driver d(options);
-  d.open_dragon();
+  d.open_dragon("", test::bundled_dragon);
   d.frame();
   const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
   d.drag(from, to);

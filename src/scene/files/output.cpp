@@ -49,16 +49,14 @@ bool may_be_replaced(const fs::path& file, const mesh::Beginning& beginning, Con
     case Content::json: return !mesh::text_in_json(bytes, {"figure"}).empty();
     case Content::session: return is_session_text(bytes);
     case Content::page: return bytes.substr(0, 512).find(R"(content="viete report")") != bytes.npos;
-    case Content::distances: return bytes.starts_with("Pf\n");
     case Content::svg: break;
   }
   return is_svg(bytes);
 }
 
 std::string name_of(const fs::path& file, Content content) {
-  constexpr const char* names[] = {
-      "", "a PNG picture", "measurements by Viete", "a drawing (SVG)", "distances (PFM)",
-      "", "a session",     "a page of a report"};
+  constexpr const char* names[] = {"", "a PNG picture", "measurements by Viete", "a drawing (SVG)",
+                                   "", "a session",     "a page of a report"};
   const std::string name = names[static_cast<std::size_t>(content)];
   if (!name.empty()) return name;
   if (const mesh::Format* format = mesh::find_format(file)) return std::string(format->name);

@@ -17,7 +17,7 @@ namespace viete::scene {
 struct Document;
 
 /// What is written.
-enum class Content { surface, picture, json, svg, distances, animation, session, page };
+enum class Content { surface, picture, json, svg, animation, session, page };
 
 /// Whether a user may insist, and does.
 enum class Force { none, offered, given };
