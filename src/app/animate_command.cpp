@@ -128,7 +128,7 @@ int write_models(const AnimateOptions& options) {
     return scene::write_animation(what, &work.progress());
   }();
   print_notes(report.notes);
-  print_summary(options.output, report);
+  print_summary(options.output, report.summary);
   return exit_ok;
 }
 
@@ -155,12 +155,11 @@ int write_pictures(const AnimateOptions& options) {
   const PictureRun run = picture_run(options, opened.document->timeline);
   auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.filename().string());
   const auto offscreen = viewer_of(picture, std::move(opened));
-  const PicturesReport report = write_pictures(*offscreen, run, work->progress());
+  const std::vector<std::string> notes = write_pictures(*offscreen, run, work->progress());
   work.reset();  // its line gives way to what is said
   print_messages(offscreen->viewer().workspace());
-  print_notes(report.notes);
-  print_summary(options.output,
-                {run.frames.size(), report.there, base::counted(run.frames.size(), "picture"), {}});
+  print_notes(notes);
+  print_summary(options.output, base::counted(run.frames.size(), "picture"));
   return exit_ok;
 }
 
@@ -174,9 +173,7 @@ int animate(const AnimateOptions& options) {
                                                                    : write_models(options);
   } catch (const base::Cancelled&) {
     throw base::Error(options.output.string(), "stopped",
-                      scene::is_video_format(extension)
-                          ? "no file was changed"
-                          : "what is whole stays; the same command goes on from there");
+                      scene::is_video_format(extension) ? "no file was changed" : "whole files stay");
   }
 }
 

@@ -1,27 +1,21 @@
 #include "app/animation_pictures.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <numbers>
 #include <utility>
 
 #include "base/atomic_file.h"
-#include "base/checksum.h"
 #include "base/child_program.h"
 #include "base/error.h"
-#include "base/made_files.h"
+#include "base/numbered_files.h"
 #include "mesh/formats/source.h"
-#include "scene/document/pose_edit.h"
 #include "scene/files/animation_export.h"
-#include "scene/files/session.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/saving.h"
 
 namespace viete::app {
 
 namespace fs = std::filesystem;
-using Planned = base::MadeFiles::Planned;
 
 namespace {
 
@@ -87,68 +81,21 @@ private:
   scene::CameraPose start_;
 };
 
-// All that the pictures are made from but pose and camera.
-std::uint64_t common_key(scene::Workspace& w, glm::ivec2 size) {
-  scene::Session session = scene::session_of(w);
-  session.timeline = {};
-  session.library = {};
-  session.pose.reset();
-  session.camera.reset();
-  session.frame = 1;
-  session.origin.clear();
-  session.origin_content.reset();
-  for (auto& probe : session.probes.all) probe.pose = probe.locked ? probe.pose : scene::ProbePose{};
-  constexpr bool portable = false;
-  const std::string text = scene::session_text(session, "/", portable) + w.about.version + w.about.renderer +
-                           std::to_string(size.x) + ' ' + std::to_string(size.y);
-  base::Checksum sum;
-  sum.add(text.data(), text.size());
-  const std::uint64_t content = scene::content_key(scene::export_of(w.document, ""));
-  sum.add(&content, sizeof content);
-  return sum.value();
-}
-
-std::uint64_t picture_key(std::uint64_t common, const scene::Workspace& w) {
-  const scene::CameraPose& camera = w.camera.pose();
-  const std::array numbers{camera.target.x,
-                           camera.target.y,
-                           camera.target.z,
-                           camera.distance,
-                           camera.yaw,
-                           camera.pitch,
-                           camera.orthographic ? 1.0f : 0.0f,
-                           camera.up == scene::UpAxis::z ? 1.0f : 0.0f};
-  base::Checksum sum;
-  sum.add(numbers.data(), sizeof numbers);
-  const std::uint64_t pose = scene::pose_key(common, scene::whole_pose(w.document));
-  sum.add(&pose, sizeof pose);
-  return sum.value();
-}
-
 void report_pictures(base::Progress& progress, std::size_t done, std::size_t of) {
   progress.report(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1)));
 }
 
-PicturesReport write_png_files(FrameViewer& viewer, const PictureRun& run, glm::ivec2 size,
-                               base::Progress& progress) {
+std::vector<std::string> write_png_files(FrameViewer& viewer, const PictureRun& run,
+                                         base::Progress& progress) {
   const base::NumberedName name(run.file);
-  base::MadeFiles made(name);
-  const std::uint64_t common = common_key(viewer.workspace(), size);
-  std::vector<Planned> all;
+  scene::check_frames_are_new(name, run.frames, run.force);
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    report_pictures(progress, i, run.frames.size());
     viewer.go_to(i);
-    all.push_back({run.frames[i], picture_key(common, viewer.workspace())});
-  }
-  const auto missing = scene::files_to_make(made, name, all, run.force);
-  for (std::size_t i = 0; i < missing.size(); ++i) {
-    report_pictures(progress, i, missing.size());
-    const auto at = std::ranges::find(run.frames, missing[i].number);
-    viewer.go_to(static_cast<std::size_t>(at - run.frames.begin()));
-    render::write_png(name.file(missing[i].number), viewer.picture());
-    made.add(missing[i]);
+    render::write_png(name.file(run.frames[i]), viewer.picture());
   }
   report_pictures(progress, 1, 1);
-  return {all.size() - missing.size(), scene::other_files_note(name, all)};
+  return scene::other_files_note(name, run.frames);
 }
 
 void write_video(FrameViewer& viewer, const PictureRun& run, glm::ivec2 size, base::Progress& progress) {
@@ -185,12 +132,13 @@ std::vector<std::string> ffmpeg_words(const std::string& extension, int width, i
   return words;
 }
 
-PicturesReport write_pictures(OffscreenViewer& offscreen, const PictureRun& run, base::Progress& progress) {
+std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
+                                        base::Progress& progress) {
   const glm::ivec2 size = offscreen.viewer().device_size();
   const bool video = scene::is_video_format(mesh::extension_of(run.file));
   offscreen.settle();
   FrameViewer viewer(offscreen, run);
-  if (!video) return write_png_files(viewer, run, size, progress);
+  if (!video) return write_png_files(viewer, run, progress);
   write_video(viewer, run, size, progress);
   return {};
 }

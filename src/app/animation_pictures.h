@@ -16,19 +16,14 @@ struct PictureRun {
   double rate = 24;                         ///< frames of the timeline a second
   int step = 1;                             ///< frames of it from one picture to the next
   bool turntable = false;                   ///< once round the model, from the first picture to the last
-  scene::Force force = scene::Force::none;  ///< replace pictures that Viete has not made
+  scene::Force force = scene::Force::none;  ///< replace pictures that are there
 };
 
-struct PicturesReport {
-  std::size_t there = 0;             ///< pictures that an earlier run had made
-  std::vector<std::string> notes{};  ///< one line each
-};
-
-/// Of the viewer's document, whose timeline and camera keys are followed. Pictures are whole files or none,
-/// and those of the same that an earlier run has made are not made again, see base::MadeFiles; a video is
-/// there as a whole or not at all. Throws base::Error, also where ffmpeg is not installed, and
-/// base::Cancelled.
-PicturesReport write_pictures(OffscreenViewer& offscreen, const PictureRun& run, base::Progress& progress);
+/// Of the viewer's document, whose timeline and camera keys are followed. Every file is there as a whole or
+/// not at all. Returns what a person should know, one line each. Throws base::Error, also where ffmpeg is not
+/// installed, and base::Cancelled.
+std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
+                                        base::Progress& progress);
 
 /// The words that run ffmpeg for a video of pictures of that size, four bytes a pixel, which it reads.
 std::vector<std::string> ffmpeg_words(const std::string& extension, int width, int height, double rate,

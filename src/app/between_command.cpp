@@ -131,7 +131,7 @@ int write_frames(const BetweenOptions& options) {
     return scene::write_animation(what, &work.progress());
   }();
   print_notes(report.notes);
-  print_summary(options.output, report);
+  print_summary(options.output, report.summary);
   return exit_ok;
 }
 
@@ -140,9 +140,8 @@ int between(BetweenOptions options) {
   try {
     return options.at ? write_moment(options) : write_frames(options);
   } catch (const base::Cancelled&) {
-    throw base::Error(
-        options.output.string(), "stopped",
-        options.at ? "no file was changed" : "what is whole stays; the same command goes on from there");
+    throw base::Error(options.output.string(), "stopped",
+                      options.at ? "no file was changed" : "whole files stay");
   }
 }
 

@@ -24,9 +24,7 @@ void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
        [what = std::move(what)](base::Progress& progress) {
          scene::AnimationReport report = scene::write_animation(what, &progress);
          const std::string name = what.model.file.filename().string();
-         std::string summary = name + ": " + report.summary;
-         if (report.there > 0) summary += "; " + base::with_thousands(report.there) + " were there already";
-         return Written{std::move(summary), std::move(report.notes)};
+         return Written{name + ": " + report.summary, std::move(report.notes)};
        },
        std::move(told)});
 }

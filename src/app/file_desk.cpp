@@ -121,7 +121,6 @@ void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path&
   what.model.up = w.camera.pose().up;
   what.tolerance = w.browser.morphs.tolerance;
   what.normals = w.browser.morphs.normals;
-  what.keeps_unfinished = false;  // who stops it here does not go on with it
   exporter_.add(std::move(what), w.pose_notes);
 }
 

@@ -132,12 +132,8 @@ void print_notes(const std::vector<std::string>& notes) {
   for (const auto& note : notes) std::fprintf(stderr, "viete: note: %s\n", base::printable(note).c_str());
 }
 
-void print_summary(const fs::path& file, const scene::AnimationReport& report) {
-  std::string text = report.summary;
-  if (report.there > 0)
-    text += "; " + base::with_thousands(report.there) + " of them " + (report.there == 1 ? "was" : "were") +
-            " there already";
-  std::printf("%s: %s\n", base::printable(file.string()).c_str(), text.c_str());
+void print_summary(const fs::path& file, const std::string& summary) {
+  std::printf("%s: %s\n", base::printable(file.string()).c_str(), base::printable(summary).c_str());
 }
 
 }  // namespace viete::app

@@ -11,10 +11,6 @@
 namespace CLI {
 class App;
 }
-namespace viete::scene {
-struct AnimationReport;
-}
-
 namespace viete::app {
 
 /// What a command makes of what it opens.
@@ -60,6 +56,6 @@ FilesInUse files_read(const Inputs& inputs);
 /// On stderr, a line each.
 void print_notes(const std::vector<std::string>& notes);
 /// Of frames that were written, on stdout: a line.
-void print_summary(const std::filesystem::path& file, const scene::AnimationReport& report);
+void print_summary(const std::filesystem::path& file, const std::string& summary);
 
 }  // namespace viete::app

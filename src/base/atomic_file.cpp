@@ -96,38 +96,6 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::ranges::for_each(parts, remove_if_stale);
 }
 
-// "dragon.pc2.0123456789abcdef.unfinished"; without a key all after it.
-constexpr std::string_view unfinished_extension = ".unfinished";
-constexpr std::size_t key_digits = 16;
-
-fs::path unfinished_of(const fs::path& target, std::uint64_t key) {
-  char digits[key_digits + 1];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(key));
-  return target.string() + "." + digits + std::string(unfinished_extension);
-}
-
-// The target that such a name tells of; empty for a name of another form.
-std::string_view target_of_unfinished(std::string_view name) {
-  if (!name.ends_with(unfinished_extension)) return "";
-  name.remove_suffix(unfinished_extension.size());
-  const auto dot = name.rfind('.');
-  if (dot == name.npos || name.size() - dot - 1 != key_digits) return "";
-  const bool ours = name.find_first_not_of("0123456789abcdef", dot + 1) == name.npos;
-  return ours ? name.substr(0, dot) : "";
-}
-
-// More than a minute of work is kept for a week. Where it is not known when it was begun, it counts as more.
-bool is_worth_going_on(const fs::path& unfinished) {
-  constexpr std::int64_t worth_seconds = 60, kept_seconds = 7 * 24 * 3600;
-  struct statx status {};
-  if (statx(AT_FDCWD, unfinished.c_str(), AT_SYMLINK_NOFOLLOW, STATX_MTIME | STATX_BTIME, &status) != 0)
-    return true;
-  const std::int64_t last = status.stx_mtime.tv_sec;
-  const bool begun_known = (status.stx_mask & STATX_BTIME) != 0;
-  const bool long_work = !begun_known || last - status.stx_btime.tv_sec > worth_seconds;
-  return long_work && std::time(nullptr) - last < kept_seconds;
-}
-
 // What may be kept of an existing file's mode: a program that was handed other rights (setuid, setgid) loses
 // them with its content.
 constexpr mode_t kept_mode = 0777;
@@ -150,54 +118,12 @@ public:
     flock(handle_, LOCK_EX | LOCK_NB);  // tells others that it is at work, where the file system can
   }
 
-  // One that an earlier run may have begun, and that stays for the next one.
-  NewFile(const fs::path& target, const fs::path& unfinished)
-      : target_(target), path_(unfinished), stays_(true) {
-    while (handle_ < 0) {
-      handle_ = open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
-      if (handle_ < 0) fail(target, errno);
-      if (flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        close(handle_);
-        throw Error(target.string(), "another program is writing this file right now",
-                    "wait for it, or choose another name");
-      }
-      struct stat opened {
-      }, named{};
-      if (fstat(handle_, &opened) != 0 || !S_ISREG(opened.st_mode)) {
-        close(handle_);
-        throw Error(path_, "this is not a regular file", "remove it, or choose another name");
-      }
-      const bool same = stat(path_.c_str(), &named) == 0 && named.st_ino == opened.st_ino;
-      if (!same) close(std::exchange(handle_, -1));  // another program has just finished it
-    }
-  }
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
   ~NewFile() {
     if (handle_ >= 0) close(handle_);
-    if (!path_.empty() && !stays_) unlink(path_.c_str());
-  }
-
-  void discard() { stays_ = false; }
-
-  std::uint64_t size() const {
-    struct stat status {};
-    if (fstat(handle_, &status) != 0) fail(target_, errno);
-    return static_cast<std::uint64_t>(status.st_size);
-  }
-
-  std::string beginning(std::size_t bytes) const {
-    std::string read(bytes, '\0');
-    const ssize_t got = pread(handle_, read.data(), bytes, 0);
-    if (got < 0) fail(target_, errno);
-    read.resize(static_cast<std::size_t>(got));
-    return read;
-  }
-
-  void cut(std::uint64_t size) {
-    if (ftruncate(handle_, static_cast<off_t>(size)) != 0 || lseek(handle_, 0, SEEK_END) < 0)
-      fail(target_, errno);
+    if (!path_.empty()) unlink(path_.c_str());
   }
 
   void write_all(std::string_view bytes) {
@@ -227,13 +153,6 @@ public:
     path_.clear();
   }
 
-  // While it is still locked, so that no other program goes on with it.
-  void become_target_locked() {
-    if (rename(path_.c_str(), target_.c_str()) != 0) fail(target_, errno);
-    path_.clear();
-    if (close(std::exchange(handle_, -1)) != 0) fail(target_, errno);
-  }
-
   const fs::path& target() const { return target_; }
   const std::string& path() const { return path_; }
   fs::path folder() const { return target_.parent_path(); }
@@ -248,7 +167,6 @@ private:
   fs::path target_;
   std::string path_;
   int handle_ = -1;
-  bool stays_ = false;
 };
 
 namespace {
@@ -315,12 +233,6 @@ void remove_stale_parts(const fs::path& folder) {
 void remove_leftovers_beside(const fs::path& path) {
   const fs::path target = target_of(path), folder = target.parent_path();
   remove_stale_parts(folder);
-  const auto is_of_another = [&](const std::string& name) {
-    const std::string_view other = target_of_unfinished(name);
-    return !other.empty() && other != target.filename().string();
-  };
-  for (const fs::path& unfinished : files_in(folder, is_of_another))
-    if (!is_worth_going_on(unfinished)) remove_if_left(unfinished);
 }
 
 void check_replaceable(const fs::path& path) {
@@ -388,44 +300,6 @@ void FileOfProgram::replace(Durability durability) {
   file_->settle(durability);
   file_->become_target();
   if (durability == Durability::power_cut) sync_folder(file_->folder());
-}
-
-GrowingFile::GrowingFile(const fs::path& path, std::uint64_t key) {
-  const fs::path target = checked_target(path);
-  file_ = std::make_unique<NewFile>(target, unfinished_of(target, key));
-  cut(file_->size());
-}
-
-GrowingFile::~GrowingFile() {
-  if (size_ == 0) file_->discard();
-}
-
-std::string GrowingFile::beginning(std::size_t bytes) const {
-  return file_->beginning(bytes);
-}
-
-void GrowingFile::cut(std::uint64_t size) {
-  file_->cut(size);
-  size_ = size;
-}
-
-void GrowingFile::append(std::string_view bytes) {
-  file_->write_all(bytes);
-  size_ += bytes.size();
-}
-
-void GrowingFile::finish(Durability durability) {
-  file_->settle(durability);
-  file_->become_target_locked();
-  if (durability == Durability::power_cut) sync_folder(file_->folder());
-  const std::string name = file_->target().filename().string();
-  const auto is_of_this = [&](const std::string& other) { return target_of_unfinished(other) == name; };
-  std::ranges::for_each(files_in(file_->folder(), is_of_this), remove_if_left);
-}
-
-void GrowingFile::discard() {
-  file_->discard();
-  size_ = 0;
 }
 
 }  // namespace viete::base

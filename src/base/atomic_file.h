@@ -78,37 +78,6 @@ private:
   std::unique_ptr<class NewFile> file_;
 };
 
-/// A file that several runs of a program may write, one going on where the last one was ended, however
-/// sudden: until finish() it is called `NAME.KEY.unfinished` beside its place, and what is at its place stays
-/// as it was. Bytes are there in the order they were appended, also after a power cut as far as the file
-/// system keeps a file's size behind its bytes (ext4, XFS and btrfs do). One thread at a time.
-class GrowingFile {
-public:
-  /// key: of all that the bytes are made from, so that no run goes on with what was meant differently. Throws
-  /// what replace_file() throws, and Error where another program writes the same right now.
-  GrowingFile(const std::filesystem::path& path, std::uint64_t key);
-  /// The unfinished file stays for the next run, unless it is empty.
-  ~GrowingFile();
-  GrowingFile(const GrowingFile&) = delete;
-  GrowingFile& operator=(const GrowingFile&) = delete;
-
-  std::uint64_t size() const { return size_; }
-  /// Its first bytes, at most so many. Throws Error.
-  std::string beginning(std::size_t bytes) const;
-  /// Keeps its first bytes only. Throws Error.
-  void cut(std::uint64_t size);
-  /// Throws Error: a full disk.
-  void append(std::string_view bytes);
-  /// Takes its place; what other runs have left unfinished for this place is removed. Throws Error.
-  void finish(Durability durability = Durability::power_cut);
-  /// Removes it; what is at its place stays as it was.
-  void discard();
-
-private:
-  std::unique_ptr<class NewFile> file_;
-  std::uint64_t size_ = 0;
-};
-
 /// Throws what replace_file() would throw now for this place, for work that takes long before it writes; and
 /// for a file that a user has chosen: throws Error too where it has several names, which a user may not want
 /// to be parted. An existing file stays as it is.
@@ -120,9 +89,8 @@ std::filesystem::path unused_name(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });
 
-/// Removes what programs that were killed have left in the folder of this file: parts, and what others of its
-/// files have unfinished, unless more than a minute of work is in it, which is kept for a week: the run that
-/// goes on with it may come. What is not ours, or is being written, stays, see remove_stale_parts().
+/// Removes the parts that programs which were killed have left in the folder of this file; see
+/// remove_stale_parts().
 void remove_leftovers_beside(const std::filesystem::path& path);
 
 /// Removes every part in a folder of our own that a program left when it was killed. A part of a running

@@ -214,98 +214,15 @@ TEST_CASE("a_name_that_is_taken_is_numbered") {
   CHECK(base::unused_name(folder / "none" / "a") == folder / "none" / "a");
 }
 
-namespace {
-
-constexpr const char* unfinished = "a.00000000000000ff.unfinished";
-
-}  // namespace
-
-TEST_CASE("a_growing_file_goes_on_where_the_last_run_ended_and_then_takes_its_place") {
+TEST_CASE("what_killed_programs_left_beside_a_file_goes") {
   const test::TemporaryFolder folder;
-  replace_file(folder / "a", "older");
-  {
-    base::GrowingFile file(folder / "a", 255);
-    CHECK(file.size() == 0);
-    file.append("one two th");
-  }
-  CHECK(test::file_bytes(folder / "a") == "older");
-  CHECK(test::file_bytes(folder / unfinished) == "one two th");
-  base::GrowingFile file(folder / "a", 255);
-  CHECK(file.size() == 10);
-  CHECK(file.beginning(3) == "one");
-  CHECK(file.beginning(99) == "one two th");
-  file.cut(8);
-  file.append("three");
-  CHECK(file.size() == 13);
-  file.finish();
-  CHECK(test::file_bytes(folder / "a") == "one two three");
-  CHECK(folder.entries() == 1);
-}
-
-TEST_CASE("what_is_made_of_something_else_is_not_gone_on_with_and_leaves_with_the_finished_file") {
-  const test::TemporaryFolder folder;
-  base::GrowingFile(folder / "a", 1).append("old");
-  base::GrowingFile(folder / "ab", 1).append("another file's");
-  base::GrowingFile file(folder / "a", 2);
-  CHECK(file.size() == 0);
-  file.append("new");
-  base::GrowingFile locked(folder / "a", 3);
-  locked.append("somebody else's");
-  CHECK(folder.entries() == 4);
-  file.finish();
-  CHECK(folder.entries() == 3);  // the finished one, that of another name, and the one that is being written
-  CHECK(test::file_bytes(folder / "a") == "new");
-  CHECK(test::file_bytes(folder / "ab.0000000000000001.unfinished") == "another file's");
-}
-
-TEST_CASE("a_growing_file_is_one_program_s_alone_and_an_empty_or_discarded_one_leaves_nothing") {
-  const test::TemporaryFolder folder;
-  {
-    base::GrowingFile file(folder / "a", 255);
-    CHECK_THROWS_WITH_AS(base::GrowingFile(folder / "a", 255),
-                         doctest::Contains("another program is writing this file"), base::Error);
-  }
-  CHECK(folder.entries() == 0);
-  {
-    base::GrowingFile file(folder / "a", 255);
-    file.append("bytes");
-    file.discard();
-  }
-  CHECK(folder.entries() == 0);
-  fs::create_symlink("/etc/passwd", folder / unfinished);
-  CHECK_THROWS_AS(base::GrowingFile(folder / "a", 255), base::Error);
-  CHECK_THROWS_AS(base::GrowingFile(folder / "none/a", 255), base::Error);
-  {
-    base::GrowingFile file(folder / "b", 255);
-    file.append("bytes");
-    const test::FullDisk full(8);
-    CHECK_THROWS_AS(file.append("more than there is room for"), base::Error);
-  }
-  CHECK_FALSE(fs::exists(folder / "b"));
-}
-
-TEST_CASE("what_killed_programs_left_beside_a_file_goes_and_what_may_be_gone_on_with_stays") {
-  const test::TemporaryFolder folder;
-  const char* key = ".0123456789abcdef.unfinished";
-  const std::string gone[] = {"a.999999999-1-0.part", "b.999999999-1-0.part", std::string("b") + key};
-  const std::string kept[] = {
-      std::string("a") + key, std::string("locked") + key, "b.unfinished", "b.0123.unfinished", "b.part",
-      "b.-1-0.part",          std::string("long") + key};
-  for (const std::string& name : gone) test::put_file(folder / name, "x");
-  for (const std::string& name : kept) test::put_file(folder / name, "x");
-  const auto at = [&](const std::string& name, int seconds) {
-    fs::last_write_time(folder / name, fs::file_time_type::clock::now() + std::chrono::seconds(seconds));
-  };
-  at(kept[6], 100);  // so long after it was begun
-  const int handle = open((folder / kept[1]).c_str(), O_RDONLY);
-  REQUIRE(flock(handle, LOCK_EX) == 0);
+  const char* gone[] = {"a.999999999-1-0.part", "b.999999999-1-0.part"};
+  const char* kept[] = {"b.part", "b.-1-0.part"};
+  for (const char* name : gone) test::put_file(folder / name, "x");
+  for (const char* name : kept) test::put_file(folder / name, "x");
   base::remove_leftovers_beside(folder / "a");
-  for (const std::string& name : gone) CHECK_MESSAGE(!fs::exists(folder / name), name);
-  for (const std::string& name : kept) CHECK_MESSAGE(fs::exists(folder / name), name);
-  close(handle);
-  at(kept[6], -8 * 24 * 3600);
-  base::remove_leftovers_beside(folder / "b");
-  CHECK(folder.entries() == 4);
+  for (const char* name : gone) CHECK_MESSAGE(!fs::exists(folder / name), std::string(name));
+  for (const char* name : kept) CHECK_MESSAGE(fs::exists(folder / name), std::string(name));
   base::remove_leftovers_beside(folder / "none" / "a");
 }
 

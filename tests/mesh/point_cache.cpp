@@ -30,9 +30,10 @@ PointCacheHead cache_head(PointCacheFormat format, std::size_t frames, std::size
 }
 
 void write_cache(const std::filesystem::path& path, const PointCacheHead& head) {
-  PointCacheWriter out(path, head, 1);
-  for (std::size_t i = 0; i < head.frames; ++i) out.append(cache_frame(i, head.points));
-  out.finish();
+  std::vector<float> positions;
+  write_point_cache(path, head, [&](std::size_t i) {
+    return std::span<const float>(positions = cache_frame(i, head.points));
+  });
 }
 
 std::string cache_refusal(const std::string& bytes) {
@@ -150,69 +151,28 @@ TEST_CASE("numbers_that_are_none_are_told_by_frame_and_point") {
   CHECK(test::holds(cache_refusal(bytes), "frame 1: its time is no number"));
 }
 
-TEST_CASE("a_cache_is_gone_on_with_where_whole_frames_end") {
-  const test::TemporaryFolder folder;
-  for (const char* name : {"a.pc2", "a.mdd"}) {
-    const auto head = cache_head(*point_cache_format(name), 5);
-    write_cache(folder / name, head);
-    const std::string whole = test::file_bytes(folder / name);
-    const std::size_t begins = whole.size() - 5 * 24;
-    std::filesystem::remove(folder / name);
-    for (const std::size_t size : {begins - 3, begins, begins + 23, begins + 24, begins + 71, begins + 120}) {
-      test::put_file(folder / (name + std::string(".0000000000000001.unfinished")), whole.substr(0, size));
-      PointCacheWriter out(folder / name, head, 1);
-      const std::size_t there = size < begins ? 0 : (size - begins) / 24;
-      CHECK(out.frames_there() == there);
-      for (std::size_t i = there; i < 5; ++i) out.append(cache_frame(i));
-      out.finish();
-      CHECK(test::file_bytes(folder / name) == whole);
-      CHECK(folder.entries() == 1);
-    }
-    std::filesystem::remove(folder / name);
-  }
-}
-
-TEST_CASE("frames_of_another_head_or_another_key_are_not_gone_on_with") {
-  const test::TemporaryFolder folder;
-  auto head = cache_head(PointCacheFormat::pc2, 3);
-  PointCacheWriter(folder / "a.pc2", head, 1).append(cache_frame(7));
-  CHECK(PointCacheWriter(folder / "a.pc2", head, 2).frames_there() == 0);
-  CHECK(PointCacheWriter(folder / "a.pc2", head, 1).frames_there() == 1);
-  head.frames = 4;
-  PointCacheWriter out(folder / "a.pc2", head, 1);
-  CHECK(out.frames_there() == 0);
-  CHECK_FALSE(std::filesystem::exists(folder / "a.pc2"));
-}
-
 TEST_CASE("what_a_cache_cannot_hold_is_refused_and_the_older_one_stays") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.pc2", "older");
   const auto head = cache_head(PointCacheFormat::pc2, 2);
+  const auto refused = [&](const std::vector<float>& frame, const char* why) {
+    CHECK_THROWS_WITH_AS(
+        write_point_cache(folder / "a.pc2", head, [&](std::size_t) { return std::span(frame); }),
+        doctest::Contains(why), base::Error);
+  };
+  refused(cache_frame(0, 3), "frame 0: there are 3 points for 2");
+  auto bad = cache_frame(0);
+  bad[4] = std::numeric_limits<float>::infinity();
+  refused(bad, "frame 0: the position of vertex 1");
   {
-    PointCacheWriter out(folder / "a.pc2", head, 1);
-    CHECK_THROWS_WITH_AS(out.finish(), doctest::Contains("0 of 2 frames are there"), base::Error);
-    CHECK_THROWS_AS(out.append(cache_frame(0, 3)), base::Error);
-    auto bad = cache_frame(0);
-    bad[4] = std::numeric_limits<float>::infinity();
-    CHECK_THROWS_WITH_AS(out.append(bad), doctest::Contains("frame 0: the position of vertex 1"),
-                         base::Error);
-    out.append(cache_frame(0));
-    out.append(cache_frame(1));
-    CHECK_THROWS_AS(out.append(cache_frame(2)), base::Error);
-    out.discard();
-  }
-  CHECK(folder.entries() == 1);
-  {
-    PointCacheWriter out(folder / "a.pc2", head, 1);
     const test::FullDisk full(40);
-    CHECK_THROWS_AS(out.append(cache_frame(0)), base::Error);
+    CHECK_THROWS_AS(write_cache(folder / "a.pc2", head), base::Error);
   }
-  CHECK(test::file_bytes(folder / "a.pc2") == "older");
-  CHECK(PointCacheWriter(folder / "a.pc2", head, 1).frames_there() == 0);
-  CHECK_THROWS_AS(PointCacheWriter(folder / "a.pc2", cache_head(PointCacheFormat::pc2, 0), 1), base::Error);
-  CHECK_THROWS_AS(PointCacheWriter(folder / "a.pc2", cache_head(PointCacheFormat::pc2, 1, 0), 1),
-                  base::Error);
+  for (const auto& none : {cache_head(PointCacheFormat::pc2, 0), cache_head(PointCacheFormat::pc2, 1, 0)})
+    CHECK_THROWS_AS(write_cache(folder / "a.pc2", none), base::Error);
   auto timeless = cache_head(PointCacheFormat::mdd, 2);
   timeless.seconds.pop_back();
-  CHECK_THROWS_AS(PointCacheWriter(folder / "a.mdd", timeless, 1), base::Error);
+  CHECK_THROWS_AS(write_cache(folder / "a.mdd", timeless), base::Error);
+  CHECK(test::file_bytes(folder / "a.pc2") == "older");
+  CHECK(folder.entries() == 1);
 }

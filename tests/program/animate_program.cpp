@@ -114,8 +114,7 @@ TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
   CHECK(names_of(files.path(), ".png") == std::set<std::string>{"s_04.png", "s_05.png"});
   CHECK(file_bytes(files / "s_04.png") != file_bytes(files / "s_05.png"));
-  CHECK(mentions(files.animate("-o s_##.png --frames 4-6 --size 64x48 --no-grid"), "2 of them were there"));
-  CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid --turntable"), "2 pictures"));
+  CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid --turntable --force"), "2 pictures"));
   CHECK(files.animate("-o g_##.obj --straight").code == 0);
   CHECK(files.animate("-o h_##.obj").code == 0);
   CHECK(file_bytes(files / "g_09.obj") == file_bytes(files / "h_09.obj"));
@@ -180,76 +179,47 @@ TEST_CASE("morph_targets_are_what_another_reader_of_gltf_sees_too") {
   }
 }
 
-TEST_CASE("an_animation_that_was_killed_has_whole_frames_and_is_gone_on_with") {
+TEST_CASE("an_animation_that_was_killed_has_whole_frames") {
   const AnimatedDragon d;
   for (const char* signal : {"KILL", "INT"}) {
     CAPTURE(signal);
     const std::string out = std::string(signal) + "_##.ply";
     const Outcome ended = ended_by(signal, d.path(), d.line("-o '" + out + "'"),
                                    std::string(signal) + "_03.ply", std::string(signal) + "_*");
-    if (std::string(signal) == "INT")
-      CHECK_MESSAGE(mentions(ended, "stopped; what is whole stays"), ended.text);
+    if (std::string(signal) == "INT") CHECK_MESSAGE(mentions(ended, "stopped; whole files stay"), ended.text);
     const base::NumberedName name(d / out);
     const auto there = name.find();
     CHECK(there.size() >= 3);
     CHECK(there.size() < 41);
     for (const auto& file : there) CHECK(mesh::read(file.path).surface.positions.size() == 3000);
-    const Outcome again = d.animate("-o '" + out + "'");
-    CHECK_MESSAGE(again.code == 0, again.text);
-    CHECK(mentions(again, "of them were there already"));
-    CHECK(name.find().size() == 41);
-    CHECK(names_of(d.path(), ".part").empty());
-  }
-  for (int frame = 1; frame <= 41; frame += 8) {  // whoever has made it, and when
-    const auto one = base::NumberedName(d / "KILL_##.ply").file(frame),
-               other = base::NumberedName(d / "INT_##.ply").file(frame);
-    CHECK(file_bytes(one) == file_bytes(other));
   }
 }
 
-TEST_CASE("a_cache_that_was_killed_is_gone_on_with_to_the_same_bytes") {
-  const AnimatedDragon d;
-  REQUIRE(d.animate("-o whole.pc2 --frames 1-200").code == 0);
-  ended_by("KILL", d.path(), d.line("-o a.pc2 --frames 1-200"), "a.pc2.*.unfinished", "a.pc2");
-  CHECK_FALSE(fs::exists(d / "a.pc2"));
-  const Outcome again = d.animate("-o a.pc2 --frames 1-200");
-  CHECK_MESSAGE(again.code == 0, again.text);
-  CHECK(file_bytes(d / "a.pc2") == file_bytes(d / "whole.pc2"));
-  CHECK(names_of(d.path(), ".unfinished").empty());
-}
-
-TEST_CASE("frames_of_another_animation_are_not_trusted_and_of_somebody_else_not_replaced") {
+TEST_CASE("frames_that_are_there_are_not_replaced_unasked") {
   const AnimatedFiles files;
   REQUIRE(files.animate("-o f_##.obj").code == 0);
-  const std::string before = file_bytes(files / "f_05.obj");
-  fs::remove(files / "p_17.obj");
-  fs::copy(files / "p_01.obj", files / "p_17.obj");
-  CHECK(
-      mentions(files.animate("-o f_##.obj"), "of them were there already"));  // the frames of keys that stay
-  REQUIRE(files.animate("-o fresh_##.obj").code == 0);
-  CHECK(file_bytes(files / "f_05.obj") == file_bytes(files / "fresh_05.obj"));
-  CHECK(file_bytes(files / "f_05.obj") != before);
   put_file(files / "f_07.obj", "mine");
-  const Outcome refused = files.animate("-o f_##.obj");
+  const Outcome refused = files.animate("-o f_##.obj --frames 5-9");
   CHECK(refused.code == 1);
-  CHECK(mentions(refused, "f_07.obj: this file was made or changed otherwise"));
+  CHECK(mentions(refused, "f_05.obj: this file is there already, and would be replaced, as 4 more would"));
   CHECK(mentions(refused, "--force"));
   setenv("VIETE_PROGRESS", "1", 1);  // as the window runs it aside
   CHECK_FALSE(mentions(files.animate("-o f_##.obj"), "--force"));
   unsetenv("VIETE_PROGRESS");
   CHECK(file_bytes(files / "f_07.obj") == "mine");
-  CHECK(files.animate("-o f_##.obj --force").code == 0);
+  CHECK(files.animate("-o f_##.obj --frames 7-7 --force").code == 0);
+  REQUIRE(files.animate("-o fresh_##.obj").code == 0);
   CHECK(file_bytes(files / "f_07.obj") == file_bytes(files / "fresh_07.obj"));
 }
 
 TEST_CASE("files_of_an_earlier_run_that_are_not_among_the_frames_are_told_of") {
   const AnimatedFiles files;
   CHECK_FALSE(mentions(files.animate("-o f_##.ply --frames 1-6"), "there before"));
-  CHECK(mentions(files.animate("-o f_##.ply --frames 1-5"), "f_06.ply was there before"));
-  CHECK(mentions(files.animate("-o f_##.ply --frames 2-6 --step 2"),
+  CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply was there before"));
+  CHECK(mentions(files.animate("-o f_##.ply --frames 2-6 --step 2 --force"),
                  "3 files from f_01.ply to f_05.ply were there"));
   CHECK_FALSE(mentions(files.animate("-o s_##.png --frames 4-6 --size 64x48 --no-grid"), "there before"));
-  CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid"),
+  CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid --force"),
                  "s_06.png was there before"));
 }
 
@@ -259,7 +229,7 @@ TEST_CASE("several_programs_share_the_frames") {
                                    "/viete' animate model.obj cage.obj --keys 'p_##.obj' -o 'f_##.ply' "
                                    "--frames $r & done; wait");
   run("--version >/dev/null; cd " + quoted(files.path()) + " && sh share.sh");
-  CHECK(mentions(files.animate("-o f_##.ply"), "17 of them were there already"));
+  CHECK(base::NumberedName(files / "f_##.ply").find().size() == 17);
 }
 
 TEST_CASE("videos_are_made_by_ffmpeg_and_it_is_said_where_that_is_missing") {
@@ -315,13 +285,13 @@ TEST_CASE("a_video_program_that_hangs_is_ended_by_ctrl_c_and_leaves_nothing") {
 
 TEST_CASE("what_a_killed_run_left_goes_with_the_next_command_that_writes_there") {
   const AnimatedFiles files;
-  const char* gone[] = {"b.obj.999999999-1-0.part", "old.pc2.0123456789abcdef.unfinished"};
-  const char* stay[] = {"b.part", "b.obj.1-x-0.part", "mine.unfinished", "old.pc2.0123.unfinished"};
+  const char* gone[] = {"b.obj.999999999-1-0.part"};
+  const char* stay[] = {"b.part", "b.obj.1-x-0.part"};
   for (const char* name : gone) put_file(files / name, "half");
   for (const char* name : stay) put_file(files / name, "half");
   const std::string running = "c.obj." + base::process_name() + "-0.part";
   put_file(files / running, "half");
-  CHECK(files.animate("-o p_##.obj").code == 1);  // also where it is refused, and not what it may go on with
+  CHECK(files.animate("-o p_##.obj").code == 1);  // also where it is refused
   CHECK(files.animate("-o a.pc2 --keys none.pc2").code != 0);
   for (const char* name : gone) CHECK_MESSAGE(!fs::exists(files / name), std::string(name));
   for (const char* name : stay) CHECK_MESSAGE(fs::exists(files / name), std::string(name));

@@ -36,14 +36,13 @@ struct CageMotion : test::AnimatedCube {
     }
     mesh::PointCacheHead head{*format, 8, frames.size(), 1, 1};
     for (const auto& key : animation.keys) head.seconds.push_back(static_cast<float>(key.seconds));
-    mesh::PointCacheWriter writer(file, head, 0);
-    for (const auto& frame : frames) {
-      std::vector<float> numbers;
-      for (const mesh::Point& p : frame)
+    std::vector<float> numbers;
+    mesh::write_point_cache(file, head, [&](std::size_t i) {
+      numbers.clear();
+      for (const mesh::Point& p : frames[i])
         for (const double x : p) numbers.push_back(static_cast<float>(x));
-      writer.append(numbers);
-    }
-    writer.finish();
+      return std::span<const float>(numbers);
+    });
   }
   void write_poses() const {
     for (const int frame : {1, 9, 17})

@@ -52,13 +52,13 @@ public:
 
   std::vector<std::string> write_file(const fs::path& path, const Surface& rest,
                                       std::span<const Point> positions, Digits /*floats have none*/,
-                                      base::Progress* progress, FilesBeside* beside) const override {
+                                      base::Progress* progress) const override {
     const bool binary = extension_of(path) == "glb";
     if (file_.binary == binary && leads_nowhere() && is_at_rest(rest, positions)) {
       base::replace_file(path, bytes_);
       return {};
     }
-    return write_result(path, rewritten_gltf(file_, map_, rest, positions), progress, beside);
+    return write_result(path, rewritten_gltf(file_, map_, rest, positions), progress);
   }
 
   std::vector<std::string> write_animated(const fs::path& path, const Surface& rest,
@@ -71,15 +71,14 @@ public:
   std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(shared_file_, shared_map_); }
 
 private:
-  std::vector<std::string> write_result(const fs::path& path, GltfRewritten result, base::Progress* progress,
-                                        FilesBeside* beside = nullptr) const {
+  std::vector<std::string> write_result(const fs::path& path, GltfRewritten result,
+                                        base::Progress* progress) const {
     const bool binary = extension_of(path) == "glb";
     lead_images(path, result);
     if (!binary && !file_.other_chunks.empty())
       result.notes.push_back("chunks of kinds that are not known here are left out: glTF as text has none");
     base::FilesTogether files;
-    for (const fs::path& buffer : put_buffers(path, binary, result, files))
-      if (beside) beside->add(buffer);
+    put_buffers(path, binary, result, files);
     files.put(path, [&](const base::ByteSink& sink) {
       TextWriter out(sink, progress);
       put(result, binary, out);
@@ -117,8 +116,8 @@ private:
   }
 
   // Into a GLB, or as they were: in the text, or beside it.
-  std::set<fs::path> put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
-                                 base::FilesTogether& files) const {
+  void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
+                   base::FilesTogether& files) const {
     std::set<fs::path> beside;
     for (std::size_t i = binary ? 1 : 0; i < result.buffers.size(); ++i) {
       if (binary || file_.buffers[i].home == GltfBuffer::Home::text) {
@@ -130,11 +129,10 @@ private:
       files.put(name, [&](const base::ByteSink& sink) { sink(result.buffers[i]); });
       result.document["buffers"][i]["uri"] = encoded_uri(name.filename().string());
     }
-    if (beside.empty()) return beside;
+    if (beside.empty()) return;
     std::string names;
     for (const fs::path& name : beside) names += (names.empty() ? "" : ", ") + name.string();
     result.notes.push_back((beside.size() == 1 ? "the buffer is in " : "the buffers are in ") + names);
-    return beside;
   }
 
   // Images beside stay where they are: from another folder they are named by the way to it.

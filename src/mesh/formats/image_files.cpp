@@ -112,14 +112,12 @@ std::string FilesBeside::put(const std::string& name, std::string_view bytes) {
     base::replace_file(path, bytes);
     written_.push_back(path);
   }
-  add(path);
   return path.filename().string();
 }
 
 bool FilesBeside::copy(const fs::path& file, const fs::path& name) {
   const FileBytes bytes(file, nullptr);
   const fs::path path = folder_ / name;
-  add(path);
   std::error_code code;
   if (fs::exists(fs::symlink_status(path, code)))
     return fs::is_regular_file(path, code) && holds_exactly(path, bytes.view());

@@ -30,18 +30,14 @@ public:
   /// Copies a file to a name (folders may be in it). False where another file has that name. Throws
   /// base::Error.
   bool copy(const std::filesystem::path& file, const std::filesystem::path& name);
-  /// Written by others, or there already.
-  void add(const std::filesystem::path& file) { all_.push_back(file); }
   void keep() { written_.clear(); }
-  /// Of every name that was put, copied or added.
-  const std::vector<std::filesystem::path>& all() const { return all_; }
 
   const std::filesystem::path& folder() const { return folder_; }
   const std::filesystem::path& model() const { return model_; }
 
 private:
   std::filesystem::path model_, folder_;
-  std::vector<std::filesystem::path> written_, all_;
+  std::vector<std::filesystem::path> written_;
 };
 
 /// Copies what a file leads to, so that what is written again in another folder finds it too. What is outside

@@ -22,8 +22,6 @@ struct Companions {
   std::vector<std::filesystem::path> files;  ///< absolute; they need not be there
 };
 
-class FilesBeside;
-
 /// Immutable; one for each format. Thread-safe.
 class Original {
 public:
@@ -50,10 +48,10 @@ public:
                                          TextWriter& out) const = 0;
 
   /// The same as a file, which is replaced as a whole or left as it was, with what stands beside it in a
-  /// format of several files, which `beside` is told. progress and beside may be null.
+  /// format of several files. progress may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Surface& rest,
                                               std::span<const Point> positions, Digits digits,
-                                              base::Progress* progress, FilesBeside* beside = nullptr) const;
+                                              base::Progress* progress) const;
 
   /// The same with morph targets, see check_motion(). Of formats that have them: others throw base::Error.
   virtual std::vector<std::string> write_animated(const std::filesystem::path& path, const Surface& rest,

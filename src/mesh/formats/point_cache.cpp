@@ -106,53 +106,32 @@ std::optional<PointCacheFormat> point_cache_format(const fs::path& path) {
   return std::nullopt;
 }
 
-PointCacheWriter::PointCacheWriter(const fs::path& path, const PointCacheHead& head, std::uint64_t key)
-    : path_(path), head_(writable(path, head)), file_(path, key) {
-  const std::string begins = bytes_of(head_);
-  const std::uint64_t frame_size = 12 * head_.points;
-  if (file_.size() >= begins.size() && file_.beginning(begins.size()) == begins) {
-    const std::uint64_t whole = (file_.size() - begins.size()) / frame_size;
-    frames_there_ = static_cast<std::size_t>(std::min<std::uint64_t>(whole, head_.frames));
-    file_.cut(begins.size() + frames_there_ * frame_size);
-  } else {
-    file_.cut(0);
-    file_.append(begins);
-  }
-}
-
-void PointCacheWriter::append(std::span<const float> positions) {
-  if (positions.size() != 3 * head_.points || frames_there_ == head_.frames)
-    throw base::Error(path_.string(),
-                      "frame " + std::to_string(frames_there_) + " of " + std::to_string(head_.frames) +
-                          " has " + std::to_string(positions.size() / 3) + " points for " +
-                          std::to_string(head_.points),
-                      "give each frame a position of every vertex");
-  const std::string place = path_.string() + ": frame " + std::to_string(frames_there_);
-  try {
-    for (std::size_t i = 0; i < positions.size(); i += 3)
-      check_written(place, i / 3, {positions[i], positions[i + 1], positions[i + 2]}, largest_float);
-  } catch (const base::Error&) {
-    discard();  // no run could go on with it
-    throw;
-  }
-  const auto* bytes = reinterpret_cast<const char*>(positions.data());
-  if (word_in_order(1, head_.format) != 1) {
-    swapped_.resize(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      swapped_[i] = swapped_bytes(std::bit_cast<std::uint32_t>(positions[i]));
-    bytes = reinterpret_cast<const char*>(swapped_.data());
-  }
-  file_.append({bytes, positions.size_bytes()});
-  ++frames_there_;
-}
-
-void PointCacheWriter::finish(base::Durability durability) {
-  if (frames_there_ < head_.frames)
-    throw base::Error(
-        path_.string(),
-        std::to_string(frames_there_) + " of " + base::counted(head_.frames, "frame") + " are there",
-        "export the rest");
-  file_.finish(durability);
+void write_point_cache(const fs::path& path, const PointCacheHead& wished,
+                       const std::function<std::span<const float>(std::size_t)>& frame) {
+  const PointCacheHead head = writable(path, wished);
+  std::vector<std::uint32_t> swapped;
+  base::replace_file(path, [&](const base::ByteSink& sink) {
+    sink(bytes_of(head));
+    for (std::size_t number = 0; number < head.frames; ++number) {
+      const std::span<const float> positions = frame(number);
+      const std::string place = path.string() + ": frame " + std::to_string(number);
+      if (positions.size() != 3 * head.points)
+        throw base::Error(place,
+                          "there are " + std::to_string(positions.size() / 3) + " points for " +
+                              std::to_string(head.points),
+                          "give each frame a position of every vertex");
+      for (std::size_t i = 0; i < positions.size(); i += 3)
+        check_written(place, i / 3, {positions[i], positions[i + 1], positions[i + 2]}, largest_float);
+      const auto* bytes = reinterpret_cast<const char*>(positions.data());
+      if (word_in_order(1, head.format) != 1) {
+        swapped.resize(positions.size());
+        for (std::size_t i = 0; i < positions.size(); ++i)
+          swapped[i] = swapped_bytes(std::bit_cast<std::uint32_t>(positions[i]));
+        bytes = reinterpret_cast<const char*>(swapped.data());
+      }
+      sink({bytes, positions.size_bytes()});
+    }
+  });
 }
 
 PointCache::PointCache(const fs::path& path) : name_(path.string()) {

@@ -44,35 +44,11 @@ struct PointCacheHead {
   std::vector<float> seconds{};        ///< of MDD: when each frame is shown
 };
 
-/// Writes frames one after another, so that no more than one needs to be in memory. The file is there as a
-/// whole or not at all, and what a run that was ended has written is there for the next one, see
-/// base::GrowingFile.
-class PointCacheWriter {
-public:
-  /// key: a checksum of all that the frames are made from (the head need not be in it). Throws base::Error
-  /// where the file cannot be written or the format cannot hold so much.
-  PointCacheWriter(const std::filesystem::path& path, const PointCacheHead& head, std::uint64_t key);
-
-  /// That are whole in the file already: the next one to append has this number.
-  std::size_t frames_there() const { return frames_there_; }
-
-  /// x, y, z of every point. Throws base::Error for a full disk, and for a number that is none: then
-  /// discard() is done.
-  void append(std::span<const float> positions);
-
-  /// After the last frame: takes its place. Throws base::Error, also where frames are missing.
-  void finish(base::Durability durability = base::Durability::power_cut);
-
-  /// Nothing stays of it. Without it, and without finish(), the unfinished file stays for the next run.
-  void discard() { file_.discard(); }
-
-private:
-  std::filesystem::path path_;
-  PointCacheHead head_;
-  base::GrowingFile file_;
-  std::size_t frames_there_ = 0;
-  std::vector<std::uint32_t> swapped_;
-};
+/// Writes frames one after another, so that no more than one needs to be in memory. `frame` gives x, y, z of
+/// every point. The file is there as a whole or not at all. Throws base::Error for what the format cannot
+/// hold, a full disk and a number that is none; and what `frame` throws.
+void write_point_cache(const std::filesystem::path& path, const PointCacheHead& head,
+                       const std::function<std::span<const float>(std::size_t)>& frame);
 
 /// Frames are read when they are asked for. Thread-safe.
 class PointCache {

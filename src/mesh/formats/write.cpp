@@ -59,18 +59,13 @@ void write(const std::filesystem::path& path, const Surface& surface, std::span<
 }
 
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
-                               const Original* original, Digits digits, base::Progress* progress,
-                               std::vector<std::filesystem::path>* leads_to) {
+                               const Original* original, Digits digits, base::Progress* progress) {
   check_written(path.string(), content.positions);
   FilesBeside beside(path);
-  const auto keep = [&] {
-    beside.keep();
-    if (leads_to) *leads_to = beside.all();
-  };
   if (writes_itself(original, path)) {
     std::vector<std::string> notes = copy_companions(original->companions(), beside);
-    append(notes, original->write_file(path, content.surface, content.positions, digits, progress, &beside));
-    keep();
+    append(notes, original->write_file(path, content.surface, content.positions, digits, progress));
+    beside.keep();
     return notes;
   }
   const Format& format = surface_format(path);
@@ -90,7 +85,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   write_as(path, digits, progress, [&](TextWriter& out) {
     library.empty() ? format.write(what, out) : write_obj_with_library(what, library, out);
   });
-  keep();
+  beside.keep();
   return notes;
 }
 

@@ -31,11 +31,9 @@ void write(const std::filesystem::path& path, const Surface& surface, std::span<
 /// file is in it again, and in another folder the libraries and images that it names come along. Otherwise
 /// the attributes are converted as far as the format holds them; materials of an OBJ go into a library beside
 /// it (.mtl, or the next free name), and images that lay within the file beside it too; of what stands
-/// beside, a failure leaves nothing new, and `leads_to` (or null) gets the names. Returns what a person
-/// should know of the result, one line each.
+/// beside, a failure leaves nothing new. Returns what a person should know of the result, one line each.
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
-                               const Original* original, Digits digits, base::Progress* progress = nullptr,
-                               std::vector<std::filesystem::path>* leads_to = nullptr);
+                               const Original* original, Digits digits, base::Progress* progress = nullptr);
 
 /// The same as .glb or .gltf with morph targets and an animation that plays them: at rest the model has the
 /// positions of the content. Where the original can write itself, its own targets and animations stay. The

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "base/atomic_file.h"
-#include "base/checksum.h"
 #include "base/error.h"
 #include "base/quantity.h"
 #include "base/worker_pool.h"
@@ -27,8 +26,6 @@
 namespace viete::scene {
 
 namespace fs = std::filesystem;
-using Planned = base::MadeFiles::Planned;
-using State = base::MadeFiles::State;
 
 namespace {
 
@@ -74,21 +71,6 @@ private:
   std::vector<std::string> all_;
 };
 
-std::uint64_t cache_key(const AnimationExport& what, const AnimatedModel& model) {
-  base::Checksum sum;
-  const std::uint64_t content = content_key(what.model);
-  sum.add(&content, sizeof content);
-  for (const PoseKey& key : what.timeline.keys)
-    if (key.pose->shape) sum.add(key.pose->shape->data(), key.pose->shape->size() * sizeof(mesh::Point));
-  ShapeTable shapes;
-  const std::string text = timeline_json(what.timeline, 0, shapes).dump() + std::to_string(what.first) + ' ' +
-                           std::to_string(what.last) + ' ' + std::to_string(what.step) + ' ' +
-                           std::to_string(static_cast<int>(model.precision())) +
-                           std::string(sym3::kernel_name());
-  sum.add(text.data(), text.size());
-  return sum.value();
-}
-
 mesh::PointCacheHead cache_head(const AnimationExport& what, const std::vector<int>& frames) {
   mesh::PointCacheHead head;
   head.format = *mesh::point_cache_format(what.model.file);
@@ -108,28 +90,14 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::fast, fast_frame_error,
                       judged_frames(frames), pool, progress);
   if (progress) progress->section(0.02, 1);
-  mesh::PointCacheWriter writer(what.model.file, cache_head(what, frames), cache_key(what, model));
-  AnimationReport report{.frames = frames.size(), .there = writer.frames_there()};
+  AnimationReport report{.frames = frames.size()};
   FrameNotes notes;
-  const auto floats = [&](int frame) {
-    try {
-      return model.floats(frame);
-    } catch (const base::Error&) {
-      writer.discard();  // nobody could go on with it
-      throw;
-    }
-  };
-  try {
-    for (std::size_t i = writer.frames_there(); i < frames.size(); ++i) {
-      writer.append(floats(frames[i]));
-      notes.add(model.notes());
-      if (progress) progress->report(static_cast<double>(i + 1) / static_cast<double>(frames.size()));
-    }
-    writer.finish();
-  } catch (...) {
-    if (!what.keeps_unfinished) writer.discard();
-    throw;
-  }
+  mesh::write_point_cache(what.model.file, cache_head(what, frames), [&](std::size_t i) {
+    if (progress) progress->report(static_cast<double>(i) / static_cast<double>(frames.size()));
+    const std::span<const float> positions = model.floats(frames[i]);
+    notes.add(model.notes());
+    return positions;
+  });
   report.notes = notes.take();
   report.summary = base::counted(frames.size(), "frame") + " of " +
                    base::with_thousands(what.model.model->positions.size()) + " vertices, " +
@@ -278,34 +246,18 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
   return report;
 }
 
-// Each frame's key is of its pose, so that another key elsewhere in time makes only those anew that it moves.
-std::vector<Planned> planned_frames(const AnimationExport& what, const AnimatedModel& model,
-                                    base::Progress* progress) {
-  const std::uint64_t content = content_key(what.model);
-  std::vector<Planned> planned;
-  for (const int frame : what.frames()) {
-    planned.push_back({frame, pose_key(content, model.pose(frame))});
-    if (progress) progress->report(static_cast<double>(frame - what.first) / (what.last - what.first + 1));
-  }
-  return planned;
-}
-
 AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
   const base::NumberedName name(what.model.file);
-  base::MadeFiles made(name);
-  constexpr double planning = 0.1;  // share of the work: of shapes, which are solved for, about that
+  const std::vector<int> frames = what.frames();
+  check_frames_are_new(name, frames, what.force);
   AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool);
-  if (progress) progress->section(0, planning);
-  const std::vector<Planned> all = planned_frames(what, model, progress);
-  const std::vector<Planned> missing = files_to_make(made, name, all, what.force);
   FrameNotes notes;
-  const auto count = static_cast<double>(missing.size());
-  for (std::size_t i = 0; i < missing.size(); ++i) {
-    const auto frame = static_cast<double>(missing[i].number);
-    const auto share = [&](double frames) { return planning + (1 - planning) * frames / count; };
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const double frame = frames[i];
+    const auto share = [&](double done) { return done / static_cast<double>(frames.size()); };
     const auto at = static_cast<double>(i);
     Export one = what.model;
-    one.file = name.file(missing[i].number);
+    one.file = name.file(frames[i]);
     const WholePose pose = model.pose(frame);
     one.pose = pose.cage;
     one.probes = model.probes(pose);
@@ -313,14 +265,12 @@ AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool
     if (progress) progress->section(share(at), share(at + 0.5));
     deform::ExactModel deformed = model.exact(pose, progress);
     if (progress) progress->section(share(at + 0.5), share(at + 1));
-    std::vector<fs::path> leads_to;
-    notes.add(write_exact(one, std::move(deformed), progress, &leads_to));
-    made.add(missing[i], leads_to);
+    notes.add(write_exact(one, std::move(deformed), progress));
   }
-  AnimationReport report{.frames = all.size(), .there = all.size() - missing.size()};
-  notes.add(other_files_note(name, all));
+  AnimationReport report{.frames = frames.size()};
+  notes.add(other_files_note(name, frames));
   report.notes = notes.take();
-  report.summary = base::counted(all.size(), "frame") + ", deformed in double";
+  report.summary = base::counted(frames.size(), "frame") + ", deformed in double";
   return report;
 }
 
@@ -386,46 +336,14 @@ AnimationReport write_animation(const AnimationExport& what, base::Progress* pro
   return write_morphs(what, pool, progress);
 }
 
-std::vector<Planned> files_to_make(base::MadeFiles& made, const base::NumberedName& name,
-                                   std::span<const Planned> files, Force force) {
-  std::vector<Planned> missing, foreign;
-  for (const Planned& file : files) {
-    const State state = made.state(file);
-    if (state != State::whole) missing.push_back(file);
-    if (state == State::foreign) foreign.push_back(file);
-  }
-  if (!foreign.empty() && force != Force::given)
-    throw base::Error(
-        name.file(foreign.front().number).string(),
-        "this file was made or changed otherwise, and would be replaced" +
-            (foreign.size() > 1 ? ", as " + base::with_thousands(foreign.size() - 1) + " more would"
-                                : std::string()),
-        std::string("choose another name, or move them away") +
-            (force == Force::offered ? ", or add --force" : ""));
-  made.begin(missing);
-  return missing;
-}
-
-std::vector<std::string> other_files_note(const base::NumberedName& name, std::span<const Planned> files) {
+std::vector<std::string> other_files_note(const base::NumberedName& name, std::span<const int> frames) {
   std::vector<std::string> others;
   for (const base::NumberedFile& file : name.find())
-    if (!std::ranges::binary_search(files, file.number, {}, &Planned::number))
-      others.push_back(file.path.filename().string());
+    if (!std::ranges::binary_search(frames, file.number)) others.push_back(file.path.filename().string());
   if (others.empty()) return {};
   if (others.size() == 1) return {others.front() + " was there before and is not one of these frames"};
   return {base::counted(others.size(), "file") + " from " + others.front() + " to " + others.back() +
           " were there before and are not among these frames"};
-}
-
-std::uint64_t pose_key(std::uint64_t before, const WholePose& pose) {
-  base::Checksum sum;
-  const auto add = [&](const auto& values) { sum.add(values.data(), values.size() * sizeof(values[0])); };
-  sum.add(&before, sizeof before);
-  add(pose.cage.positions);
-  add(pose.cage.turns);
-  add(pose.probes);
-  if (pose.shape) add(*pose.shape);
-  return sum.value();
 }
 
 }  // namespace viete::scene

@@ -4,10 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "base/made_files.h"
+#include "base/numbered_files.h"
 #include "base/progress.h"
 #include "scene/document/timeline.h"
 #include "scene/files/export.h"
@@ -34,9 +35,7 @@ struct AnimationExport {
   bool normals = true;      ///< of morph targets: without, they take half as much, and light stays as at rest
   double most_bytes = 1e9;  ///< of morph targets and their weights; more is refused
   std::string to_allow_more{};  ///< advice for that: "allow more megabytes (--largest)"; empty: none
-  Force force = Force::none;    ///< replace numbered files that Viete has not made
-  bool keeps_unfinished =
-      true;  ///< where it ends early, what is done of a single file stays for the next run
+  Force force = Force::none;    ///< replace numbered files that are there
 
   std::vector<int> frames() const;
 };
@@ -46,7 +45,6 @@ AnimationExport animation_export_of(const Document& document, const std::filesys
 
 struct AnimationReport {
   std::size_t frames = 0;            ///< that are in the files now, or poses between which morph targets go
-  std::size_t there = 0;             ///< of these, that an earlier run had made
   std::string summary{};             ///< one line: what was written, by which engine, and how exact it is
   std::vector<std::string> notes{};  ///< what a person should know of the result, one line each
   std::size_t targets = 0;           ///< morph targets
@@ -62,9 +60,8 @@ bool is_video_format(const std::string& extension);
 void check_animation_export(const AnimationExport& what);
 
 /// Writes it, with one binding for all frames. Every file is there as a whole or as it was, whenever the
-/// program ends: numbered files that an earlier run has made of the same stay and are not made again (see
-/// base::MadeFiles), and a point cache goes on where the run before was ended. Uses a pool of its own for as
-/// long as it takes. progress may be null. Throws base::Error and base::Cancelled. Thread-safe.
+/// program ends. Uses a pool of its own for as long as it takes. progress may be null. Throws base::Error,
+/// also where a numbered file is there and `force` is not given, and base::Cancelled. Thread-safe.
 ///
 /// Numbered files are in double. Point caches hold floats: they take the engine of the window, with weights
 /// as they are, where that is off by no more than fast_frame_error at three frames, and double otherwise; so
@@ -82,18 +79,8 @@ MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progr
 /// Diagonals of the cage.
 inline constexpr double fast_frame_error = 2e-6;
 
-/// Files of a sequence that are to be made: checks that no other file would be replaced, unless `force` is
-/// given; those that are whole are left out. Throws base::Error.
-std::vector<base::MadeFiles::Planned> files_to_make(base::MadeFiles& made, const base::NumberedName& name,
-                                                    std::span<const base::MadeFiles::Planned> files,
-                                                    Force force);
-
-/// Tells of files of the sequence that are none of `files`, such as an earlier run's with more frames: a
+/// Tells of files of the sequence of none of these frames, such as an earlier run's with more frames: a
 /// line, or nothing. Throws base::Error.
-std::vector<std::string> other_files_note(const base::NumberedName& name,
-                                          std::span<const base::MadeFiles::Planned> files);
-
-/// A checksum of a pose upon `before`.
-std::uint64_t pose_key(std::uint64_t before, const WholePose& pose);
+std::vector<std::string> other_files_note(const base::NumberedName& name, std::span<const int> frames);
 
 }  // namespace viete::scene

@@ -92,12 +92,12 @@ std::vector<std::string> write_deformed(const Export& what, base::Progress* prog
 }
 
 std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
-                                     base::Progress* progress, std::vector<std::filesystem::path>* leads_to) {
+                                     base::Progress* progress) {
   const std::vector<mesh::Point>& shape = what.shape ? *what.shape : what.model->positions;
   keep_at_rest(*what.cage, what.pose, what.probes, shape, deformed.positions);
   const mesh::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
   std::vector<std::string> notes =
-      mesh::write(what.file, content, what.original.get(), what.digits, progress, leads_to);
+      mesh::write(what.file, content, what.original.get(), what.digits, progress);
   std::ranges::move(deformed.warnings, std::back_inserter(notes));
   for (auto& note : pose_notes(deformed.report, *what.cage, what.pose)) notes.push_back(std::move(note));
   const bool new_gltf = !writes_original(what) && mesh::surface_format(what.file).in_metres;
@@ -106,66 +106,6 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
     if (!note.empty()) notes.push_back(note);
   }
   return notes;
-}
-
-namespace {
-
-template <class Value>
-void add_all(base::Checksum& sum, const std::vector<Value>& values) {
-  sum.add(values.data(), values.size() * sizeof(Value));
-}
-
-void add_text(base::Checksum& sum, const std::string& text) {
-  sum.add(text.data(), text.size());
-}
-
-void add_number(base::Checksum& sum, std::uint64_t number) {
-  sum.add(&number, sizeof number);
-}
-
-void add_attributes(base::Checksum& sum, const mesh::Attributes& a) {
-  add_all(sum, a.texture_points);
-  add_all(sum, a.corner_texture);
-  add_all(sum, a.normals);
-  add_all(sum, a.corner_normal);
-  add_all(sum, a.colors);
-  add_all(sum, a.polygon_colors);
-  for (const mesh::Group& group : a.groups) {
-    add_text(sum, group.object + '\n' + group.name);
-    add_number(sum, std::uint64_t{group.first_polygon} << 32 | group.material);
-    add_number(sum, group.smooth);
-  }
-  for (const mesh::Material& material : a.materials) {
-    add_text(sum, material.name);
-    sum.add(material.base_color.data(), sizeof material.base_color);
-    add_number(sum, std::uint64_t{material.base_color_image} << 32 | std::uint64_t{material.repeats});
-  }
-  for (const mesh::ImageFile& image : a.images) {
-    add_text(sum, image.path.string() + '\n' + image.name);
-    image.bytes ? add_text(sum, *image.bytes) : add_number(sum, content_of(image.path).value_or(0));
-  }
-}
-
-}  // namespace
-
-std::uint64_t content_key(const Export& what) {
-  constexpr std::uint64_t how_files_are_made = 1;  // to grow when the same input gives other files
-  base::Checksum sum;
-  add_number(sum, how_files_are_made);
-  add_number(sum, mesh::content_key(*what.model));
-  if (what.attributes) add_attributes(sum, *what.attributes);
-  if (what.original) add_number(sum, content_of(what.model_file).value_or(0));
-  add_number(sum, mesh::content_key(what.cage->surface));
-  deform::Probes probes = what.probes;
-  for (Probe& probe : probes.all)
-    if (!probe.locked) probe.pose = {};
-  add_text(sum, scheme_json(what.scheme).dump() + probes_json(probes).dump() +
-                    std::string(sym3::name(what.method)));
-  if (what.mask) add_all(sum, *what.mask);
-  add_number(sum, static_cast<std::uint64_t>(what.up));
-  add_number(sum, static_cast<std::uint64_t>(what.digits.kind) << 32 |
-                      static_cast<std::uint64_t>(what.digits.decimals));
-  return sum.value();
 }
 
 std::string gltf_note(UpAxis up) {

@@ -44,19 +44,14 @@ Export export_of(const Document& document, const std::filesystem::path& file);
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress = nullptr);
 
 /// The second half of it: the model deformed already, by deform_exactly() or an ExactDeformer, of all that is
-/// in `what`. leads_to: see mesh::write(); or null.
+/// in `what`.
 std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
-                                     base::Progress* progress = nullptr,
-                                     std::vector<std::filesystem::path>* leads_to = nullptr);
+                                     base::Progress* progress = nullptr);
 
 /// What files have of a deformed model: where nothing has moved it, or only rounding has moved a coordinate,
 /// it is where the shape has it. `shape`: what the cage acts upon.
 void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions);
-
-/// A checksum of all that the file is made from but its pose, the probes' poses and its name. Reads the
-/// model's file again, which the exported one may be a copy of.
-std::uint64_t content_key(const Export& what);
 
 /// That other programs will take a glTF's numbers as metres and Y as up, and what to do there; empty where
 /// that is so.

@@ -5,6 +5,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
+#include "base/quantity.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
@@ -111,6 +112,22 @@ void check_output(const fs::path& file, const FrameSteps& frames, const FilesInU
   for (int frame = frames.first; frame <= frames.last; frame += frames.step)
     if (const std::string* used = files.find(name.file(frame)))
       refuse_in_use(name.file(frame), *used, file, Force::none);
+}
+
+void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force) {
+  if (force == Force::given) return;
+  std::error_code code;
+  std::vector<fs::path> there;
+  for (const int frame : frames)
+    if (const fs::path file = name.file(frame); fs::exists(fs::symlink_status(file, code)))
+      there.push_back(file);
+  if (there.empty()) return;
+  const std::size_t more = there.size() - 1;
+  throw base::Error(there.front().string(),
+                    "this file is there already, and would be replaced" +
+                        (more > 0 ? ", as " + base::with_thousands(more) + " more would" : std::string()),
+                    std::string("choose another name, or move them away") +
+                        (force == Force::offered ? ", or add --force" : ""));
 }
 
 fs::path proposed_name(const fs::path& file, const FilesInUse& files) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,10 @@ namespace viete::mesh {
 class Original;
 struct Attributes;
 }  // namespace viete::mesh
+
+namespace viete::base {
+class NumberedName;
+}
 
 namespace viete::scene {
 
@@ -38,10 +43,12 @@ struct FrameSteps {
 };
 
 /// The same of an animation: of one file, or of a pattern and the frames that give it numbers. Nothing forces
-/// the latter over what is read, which would be gone halfway; other files of such names are known by
-/// base::MadeFiles.
+/// the latter over what is read, which would be gone halfway.
 void check_output(const std::filesystem::path& file, const FrameSteps& frames, const FilesInUse& files,
                   Force force);
+
+/// Throws base::Error where a file of these frames is there already, unless `force` is given.
+void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force);
 
 /// Beside the first one: a name that is neither taken nor in use; the name itself, where what is there may be
 /// replaced.
