@@ -63,7 +63,7 @@ std::string loop_session(const Cage& cage) {
   std::string text =
       "{\n  \"format\": \"viete session\",\n  \"version\": 1,\n"
       "  \"model\": \"dragon.ply\",\n  \"cage\": \"cage.obj\",\n"
-      "  \"weights\": \"biharmonic\", \"blend\": \"srl\", \"as_before\": false,\n  \"poses\": [\n";
+      "  \"weights\": \"biharmonic\", \"blend\": \"srl\",\n  \"poses\": [\n";
   for (std::size_t i = 0; i < poses.size(); ++i)
     text += "    {\"name\": \"" + poses[i].name.substr(std::string("pose_").size()) + "\", " +
             positions(poses[i].mesh) + (i + 1 < poses.size() ? "},\n" : "}\n");

@@ -41,21 +41,8 @@ void add_amount_option(CLI::App& app, const std::string& name, const std::string
 void add_scheme_options(CLI::App& app, Inputs& inputs) {
   deform::PartialChoice& choice = inputs.settings.choice;
   auto* way = add_way_option(app, inputs.settings.way);
-  // The word for two of the ways until version 0.3.
-  auto* coordinates = app.add_option_function<std::string>(
-      "--coordinates",
-      [&choice](const std::string& word) {
-        const deform::Scheme scheme = scheme_of(*deform::way_of_old_word(word));
-        choice = {scheme.weighting.weights, scheme.blend};
-      },
-      "");
-  one_of(coordinates, {"face", "mvc"})->group("");
   add_choice_options(app, choice);
-  for (const char* other : {"--weights", "--blend", "--coordinates"}) {
-    auto* given = app.get_option_no_throw(other);
-    if (given) way->excludes(given);
-    if (given && given != coordinates) coordinates->excludes(given);
-  }
+  for (const char* other : {"--weights", "--blend"}) way->excludes(app.get_option(other));
   add_radius_option(app, inputs.settings.radius);
   add_amount_option(app, "--turn", "rotation", inputs.settings.turn);
   add_amount_option(app, "--stretch", "stretch", inputs.settings.stretch);

@@ -45,11 +45,6 @@ struct Cage {
 Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
                     std::span<const mesh::Point> positions);
 
-/// What radii are parts of. As before version 0.3, see Weighting::as_before, the diagonal.
-inline double size_of(const Cage& cage, bool as_before) {
-  return as_before ? cage.diagonal : cage.size;
-}
-
 /// Throws base::Error if the surface has no triangle with area, is a closed one squashed flat, or has a fin
 /// (an edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
 Cage make_cage(mesh::Surface surface);

@@ -82,14 +82,14 @@ std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements)
   return cage.surface.positions;
 }
 
-CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form, bool as_before)
+CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form)
     : cage_(std::move(cage)), form_(form), moment_length_(deform::moment_length(*cage_)) {
   const std::size_t handles = handle_count(*cage_, elements);
   all_ = first_numbers(handles);
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});
   values_.resize(handles * shape(form_).columns);
   if (form_ == RowForm::positions) return;
-  if (elements == Elements::point) patches_.emplace(*cage_, size_of(*cage_, as_before));
+  if (elements == Elements::point) patches_.emplace(*cage_, cage_->size);
   maps_.resize(handles);
   compute_maps(cage_->surface.positions, middle(cage_->surface.positions), all_);
   for (const AffineMap& map : maps_) rest_centers_.push_back(map.center);

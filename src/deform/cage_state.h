@@ -48,10 +48,10 @@ struct Rows {
 class CageState {
 public:
   /// cage must not be null.
-  CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend, bool as_before = false)
-      : CageState(std::move(cage), elements, row_form(elements, blend), as_before) {}
+  CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend)
+      : CageState(std::move(cage), elements, row_form(elements, blend)) {}
   /// Maps of points are those of the patches about them.
-  CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form, bool as_before = false);
+  CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form);
 
   /// Throws base::Error if pose.positions is not one per cage vertex.
   void set_pose(const Pose& pose);

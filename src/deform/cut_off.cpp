@@ -11,7 +11,7 @@ namespace viete::deform {
 double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& weighting,
                        std::span<double> weights) {
   const auto& x = cage.surface.positions;
-  const double radius = weighting.radius * size_of(cage, weighting.as_before);
+  const double radius = weighting.radius * cage.size;
   double total = 0;
   for (std::size_t h = 0; h < weights.size(); ++h) {
     const auto [t, weighs] = handle_shape(cage, weighting.elements, h);

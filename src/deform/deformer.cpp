@@ -14,7 +14,7 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
       pool_(pool),
       binding_(std::move(binding)),
       scheme_(scheme),
-      state_(cage, scheme.weighting.elements, scheme.blend, scheme.weighting.as_before),
+      state_(cage, scheme.weighting.elements, scheme.blend),
       weigher_(state_.cage(), binding_->weighting),
       layer_(binding_->rest, pool) {
   state_.set_amounts(scheme.amounts);

@@ -100,7 +100,7 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
       method_(method),
       pool_(pool),
       mask_(mask),
-      state_(cage_, scheme.weighting.elements, scheme.blend, scheme.weighting.as_before),
+      state_(cage_, scheme.weighting.elements, scheme.blend),
       weigher_(*cage_, scheme.weighting),
       layer_(model.positions, pool) {
   const std::size_t n = model_.positions.size();

@@ -70,10 +70,6 @@ const BlendEntry& entry(Blend blend) {
   return find(blend_table, blend);
 }
 
-bool Scheme::changed_in_03() const {
-  return stitched() || entry(blend).of_points || weighting.changed_in_03();
-}
-
 std::optional<std::string_view> conflict(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value && scheme.blend != Blend::linear)
     return "mean value coordinates only move points, which are blended linearly";

@@ -74,16 +74,10 @@ inline constexpr int most_iterations = 20;
 struct Weighting {
   Elements elements = Elements::face;
   Weights weights = Weights::inverse;
-  /// Where cut-off weights end, in sizes of the cage (see size_of()): least_radius to largest_radius.
+  /// Where cut-off weights end, in sizes of the cage: least_radius to largest_radius.
   double radius = 0.25;
-  /// By the rules before version 0.3, for sessions and bindings of then: parts of a model are weighed each by
-  /// itself, along its surface alone, so that they come apart; and the size of a cage is the diagonal of its
-  /// bounds, which is another one when cage and model are turned together.
-  bool as_before = false;
 
   double used_radius() const { return partial() ? radius : 0; }
-  bool used_as_before() const { return changed_in_03() && as_before; }
-  bool changed_in_03() const { return entry(weights).on_surface || partial(); }
   /// Weights end at the radius, and those of a vertex may sum to less than 1: what is missing stays at rest,
   /// see Shares in binding.h.
   bool partial() const { return weights == Weights::cut_off; }
@@ -91,8 +85,7 @@ struct Weighting {
   bool clamped() const { return weights == Weights::biharmonic; }
   /// True if both give the same weights.
   friend bool operator==(const Weighting& a, const Weighting& b) {
-    return a.elements == b.elements && a.weights == b.weights && a.used_radius() == b.used_radius() &&
-           a.used_as_before() == b.used_as_before();
+    return a.elements == b.elements && a.weights == b.weights && a.used_radius() == b.used_radius();
   }
 };
 
@@ -125,16 +118,13 @@ struct Scheme {
   Holding holding{};  ///< of stitched models
 
   bool stitched() const { return iterations > 0; }
-  /// Weighting::as_before makes a difference.
-  bool changed_in_03() const;
   /// A frame takes an exponential a vertex.
   bool exponential() const { return blend == Blend::srl; }
   /// Elements turn and stretch; else they only move.
   bool has_maps() const { return weighting.elements == Elements::face; }
   friend bool operator==(const Scheme& a, const Scheme& b) {
     return a.weighting == b.weighting && a.blend == b.blend && a.amounts == b.amounts &&
-           a.iterations == b.iterations && a.holding == b.holding &&
-           (!a.changed_in_03() || a.weighting.as_before == b.weighting.as_before);
+           a.iterations == b.iterations && a.holding == b.holding;
   }
 };
 

@@ -116,7 +116,6 @@ private:
   }
 
   void find_couplings() {
-    if (settings_.as_before) return;
     const mesh::Surface joined = mesh::welded(model_);
     const auto masses = intrinsic_laplacian(joined).masses;
     couplings_ = by_corners(part_couplings(joined, mesh::EdgePaths(joined), masses, pool_));
@@ -144,7 +143,7 @@ private:
     if (t < model_.triangles.size()) {
       for (const auto v : model_.triangles[t]) pins.push_back({v, handle, settings_.pin});
     }
-    const double radius = settings_.radius * size_of(cage_, settings_.as_before);
+    const double radius = settings_.radius * cage_.size;
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
       const double d = norm(model_.positions[v] - center);
       if (d < radius) pins.push_back({v, handle, settings_.pin * std::pow((radius - d) / radius, 2)});
@@ -272,9 +271,7 @@ std::size_t stitching_bytes(std::size_t vertices) {
 }
 
 StitchingSettings settings_of(const Scheme& scheme) {
-  return {.radius = scheme.holding.radius,
-          .translation = scheme.holding.weight,
-          .as_before = scheme.weighting.as_before};
+  return {.radius = scheme.holding.radius, .translation = scheme.holding.weight};
 }
 
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,

@@ -16,11 +16,10 @@ namespace viete::deform {
 /// How firmly a stitched model is held. Weights are of one vertex, beside a stiffness of about 1 between
 /// neighbours, see stiffness_matrix().
 struct StitchingSettings {
-  double pin = 0.03;  ///< of each corner of the triangle nearest to a handle, to where its map takes it
-  double radius = 0;  ///< in sizes of the cage (size_of()): vertices so near to a handle are pinned too, by
-                      ///< pin ((radius - distance) / radius)^2
+  double pin = 0.03;       ///< of each corner of the triangle nearest to a handle, to where its map takes it
+  double radius = 0;       ///< in sizes of the cage : vertices so near to a handle are pinned too, by
+                           ///< pin ((radius - distance) / radius)^2
   double translation = 0;  ///< of every vertex, to its blended position
-  bool as_before = false;  ///< Weighting::as_before: parts of the model are not coupled
 
   friend bool operator==(const StitchingSettings&, const StitchingSettings&) = default;
 };

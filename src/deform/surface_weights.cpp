@@ -140,7 +140,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
       laplacian_(intrinsic_laplacian(joined)) {
   if (progress) progress->report(0);
   std::vector<double> springs(joined.positions.size(), spring_per_handle * static_cast<double>(handles()));
-  if (!weighting.as_before) couple_parts(joined, cage, weighting, springs, pool);
+  couple_parts(joined, cage, weighting, springs, pool);
   std::vector<bool> is_owned(owned_.owners.size());
   for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
   const HeldParts held = held_parts(laplacian_.stiffness, is_owned);

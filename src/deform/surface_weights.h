@@ -62,8 +62,7 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 /// Vertices at the same place are one: seams of textures and sharp edges do not tear, nor do triangles that
 /// share no vertices. Parts that lie near each other, and cracks, are held together by part_couplings(),
 /// which L then has too, and handles own a vertex in each body of several (own_in_bodies(), s by the area):
-/// weights are a matter of space there, and no pose tears the model. Weighting::as_before leaves all that
-/// out.
+/// weights are a matter of space there, and no pose tears the model.
 ///
 /// A part of the model without an owned vertex, and a vertex of no triangle, take over the weights of the
 /// vertex nearest to their middle that has a part with one: all of such a part moves as one.

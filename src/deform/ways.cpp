@@ -48,12 +48,6 @@ constexpr std::array ways_table = {
              scheme(Elements::face, Weights::cut_off, Blend::srl)},
 };
 
-struct OldWord {
-  std::string_view word;
-  Way way;
-};
-constexpr std::array old_words = {OldWord{"face", Way::paper}, OldWord{"mvc", Way::mean_value}};
-
 bool same_choices(const Scheme& a, const Scheme& b) {
   return a.weighting.weights == b.weighting.weights && a.blend == b.blend;
 }
@@ -74,23 +68,11 @@ Scheme scheme_of(Way way, const Scheme& now) {
 }
 
 std::optional<Way> way_of(const Scheme& s) {
-  if (s.changed_in_03() && s.weighting.as_before) return std::nullopt;
   const auto is_it = [&](const WayEntry& way) {
     return same_choices(s, way.scheme) && s.stitched() == way.scheme.stitched();
   };
   const auto found = std::ranges::find_if(ways_table, is_it);
   return found == ways_table.end() ? std::nullopt : std::optional(found->value);
-}
-
-std::string_view old_word(const Scheme& s) {
-  const auto found = std::ranges::find_if(
-      old_words, [&](const OldWord& old) { return same_choices(s, entry(old.way).scheme); });
-  return found == old_words.end() ? std::string_view{} : found->word;
-}
-
-std::optional<Way> way_of_old_word(std::string_view word) {
-  const auto found = std::ranges::find(old_words, word, &OldWord::word);
-  return found == old_words.end() ? std::nullopt : std::optional(found->way);
 }
 
 Scheme default_scheme(bool has_triangles) {

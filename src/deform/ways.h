@@ -26,12 +26,6 @@ Scheme scheme_of(Way way, const Scheme& now = {});
 /// and however often and firmly a stitched model is solved for. Nothing if it is none.
 std::optional<Way> way_of(const Scheme& scheme);
 
-/// The word that sessions have had since version 0.1 for the way of the paper ("face") and for mean value
-/// coordinates ("mvc"), and command lines as --coordinates; empty: none stands for the elements, weights and
-/// blend of this scheme.
-std::string_view old_word(const Scheme& scheme);
-std::optional<Way> way_of_old_word(std::string_view word);
-
 /// What a model is moved by where nobody chose: Way::smooth, the one whose energy is the lowest over the
 /// poses of many models without being high in any (the manual has the table). Weights that do not need a
 /// surface where there is none.

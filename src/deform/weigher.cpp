@@ -154,7 +154,7 @@ double Weigher::squared_contact() const {
 }
 
 double Weigher::cut() const {
-  return 1 / (scale_ * size_of(cage_, weighting_.as_before) * weighting_.radius);
+  return 1 / (scale_ * cage_.size * weighting_.radius);
 }
 
 std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,

@@ -114,14 +114,6 @@ void radius_slider(const Context& ui) {
   if (radius) scene::set_radius(document, *radius);
 }
 
-// Of older sessions alone.
-void as_before(const Context& ui) {
-  const scene::Scheme& scheme = ui.workspace.document.scheme;
-  if (!scheme.changed_in_03() || !scheme.weighting.as_before) return;
-  command_toggle(ui, "toggle_as_before", true);
-  record(ui, "toggle_as_before", true);
-}
-
 bool amount_slider(const Context& ui, const char* name, const char* label, double& amount, bool used,
                    const std::string& what) {
   constexpr double step = 0.05;
@@ -200,7 +192,6 @@ void panel_custom(const Context& ui) {
   if (const auto stage = frame_formula(ui)) ui.workspace.interaction.stage = stage;
   chooser(ui, "weights", "Weights", scene::all_weights(), std::optional(scheme.weighting.weights));
   chooser(ui, "blend", "Blend", scene::all_blends(), std::optional(scheme.blend));
-  as_before(ui);
   stitching(ui);
 }
 

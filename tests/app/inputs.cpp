@@ -90,7 +90,7 @@ TEST_CASE("stitching_takes_a_number_of_iterations_or_one") {
 
 TEST_CASE("settings_that_do_not_go_together_are_told_before_anything_is_opened") {
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --blend srl --weights mean-value"), base::Error);
-  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --coordinates mvc --radius 3"), base::Error);
+  CHECK_THROWS_AS(parsed(Use::picture, "a.obj --weights mean-value --radius 3"), base::Error);
   // What a session has is not known yet.
   CHECK(refusal(Use::picture, "s.viete --radius 3").empty());
 }

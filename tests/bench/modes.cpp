@@ -57,12 +57,12 @@ TEST_CASE("every_way_of_blending_is_measured_and_none_distorts_a_cage_at_rest") 
     CHECK(posed.distortion.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);
-    if (deform::old_word(scheme) == "mvc") {
+    if (deform::way_of(scheme) == deform::Way::mean_value) {
       CHECK(posed.energy_ratio == 1);
       CHECK(posed.bending_ratio == 1);
       CHECK(found->deviations[3] < exactly);
     }
-    if (deform::old_word(scheme) == "face") {
+    if (deform::way_of(scheme) == deform::Way::paper) {
       CHECK(found->deviations[2] < exactly);
       CHECK(found->deviations[3] > 1e-6);
     }
@@ -93,6 +93,6 @@ TEST_CASE("the_radius_is_that_of_all_modes_and_only_method_fast_has_fused_frames
     const bool changed = mode.qualities[1].distortion.energy != all.modes[m].qualities[1].distortion.energy;
     if (mode.scheme.weighting.partial()) CHECK(changed);
     if (mode.scheme.exponential()) CHECK_FALSE(mode.fused);
-    if (!deform::old_word(mode.scheme).empty()) CHECK(all.modes[m].fused);
+    if (mode.scheme.weighting.weights == deform::Weights::mean_value) CHECK(all.modes[m].fused);
   }
 }

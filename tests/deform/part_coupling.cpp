@@ -22,7 +22,6 @@ using namespace viete::test;
 namespace {
 
 constexpr Weighting plates{.weights = Weights::biharmonic};
-constexpr Weighting plates_apart{.weights = Weights::biharmonic, .as_before = true};
 
 // Every triangle by itself, its corners moved by up to this.
 mesh::Surface soup_of(const mesh::Surface& surface, double moved) {
@@ -182,11 +181,8 @@ std::vector<Coupling> couplings_of(const mesh::Surface& surface, int threads = 2
 
 }  // namespace
 
-TEST_CASE("a_model_of_one_part_that_nowhere_touches_itself_has_the_weights_of_its_surface_alone") {
-  const auto model = tube(20, 16, 0.5, 3);
-  const Cage cage = make_cage(tube(4, 6, 0.8, 3.4));
-  CHECK(couplings_of(model).empty());
-  CHECK(bound(model, cage, plates).weights == bound(model, cage, plates_apart).weights);
+TEST_CASE("a_model_of_one_part_that_nowhere_touches_itself_has_no_couplings") {
+  CHECK(couplings_of(tube(20, 16, 0.5, 3)).empty());
 }
 
 TEST_CASE("a_tube_in_a_tube_takes_weights_like_those_of_the_tube_around_it") {
@@ -196,11 +192,7 @@ TEST_CASE("a_tube_in_a_tube_takes_weights_like_those_of_the_tube_around_it") {
     CAPTURE(radius);
     const auto inner = tube(26, 20, radius, 2.9);
     const auto model = together(inner, outer);
-    const double apart = most_apart_from_nearest(bound(model, cage, plates_apart), inner, outer),
-                 together = most_apart_from_nearest(bound(model, cage, plates), inner, outer);
-    CAPTURE(together);
-    CAPTURE(apart);
-    CHECK(together < 0.7 * apart);
+    CHECK(most_apart_from_nearest(bound(model, cage, plates), inner, outer) < 0.005 + 0.25 * (0.5 - radius));
   }
 }
 

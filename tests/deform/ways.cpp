@@ -44,9 +44,6 @@ TEST_CASE("a_way_stays_itself_under_amounts_radius_and_iterations_and_is_another
       other.iterations = s.stitched() ? 0 : 1;
       CHECK(way_of(other) != way.value);
     }
-    Scheme changed = s;
-    changed.weighting.as_before = true;
-    CHECK(way_of(changed).has_value() != s.changed_in_03());
   }
 }
 
@@ -72,24 +69,14 @@ TEST_CASE("whatever_is_picked_is_there_and_changes_no_more_of_the_rest_than_it_m
   }
 }
 
-TEST_CASE("words_of_older_sessions_stand_for_ways") {
-  CHECK(way_of_old_word("face") == Way::paper);
-  CHECK(way_of_old_word("mvc") == Way::mean_value);
-  CHECK_FALSE(way_of_old_word("").has_value());
-  CHECK_FALSE(way_of_old_word("linear").has_value());
-  for (const Scheme& s : valid_schemes()) {
-    if (!old_word(s).empty()) CHECK(scheme_of(*way_of_old_word(old_word(s))) == s);
-  }
-}
-
 TEST_CASE("a_scheme_is_completed_from_any_part_of_it") {
-  CHECK(old_word(complete({})) == "face");
+  CHECK(way_of(complete({})) == Way::paper);
   for (const Scheme& s : valid_schemes()) {
     CAPTURE(text(s));
     CHECK(complete({s.weighting.weights, s.blend}) == s);
     CHECK(complete({}, s) == s);
   }
-  CHECK(old_word(complete({.weights = Weights::mean_value})) == "mvc");
+  CHECK(way_of(complete({.weights = Weights::mean_value})) == Way::mean_value);
   CHECK(text(complete({.blend = Blend::linear})) == "inverse, linear");
 }
 

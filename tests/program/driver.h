@@ -155,8 +155,8 @@ public:
   }
   /// Unfolds what ways of blending are made of, where the widget is part of that. True if it is there then.
   bool unfold_custom(const std::string& widget) {
-    static const std::set<std::string> parts = {
-        "weights", "blend", "toggle_as_before", "toggle_stitched", "iterations", "pins", "hold", "formula"};
+    static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
+                                                "pins",    "hold",  "formula"};
     const auto& recorder = viewer().recorder();
     if (parts.contains(widget) && !recorder.find(widget) && recorder.find("section/Custom deformer")) {
       workspace().remembered.layout.sections["Custom deformer"] = true;

@@ -110,7 +110,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   REQUIRE(run_viete("render a.viete -o b.png --size 320x200 --light --look top", folder.path())
               .starts_with("0 "));
   CHECK(test::read_png(folder / "b.png").width == 320);
-  CHECK(run_viete("deform a.viete -o b.obj --coordinates mvc", folder.path()).starts_with("0 "));
+  CHECK(run_viete("deform a.viete -o b.obj --way mean-value", folder.path()).starts_with("0 "));
   CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
 }
 
@@ -170,9 +170,9 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
     return run("cd '" + folder.path().string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY '" +
                test::build_dir().string() + "/viete' " + arguments);
   };
-  for (const std::string line : {"render a.viete --size 64x48 -o a.png", "deform a.viete -o a.ply",
-                                 "animate a.viete --turntable --frames 1-1 --size 64x48 -o a_#.png",
-                                 "view a.viete"}) {
+  for (const std::string line :
+       {"render a.viete --size 64x48 -o a.png", "deform a.viete -o a.ply",
+        "animate a.viete --turntable --frames 1-1 --size 64x48 -o a_#.png", "view a.viete"}) {
     const std::string refused = said(line);
     CHECK_MESSAGE(
         refused.find("small.ply: there is no such file; name it with --model FILE") < refused.size(),

@@ -193,7 +193,6 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
   } cases[] = {
       {"method", "\"best\"", "a.viete: method: \"best\" is not known; fast instead, of diag"},
       {"method", "7", "a.viete: method: found a number where a text belongs; fast instead"},
-      {"coordinates", "\"x\"", "a.viete: coordinates: \"x\" is not known; face instead"},
       {"radius", "0.01", "a.viete: radius: a radius must be 0.1 to 1000 percent"},
       {"turn", "201", "a.viete: turn: an amount must be 0 to 200 percent; 100 percent instead"},
       {"stretch", "-1", "a.viete: stretch: an amount must be 0 to 200 percent; 100 percent instead"},
@@ -323,7 +322,6 @@ TEST_CASE("weights_and_blend_are_kept_and_older_programs_read_what_they_know") {
     const auto json = read_json(files / "a.viete");
     CHECK(json["weights"] == std::string(deform::entry(scheme.weighting.weights).name));
     CHECK(json["blend"] == std::string(deform::entry(scheme.blend).name));
-    CHECK(json.value("coordinates", "") == std::string(old_word(scheme)));
     CHECK_FALSE(json.contains("stitched"));
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
@@ -354,7 +352,7 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
     CHECK(read_json(files / "a.viete")["pins"] == 29);
     CHECK(read_session(files / "a.viete").scheme == w.document.scheme);
   }
-  test::put_file(files / "a.viete", with("coordinates\": \"mvc\", \"stitched", "1"));
+  test::put_file(files / "a.viete", with("weights\": \"mean-value\", \"stitched", "1"));
   const Session session = read_session(files / "a.viete");
   CHECK_FALSE(session.scheme.stitched());
   REQUIRE(session.warnings.size() == 1);
@@ -402,10 +400,8 @@ TEST_CASE("a_session_may_name_any_part_of_a_scheme") {
   };
   const auto word = [](const Session& s) { return text(s.scheme); };
   CHECK(word(scheme(R"("radius": 30)")) == "inverse, srl");
-  CHECK(word(scheme(R"("coordinates": "mvc")")) == "mean-value, linear");
   CHECK(word(scheme(R"("weights": "mean-value")")) == "mean-value, linear");
   CHECK(word(scheme(R"("blend": "linear")")) == "inverse, linear");
-  CHECK(word(scheme(R"("blend": "linear", "coordinates": "mvc")")) == "inverse, linear");
   CHECK(scheme(R"("blend": "linear")").warnings.empty());
   CHECK(word(scheme(R"("blend": "mls-rigid", "weights": "biharmonic")")) == "biharmonic, mls-rigid");
   const Session apart = scheme(R"("blend": "srl", "weights": "mean-value")");
@@ -570,22 +566,4 @@ TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
     CHECK(back.document.model.path.filename() == "m\xff.obj");
     CHECK(back.document.cage_file.path.filename() == "c\xff.obj");
   }
-}
-
-TEST_CASE("of_sessions_that_do_not_say_so_the_parts_of_a_model_come_apart_as_they_did") {
-  std::vector<std::string> warnings;
-  const auto read = [&](const nlohmann::json& json) {
-    return scheme_of(JsonReader(json, "a.viete"), warnings).weighting;
-  };
-  const nlohmann::json older = {{"weights", "biharmonic"}, {"blend", "srl"}};
-  CHECK(read(older).used_as_before());
-  const deform::Scheme now = deform::default_scheme();
-  CHECK_FALSE(now.weighting.as_before);
-  CHECK(read(nlohmann::json(scheme_json(now))) == now.weighting);
-  deform::Scheme before = now;
-  before.weighting.as_before = true;
-  CHECK(read(nlohmann::json(scheme_json(before))) == before.weighting);
-  CHECK_FALSE(before.weighting == now.weighting);
-  CHECK_FALSE(read({{"coordinates", "mvc"}}).used_as_before());
-  CHECK(warnings.empty());
 }

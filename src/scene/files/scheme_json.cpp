@@ -49,22 +49,12 @@ int iterations_of(const JsonReader& json, deform::Scheme scheme) {
 
 }  // namespace
 
-bool is_plain(const deform::Scheme& scheme) {
-  const deform::Weighting& weighting = scheme.weighting;
-  return !deform::old_word(scheme).empty() && scheme.amounts.whole() && !scheme.stitched() &&
-         scheme.holding == deform::Holding{} &&
-         weighting == deform::Weighting{.elements = weighting.elements, .weights = weighting.weights};
-}
-
 ordered_json scheme_json(const deform::Scheme& scheme) {
   const deform::Weighting& weighting = scheme.weighting;
   ordered_json json;
   json["weights"] = deform::entry(scheme.weighting.weights).name;
   json["blend"] = deform::entry(scheme.blend).name;
-  const std::string_view old_word = deform::old_word(scheme);
-  if (!old_word.empty()) json["coordinates"] = old_word;
   if (weighting.radius != deform::Weighting{}.radius) json["radius"] = percent(weighting.radius);
-  if (scheme.changed_in_03()) json["as_before"] = weighting.as_before;
   const deform::Amounts& amounts = scheme.amounts;
   if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
   if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
@@ -108,17 +98,7 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
             v.fail(error.problem());
           }
         },
-        "coordinates count instead, or face", warnings);
-  }
-  if (!scheme) {
-    take_part(
-        json, "coordinates", scheme,
-        [](const auto& v) {
-          const auto found = deform::way_of_old_word(v.text());
-          if (!found) v.fail(mesh::in_quotes(v.text()) + " is not known");
-          return deform::scheme_of(*found);
-        },
-        "face instead, of face and mvc", warnings);
+        "as published instead", warnings);
   }
   deform::Scheme result = scheme.value_or(deform::Scheme{});
   deform::Weighting& weighting = result.weighting;
@@ -128,9 +108,6 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
   take_part(
       json, "stitched", result.iterations, [&](const auto& v) { return iterations_of(v, result); },
       "not stitched instead", warnings);
-  weighting.as_before = result.changed_in_03();  // older sessions do not say
-  take_part(json, "as_before", weighting.as_before, &JsonReader::boolean, "as before version 0.3 instead",
-            warnings);
   take_part(json, "pins", result.holding.radius, share_of, "0 instead", warnings);
   take_part(json, "hold", result.holding.weight, share_of, "0 instead", warnings);
   return result;

@@ -13,9 +13,6 @@ namespace viete::scene {
 /// The keys that session.h lists from "weights" to "hold".
 nlohmann::ordered_json scheme_json(const deform::Scheme& scheme);
 
-/// True if "coordinates" says all of it: what programs know that read no session but of version 1.
-bool is_plain(const deform::Scheme& scheme);
-
 /// Weights and blend by their own keys, or all by the one word that older programs know. What is
 /// damaged costs its own part, and a warning says what is taken instead.
 deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warnings);

@@ -35,7 +35,6 @@ struct MaskRun {
 ///   "first_edit"          likewise: what was done first since that was saved, for people
 ///   "method"              "diag", "sd", "improved_sd" or "fast"
 ///   "weights", "blend"   names of deform/scheme.h; missing: what fits the others
-///   "coordinates"         "face" or "mvc", short for three that go together; those count where both stand
 ///   "turn", "stretch"     how much of maps' rotations and stretches acts, percent, 0 to 200; missing: 100
 ///   "stitched"            how often a stitched model is solved for, 1 to 20; missing: it is not stitched
 ///   "pins", "hold"        of stitched models, percent, 0 to 100, see deform::Holding; missing: 0

@@ -40,14 +40,6 @@ void add_blend_commands(CommandTable& table) {
             with_free_hand<has_maps>,
             {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
              [](const Workspace& w) { return w.document.scheme.stitched(); }});
-  table.add("toggle_as_before", "As before 0.3",
-            "As in sessions before version 0.3: weights spread along the surface alone, so that parts of a "
-            "model come apart, and radii are parts of a box along the axes.",
-            with_free_hand<changed_in_03>, [](Workspace& w) {
-              Scheme scheme = w.document.scheme;
-              scheme.weighting.as_before = !scheme.weighting.as_before;
-              set_scheme(w.document, scheme);
-            });
   table.heading("Method");
   table.add(
       "toggle_same_path", "Same engine for all (staged, double)",

@@ -26,8 +26,6 @@ inline constexpr Condition always{[](const Workspace&) { return true; }, ""};
 inline constexpr Condition uses_method{
     [](const Workspace& w) { return w.document.scheme.exponential(); },
     "This way of blending takes no exponential; choose the blend Log space first."};
-inline constexpr Condition changed_in_03{[](const Workspace& w) { return w.document.scheme.changed_in_03(); },
-                                         "These weights are a matter of space: parts always stay together."};
 inline constexpr Condition has_maps{
     [](const Workspace& w) { return w.document.scheme.has_maps(); },
     "These elements only move: there are no maps that triangles could follow."};
