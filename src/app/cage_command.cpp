@@ -82,7 +82,6 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
 void refuse_what_does_nothing(const CLI::App& command, const cages::Wish& wish) {
   std::vector<std::string> idle = {"--cells", "--own-axes"};
   if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
-  if (wish.kind == cages::Kind::hull) idle.insert(idle.end(), {"--gap", "--symmetry"});
   for (const std::string& name : idle) {
     if (command.get_option(name)->count() == 0) continue;
     throw CLI::ValidationError(

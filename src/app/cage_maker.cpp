@@ -15,9 +15,8 @@ namespace {
 constexpr double rest_seconds = 0.3;  // for which sliders rest before a preview is made with all care
 
 std::string text_of(const cages::Wish& wish) {
-  if (wish.kind == cages::Kind::automatic)
-    return "Making a cage of " + base::counted(wish.triangles, "triangle");
-  return wish.kind == cages::Kind::box ? "Making a box" : "Making a hull";
+  return wish.kind == cages::Kind::box ? "Making a box"
+                                       : "Making a cage of " + base::counted(wish.triangles, "triangle");
 }
 
 }  // namespace

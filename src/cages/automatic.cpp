@@ -12,7 +12,6 @@
 #include "cages/collapse.h"
 #include "cages/extraction.h"
 #include "cages/frame.h"
-#include "cages/hull.h"
 #include "cages/margin.h"
 #include "cages/quads.h"
 #include "cages/soundness.h"
@@ -78,19 +77,14 @@ public:
         stages_(progress),
         target_(mirror_ ? wish.triangles / 2 : wish.triangles) {}
 
-  Made make() {
+  std::optional<Made> make() {
     constexpr double most_closed = 0.5;  // of the diagonal: no more is open then
     for (double gap = wish_.gap; gap <= most_closed;) {
       if (const auto shell = try_with(gap)) return finish(*shell, mirror_.has_value(), gap);
       if (!keeps_farther_from_passed_over()) gap = std::max(2 * gap, 0.5 * size() / cells());
     }
-    made_.notes.push_back(
-        "no cage of " + base::counted(wish_.triangles, "triangle") +
-        " that follows the model was found: this is its convex hull; ask for more triangles");
-    return hulled();
+    return std::nullopt;
   }
-
-  Made hulled() { return finish(simplified(hull(used_points(), wish_.margin)), false, wish_.gap); }
 
 private:
   bool is_preview() const { return wish_.effort == Effort::preview; }
@@ -254,47 +248,6 @@ private:
     return best;
   }
 
-  std::vector<Point> used_points() const {
-    std::vector<std::uint8_t> taken(model_.positions.size(), 0);
-    std::vector<Point> points;
-    for (const auto& t : model_.triangles) {
-      for (const auto v : t) {
-        if (!std::exchange(taken[v], std::uint8_t{1})) points.push_back(model_.positions[v]);
-      }
-    }
-    return points;
-  }
-
-  // With fewer triangles, and convex again: of the same vertices, so with no more triangles, and no nearer to
-  // the model.
-  Shell simplified(const Shell& shell) {
-    const Grid grid = grid_around(model_.box, 40, 2 * wish_.margin, false);
-    const Clearance field =
-        clearance({tree_, model_.closed}, grid, {wish_.margin, 0}, pool_, stages_.until(0.3));
-    Shell fewest = shell;
-    std::size_t too_near = 0;
-    for (const double margin : {0.5 * wish_.margin, parts_margin_steps * grid.step}) {
-      WorkingCage cage(shell, tree_, field, margin);
-      collapse_to(cage, wish_.triangles, Accuracy::quadrics, stages_.until(0.8));
-      const std::size_t near = keep_margin(cage, wish_.margin, stages_.until(0.95));
-      Shell made = convex(cage.shell().positions);
-      if (made.triangles.size() < fewest.triangles.size() && is_sound(made, false))
-        fewest = std::move(made), too_near = near;
-      if (fewest.triangles.size() <= wish_.triangles) break;
-    }
-    if (fewest.triangles.size() > wish_.triangles && wish_.triangles <= box_serves) return box_around(shell);
-    too_near_ = too_near;
-    return fewest;
-  }
-
-  static Shell box_around(const Shell& shell) {
-    const auto [low, high] = mesh::bounds(shell.positions);
-    std::vector<Point> corners;
-    for (int i = 0; i < 8; ++i)
-      corners.push_back({i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]});
-    return convex(corners);
-  }
-
   // As it will be read: with the rounding of the way out of the frame.
   bool is_sound(const Shell& half, bool mirrored) {
     Shell shell = mirrored ? whole(half) : half;
@@ -385,9 +338,7 @@ private:
   // Parts of the model that are smaller than a step may be passed over, unless the cage keeps a step away.
   static constexpr double parts_margin_steps = 1.25;
   static constexpr std::size_t few_triangles = 150;  // with which more care is taken
-  static constexpr std::size_t box_serves =
-      24;                                  // so many triangles or fewer: a box, where no such hull is found
-  static constexpr double coarser = 0.62;  // the grid of what has to be quick
+  static constexpr double coarser = 0.62;            // the grid of what has to be quick
   double margin_steps_ = 0.1;
   std::vector<Point> passed_over_;
   std::size_t known_passed_over_ = 0;
@@ -398,13 +349,9 @@ private:
 
 }  // namespace
 
-Made make_automatic(const Subject& subject, const Wish& wish, base::WorkerPool& pool,
-                    base::Progress* progress) {
+std::optional<Made> make_automatic(const Subject& subject, const Wish& wish, base::WorkerPool& pool,
+                                   base::Progress* progress) {
   return Making(subject, wish, pool, progress).make();
-}
-
-Made make_hull(const Subject& subject, const Wish& wish, base::WorkerPool& pool, base::Progress* progress) {
-  return Making(subject, wish, pool, progress).hulled();
 }
 
 }  // namespace viete::cages

@@ -1,4 +1,5 @@
 #include "cages/make.h"
+#include "base/quantity.h"
 
 #include <algorithm>
 #include <memory>
@@ -48,6 +49,16 @@ Wish in_range(Wish wish) {
   return wish;
 }
 
+// Where no cage that follows the model is found.
+Made box_instead(const mesh::Surface& model, Wish wish) {
+  wish.cells = {1, 1, 1};
+  wish.own_axes = false;
+  Made made = make_box(model, wish);
+  made.notes.push_back("no cage of " + base::counted(wish.triangles, "triangle") +
+                       " that follows the model was found: this is its box; ask for more triangles");
+  return made;
+}
+
 void section(base::Progress* progress, double from, double to) {
   if (progress) progress->section(from, to);
 }
@@ -69,16 +80,14 @@ Maker& Maker::operator=(Maker&&) noexcept = default;
 Made Maker::make(const Wish& asked, base::WorkerPool& pool, base::Progress* progress) {
   const Wish wish = in_range(asked);
   if (wish.kind == Kind::box) return make_box(*kept_->model, wish);
-  const bool hulled = wish.kind == Kind::hull;
   section(progress, 0, 0.05);
-  const auto mirror = hulled ? std::nullopt : kept_->plane_of(wish.symmetry, progress);
+  const auto mirror = kept_->plane_of(wish.symmetry, progress);
   section(progress, 0.05, 0.1);
   const Subject& subject = kept_->with(mirror, progress);
   section(progress, 0.1, 1);
-  Made made =
-      hulled ? make_hull(subject, wish, pool, progress) : make_automatic(subject, wish, pool, progress);
+  std::optional<Made> made = make_automatic(subject, wish, pool, progress);
   section(progress, 1, 1);
-  return made;
+  return made ? *std::move(made) : box_instead(*kept_->model, wish);
 }
 
 Made make(const mesh::Surface& model, const Wish& wish, base::WorkerPool& pool, base::Progress* progress) {

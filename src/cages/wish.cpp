@@ -7,7 +7,6 @@ namespace {
 constexpr KindEntry kinds[] = {
     {Kind::automatic, "automatic", "follows the model with as many triangles as asked for"},
     {Kind::box, "box", "a box of quads, cut into cells"},
-    {Kind::hull, "hull", "convex, with at most as many triangles as asked for"},
 };
 
 constexpr SymmetryEntry symmetries[] = {

@@ -14,7 +14,7 @@
 
 namespace viete::cages {
 
-enum class Kind { automatic, box, hull };
+enum class Kind { automatic, box };
 
 /// About which plane the cage is symmetric: that of the model, if it has one; none; or across an axis through
 /// the middle of the model's box.

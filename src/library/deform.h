@@ -44,7 +44,7 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* note
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh);
 
 struct CageWish {
-  std::string kind = "automatic";  ///< "automatic", "box" or "hull"
+  std::string kind = "automatic";  ///< "automatic" or "box"
   std::size_t triangles = 200;     ///< about so many, 12 to 20000; not of boxes
   double margin = 0.0015;          ///< distance to the model, in its diagonals, 0.0005 to 0.2
   double gap = 0.005;              ///< gaps narrower than twice this are closed, likewise, 0 to 0.2

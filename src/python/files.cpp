@@ -207,7 +207,7 @@ void define_files(py::module_& m) {
       py::arg("own_axes") = false,
       "vertices (k, 3), faces: a closed cage around the model, free of self-intersection.\n\n"
       "triangles: about so many, 12 to 20000; not of boxes.\n"
-      "kind: 'automatic', 'box' (of cells along each axis, 1 to 32) or 'hull'.\n"
+      "kind: 'automatic' or 'box' (of cells along each axis, 1 to 32).\n"
       "margin: the distance, 0.0005 to 0.2 diagonals of the model. gap: gaps narrower than twice this are "
       "closed, 0 to 0.2 of these.\n"
       "symmetry: 'auto', 'none', 'x', 'y', 'z'. quads: pairs of triangles become quads. own_axes: boxes "

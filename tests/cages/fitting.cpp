@@ -94,7 +94,7 @@ TEST_CASE("cages_made_by_hand_come_back_to_their_models" * doctest::test_suite(i
 TEST_CASE("a_cage_that_is_only_moved_and_scaled_is_not_turned") {
   base::WorkerPool pool(2);
   for (const Surface& model : {three_arms(), stool(), torus(30, 12)}) {
-    Surface cage = cages::make(model, {.kind = cages::Kind::hull}, pool).surface;
+    Surface cage = cages::make(model, {.triangles = 60}, pool).surface;
     cage = placed(std::move(cage), {Eigen::Quaterniond::Identity(), 0.3, {4, 5, 6}});
     const cages::Fitted fitted = cages::best_fit(cage, model, margin);
     CHECK(fitted.degrees == 0);

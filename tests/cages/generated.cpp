@@ -55,25 +55,10 @@ TEST_CASE("every_kind_of_model_gets_a_cage_as_it_is_wished" * doctest::test_suit
   for (const NamedModel& model : generated_models()) check_sound(model, wishes[next++ % wishes.size()]);
 }
 
-TEST_CASE("every_kind_of_model_gets_a_hull_and_boxes" * doctest::test_suite(longer)) {
+TEST_CASE("every_kind_of_model_gets_boxes" * doctest::test_suite(longer)) {
   for (const NamedModel& model : generated_models()) {
-    check_sound(model, {.kind = cages::Kind::hull, .triangles = 60});
-    check_sound(model, {.kind = cages::Kind::hull, .triangles = 12, .margin = 0.01, .quads = true});
     check_sound(model, {.kind = cages::Kind::box, .cells = {2, 3, 4}});
     check_sound(model, {.kind = cages::Kind::box, .margin = 0.02, .own_axes = true});
-  }
-}
-
-TEST_CASE("a_hull_of_twelve_triangles_has_no_more_whatever_the_model" * doctest::test_suite(longer)) {
-  base::WorkerPool pool(2);
-  for (const NamedModel& model : generated_models()) {
-    CAPTURE(model.name);
-    for (const std::size_t triangles : {12, 20}) {
-      const cages::Wish wish{.kind = cages::Kind::hull, .triangles = triangles};
-      const auto made = cages::make(model.surface, wish, pool);
-      CHECK(made.surface.triangles.size() <= triangles);
-      CHECK(complaints(made, model.surface, wish).empty());
-    }
   }
 }
 

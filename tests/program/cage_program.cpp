@@ -37,14 +37,12 @@ TEST_CASE("a_cage_that_was_made_deforms_its_model_and_is_found_sound") {
   CHECK(files.run("deform " + quoted(dragon) + " made.obj --pose made.obj -o same.ply").code == 0);
 }
 
-TEST_CASE("boxes_and_hulls_are_written_in_every_format") {
+TEST_CASE("boxes_and_quads_are_written_in_every_format") {
   const CageFolder files;
   for (const char* name : {"box.obj", "box.ply", "box.off", "box.stl"}) {
     CHECK(files.run(std::string("cage model.obj --kind box --cells 2x3x1 --margin 5 -o ") + name).code == 0);
     CHECK(mesh::read(files / name).surface.triangles.size() == 44);
   }
-  CHECK(files.run("cage model.obj --kind hull --triangles 12 -o hull.obj").code == 0);
-  CHECK(mesh::read(files / "hull.obj").surface.triangles.size() == 12);
   CHECK(files.run("cage model.obj --quads --triangles 60 -o quads.obj").code == 0);
   const mesh::Surface quads = mesh::read(files / "quads.obj").surface;
   CHECK(quads.polygon_count() < quads.triangles.size());
@@ -93,7 +91,6 @@ TEST_CASE("wishes_out_of_range_and_bad_models_are_refused_with_a_word") {
       {"model.obj --kind box --cells 2x2", "as 2x3x2"},
       {"model.obj --kind box --cells 1x1x33", "from 1 to 32"},
       {"model.obj --cells 2x2x2", "--cells: does nothing where the kind of cage is automatic"},
-      {"model.obj --kind hull --symmetry x", "does nothing where the kind of cage is hull"},
       {"model.obj --kind box --triangles 50", "does nothing where the kind of cage is box"},
       {"point.obj", "single point"},
       {"empty.obj", "empty.obj"},

@@ -77,7 +77,7 @@ def make_cage(
     faces: Faces,
     triangles: int = 200,
     *,
-    kind: Literal["automatic", "box", "hull"] = "automatic",
+    kind: Literal["automatic", "box"] = "automatic",
     margin: float = 0.0015,
     gap: float = 0.005,
     symmetry: Literal["auto", "none", "x", "y", "z"] = "auto",
