@@ -19,25 +19,25 @@ namespace fs = std::filesystem;
 using Budget = std::map<std::string, std::size_t>;
 
 const Budget lines_of_src = {
-    {"app", 8379},        {"base", 2200},          {"bench", 6306},           {"blender", 630},
-    {"cages", 4455},      {"deform", 13556},       {"deform/sparse", 1271},   {"lab", 880},
+    {"app", 8377},        {"base", 2200},          {"bench", 6306},           {"blender", 630},
+    {"cages", 4190},      {"deform", 13556},       {"deform/sparse", 1271},   {"lab", 880},
     {"library", 1122},    {"mesh", 3141},          {"mesh/formats", 10458},   {"platform", 1097},
     {"python", 1954},     {"render", 2314},        {"scene/document", 6251},  {"scene/files", 5036},
     {"scene/hand", 3114}, {"scene/pictures", 771}, {"scene/workspace", 6500}, {"sym3", 6641},
     {"ui", 7580},
 };
-constexpr std::size_t all_lines_of_src = 93'656;
+constexpr std::size_t all_lines_of_src = 93'389;
 
 const Budget lines_of_tests = {
     {"app", 1671},    {"assets", 366},   {"base", 1011},     {"bench", 809},   {"blender", 432},
-    {"cages", 1429},  {"consumer", 530}, {"deform", 8958},   {"fuzz", 366},    {"lab", 316},
-    {"mesh", 6109},   {"platform", 358}, {"program", 10502}, {"python", 994},  {"releases", 184},
-    {"render", 1322}, {"rules", 983},    {"scene", 12028},   {"support", 773}, {"sym3", 4109},
+    {"cages", 1356},  {"consumer", 530}, {"deform", 8958},   {"fuzz", 366},    {"lab", 316},
+    {"mesh", 6109},   {"platform", 358}, {"program", 10496}, {"python", 994},  {"releases", 184},
+    {"render", 1322}, {"rules", 966},    {"scene", 12028},   {"support", 773}, {"sym3", 4109},
     {"ui", 13},
 };
-constexpr std::size_t all_lines_of_tests = 53'263;
+constexpr std::size_t all_lines_of_tests = 53'167;
 
-constexpr std::size_t words_of_readme = 1199, words_of_manual_and_rooms = 19'953;
+constexpr std::size_t words_of_readme = 1199, words_of_manual_and_rooms = 19'946;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
