@@ -64,10 +64,9 @@ void add_choice_options(CLI::App& app, deform::PartialChoice& choice);
 /// --radius PERCENT.
 void add_radius_option(CLI::App& app, std::optional<double>& asked);
 
-/// FILE, written by `viete bind`.
 /// --digits NUMBER|all, of coordinates in text files.
 void add_digits_option(CLI::App& app, mesh::Digits& digits);
-/// Of a picture; its sides are no longer than 131072.
+/// A picture has no more; its sides are no longer than 131072.
 inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 /// --size WxH in logical pixels, 16 to 32768 each.
 void add_size_option(CLI::App& app, glm::ivec2& size);

@@ -50,7 +50,7 @@ inline Effect passing(Effect effect) {
 }
 
 struct Command : Effect {
-  std::string name;   ///< stable, for scripts and tests: "undo"
+  std::string name;   ///< stable, for keys and tests: "undo"
   std::string label;  ///< "Look from the front"
   std::string brief;  ///< "Front", under "Look from"
   std::string hint;   ///< one sentence: what it does
