@@ -1,11 +1,11 @@
 #include "cages/make.h"
-#include "base/quantity.h"
 
 #include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "cages/automatic.h"
 #include "cages/box.h"
 #include "cages/subject.h"
@@ -49,7 +49,7 @@ Wish in_range(Wish wish) {
   return wish;
 }
 
-// Where no cage that follows the model is found.
+// A box, with a note: no cage that follows the model was found.
 Made box_instead(const mesh::Surface& model, Wish wish) {
   wish.cells = {1, 1, 1};
   wish.own_axes = false;

@@ -87,7 +87,7 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   if (button) d.click(glm::vec2(0.5f * (button->x0 + button->x1), 0.5f * (button->y0 + button->y1)));
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   const bool was_faster = d.last_message().find(saved) != std::string::npos;
-  CHECK((test::file_bytes(file) == "old") == !was_faster);
+  CHECK((test::file_bytes(file) == old) == !was_faster);
 }
 
 TEST_CASE("exports_are_written_in_the_order_they_were_asked_for") {

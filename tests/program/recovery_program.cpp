@@ -400,6 +400,7 @@ TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
     say("about", d.document().pose.positions[v][0]);
     d.button(0, false);
     d.frame();
+    d.viewer().finish_keeping();  // edits are written in the background, and these come without a pause
     say("done", d.document().pose.positions[v][0]);
   }
 }
