@@ -421,8 +421,7 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 200000));
       child.kill_now();
     }
-    // The edits that may be in the file: the last that was finished, and the one that was just being
-    // finished.
+    // The edits that may be in the file: the last finished one, and the one being finished.
     std::vector<double> allowed;
     std::ifstream lines(log);
     std::string what;
