@@ -19,9 +19,9 @@ struct PictureRun {
   scene::Force force = scene::Force::none;  ///< replace pictures that are there
 };
 
-/// Of the viewer's document, whose timeline and camera keys are followed. Every file is there as a whole or
-/// not at all. Returns what a person should know, one line each. Throws base::Error, also where ffmpeg is not
-/// installed, and base::Cancelled.
+/// Writes pictures or a film of the viewer's document, following its timeline and camera keys. Every file is
+/// written as a whole or not at all. Returns notes for the user, one line each. Throws base::Error, also where
+/// ffmpeg is not installed, and base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 

@@ -120,7 +120,7 @@ void prepare_model(Options& options, const BenchFiles& files) {
 void add_frame_bench(CLI::App& command, Action& action) {
   auto bench = std::make_shared<ModelBench<FrameOptions>>();
   auto& options = bench->options;
-  auto* cage = add_model_and_cage(command, options, "some that are made, see --faces");
+  auto* cage = add_model_and_cage(command, options, "generated cages, see --faces");
   auto* counts = command.add_option("--count", options.counts,
                                     "Vertices, several with commas; 200000 and 800000 subdivide");
   whole_in_range(counts, 1, most_vertices)->delimiter(',')->allow_extra_args(false)->default_str("all");
@@ -131,7 +131,7 @@ void add_frame_bench(CLI::App& command, Action& action) {
       ->default_str("50,100,300,600")
       ->excludes(cage);
   add_rounds_option(command, options.rounds, "11");
-  auto* tolerance = command.add_option("--tolerance", options.tolerance, "Of compressed weights");
+  auto* tolerance = command.add_option("--tolerance", options.tolerance, "Tolerance of the compressed weights");
   in_range(tolerance, 0, 0.1)->default_str("3e-5");
   finish(command, action, bench, bench_frame, prepare_model<FrameOptions>);
 }
@@ -139,7 +139,7 @@ void add_frame_bench(CLI::App& command, Action& action) {
 void add_bind_bench(CLI::App& command, Action& action) {
   auto bench = std::make_shared<ModelBench<BindOptions>>();
   auto& options = bench->options;
-  auto* cage = add_model_and_cage(command, options, "one that is made, see --faces");
+  auto* cage = add_model_and_cage(command, options, "a generated cage, see --faces");
   auto* count = command.add_option("--count", options.count, "Vertices at least, by subdivision");
   whole_in_range(count, 1, most_vertices)->default_str("all");
   auto* faces = command.add_option("--faces", options.faces, "Cage triangles");
@@ -165,9 +165,9 @@ void add_modes_bench(CLI::App& command, Action& action) {
   auto bench = std::make_shared<ModelBench<ModesOptions>>();
   auto& options = bench->options;
   auto& settings = options.settings;
-  add_model_and_cage(command, options, "that of the dragon");
+  add_model_and_cage(command, options, "the dragon's cage");
   command.add_option("POSE", options.poses, "Posed cages, same vertices in the same order")
-      ->default_str("those of the dragon");
+      ->default_str("the dragon's poses");
   add_method_option(command, [&settings](sym3::Method method) { settings.method = method; });
   add_choice_options(command, settings.choice);
   add_radius_option(command, settings.radius);

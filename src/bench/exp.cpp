@@ -114,7 +114,7 @@ double best_in_cache(const ExpBench& bench) {
   return best;
 }
 
-// What is no method is called by its own name.
+// Rows that are not a method keep their own name.
 std::string shown_name(const std::string& name) {
   const auto method = sym3::method_from_name(name);
   return method ? std::string(sym3::label(*method)) : name;

@@ -1,4 +1,4 @@
-// What exp costs: by method, and by layout and size against a copy of the same bytes.
+// The cost of exp by method, and by layout and size against a copy of the same bytes.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-/// What lies between rest and a shape.
+/// Interpolates between rest and a shape.
 class Between {
 public:
   Between(const deform::ShapeSpace& space, const Points& shape)

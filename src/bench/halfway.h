@@ -24,8 +24,8 @@ struct ShapesOfModel {
 ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
                                    const std::vector<std::filesystem::path>& shapes);
 
-/// Of edges' lengths over the geometric mean of those in a and in b: the root mean square of |log|. Edges
-/// without length do not count.
+/// Root mean square of |log(length in shape / geometric mean of the lengths in a and b)| over all edges. Edges
+/// without length are skipped.
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
                   std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 

@@ -122,9 +122,9 @@ void add_report_command(CLI::App& app, app::Action& action) {
   auto& files = options->files;
   app::add_file_option(*command, "MODEL", files.model, mesh::a_mesh())->default_str("the bundled dragon");
   app::add_file_option(*command, "CAGE", files.cage, "Cage around it, at rest")
-      ->default_str("that of the dragon");
+      ->default_str("the dragon's cage");
   command->add_option("POSE", files.poses, "Posed cages, same vertices in the same order")
-      ->default_str("those of the dragon, or one that is made");
+      ->default_str("the dragon's poses, or one generated pose");
   app::add_file_option(*command, "-o,--output", options->folder, "Folder for index.html and report.json")
       ->option_text("FOLDER")
       ->required();

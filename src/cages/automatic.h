@@ -10,10 +10,10 @@
 
 namespace viete::cages {
 
-/// Clearances on a grid, the surface at an offset of them by marching cubes, fewer triangles edge by edge,
-/// drawn in against the model. With a mirror half of it is made, and its image added. Handles of the model
-/// are kept where the size allows, closed by a larger gap where it does not, and a note says so. Where no
-/// sound cage of that size is found: nothing. See Maker::make() for the rest.
+/// Computes distances on a grid, extracts an offset surface by marching cubes, simplifies it by edge collapses
+/// and draws it in against the model. With a mirror it makes one half and adds its image. Holes through the
+/// model stay open where the size allows; a note names those a larger gap closes. Returns nothing if it finds
+/// no valid cage of that size. See Maker::make() for errors.
 std::optional<Made> make_automatic(const Subject& subject, const Wish& wish, base::WorkerPool& pool,
                                    base::Progress* progress);
 

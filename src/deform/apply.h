@@ -13,7 +13,7 @@ namespace viete::deform {
 void share_sums(const Binding& binding, const Shares& shares, RowForm form, std::size_t begin,
                 std::size_t end, std::span<double> sums);
 
-/// Of RowForm::logs, the logs of stretches of vertices [begin, end), whose exponentials are link 4.
+/// Logs of the stretches of vertices [begin, end), from sums of RowForm::logs; link 4 takes their exponentials.
 void stretch_logs(RowForm form, std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 

@@ -18,7 +18,7 @@ struct AskedScheme {
   bool any() const { return way || choice.any() || radius || turn || stretch || iterations || pins || hold; }
 };
 
-/// What is left open stays as it is now, where that goes together with what is asked for. Throws base::Error
+/// Choices left open keep their present value where it is compatible with the others. Throws base::Error
 /// if choices do not go together, or a radius of weights that have none, or amounts or stitching where
 /// elements only move.
 ///

@@ -13,8 +13,8 @@ namespace viete::deform {
 /// True if maps are fitted to points: see moments.h.
 bool has_moments(RowForm form);
 
-/// Of RowForm::maps and logs; rest_center relative to the middle of the rest cage. Of a map that does nothing
-/// all but the centre is exactly 0.
+/// Rows of RowForm::maps and RowForm::logs; rest_center is relative to the middle of the rest cage. For the
+/// identity every entry but the centre is exactly 0.
 void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row);
 void write_log_row(const MapLog& log, std::span<double> row);
 

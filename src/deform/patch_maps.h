@@ -45,7 +45,7 @@ public:
         .subspan(patches_.starts[patch], patches_.starts[patch + 1] - patches_.starts[patch]);
   }
 
-  /// Of these patches alone; the others stay as they are. Exactly I for a patch none of whose vertices moved.
+  /// Updates only these patches. Exactly I for a patch none of whose vertices moved.
   /// maps.size(): one a vertex of the cage, posed likewise.
   void compute(std::span<const mesh::Point> posed, const Vec3& origin, std::span<const std::uint32_t> which,
                std::span<AffineMap> maps) const;

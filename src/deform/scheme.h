@@ -11,8 +11,8 @@
 
 namespace viete::deform {
 
-/// What carries the maps of the cage: its triangles, each of which has an affine map, or its vertices, which
-/// only move. It follows from weights and blend, see elements_of(). Weights and engines call them handles.
+/// The parts of the cage that carry maps: its triangles, each with an affine map, or its vertices, which only
+/// move. Follows from weights and blend, see elements_of(). Weights and engines call them handles.
 enum class Elements { face, point };
 /// "faces" or "vertices".
 std::string_view name(Elements elements);
@@ -74,7 +74,7 @@ inline constexpr int most_iterations = 20;
 struct Weighting {
   Elements elements = Elements::face;
   Weights weights = Weights::inverse;
-  /// Where cut-off weights end, in sizes of the cage: least_radius to largest_radius.
+  /// The reach of cut-off weights, in sizes of the cage: least_radius to largest_radius.
   double radius = 0.25;
 
   double used_radius() const { return partial() ? radius : 0; }

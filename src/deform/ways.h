@@ -43,8 +43,8 @@ inline PartialChoice only(Blend blend) {
 /// do not go together, saying why.
 Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 
-/// What someone gets who picks this in place of what is in force: a way, weights or a blend, with
-/// as much of the rest as goes with it.
+/// The scheme after a user picks this way, weights or blend: the other choices of `now` stay where they are
+/// compatible with it.
 inline Scheme chosen(Way way, const Scheme& now) {
   return scheme_of(way, now);
 }

@@ -471,7 +471,7 @@ std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const d
   return inverse_distance(squares);
 }
 
-// What weights miss to 1 the identity about x has.
+// The identity about x takes the rest of the weights, so that they sum to 1.
 Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Quad> weights,
                    deform::Blend blend) {
   elements.push_back({x, x});

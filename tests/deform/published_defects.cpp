@@ -90,7 +90,7 @@ mesh::Surface scene_at(mesh::Surface surface, const Vec3& way) {
   return surface;
 }
 
-// Of all schemes those of other weights and numbers.
+// One weighting of each kind among all schemes.
 std::vector<Weighting> all_weightings() {
   std::vector<Weighting> all;
   for (const Scheme& s : whole_schemes()) {

@@ -45,7 +45,7 @@ public:
                   std::optional<WithPixels> pixels = pictures_wanted())
       : offscreen_(options,
                    pixels ? platform::OffscreenContext::create(pixels->kind) : std::make_unique<NoPixels>()) {
-    // What tests ask of frames and links they ask of the published way, unless they choose another.
+    // Tests start with the published deformer.
     document().scheme = {};
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
       workspace().remembered.layout.sections[title] = true;

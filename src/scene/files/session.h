@@ -22,7 +22,7 @@ struct MaskRun {
   friend bool operator==(const MaskRun&, const MaskRun&) = default;
 };
 
-/// What a session file holds. JSON:
+/// The contents of a session file. JSON:
 ///   "format": "viete session", "version": 1,
 ///   "model", "cage"       file names, relative to the session's folder; no cage: the key is missing; names
 ///                         that are not UTF-8 as path_json() writes them

@@ -134,7 +134,7 @@ void add_file_commands(CommandTable& table) {
             {key('E'), true}, is_movable, [](Workspace& w) {
               browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
             });
-  table.add("stop_work", {"Cancel what is at work", "Cancel"},
+  table.add("stop_work", {"Cancel running work", "Cancel"},
             "Stop reading, making a cage or binding; everything stays as it is.", {Key::escape}, is_working,
             passing([](Workspace& w) { w.requests.stop_work = true; }));
   table.add("stop_export", {"Cancel the export", "Cancel"},
