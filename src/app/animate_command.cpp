@@ -14,7 +14,7 @@
 #include "app/terminal_progress.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/source.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/animation_import.h"

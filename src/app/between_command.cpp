@@ -13,7 +13,7 @@
 #include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/source.h"
 #include "scene/document/animation.h"

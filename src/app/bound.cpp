@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/worker_pool.h"
-#include "deform/bind.h"
-#include "deform/engine_for.h"
+#include "deform/binding.h"
+#include "deform/scheme.h"
 
 namespace viete::app {
 

@@ -4,9 +4,9 @@
 
 #include "base/clock.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "base/worker_pool.h"
-#include "deform/bind.h"
+#include "deform/binding.h"
 
 namespace viete::app {
 

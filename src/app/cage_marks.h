@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/face_layer.h"
-#include "render/line_layer.h"
+#include "render/mark_layers.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::app {

@@ -15,7 +15,7 @@
 #include "app/output.h"
 #include "app/pose_stream.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/source.h"
 #include "scene/files/export.h"
 

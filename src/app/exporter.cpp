@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/numbered_files.h"
-#include "base/quantity.h"
+#include "base/text.h"
 
 namespace viete::app {
 

@@ -4,9 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "render/disc_layer.h"
-#include "render/face_layer.h"
-#include "render/line_layer.h"
+#include "render/mark_layers.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::app {

@@ -9,7 +9,7 @@
 #include "app/command_line.h"
 #include "app/options.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/read.h"
 #include "mesh/topology.h"

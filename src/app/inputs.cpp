@@ -6,8 +6,7 @@
 #include "app/options.h"
 #include "app/words.h"
 #include "base/error.h"
-#include "base/printable.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/format_table.h"
 #include "scene/files/animation_export.h"
 

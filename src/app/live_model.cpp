@@ -4,17 +4,16 @@
 #include <array>
 #include <utility>
 
-#include "deform/bind.h"
-#include "deform/face_maps.h"
-#include "deform/linear_map.h"
-#include "deform/triangle_basis.h"
+#include "deform/binding.h"
+#include "deform/cage.h"
+#include "deform/maps.h"
 #include "mesh/normals.h"
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_notes.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
-#include "sym3/products.h"
+#include "sym3/small_matrices.h"
 
 namespace viete::app {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "scene/document/binding_plan.h"
 
 namespace viete::app {

@@ -6,7 +6,7 @@
 
 #include "base/median.h"
 #include "base/worker_pool.h"
-#include "deform/engine_for.h"
+#include "deform/scheme.h"
 
 namespace viete::app {
 

@@ -11,7 +11,7 @@
 #include "deform/frame_vertex.h"
 #include "lab/field.h"
 #include "mesh/surface.h"
-#include "render/line_layer.h"
+#include "render/mark_layers.h"
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
 #include "scene/workspace/workspace.h"

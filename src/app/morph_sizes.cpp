@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/quantity.h"
+#include "base/text.h"
 
 namespace viete::app {
 

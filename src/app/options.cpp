@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "app/words.h"
-#include "base/quantity.h"
-#include "deform/ways.h"
+#include "base/text.h"
+#include "deform/scheme.h"
 #include "scene/document/range.h"
 #include "scene/workspace/frame_stats.h"
 

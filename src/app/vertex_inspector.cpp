@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "deform/vertex_sum.h"
+#include "deform/vertex_sample.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/reference.h"
 #include "sym3/rotation.h"

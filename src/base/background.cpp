@@ -1,6 +1,6 @@
 #include "base/background.h"
 
-#include "base/thread.h"
+#include "base/worker_pool.h"
 
 namespace viete::base {
 

@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/printable.h"
+#include "base/text.h"
 
 namespace viete::base {
 

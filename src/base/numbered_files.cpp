@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 
 namespace viete::base {
 

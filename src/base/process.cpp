@@ -1,9 +1,11 @@
 #include "base/process.h"
 
+#include <pthread.h>
 #include <unistd.h>
-
+#include <atomic>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <sstream>
 
 namespace viete::base {
@@ -37,6 +39,38 @@ bool process_runs(std::string_view name) {
   if (pid.empty() || pid.find_first_not_of("0123456789") != std::string::npos) return false;
   const std::string start = start_of(pid);
   return !start.empty() && name == pid + "-" + start;
+}
+
+namespace {
+
+// One for the process, as fork() is.
+std::mutex entrance;          // held during fork()
+std::atomic<int> inside = 0;  // threads that have a ForkDelay
+thread_local int own = 0;     // of this thread
+
+void before_fork() {
+  entrance.lock();
+  for (int all = inside; all > (own > 0); all = inside) inside.wait(all);
+}
+
+void after_fork() {
+  entrance.unlock();
+}
+
+[[maybe_unused]] const int registered = pthread_atfork(before_fork, after_fork, after_fork);
+
+}  // namespace
+
+ForkDelay::ForkDelay() {
+  if (own++ > 0) return;
+  const std::lock_guard lock(entrance);
+  ++inside;
+}
+
+ForkDelay::~ForkDelay() {
+  if (--own > 0) return;
+  --inside;
+  inside.notify_all();
 }
 
 }  // namespace viete::base

@@ -1,4 +1,4 @@
-// Which running program is which: a name for this one, and whether a named one still runs.
+// This process: its name for other processes, and fork() beside running threads.
 #pragma once
 
 #include <string>
@@ -12,5 +12,15 @@ std::string process_name();
 /// False for a name that is not of this form, and of a zombie. A process that cannot be looked at counts as
 /// ended.
 bool process_runs(std::string_view name);
+
+/// While one lives, fork() in another thread waits, so that the child inherits no half-changed state and no
+/// lock that nobody will release. In one thread they may be nested; its own do not delay its fork().
+class ForkDelay {
+public:
+  ForkDelay();
+  ~ForkDelay();
+  ForkDelay(const ForkDelay&) = delete;
+  ForkDelay& operator=(const ForkDelay&) = delete;
+};
 
 }  // namespace viete::base

@@ -1,7 +1,6 @@
 #include "base/worker_pool.h"
 
 #include <unistd.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <cstdint>
@@ -11,7 +10,6 @@
 #include <vector>
 
 #include "base/clock.h"
-#include "base/thread.h"
 
 namespace viete::base {
 

@@ -1,11 +1,24 @@
-// A few threads that live as long as the program and share loops over fixed blocks.
+// Threads, and a pool of them that lives as long as the program and shares loops over fixed blocks.
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <memory>
+#include <thread>
+#include <utility>
 
 namespace viete::base {
+
+/// A thread that runs the work, which may take a std::stop_token; not joinable if the system refuses it.
+template <class Work>
+std::jthread try_thread(Work work) {
+  try {
+    return std::jthread(std::move(work));
+  } catch (const std::exception&) {  // std::system_error, std::bad_alloc
+    return {};
+  }
+}
 
 /// A persistent pool for data-parallel loops. Blocks have a fixed size that does not depend on the number
 /// of threads, and each block is computed by one thread alone, so results are the same for any number. In a

@@ -7,15 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "base/worker_pool.h"
 #include "bench/models.h"
 #include "bench/plain_weights.h"
 #include "bench/rounds.h"
 #include "bench/table.h"
-#include "deform/bind.h"
-#include "deform/inverse_distance.h"
-#include "deform/mean_value.h"
+#include "deform/binding.h"
+#include "deform/point_weights.h"
 #include "deform/surface_weights.h"
 #include "deform/tiled_binding.h"
 #include "deform/weigher.h"

@@ -9,7 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/memory.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/accuracy.h"
 #include "bench/bind.h"
 #include "bench/eigen.h"
@@ -131,7 +131,8 @@ void add_frame_bench(CLI::App& command, Action& action) {
       ->default_str("50,100,300,600")
       ->excludes(cage);
   add_rounds_option(command, options.rounds, "11");
-  auto* tolerance = command.add_option("--tolerance", options.tolerance, "Tolerance of the compressed weights");
+  auto* tolerance =
+      command.add_option("--tolerance", options.tolerance, "Tolerance of the compressed weights");
   in_range(tolerance, 0, 0.1)->default_str("3e-5");
   finish(command, action, bench, bench_frame, prepare_model<FrameOptions>);
 }

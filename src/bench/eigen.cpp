@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/ensembles.h"
 #include "bench/table.h"
 #include "sym3/eigen.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/ensembles.h"
 #include "bench/matrix_array.h"
 #include "bench/table.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/methods.h"
 
 namespace viete::bench {

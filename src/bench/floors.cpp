@@ -1,6 +1,6 @@
 #include "bench/floors.h"
 
-#include "deform/sparse/kernel_choice.h"
+#include "deform/sparse/sparse_kernel.h"
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "bench/floors.cpp"
 #include <hwy/foreach_target.h>

@@ -20,7 +20,7 @@
 #include "bench/reference_frame.h"
 #include "bench/rounds.h"
 #include "bench/table.h"
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/deformer.h"
 
 namespace viete::bench {

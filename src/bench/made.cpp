@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/build_facts.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/table.h"
 #include "sym3/kernel.h"
 

@@ -8,7 +8,7 @@
 
 #include "bench/rest_model.h"
 #include "deform/cage.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 
 namespace viete::bench {
 

@@ -10,7 +10,7 @@
 
 #include "base/clock.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "base/worker_pool.h"
 #include "bench/following.h"
 #include "bench/mode_comparison.h"
@@ -19,7 +19,7 @@
 #include "bench/rounds.h"
 #include "bench/table.h"
 #include "bench/torn.h"
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/pose_io.h"
 

@@ -13,7 +13,7 @@
 #include "bench/mode_comparison.h"
 #include "bench/rest_model.h"
 #include "deform/cage.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "sym3/exp.h"
 
 namespace viete::bench {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/findings.h"
 #include "bench/html.h"
 #include "bench/methods.h"

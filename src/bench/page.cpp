@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/findings.h"
 #include "bench/halfway.h"
 #include "bench/html.h"

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/exp.h"
 #include "bench/findings.h"
 #include "bench/html.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/svg.h"
 #include "sym3/exp.h"
 

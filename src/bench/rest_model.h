@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "lab/flat_face.h"
+#include "lab/strain.h"
 #include "mesh/surface.h"
 
 namespace viete::bench {

@@ -3,7 +3,7 @@
 #include <limits>
 #include <tuple>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "bench/findings.h"
 #include "bench/halfway.h"
 #include "bench/html.h"

@@ -7,14 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "cages/clearance.h"
 #include "cages/collapse.h"
 #include "cages/extraction.h"
-#include "cages/frame.h"
-#include "cages/margin.h"
-#include "cages/quads.h"
 #include "cages/soundness.h"
+#include "cages/subject.h"
 #include "cages/tighten.h"
 #include "mesh/union_find.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cages/mirror.h"
+#include "cages/subject.h"
 #include "mesh/half_edges.h"
 #include "mesh/surface.h"
 

@@ -1,4 +1,4 @@
-// A cage brought to its model: fitted to its box, and moved outward where the model sticks out.
+// A cage brought to its model: orientation, size and place, then moved outward where the model sticks out.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
 #include "mesh/surface.h"
 
 namespace viete::cages {
@@ -44,5 +45,16 @@ struct SnappedOutside {
 /// say so. The model has an extent and triangles.
 SnappedOutside snap_outside(const mesh::Surface& cage, std::span<const std::uint32_t> vertices,
                             const mesh::Surface& model, double margin);
+
+/// Turned so that samples of both surfaces are as near to the other surface as they can be, and then fitted
+/// to the model's box, see fitted_to_box(); not turned, where that is nearly as good. Never mirrored. Both
+/// have an extent, and the cage has triangles.
+///
+/// Starts at the 24 ways in which axes of inertia can be laid upon each other, and as the cage is; from each
+/// go iterated closest points, both ways. Sources: Besl and McKay 1992, A method for registration of 3-D
+/// shapes; Umeyama 1991, Least-squares estimation of transformation parameters between two point patterns.
+/// progress may be null; throws base::Cancelled. Thread-safe; the same bits each time.
+Fitted best_fit(const mesh::Surface& cage, const mesh::Surface& model, double margin,
+                base::Progress* progress = nullptr);
 
 }  // namespace viete::cages

@@ -1,4 +1,4 @@
-// A cage around a model, of any kind: the door of this room.
+// Makes a cage of any kind around a model; boxes.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,10 @@
 #include "mesh/surface.h"
 
 namespace viete::cages {
+
+/// The sides of a box as quads, cells[0] x cells[1] x cells[2], wish.margin away from the model's own box,
+/// which is along the file's axes or, with own_axes, along those of its inertia. The model has an extent.
+Made make_box(const mesh::Surface& model, const Wish& wish);
 
 /// Makes cages around one model, one after another: where its plane of symmetry is and the tree over its
 /// triangles are kept from one wish to the next. The same cages as by make(). For one thread at a time.

@@ -2,16 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
+#include <vector>
 
-#include "cages/frame.h"
+#include "cages/subject.h"
 #include "mesh/defects.h"
 #include "mesh/self_intersection.h"
 #include "mesh/summary.h"
+#include "mesh/triangle_tree.h"
 #include "mesh/union_find.h"
 #include "mesh/winding_number.h"
 
 namespace viete::cages {
+
+Closeness closeness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool) {
+  const Frame frame = frame_of(model, std::nullopt);
+  const FramedModel framed = model_in(frame, model);
+  std::vector<std::uint8_t> used(framed.positions.size(), 0);
+  for (const auto& t : framed.triangles) used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  std::vector<mesh::Point> corners = cage.positions;
+  for (mesh::Point& p : corners) p = frame.into(p);
+  const mesh::TriangleTree tree(corners, cage.triangles);
+  std::vector<double> distances(framed.positions.size());
+  pool.for_blocks(distances.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (used[v]) distances[v] = std::sqrt(tree.nearest(framed.positions[v]).squared_distance);
+    }
+  });
+  Closeness found{.least = std::numeric_limits<double>::infinity()};
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < distances.size(); ++v) {
+    if (!used[v]) continue;
+    ++count;
+    found.mean += distances[v];
+    found.least = std::min(found.least, distances[v]);
+    found.most = std::max(found.most, distances[v]);
+  }
+  found.mean /= static_cast<double>(count);
+  // What is wound oddly, or lies within itself, has no such volume; then it can seem larger than the cage's.
+  const mesh::Summary summary = mesh::summarize(model);
+  const double whole = mesh::summarize(cage).volume, part = std::abs(summary.volume);
+  if (summary.closed() && summary.oriented() && part > 0 && part <= whole) found.volume = whole / part;
+  return found;
+}
 
 namespace {
 
@@ -81,6 +116,91 @@ Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base:
   for (mesh::Point& p : around.positions) p = frame.into(p);
   const mesh::TriangleTree tree(framed.positions, framed.triangles);
   return soundness(around, framed.positions, framed.triangles, tree, pool);
+}
+
+namespace {
+
+constexpr int most_rounds = 24;
+
+class MarginKeeper {
+public:
+  MarginKeeper(WorkingCage& cage, double margin, base::Progress* progress)
+      : cage_(cage), mesh_(cage.connectivity()), margin_(margin), progress_(progress) {}
+
+  std::size_t run() {
+    stale_.assign(mesh_.n_faces(), 1);
+    near_.assign(mesh_.n_faces(), 0);
+    for (int i = 0;; ++i) {
+      const auto report = [&] {
+        if (progress_) progress_->report(static_cast<double>(i) / (most_rounds + 1));
+      };
+      const std::size_t found = look(report);
+      if (found == 0 || i == most_rounds || !push_all(report)) return found;
+    }
+  }
+
+private:
+  // Which triangles are too near, and where their corners should go.
+  template <class Report>
+  std::size_t look(Report&& report) {
+    away_.assign(mesh_.n_vertices(), {0, 0, 0});
+    std::size_t found = 0;
+    for (auto f = mesh_.faces_sbegin(); f != mesh_.faces_end(); ++f) {
+      const auto number = static_cast<std::size_t>(f->idx());
+      if (std::exchange(stale_[number], std::uint8_t{0})) {
+        report();
+        near_[number] = cage_.is_near_model(*f, margin_);
+      }
+      if (!near_[number]) continue;
+      ++found;
+      const Vec3 n = cage_.normal(*f);
+      for (const auto v : cage_.vertices(*f)) away_[v] = away_[v] + (1 / mesh::norm(n)) * n;
+    }
+    return found;
+  }
+
+  // False if none could move.
+  template <class Report>
+  bool push_all(Report&& report) {
+    bool moved = false;
+    for (auto v = mesh_.vertices_sbegin(); v != mesh_.vertices_end(); ++v) {
+      Vec3 along = away_[static_cast<std::size_t>(v->idx())];
+      cage_.star_of(*v, star_);
+      if (star_.on_mirror) along[0] = 0;
+      const double length = mesh::norm(along);
+      if (!(length > 0)) continue;
+      report();
+      moved |= push(*v, (1 / length) * along);
+      moved |= push(*v, cage_.outward(star_));
+    }
+    return moved;
+  }
+
+  bool push(VertexId v, const Vec3& along) {
+    constexpr Shape any_shape{0.01, -0.95, 64};
+    for (const double t : {0.2, 0.05}) {
+      const Point place = cage_.at(v) + (t * margin_) * along;
+      if (!cage_.fits(star_, place, any_shape)) continue;
+      cage_.move(v, place);
+      for (const FaceId f : star_.replaced) stale_[static_cast<std::size_t>(f.idx())] = 1;
+      return true;
+    }
+    return false;
+  }
+
+  WorkingCage& cage_;
+  Connectivity& mesh_;
+  double margin_;
+  base::Progress* progress_;
+  Star star_;
+  std::vector<Vec3> away_;                  // of each vertex
+  std::vector<std::uint8_t> stale_, near_;  // of each triangle: not looked at since it moved; too near then
+};
+
+}  // namespace
+
+std::size_t keep_margin(WorkingCage& cage, double margin, base::Progress* progress) {
+  return MarginKeeper(cage, margin, progress).run();
 }
 
 }  // namespace viete::cages

@@ -1,4 +1,4 @@
-// Whether a cage is one: closed, without cuts through itself, and around all of its model. Exact.
+// Exact checks of a cage: closed, free of self-intersections, around the whole model, and how close it is.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,19 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
+#include "cages/working_cage.h"
 #include "mesh/surface.h"
 #include "mesh/triangle_tree.h"
 
 namespace viete::cages {
+
+struct Closeness {
+  double least = 0, mean = 0, most = 0;  ///< distances of the model's vertices to the cage, of its diagonal
+  double volume = 0;  ///< of the cage, by that of the model; 0 where the model is not closed and has none
+};
+
+/// Of the vertices that triangles use, or of all points. Both are not empty. Same bits for any pool.
+Closeness closeness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
 
 /// What is wrong with a cage; all empty or 0 if it is sound.
 struct Soundness {
@@ -36,5 +45,10 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
 
 /// The same of any cage and model, in their own coordinates.
 Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
+
+/// Moves vertices of triangles that are nearer to the model than the margin outward, until none is, or as far
+/// as the cage stays sound: the clearance is interpolated, this is exact. Returns how many are left. progress
+/// may be null; throws base::Cancelled.
+std::size_t keep_margin(WorkingCage& cage, double margin, base::Progress* progress);
 
 }  // namespace viete::cages

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cages/mirror.h"
+#include "cages/subject.h"
 #include "mesh/surface.h"
 
 namespace viete::cages {

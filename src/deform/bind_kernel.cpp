@@ -1,8 +1,8 @@
-// Binding, compiled once per instruction set.
 #include "deform/bind_kernel.h"
 
-#include "deform/sparse/kernel_choice.h"
+#include "deform/sparse/sparse_kernel.h"
 #include "sym3/highway_targets.h"
+
 #define HWY_TARGET_INCLUDE "deform/bind_kernel.cpp"
 #include <hwy/foreach_target.h>
 
@@ -10,7 +10,10 @@
 #include "deform/mean_value_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
+
 namespace viete::deform::HWY_NAMESPACE {
+
+// Binding, compiled once per instruction set.
 
 static constexpr BindKernel bind = {.inverse_distance = inverse_distance,
                                     .inverse_distance_rows = inverse_distance_rows,
@@ -22,9 +25,11 @@ static constexpr BindKernel bind = {.inverse_distance = inverse_distance,
                                     .solve = solve};
 
 }  // namespace viete::deform::HWY_NAMESPACE
+
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+
 namespace viete::deform {
 
 const BindKernel& bind_kernel(const sym3::Kernel& kernel) {
@@ -32,4 +37,5 @@ const BindKernel& bind_kernel(const sym3::Kernel& kernel) {
 }
 
 }  // namespace viete::deform
+
 #endif

@@ -1,14 +1,142 @@
 #include "deform/branches.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "mesh/adjacency.h"
+#include "mesh/repair.h"
 #include "mesh/union_find.h"
 
 namespace viete::deform {
+
+namespace {
+
+constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t exact_center_limit = 4096;
+
+bool is_fin(std::span<const mesh::HalfEdge> sides, std::span<const std::uint8_t> skip) {
+  if (sides.size() < 3 || sides.size() % 2 == 0) return false;
+  return std::none_of(sides.begin(), sides.end(), [&](const mesh::HalfEdge& h) { return skip[h.triangle]; });
+}
+
+void sort_unique(std::vector<mesh::Edge>& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+// Breadth first from `start` over its part: the order of visits, and how far each is.
+struct Sweep {
+  std::vector<std::uint32_t> order, distance, parent;
+
+  explicit Sweep(std::size_t nodes) : distance(nodes, unseen), parent(nodes, unseen) {}
+
+  void run(const mesh::Adjacency& graph, std::uint32_t start) {
+    for (const auto i : order) distance[i] = unseen;
+    order.assign(1, start);
+    distance[start] = 0;
+    parent[start] = start;
+    for (std::size_t n = 0; n < order.size(); ++n) {
+      for (const auto j : graph.of(order[n])) {
+        if (distance[j] != unseen) continue;
+        distance[j] = distance[order[n]] + 1;
+        parent[j] = order[n];
+        order.push_back(j);
+      }
+    }
+  }
+
+  std::uint32_t eccentricity() const { return distance[order.back()]; }
+};
+
+std::uint32_t exact_center(const mesh::Adjacency& graph, std::vector<std::uint32_t> part, Sweep& sweep) {
+  std::sort(part.begin(), part.end());
+  std::uint32_t best = part.front(), least = unseen;
+  for (const auto i : part) {
+    sweep.run(graph, i);
+    if (sweep.eccentricity() < least) {
+      least = sweep.eccentricity();
+      best = i;
+    }
+  }
+  return best;
+}
+
+std::uint32_t middle_of_longest_path(const mesh::Adjacency& graph, Sweep& sweep) {
+  sweep.run(graph, sweep.order.back());
+  const std::uint32_t half = sweep.eccentricity() / 2;
+  std::uint32_t i = sweep.order.back();
+  while (sweep.distance[i] > half) i = sweep.parent[i];
+  return i;
+}
+
+}  // namespace
+
+std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip) {
+  mesh::UnionFind clusters(skip.size());
+  for (const auto& [i, j] : pairs) {
+    if (skip[i] && skip[j]) clusters.join(i, j);
+  }
+  std::vector<mesh::Edge> kept, rim;  // rim: cluster and neighbour
+  for (const auto& [i, j] : pairs) {
+    if (!skip[i] && !skip[j]) kept.push_back({i, j});
+    if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});
+  }
+  sort_unique(rim);
+  for (std::size_t n = 1; n < rim.size(); ++n) {
+    if (rim[n][0] == rim[n - 1][0]) kept.push_back({rim[n - 1][1], rim[n][1]});
+  }
+  sort_unique(kept);
+  return kept;
+}
+
+DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip) {
+  const auto table = mesh::half_edges(surface.positions.size(), mesh::welded(surface).triangles);
+  DualGraph graph;
+  std::vector<mesh::Edge> pairs;
+  for (std::size_t e = 0; e < table.edges.size(); ++e) {
+    const auto sides = table.of(e);
+    for (std::size_t n = 1; n < sides.size(); ++n)
+      pairs.push_back({sides[n - 1].triangle, sides[n].triangle});
+    graph.open += sides.size() == 1;
+    graph.nonmanifold += sides.size() > 2;
+    graph.misoriented += sides.size() == 2 && sides[0].forward == sides[1].forward;
+    if (is_fin(sides, skip)) graph.fins.push_back(table.edges[e]);
+  }
+  graph.edges = without_skipped(std::move(pairs), skip);
+  return graph;
+}
+
+std::vector<std::uint32_t> graph_centers(std::size_t elements, std::span<const mesh::Edge> edges,
+                                         std::span<const std::uint8_t> skip) {
+  const mesh::Adjacency graph = mesh::adjacency(elements, edges);
+  std::vector<std::uint8_t> seen(skip.begin(), skip.end());
+  std::vector<std::uint32_t> centers;
+  Sweep sweep(elements);
+  for (std::uint32_t i = 0; i < elements; ++i) {
+    if (seen[i]) continue;
+    sweep.run(graph, i);
+    for (const auto j : sweep.order) seen[j] = 1;
+    centers.push_back(sweep.order.size() <= exact_center_limit ? exact_center(graph, sweep.order, sweep)
+                                                               : middle_of_longest_path(graph, sweep));
+  }
+  return centers;
+}
+
+std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
+                                       std::span<const std::uint32_t> centers) {
+  const mesh::Adjacency graph = mesh::adjacency(elements, edges);
+  std::vector<std::uint32_t> parts(elements, static_cast<std::uint32_t>(centers.size()));
+  Sweep sweep(elements);
+  for (std::uint32_t p = 0; p < centers.size(); ++p) {
+    sweep.run(graph, centers[p]);
+    for (const auto i : sweep.order) parts[i] = p;
+  }
+  return parts;
+}
 
 namespace {
 
@@ -236,6 +364,141 @@ Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const 
       take_logs(cage, part, least, result);
   }
   return result;
+}
+
+namespace {
+
+using mesh::Vec3;
+
+constexpr int most_sweeps = 30;
+constexpr double better_by = 1e-9;  // radians, that rounding may not decide
+
+double distance(const Vec3& a, const Vec3& b) {
+  return mesh::norm(a - b);
+}
+
+std::uint32_t other(const mesh::Edge& pair, std::uint32_t t) {
+  return pair[0] == t ? pair[1] : pair[0];
+}
+
+// The logs along the tree of least relative rotations.
+class TreeLogs {
+public:
+  TreeLogs(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
+           std::span<const Vec3> start)
+      : start_(start), logs_(start.begin(), start.end()), seen_(start.size()) {
+    const auto forest = spanning_forest(neighbours.pairs, rotations);
+    tree_ = mesh::adjacency(start.size(), forest);
+  }
+
+  std::vector<Vec3> make() {
+    std::vector<std::pair<double, std::uint32_t>> order;
+    for (std::uint32_t t = 0; t < start_.size(); ++t) order.push_back({mesh::squared_norm(start_[t]), t});
+    std::sort(order.begin(), order.end());
+    for (const auto& [turn, root] : order)
+      if (!seen_[root]) walk(root);
+    return std::move(logs_);
+  }
+
+private:
+  void walk(std::uint32_t root) {
+    std::vector<std::uint32_t> queue{root};
+    seen_[root] = 1;
+    for (std::size_t n = 0; n < queue.size(); ++n) {
+      for (const auto t : tree_.of(queue[n])) {
+        if (seen_[t]) continue;
+        seen_[t] = 1;
+        logs_[t] = nearest_branch(start_[t], logs_[queue[n]]);
+        queue.push_back(t);
+      }
+    }
+  }
+
+  std::span<const Vec3> start_;
+  std::vector<Vec3> logs_;
+  std::vector<std::uint8_t> seen_;
+  mesh::Adjacency tree_;
+};
+
+// Takes other logs where they differ, of each connected set of triangles all or none.
+void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& others, std::vector<Vec3>& logs) {
+  const auto differs = [&](std::uint32_t t) { return logs[t] != others[t]; };
+  mesh::UnionFind sets(logs.size());
+  for (const auto& [a, b] : neighbours.pairs)
+    if (differs(a) && differs(b)) sets.join(a, b);
+  std::vector<double> gains(logs.size());
+  for (std::size_t n = 0; n < neighbours.pairs.size(); ++n) {
+    const auto& [a, b] = neighbours.pairs[n];
+    if (!differs(a) && !differs(b)) continue;
+    const double gain = distance(logs[a], logs[b]) - distance(others[a], others[b]);
+    gains[sets.find(differs(a) ? a : b)] += neighbours.weights[n] * gain;
+  }
+  std::vector<std::uint8_t> takes(logs.size());
+  for (std::uint32_t t = 0; t < logs.size(); ++t) takes[t] = differs(t) && gains[sets.find(t)] > 0;
+  for (std::uint32_t t = 0; t < logs.size(); ++t)
+    if (takes[t]) logs[t] = others[t];
+}
+
+double cost(const WeightedPairs& neighbours, std::uint32_t t, const Vec3& log, std::span<const Vec3> logs) {
+  double sum = 0;
+  for (const auto n : neighbours.around.of(t))
+    sum += neighbours.weights[n] * distance(log, logs[other(neighbours.pairs[n], t)]);
+  return sum;
+}
+
+// The branch of a triangle that its neighbours like best.
+bool follow_neighbours(const WeightedPairs& neighbours, std::uint32_t t, std::vector<Vec3>& logs) {
+  Vec3 best = logs[t];
+  double least = cost(neighbours, t, best, logs);
+  double weight = 0;
+  for (const auto n : neighbours.around.of(t)) weight += neighbours.weights[n];
+  for (const auto n : neighbours.around.of(t)) {
+    const Vec3 log = nearest_branch(logs[t], logs[other(neighbours.pairs[n], t)]);
+    const double c = cost(neighbours, t, log, logs);
+    if (c < least - better_by * weight) least = c, best = log;
+  }
+  const bool changed = best != logs[t];
+  logs[t] = best;
+  return changed;
+}
+
+bool is_torn(const mesh::Edge& pair, std::span<const Vec3> logs) {
+  return distance(logs[pair[0]], logs[pair[1]]) > std::numbers::pi;
+}
+
+// Until no triangle beside a tear changes.
+void smooth(const WeightedPairs& neighbours, std::vector<Vec3>& logs) {
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    bool changed = false;
+    for (const auto& pair : neighbours.pairs) {
+      if (!is_torn(pair, logs)) continue;
+      for (const auto t : pair) changed |= follow_neighbours(neighbours, t, logs);
+    }
+    if (!changed) return;
+  }
+}
+
+}  // namespace
+
+WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas) {
+  WeightedPairs n{std::move(pairs), {}, {}};
+  for (const auto& [a, b] : n.pairs) n.weights.push_back(std::sqrt(std::min(areas[a], areas[b])));
+  n.around = mesh::make_adjacency(areas.size(), [&](const auto& add) {
+    for (std::uint32_t i = 0; i < n.pairs.size(); ++i) add(n.pairs[i][0], i), add(n.pairs[i][1], i);
+  });
+  return n;
+}
+
+std::size_t torn_pairs(const WeightedPairs& neighbours, std::span<const Vec3> logs) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(neighbours.pairs, [&](const auto& pair) { return is_torn(pair, logs); }));
+}
+
+void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
+                   std::vector<Vec3>& logs) {
+  if (torn_pairs(neighbours, logs) == 0) return;
+  take_better(neighbours, TreeLogs(neighbours, rotations, logs).make(), logs);
+  smooth(neighbours, logs);
 }
 
 }  // namespace viete::deform

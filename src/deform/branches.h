@@ -1,14 +1,46 @@
-// Which of the many logs of a rotation: neighbouring elements take neighbouring ones.
+// Consistent branches of the rotation logs: neighbouring elements take neighbouring logs.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "deform/cage.h"
+#include "mesh/adjacency.h"
+#include "mesh/half_edges.h"
+#include "mesh/vector.h"
 #include "sym3/general.h"
 #include "sym3/rotation.h"
 
 namespace viete::deform {
+
+struct DualGraph {
+  std::vector<mesh::Edge> edges;  ///< pairs of elements i < j, sorted, each once
+  std::size_t open = 0;           ///< edges with one triangle
+  std::size_t nonmanifold = 0;    ///< edges with three or more
+  std::size_t misoriented = 0;    ///< edges that two triangles run through in the same direction
+  /// Edges of the surface with an odd number of triangles beyond one, all of them with area: a fin
+  /// sticks out there, and neither side of it is inside.
+  std::vector<mesh::Edge> fins;
+};
+
+/// Vertices at exactly the same place count as one. Skipped elements have no edges; their neighbours are
+/// joined.
+DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip);
+
+/// Pairs i < j of what is not skipped, sorted, each once; the neighbours of each cluster of skipped elements
+/// are joined in a chain.
+std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip);
+
+/// The centre of each connected part, in the order of the parts' lowest elements: the element of least
+/// eccentricity, lowest index first. Exact up to 4,096 elements in a part, beyond that the middle of a
+/// longest path found by two sweeps, so that the cost stays O(4096 edges). Skipped elements have no part.
+std::vector<std::uint32_t> graph_centers(std::size_t elements, std::span<const mesh::Edge> edges,
+                                         std::span<const std::uint8_t> skip);
+
+/// Of each element the place in `centers` of the one it hangs together with; centers.size() if with none.
+std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
+                                       std::span<const std::uint32_t> centers);
 
 inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
   return sym3::nearest_branch(v, reference);
@@ -44,5 +76,25 @@ struct Branches {
 /// the logs are those without them where only these are coherent. A pure function of its inputs. O(k log k).
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
+
+/// Triangles and their neighbours.
+struct WeightedPairs {
+  std::vector<mesh::Edge> pairs;  ///< i < j, sorted, each once
+  std::vector<double> weights;    ///< of each pair, how much it counts
+  mesh::Adjacency around;         ///< of each triangle its pairs
+};
+WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas);
+
+/// Makes the sum of the distances between neighbours' logs, by weight, small, by other branches than the
+/// given ones. Tried are those along the tree of least relative rotations, from the triangle of each part
+/// that turns least: they are taken where the sum over what differs, and hangs together, is less; then what
+/// is nearest to each triangle's neighbours. So the sum never grows: what is coherent stays, bit for bit, and
+/// a single triangle that was turned over turns no others. Near a whole turn other than 0 logs have no clear
+/// axis, and no choice is coherent. Thread-safe. O(n log n).
+void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
+                   std::vector<mesh::Vec3>& logs);
+
+/// Pairs whose logs are more than half a turn apart.
+std::size_t torn_pairs(const WeightedPairs& neighbours, std::span<const mesh::Vec3> logs);
 
 }  // namespace viete::deform

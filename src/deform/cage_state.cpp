@@ -8,9 +8,7 @@
 
 #include "base/clock.h"
 #include "base/error.h"
-#include "deform/face_maps.h"
-#include "deform/linear_map.h"
-#include "deform/map_rows.h"
+#include "deform/maps.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
 

@@ -10,8 +10,7 @@
 
 #include "deform/cage.h"
 #include "deform/links.h"
-#include "deform/log_maps.h"
-#include "deform/map_split.h"
+#include "deform/maps.h"
 #include "deform/patch_maps.h"
 #include "deform/rows.h"
 #include "deform/scheme.h"

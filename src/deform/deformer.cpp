@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include "deform/engine_for.h"
+#include "deform/scheme.h"
 #include "deform/vertex_sample.h"
 
 namespace viete::deform {

@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "base/quantity.h"
-#include "deform/linear_map.h"
+#include "base/text.h"
+#include "deform/maps.h"
 #include "deform/plane_kernel.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/kernel.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/aligned.h"
+#include "base/memory.h"
 #include "deform/bind_kernel.h"
 
 namespace viete::deform {

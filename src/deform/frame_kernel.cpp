@@ -1,8 +1,8 @@
-// The fused frame, compiled once per instruction set.
 #include "deform/frame_kernel.h"
 
-#include "deform/sparse/kernel_choice.h"
+#include "deform/sparse/sparse_kernel.h"
 #include "sym3/highway_targets.h"
+
 #define HWY_TARGET_INCLUDE "deform/frame_kernel.cpp"
 #include <hwy/foreach_target.h>
 
@@ -13,7 +13,10 @@
 #include "deform/ring_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
+
 namespace viete::deform::HWY_NAMESPACE {
+
+// The fused frame, compiled once per instruction set.
 
 static constexpr TileKernel kernel_of(RowForm form) {
   switch (form) {
@@ -36,9 +39,11 @@ static constexpr FrameKernel frame = make_frame();
 static_assert(row_forms == std::size_t(RowForm::rigid_moments) + 1);
 
 }  // namespace viete::deform::HWY_NAMESPACE
+
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+
 namespace viete::deform {
 
 const FrameKernel& frame_kernel(const sym3::Kernel& kernel) {
@@ -46,4 +51,5 @@ const FrameKernel& frame_kernel(const sym3::Kernel& kernel) {
 }
 
 }  // namespace viete::deform
+
 #endif

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/map_rows.h"
+#include "deform/exact.h"
+#include "deform/maps.h"
 #include "deform/moments.h"
-#include "deform/place_vertices.h"
 
 namespace viete::deform {
 

@@ -7,7 +7,7 @@
 #include "base/worker_pool.h"
 #include "deform/engine.h"
 #include "deform/frame_kernel.h"
-#include "deform/probe_tiles.h"
+#include "deform/probe_layer.h"
 #include "deform/tiled_binding.h"
 
 namespace viete::deform {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/triangle_basis.h"
+#include "deform/cage.h"
 #include "mesh/adjacency.h"
 
 namespace viete::deform {

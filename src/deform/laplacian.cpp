@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
+#include "mesh/half_edges.h"
 #include "mesh/triangle.h"
 
 namespace viete::deform {
@@ -60,6 +63,200 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
     }
   }
   return sparse_matrix(positions.size(), entries);
+}
+
+namespace {
+
+constexpr double least_excess = 1e-5;    // of two sides of a triangle over the third, in mean edges
+constexpr double least_weight = 1e-10;   // smaller ones are rounding
+constexpr std::size_t most_flips = 100;  // a half-edge: far more than were ever seen, an end for sure
+constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+
+// Of sides a, b, c. W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014).
+double area_of(double a, double b, double c) {
+  if (a < b) std::swap(a, b);
+  if (b < c) std::swap(b, c);
+  if (a < b) std::swap(a, b);
+  const double square = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  constexpr double least = 1e-12;  // of a^2: keeps cotangents finite
+  return std::max(0.25 * std::sqrt(std::max(square, 0.0)), least * a * a);
+}
+
+/// Triangles that know their edges' lengths and neighbours, and nothing of space. Half-edge h runs from
+/// tail[h] to tail[next[h]].
+class IntrinsicTriangles {
+public:
+  IntrinsicTriangles(const std::vector<mesh::Point>& positions,
+                     const std::vector<mesh::Triangle>& triangles) {
+    const mesh::HalfEdges table = mesh::half_edges(positions.size(), triangles);
+    sides_ = closed_and_oriented(table) ? 1 : 2;
+    add_triangles(triangles);
+    for (std::size_t e = 0; e < table.edges.size(); ++e) sew(table, e, triangles);
+    set_lengths(positions);
+    lengthen();
+  }
+
+  // Until no weight is negative.
+  void make_delaunay() {
+    std::vector<std::uint32_t> open;
+    std::vector<bool> listed(next_.size(), false);
+    for (std::uint32_t h = 0; h < next_.size(); ++h) {
+      listed[h] = h < twin_[h];
+      if (listed[h]) open.push_back(h);
+    }
+    for (std::size_t left = most_flips * next_.size(); !open.empty() && left > 0; --left) {
+      const std::uint32_t h = open.back();
+      open.pop_back();
+      listed[h] = false;
+      if (!flips(h)) continue;
+      flip(h);
+      for (const auto around : {next_[h], previous(h), next_[twin_[h]], previous(twin_[h])}) {
+        if (!listed[around]) open.push_back(around);
+        listed[around] = true;
+      }
+    }
+  }
+
+  SparseMatrix stiffness(std::size_t vertices) const {
+    std::vector<MatrixEntry> entries;
+    for (std::uint32_t v = 0; v < vertices; ++v) entries.push_back({v, v, 0.0});
+    for (std::uint32_t h = 0; h < next_.size(); ++h) {
+      const std::uint32_t a = tail_[h], b = tail_[twin_[h]];
+      if (h > twin_[h] || a == b) continue;
+      const double w = weight(h) / sides_;
+      if (w < least_weight) continue;
+      entries.push_back({a, a, w}), entries.push_back({b, b, w});
+      entries.push_back({a, b, -w}), entries.push_back({b, a, -w});
+    }
+    return sparse_matrix(vertices, entries);
+  }
+
+  std::vector<double> masses(std::size_t vertices) const {
+    std::vector<double> result(vertices, 0);
+    double sum = 0;
+    for (std::uint32_t h = 0; h < next_.size(); ++h) {
+      const double whole = area(h);
+      result[tail_[h]] += whole;
+      sum += whole;
+    }
+    for (double& mass : result) mass /= sum;
+    return result;
+  }
+
+private:
+  static bool closed_and_oriented(const mesh::HalfEdges& table) {
+    for (std::size_t e = 0; e < table.edges.size(); ++e) {
+      const auto sides = table.of(e);
+      if (sides.size() != 2 || sides[0].forward == sides[1].forward) return false;
+    }
+    return true;
+  }
+
+  // Half-edge i of triangle t is 3 t + i; those of its back follow those of all fronts, and run the other
+  // way.
+  void add_triangles(const std::vector<mesh::Triangle>& triangles) {
+    const auto front = static_cast<std::uint32_t>(3 * triangles.size());
+    next_.resize(sides_ * front);
+    tail_.resize(next_.size());
+    twin_.assign(next_.size(), none);
+    for (std::uint32_t h = 0; h < front; ++h) {
+      const std::uint32_t first = h / 3 * 3, i = h % 3;
+      next_[h] = first + (i + 1) % 3;
+      tail_[h] = triangles[h / 3][i];
+      if (sides_ == 1) continue;
+      next_[front + h] = front + first + (i + 2) % 3;
+      tail_[front + h] = triangles[h / 3][(i + 1) % 3];
+    }
+  }
+
+  // Each triangle at an edge has a half-edge along it on its front and one the other way on its back: the
+  // forward one of each belongs to the backward one of the next triangle around.
+  void sew(const mesh::HalfEdges& table, std::size_t e, const std::vector<mesh::Triangle>& triangles) {
+    const auto around = table.of(e);
+    const auto half_edge = [&](const mesh::HalfEdge& side, bool forward) {
+      const mesh::Triangle& t = triangles[side.triangle];
+      const std::uint32_t from = table.edges[e][side.forward ? 0 : 1];
+      const auto i = static_cast<std::uint32_t>(std::find(t.begin(), t.end(), from) - t.begin());
+      const std::uint32_t front = 3 * side.triangle + i;
+      return side.forward == forward ? front : front + static_cast<std::uint32_t>(3 * triangles.size());
+    };
+    for (std::size_t s = 0; s < around.size(); ++s) {
+      const std::size_t n = (s + 1) % around.size();
+      if (sides_ == 1 && !around[s].forward) continue;
+      pair(half_edge(around[s], true), half_edge(around[n], false));
+    }
+  }
+
+  void pair(std::uint32_t h, std::uint32_t g) {
+    twin_[h] = g;
+    twin_[g] = h;
+  }
+
+  // In units of the mean one.
+  void set_lengths(const std::vector<mesh::Point>& positions) {
+    double sum = 0;
+    for (std::uint32_t h = 0; h < next_.size(); ++h) {
+      length_.push_back(norm(positions[tail_[next_[h]]] - positions[tail_[h]]));
+      sum += length_.back();
+    }
+    const double mean = sum / static_cast<double>(length_.size());
+    for (double& l : length_) l = mean > 0 ? l / mean : 1;
+  }
+
+  // All alike, so that every triangle has an area.
+  void lengthen() {
+    double missing = 0;
+    for (std::uint32_t h = 0; h < next_.size(); ++h)
+      missing = std::max(missing, least_excess - (length_[next_[h]] + length_[previous(h)] - length_[h]));
+    for (double& l : length_) l += missing;
+  }
+
+  std::uint32_t previous(std::uint32_t h) const { return next_[next_[h]]; }
+  double area(std::uint32_t h) const { return area_of(length_[h], length_[next_[h]], length_[previous(h)]); }
+  // Of the angle opposite.
+  double cotangent(std::uint32_t h) const {
+    const double a = length_[h], b = length_[next_[h]], c = length_[previous(h)];
+    return ((b - a) * (b + a) + c * c) / (4 * area(h));
+  }
+  double weight(std::uint32_t h) const { return 0.5 * (cotangent(h) + cotangent(twin_[h])); }
+
+  bool flips(std::uint32_t h) const {
+    const std::uint32_t g = twin_[h];
+    return g != next_[h] && g != previous(h) && weight(h) < -least_weight;
+  }
+
+  // Where the third corner lies, seen along h from its tail.
+  std::array<double, 2> corner_beside(std::uint32_t h, double to_tail, double to_head) const {
+    const double l = length_[h];
+    return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area(h) / l};
+  }
+
+  // Edge ab of triangles abc and bad becomes cd, of cdb and dca.
+  void flip(std::uint32_t h) {
+    const std::uint32_t g = twin_[h], bc = next_[h], ca = next_[bc], ad = next_[g], db = next_[ad];
+    const auto c = corner_beside(h, length_[ca], length_[bc]), d = corner_beside(g, length_[db], length_[ad]);
+    const double length = std::hypot(c[0] - (length_[h] - d[0]), c[1] + d[1]);
+    tail_[h] = tail_[ca];
+    tail_[g] = tail_[db];
+    next_[h] = db, next_[db] = bc, next_[bc] = h;
+    next_[g] = ca, next_[ca] = ad, next_[ad] = g;
+    length_[h] = length_[g] = length;
+  }
+
+  std::uint32_t sides_ = 1;
+  std::vector<std::uint32_t> next_, tail_, twin_;
+  std::vector<double> length_;
+};
+
+}  // namespace
+
+IntrinsicLaplacian intrinsic_laplacian(const mesh::Surface& surface) {
+  const std::size_t n = surface.positions.size();
+  const auto triangles = mesh::proper_triangles(surface);
+  if (triangles.empty()) return {sparse_matrix(n, {}), std::vector<double>(n, 0)};
+  IntrinsicTriangles intrinsic(surface.positions, triangles);
+  intrinsic.make_delaunay();
+  return {intrinsic.stiffness(n), intrinsic.masses(n)};
 }
 
 }  // namespace viete::deform

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/aligned.h"
+#include "base/memory.h"
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/held.h"

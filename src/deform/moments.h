@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <span>
 
-#include "deform/affine_map.h"
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/cage_state.h"
-#include "deform/map_rows.h"
+#include "deform/maps.h"
 
 namespace viete::deform {
 

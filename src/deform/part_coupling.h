@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
-#include "deform/intrinsic_laplacian.h"
+#include "deform/laplacian.h"
 #include "mesh/edge_paths.h"
 #include "mesh/surface.h"
 

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "deform/dual_graph.h"
-#include "deform/face_maps.h"
-#include "deform/linear_map.h"
+#include "deform/branches.h"
+#include "deform/maps.h"
 #include "mesh/normals.h"
 #include "sym3/eigenvalues.h"
 

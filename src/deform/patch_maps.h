@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "deform/affine_map.h"
 #include "deform/cage.h"
+#include "deform/maps.h"
 #include "mesh/adjacency.h"
 
 namespace viete::deform {

@@ -1,7 +1,7 @@
 // Products of small matrices, compiled once per instruction set.
 #include "deform/plane_kernel.h"
 
-#include "deform/sparse/kernel_choice.h"
+#include "deform/sparse/sparse_kernel.h"
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "deform/plane_kernel.cpp"
 #include <hwy/foreach_target.h>

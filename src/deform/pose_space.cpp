@@ -4,7 +4,7 @@
 
 #include "deform/branches.h"
 #include "deform/cage_state.h"
-#include "deform/face_maps.h"
+#include "deform/maps.h"
 
 namespace viete::deform {
 

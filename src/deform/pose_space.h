@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "deform/cage.h"
-#include "deform/log_maps.h"
 #include "deform/log_space.h"
-#include "deform/map_split.h"
+#include "deform/maps.h"
 
 namespace viete::deform {
 

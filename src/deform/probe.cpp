@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "deform/branches.h"
-#include "deform/linear_map.h"
+#include "deform/maps.h"
 #include "deform/polar.h"
 #include "sym3/exp.h"
 

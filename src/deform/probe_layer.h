@@ -1,12 +1,15 @@
-// What probes do to a model after the cage has moved it.
+// The effect of probes on a model after the cage has moved it, also in vector code.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/memory.h"
 #include "base/worker_pool.h"
 #include "deform/binding.h"
+#include "deform/frame_kernel.h"
+#include "deform/leaves.h"
 #include "deform/probe.h"
 #include "sym3/exp.h"
 
@@ -81,6 +84,34 @@ private:
   std::vector<std::uint32_t> anchors_;
   std::vector<Vec3> from_anchors_, places_;
   Vec3 origin_{0, 0, 0};
+};
+
+/// What the layer does is a frame of rows of RowForm::logs: a probe has a row for each part of its motion,
+/// with a weight of its own, and one with its place for the pivot,
+///
+///     x' = exp(sum a Y) exp(sum b X) (x - p) + (sum c t + p),    p = sum u q.
+///
+/// Only leaves that a probe reaches have any.
+class ProbeTiles {
+public:
+  /// Weights anew where the layer's are others than before.
+  void follow(const ProbeLayer& layer, const Leaves& leaves, base::WorkerPool& pool);
+  /// True if a probe that is not at rest reaches the leaf.
+  bool moves(const ProbeLayer& layer, std::size_t leaf) const;
+  /// positions: of the slots of the leaf, x y z x, in units. Thread-safe.
+  void move(const ProbeLayer& layer, std::size_t leaf, const TileKernel& logs, double unit,
+            float* positions) const;
+
+private:
+  struct Leaf {
+    std::vector<std::uint32_t> probes;
+    std::size_t tiles = 0;
+    base::AlignedVector<float> weights;  // [tile][row][lane]
+  };
+  static void weigh(const ProbeLayer& layer, std::span<const std::uint32_t> vertices, Leaf& leaf);
+
+  std::vector<Leaf> leaves_;
+  unsigned long revision_ = 0;
 };
 
 }  // namespace viete::deform

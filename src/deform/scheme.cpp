@@ -4,6 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string>
+
+#include "base/error.h"
 
 namespace viete::deform {
 
@@ -118,6 +121,124 @@ std::optional<double> radius_from_percent(double percent) {
 std::optional<double> share_from_percent(double percent) {
   if (!(percent >= 0 && percent <= 100)) return std::nullopt;
   return percent / 100;
+}
+
+namespace {
+
+constexpr Scheme scheme(Elements elements, Weights weights, Blend blend, int iterations = 0) {
+  Scheme s;
+  s.weighting.elements = elements;
+  s.weighting.weights = weights;
+  s.blend = blend;
+  s.iterations = iterations;
+  return s;
+}
+
+constexpr std::array ways_table = {
+    WayEntry{{"smooth", "Smooth",
+              "spreads along the model's surface, keeps shapes and holds parts together: for most models"},
+             Way::smooth,
+             scheme(Elements::face, Weights::biharmonic, Blend::srl)},
+    WayEntry{{"paper", "As published",
+              "as published: each triangle turns and stretches all of the model, by distance"},
+             Way::paper,
+             scheme(Elements::face, Weights::inverse, Blend::srl)},
+    WayEntry{
+        {"mean-value", "Mean value",
+         "the cage's vertices only move (mean value coordinates): follows affine poses exactly, and caves "
+         "in where parts turn"},
+        Way::mean_value,
+        scheme(Elements::point, Weights::mean_value, Blend::linear)},
+    WayEntry{{"rigid", "Rigid",
+              "turns without stretching (rigid least squares): keeps details and sizes, also where the cage "
+              "grows"},
+             Way::rigid,
+             scheme(Elements::point, Weights::biharmonic, Blend::mls_rigid)},
+    WayEntry{{"arap", "As rigid as possible",
+              "solved for all at once (ARAP): details keep their shape best, and frames take longer"},
+             Way::arap,
+             scheme(Elements::face, Weights::biharmonic, Blend::srl, 1)},
+    WayEntry{{"local", "Local", "ends at a radius: what no triangle of the cage reaches stays at rest"},
+             Way::local,
+             scheme(Elements::face, Weights::cut_off, Blend::srl)},
+};
+
+bool same_choices(const Scheme& a, const Scheme& b) {
+  return a.weighting.weights == b.weighting.weights && a.blend == b.blend;
+}
+
+}  // namespace
+
+std::span<const WayEntry> all_ways() {
+  return ways_table;
+}
+const WayEntry& entry(Way way) {
+  return ways_table[static_cast<std::size_t>(way)];
+}
+
+Scheme scheme_of(Way way, const Scheme& now) {
+  Scheme s = entry(way).scheme;
+  s.amounts = now.amounts;
+  return s;
+}
+
+std::optional<Way> way_of(const Scheme& s) {
+  const auto is_it = [&](const WayEntry& way) {
+    return same_choices(s, way.scheme) && s.stitched() == way.scheme.stitched();
+  };
+  const auto found = std::ranges::find_if(ways_table, is_it);
+  return found == ways_table.end() ? std::nullopt : std::optional(found->value);
+}
+
+Scheme default_scheme(bool has_triangles) {
+  return entry(has_triangles ? Way::smooth : Way::paper).scheme;
+}
+
+Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
+  Scheme s = preferred;
+  s.iterations = 0;
+  s.weighting.weights = choice.weights.value_or(preferred.weighting.weights);
+  s.blend = choice.blend.value_or(preferred.blend);
+  if (conflict(s) && !choice.blend) s.blend = Blend::linear;
+  if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
+  if (const auto reason = conflict(s))
+    throw base::Error("", "these weights and this blend do not go together: " + std::string(*reason),
+                      "leave one of them out, and it is chosen to fit");
+  s.weighting.elements = elements_of(s.weighting.weights, s.blend);
+  if (s.has_maps()) s.iterations = preferred.iterations;
+  return s;
+}
+
+Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
+  Scheme scheme = asked.way ? scheme_of(*asked.way, now) : now;
+  PartialChoice choice = asked.choice;
+  if (asked.radius && !chosen && !asked.way && !choice.weights) choice.weights = Weights::cut_off;
+  if (choice.any()) scheme = complete(choice, scheme);
+  scheme.weighting.radius = asked.radius.value_or(scheme.weighting.radius);
+  if (asked.radius && !scheme.weighting.partial())
+    throw base::Error("--radius", "these weights have no radius", "leave it out, or choose --weights cutoff");
+  if ((asked.turn || asked.stretch) && !scheme.has_maps()) {
+    throw base::Error(asked.turn ? "--turn" : "--stretch",
+                      "points of the cage only move: they do not turn or stretch",
+                      "leave it out, or choose another way or blend");
+  }
+  scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);
+  scheme.amounts.stretch = asked.stretch.value_or(scheme.amounts.stretch);
+  if (asked.iterations) scheme.iterations = *asked.iterations;
+  scheme.holding.radius = asked.pins.value_or(scheme.holding.radius);
+  scheme.holding.weight = asked.hold.value_or(scheme.holding.weight);
+  if ((asked.pins || asked.hold) && !scheme.stitched())
+    throw base::Error(asked.pins ? "--pins" : "--hold", "only stitched models are held",
+                      "leave it out, or add --stitched");
+  if (const auto reason = conflict(scheme))
+    throw base::Error("--stitched", std::string(*reason), "leave it out, or choose another way or blend");
+  return scheme;
+}
+
+EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool same_path) {
+  if (scheme.stitched()) return EngineKind::stitched;
+  const bool fuses = !scheme.exponential() || (method == sym3::Method::fast && !same_path);
+  return fuses ? EngineKind::fused : EngineKind::staged;
 }
 
 }  // namespace viete::deform

@@ -1,6 +1,4 @@
-// How a cage moves a model: weights and a blend. The choices stand in one table each, from which command
-// line, sessions, panels and tests take names and sentences; conflict() tells what does not go together. Six
-// of the combinations have names: see ways.h.
+// Schemes: weights and a blend that move a model, their names, and how a user's choices become one scheme.
 #pragma once
 
 #include <optional>
@@ -8,6 +6,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "sym3/exp.h"
 
 namespace viete::deform {
 
@@ -161,4 +161,71 @@ std::optional<double> amount_from_percent(double percent);
 std::optional<double> radius_from_percent(double percent);
 /// Percent, 0 to 100, as a fraction: of the cage's size, of a Holding, or of a whole.
 std::optional<double> share_from_percent(double percent);
+
+enum class Way { smooth, paper, mean_value, rigid, arap, local };
+
+struct WayEntry : ChoiceEntry {
+  Way value;
+  Scheme scheme;
+};
+
+std::span<const WayEntry> all_ways();
+const WayEntry& entry(Way way);
+
+/// The scheme of a way, with how much turns and stretches act as in `now`.
+Scheme scheme_of(Way way, const Scheme& now = {});
+/// The way that a scheme is, however much turns and stretches act, wherever weights end that have a radius,
+/// and however often and firmly a stitched model is solved for. Nothing if it is none.
+std::optional<Way> way_of(const Scheme& scheme);
+
+/// What a model is moved by where nobody chose: Way::smooth, the one whose energy is the lowest over the
+/// poses of many models without being high in any (the manual has the table). Weights that do not need a
+/// surface where there is none.
+Scheme default_scheme(bool has_triangles = true);
+
+inline PartialChoice only(Weights weights) {
+  return {.weights = weights};
+}
+inline PartialChoice only(Blend blend) {
+  return {.blend = blend};
+}
+
+/// The scheme that has all that is chosen, otherwise as much as possible of `preferred`, its radius, its
+/// amounts, and its stitching where that goes with the rest. Throws base::Error if the choices
+/// do not go together, saying why.
+Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
+
+/// The scheme after a user picks this way, weights or blend: the other choices of `now` stay where they are
+/// compatible with it.
+inline Scheme chosen(Way way, const Scheme& now) {
+  return scheme_of(way, now);
+}
+template <class Choice>
+Scheme chosen(Choice choice, const Scheme& now) {
+  return complete(only(choice), now);
+}
+
+struct AskedScheme {
+  std::optional<Way> way{};  ///< all of it; what is asked for besides is changed in it
+  PartialChoice choice{};
+  std::optional<double> radius{};           ///< of cut-off weights
+  std::optional<double> turn{}, stretch{};  ///< of Amounts
+  std::optional<int> iterations{};          ///< of stitching
+  std::optional<double> pins{}, hold{};     ///< of Holding
+
+  bool any() const { return way || choice.any() || radius || turn || stretch || iterations || pins || hold; }
+};
+
+/// Choices left open keep their present value where it is compatible with the others. Throws base::Error
+/// if choices do not go together, or a radius of weights that have none, or amounts or stitching where
+/// elements only move.
+///
+/// A radius chooses cut-off weights, unless someone has chosen others: by name here, or before (`chosen`), as
+/// in a session.
+Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
+
+/// Stitched schemes have an engine of their own. The fused one knows method `fast` alone, and all that takes
+/// no exponential; the staged one runs the others, and `fast` too on the same path as these.
+EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool same_path = false);
+
 }  // namespace viete::deform

@@ -6,10 +6,7 @@
 
 #include "base/error.h"
 #include "deform/branches.h"
-#include "deform/dual_graph.h"
-#include "deform/face_maps.h"
-#include "deform/linear_map.h"
-#include "deform/log_maps.h"
+#include "deform/maps.h"
 #include "mesh/triangle.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"

@@ -9,11 +9,10 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "deform/affine_map.h"
-#include "deform/coherent_logs.h"
+#include "deform/branches.h"
+#include "deform/cage.h"
 #include "deform/log_space.h"
-#include "deform/map_split.h"
-#include "deform/triangle_basis.h"
+#include "deform/maps.h"
 #include "mesh/surface.h"
 
 namespace viete::deform {

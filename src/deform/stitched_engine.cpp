@@ -1,12 +1,251 @@
 #include "deform/stitched_engine.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/apply.h"
+#include "deform/leaves.h"
+#include "deform/maps.h"
+#include "deform/staged_engine.h"
+#include "sym3/polar.h"
 
 namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t triangles_per_block = 128;
+constexpr std::size_t gathered_per_block = 1024;  // vertices
+
+using Mat = sym3::Mat3<double>;
+using Stretch = sym3::Sym3<double>;
+
+}  // namespace
+
+// The maps of a block of triangles, as M = rotation stretch where the form has them apart, else as M = M I;
+// number by number, [entry][triangle], so that vector code goes along the triangles.
+struct Stitcher::Maps {
+  static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
+  static constexpr std::size_t ahead = 12;  // triangles, whose rows are asked for before they are needed
+  static constexpr std::size_t used = 9;    // columns that make a map's linear part
+  using Plane = double[stride];
+
+  alignas(64) Plane sums[used], stretches[6], rotations[9];
+
+  void average(std::span<const double> of, RowForm form, std::span<const mesh::Triangle> triangles) {
+    const std::size_t columns = shape(form).columns;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      // Rows of vertices lie in the file's order, which no processor guesses.
+      for (const auto v : triangles[std::min(i + ahead, triangles.size() - 1)]) {
+        __builtin_prefetch(of.data() + v * columns);
+        __builtin_prefetch(of.data() + v * columns + 8);
+      }
+      const double *a = of.data() + triangles[i][0] * columns, *b = of.data() + triangles[i][1] * columns,
+                   *c = of.data() + triangles[i][2] * columns;
+      for (std::size_t k = 0; k < used; ++k) sums[k][i] = (1.0 / 3) * (a[k] + b[k] + c[k]);
+    }
+  }
+
+  void rotate_by_logs(std::size_t count) {
+    sym3::exp_rotation(sym3::VecView<const double>(sums[6], stride),
+                       sym3::MatView<double>(rotations[0], stride), count);
+  }
+  void stretch_by_logs(std::size_t count, sym3::Method method) {
+    if (method == sym3::Method::fast) {
+      return sym3::exp(sym3::SymView<const double>(sums[0], stride),
+                       sym3::SymView<double>(stretches[0], stride), count);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const Stretch s =
+          sym3::exp<double>({sums[0][i], sums[1][i], sums[2][i], sums[3][i], sums[4][i], sums[5][i]}, method);
+      put(stretches, i, std::array{s.xx, s.xy, s.xz, s.yy, s.yz, s.zz});
+    }
+  }
+  void take_whole(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      Mat m;
+      for (std::size_t k = 0; k < 9; ++k) m[k] = sums[k][i];
+      m[0] += 1, m[4] += 1, m[8] += 1;
+      put(rotations, i, m);
+      put(stretches, i, std::array<double, 6>{1, 0, 0, 1, 0, 1});
+    }
+  }
+  // Into factors, where those are needed.
+  void split(std::size_t count) {
+    const sym3::MatView<double> maps(rotations[0], stride);
+    sym3::polar(maps, maps, sym3::SymView<double>(stretches[0], stride), count);
+  }
+
+  void make(RowForm form, std::size_t count, sym3::Method method, bool apart) {
+    if (form == RowForm::logs) return stretch_by_logs(count, method), rotate_by_logs(count);
+    take_whole(count);
+    if (apart) split(count);
+  }
+
+  // out = stretch in, and the same of rotations: of all triangles, out and in being x y z.
+  void stretch(const Plane* in, Plane* out, std::size_t count) const {
+    const Plane* s = stretches;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = in[0][i], y = in[1][i], z = in[2][i];
+      out[0][i] = s[0][i] * x + s[1][i] * y + s[2][i] * z;
+      out[1][i] = s[1][i] * x + s[3][i] * y + s[4][i] * z;
+      out[2][i] = s[2][i] * x + s[4][i] * y + s[5][i] * z;
+    }
+  }
+  void rotate(const Plane* in, Plane* out, std::size_t count) const {
+    const Plane* r = rotations;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = in[0][i], y = in[1][i], z = in[2][i];
+      out[0][i] = r[0][i] * x + r[1][i] * y + r[2][i] * z;
+      out[1][i] = r[3][i] * x + r[4][i] * y + r[5][i] * z;
+      out[2][i] = r[6][i] * x + r[7][i] * y + r[8][i] * z;
+    }
+  }
+
+  template <std::size_t N>
+  static void put(Plane* planes, std::size_t i, const std::array<double, N>& entries) {
+    for (std::size_t k = 0; k < N; ++k) planes[k][i] = entries[k];
+  }
+};
+
+Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool)
+    : stitching_(stitching),
+      form_(form),
+      pool_(pool),
+      loads_(3 * stitching_.triangles.size()),
+      pinned_(stitching_.pinned),
+      pin_targets_(stitching_.pins.size()),
+      right_(stitching_.vertices()),
+      positions_(stitching_.vertices()) {
+  assert(form == RowForm::logs || form == RowForm::maps);
+}
+
+void Stitcher::set_shares(const Shares& shares) {
+  pinned_.shares.clear();
+  for (std::size_t i = 0; i < (shares.empty() ? 0 : stitching_.pins.size()); ++i)
+    pinned_.shares.push_back(shares[stitching_.pins[i].vertex]);
+}
+
+void Stitcher::set_shape(std::span<const Vec3> ways) {
+  const Stitching& s = stitching_;
+  shaped_gradients_.clear();
+  pinned_.rest = s.pinned.rest, pinned_.offsets = s.pinned.offsets;
+  if (ways.empty()) return;
+  std::vector<Vec3> of_pins;
+  for (const Stitching::Pin& pin : s.pins) of_pins.push_back(ways[pin.vertex]);
+  shape_by(pinned_, of_pins);
+  shaped_gradients_ = s.gradients;
+  pool_.for_blocks(s.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = s.triangles[t];
+      const auto more = area_gradients(s.cotangents[t], ways[a], ways[b], ways[c]);
+      for (const std::size_t i : {0, 1}) shaped_gradients_[t][i] = shaped_gradients_[t][i] + more[i];
+    }
+  });
+}
+
+void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held,
+                   sym3::Method method, int iterations) {
+  base::Stopwatch watch;
+  loads_ms_ = solve_ms_ = 0;
+  place_pins(rows, method);
+  load_blended(sums, method, iterations > 1);
+  loads_ms_ += watch.lap_ms();
+  solve(held);
+  solve_ms_ += watch.lap_ms();
+  for (int i = 1; i < iterations; ++i) {
+    load_refitted();
+    loads_ms_ += watch.lap_ms();
+    solve(held);
+    solve_ms_ += watch.lap_ms();
+  }
+}
+
+// Where the handle alone would take the vertex.
+void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
+  const std::size_t columns = rows.columns(), n = pin_targets_.size();
+  std::vector<double> sums(n * columns);
+  for (std::size_t i = 0; i < n; ++i)
+    std::copy_n(rows.values.begin() + std::ptrdiff_t(stitching_.pins[i].handle * columns), columns,
+                sums.begin() + std::ptrdiff_t(i * columns));
+  share_sums(pinned_, pinned_.shares, rows.form, 0, n, sums);
+  place_sums(pinned_, rows.form, sums, {0, 0, 0}, method, pin_targets_);
+}
+
+// The loads of a triangle's corners sum to 0.
+inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
+  loads_[3 * t] = a, loads_[3 * t + 1] = b, loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
+}
+
+void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, bool keep_stretches) {
+  if (keep_stretches) stretched_.resize(stitching_.triangles.size());
+  const auto& gradients_at = shaped_gradients_.empty() ? stitching_.gradients : shaped_gradients_;
+  pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+    const auto triangles = std::span(stitching_.triangles).subspan(begin, end - begin);
+    const std::size_t count = triangles.size();
+    Maps maps;
+    maps.average(sums, form_, triangles);
+    maps.make(form_, count, method, keep_stretches);
+    alignas(64) Maps::Plane gradients[6], stretched[6], loads[6];
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [a, b] = gradients_at[begin + i];
+      Maps::put(gradients, i, std::array{a[0], a[1], a[2], b[0], b[1], b[2]});
+    }
+    for (const std::size_t corner : {0, 3}) {
+      maps.stretch(gradients + corner, stretched + corner, count);
+      maps.rotate(stretched + corner, loads + corner, count);
+    }
+    const auto of = [](const Maps::Plane* planes, std::size_t i) {
+      return Vec3{planes[0][i], planes[1][i], planes[2][i]};
+    };
+    for (std::size_t i = 0; i < count; ++i) set_load(begin + i, of(loads, i), of(loads + 3, i));
+    if (!keep_stretches) return;
+    for (std::size_t i = 0; i < count; ++i) stretched_[begin + i] = {of(stretched, i), of(stretched + 3, i)};
+  });
+}
+
+// R = the rotation nearest to sum_i x'_i (S g_i)^T maximises tr R^T sum_i x'_i (S g_i)^T, which is how the
+// energy of the triangle depends on R.
+void Stitcher::load_refitted() {
+  pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
+    std::array<Mat, triangles_per_block> rotations;
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::uint32_t as = stitching_.rotated_as[t];
+      const auto& [a, b, c] = stitching_.triangles[as];
+      const Vec3 u = positions_[a] - positions_[c], v = positions_[b] - positions_[c];
+      const auto& [su, sv] = stretched_[as];
+      for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t k = 0; k < 3; ++k) rotations[t - begin][3 * r + k] = u[r] * su[k] + v[r] * sv[k];
+      }
+    }
+    const sym3::MatView<double> view{sym3::Layout::packed, rotations[0].data()};
+    sym3::polar(view, view, end - begin);
+    for (std::size_t t = begin; t < end; ++t)
+      set_load(t, times(rotations[t - begin], stretched_[t][0]),
+               times(rotations[t - begin], stretched_[t][1]));
+  });
+}
+
+void Stitcher::solve(std::span<const Vec3> held) {
+  const Stitching& s = stitching_;
+  pool_.for_blocks(right_.size(), gathered_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) {
+      Vec3 sum{0, 0, 0};
+      for (const auto i : s.around.of(place)) sum = sum + loads_[i];
+      right_[s.order[place]] = sum;
+    }
+  });
+  for (std::size_t i = 0; i < s.pins.size(); ++i) {
+    Vec3& b = right_[s.pins[i].vertex];
+    b = b + s.pins[i].weight * pin_targets_[i];
+  }
+  for (std::size_t i = 0; i < s.holds.size(); ++i) {
+    Vec3& b = right_[s.holds[i].vertex];
+    b = b + s.holds[i].weight * held[i];
+  }
+  s.factors.solve(right_, positions_, work_);
+}
 
 namespace {
 

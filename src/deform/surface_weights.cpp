@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "deform/cage_state.h"
-#include "deform/inverse_distance.h"
+#include "deform/point_weights.h"
 #include "deform/sparse/sparse_kernel.h"
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"

@@ -13,7 +13,7 @@
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/cage.h"
-#include "deform/intrinsic_laplacian.h"
+#include "deform/laplacian.h"
 #include "deform/part_coupling.h"
 #include "deform/scheme.h"
 #include "deform/sparse/sparse_cholesky.h"

@@ -9,7 +9,7 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "deform/intrinsic_laplacian.h"
+#include "deform/laplacian.h"
 #include "deform/sparse/sparse_cholesky.h"
 
 namespace viete::deform {

@@ -6,12 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "base/aligned.h"
+#include "base/memory.h"
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/binding.h"
 #include "deform/leaves.h"
-#include "deform/rings.h"
 
 namespace viete::deform {
 

@@ -1,8 +1,11 @@
-// What the frame blends at some vertices, or at all of them, made anew in double from the rest positions.
+// The sums of a frame at chosen vertices, computed in double from the rest positions.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +19,25 @@
 #include "sym3/sym3.h"
 
 namespace viete::deform {
+
+struct VertexSum {
+  struct Term {
+    std::uint32_t handle;
+    double weight;                 ///< with the vertex's share
+    sym3::Sym3<double> stretch{};  ///< X = log S of its map; 0 where rows hold none
+    Vec3 turn{};                   ///< Y = log R
+    /// Where the handle's centre is in the file's units: in the pose; at rest where rows hold no logs.
+    mesh::Point at{};
+  };
+  std::vector<Term> terms;       ///< of weights that are not 0, the largest first
+  sym3::Sym3<double> stretch{};  ///< the sum of w X, of these in their order
+  Vec3 turn{};                   ///< of w Y
+  bool has_logs = false;         ///< else rows hold something else, and only weights tell
+};
+
+/// Weights are made anew in double, or where they live on the surface, as they are kept. mask may be null.
+VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
+                     std::size_t vertex);
 
 /// visit(i, row of weights, share) for each of the points in turn. visit may throw. Returns how many have no
 /// mean value coordinates.

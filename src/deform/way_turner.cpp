@@ -1,7 +1,6 @@
 #include "deform/way_turner.h"
 
-#include "deform/apply.h"
-#include "deform/blend.h"
+#include "deform/staged_engine.h"
 
 namespace viete::deform {
 

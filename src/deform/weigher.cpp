@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/aligned.h"
+#include "base/memory.h"
 #include "deform/bind_kernel.h"
 #include "deform/cage_state.h"
-#include "deform/cut_off.h"
-#include "deform/distance_triangle.h"
-#include "deform/face_maps.h"
 #include "deform/frame_kernel.h"
-#include "deform/inverse_distance.h"
-#include "deform/mean_value.h"
+#include "deform/maps.h"
+#include "deform/point_weights.h"
 #include "mesh/half_edges.h"
 #include "mesh/triangle.h"
 

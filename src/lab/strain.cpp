@@ -1,19 +1,82 @@
 #include "lab/strain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
+#include <vector>
 
-#include "lab/facing.h"
 #include "mesh/summary.h"
+#include "mesh/triangle.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
-#include "sym3/products.h"
 #include "sym3/rotation.h"
+#include "sym3/small_matrices.h"
 
 namespace viete::lab {
+
+using mesh::Point;
+
+std::optional<FlatFace> flat_face(std::span<const Point> rest, const mesh::Triangle& t) {
+  if (!mesh::has_area(rest[t[0]], rest[t[1]], rest[t[2]])) return std::nullopt;
+  const Point u = rest[t[1]] - rest[t[0]], v = rest[t[2]] - rest[t[0]];
+  const double length = mesh::norm(u);
+  return FlatFace{t, length, mesh::dot(u, v) / length, mesh::norm(mesh::cross(u, v)) / length};
+}
+
+PlaneMap plane_map(const FlatFace& face, std::span<const Point> positions) {
+  const auto& [a, b, c] = face.corners;
+  const Point x = (1 / face.length) * (positions[b] - positions[a]);
+  return {x, (1 / face.across) * (positions[c] - positions[a] - face.along * x)};
+}
+
+// The larger from the trace of J^T J and its discriminant, the smaller from the area.
+Stretches stretches(const PlaneMap& map) {
+  const double xx = mesh::squared_norm(map.x), yy = mesh::squared_norm(map.y);
+  const double larger = std::sqrt((xx + yy + std::hypot(xx - yy, 2 * mesh::dot(map.x, map.y))) / 2);
+  const double area = mesh::norm(mesh::cross(map.x, map.y));
+  return {larger, larger > 0 ? std::min(larger, area / larger) : 0};
+}
+
+namespace {
+
+constexpr double cosine = 0.5;  // as far as 60 degrees from straight ahead, and back
+
+using Cell = std::array<long, 3>;
+
+Cell cell_of(const mesh::Point& p, double size) {
+  return {std::lround(std::floor(p[0] / size)), std::lround(std::floor(p[1] / size)),
+          std::lround(std::floor(p[2] / size))};
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> facing_vertices(std::span<const mesh::Point> positions,
+                                           std::span<const mesh::Vec3> normals, double distance) {
+  std::vector<std::uint32_t> partners(positions.size(), no_partner);
+  if (!(distance > 0)) return partners;
+  std::map<Cell, std::vector<std::uint32_t>> cells;
+  for (std::uint32_t v = 0; v < positions.size(); ++v) cells[cell_of(positions[v], distance)].push_back(v);
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    const Cell at = cell_of(positions[v], distance);
+    double nearest = distance;
+    for (int n = 0; n < 27; ++n) {
+      const auto found = cells.find({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
+      if (found == cells.end()) continue;
+      for (const std::uint32_t other : found->second) {
+        const mesh::Vec3 way = positions[other] - positions[v];
+        const double far = mesh::norm(way), ahead = cosine * far;
+        if (!(far > 0 && far < nearest) || mesh::dot(way, normals[v]) < ahead) continue;
+        if (mesh::dot(way, normals[other]) > -ahead) continue;
+        nearest = far, partners[v] = other;
+      }
+    }
+  }
+  return partners;
+}
 
 using mesh::cross, mesh::dot, mesh::norm, mesh::Point, mesh::Vec3;
 

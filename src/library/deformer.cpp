@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/fork.h"
+#include "base/process.h"
 #include "base/worker_pool.h"
-#include "deform/asked_scheme.h"
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/deformer.h"
-#include "deform/engine_for.h"
 #include "deform/exact.h"
+#include "deform/scheme.h"
 #include "library/surfaces.h"
 #include "library/watched.h"
 #include "library/words.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "base/worker_pool.h"
 #include "cages/make.h"
 #include "library/surfaces.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/fork.h"
+#include "base/process.h"
 #include "base/worker_pool.h"
 #include "library/surfaces.h"
 #include "scene/files/animated_model.h"

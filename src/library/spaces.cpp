@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/fork.h"
+#include "base/process.h"
 #include "base/worker_pool.h"
 #include "deform/example_posing.h"
 #include "library/surfaces.h"

@@ -4,7 +4,6 @@
 
 #include "deform/probe.h"
 #include "deform/scheme.h"
-#include "deform/ways.h"
 
 namespace viete::library {
 

@@ -1,6 +1,6 @@
 #include "mesh/content_key.h"
 
-#include "base/checksum.h"
+#include "base/encoding.h"
 
 namespace viete::mesh {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "render/gl_objects.h"
+#include "render/gl.h"
 #include "render/program.h"
 
 namespace viete::platform {

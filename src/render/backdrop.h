@@ -1,7 +1,7 @@
 // Background gradient and ground grid.
 #pragma once
 
-#include "render/gl_objects.h"
+#include "render/gl.h"
 #include "render/program.h"
 #include "render/view.h"
 

@@ -4,7 +4,6 @@
 #include <glm/glm.hpp>
 
 #include "render/gl.h"
-#include "render/gl_objects.h"
 #include "render/image.h"
 
 namespace viete::render {

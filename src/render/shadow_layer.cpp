@@ -1,8 +1,166 @@
 #include "render/shadow_layer.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "render/upload.h"
 
 namespace viete::render {
+
+namespace {
+
+constexpr std::size_t place_count = 24000;
+constexpr int cells_per_size = 96, most_cells = 252;        // whole squares
+constexpr int near_radius = 1, far_radius = 4, passes = 3;  // of blurs, in cells
+constexpr int margin = passes * far_radius + 1;             // where they have ended
+// Heights, as shares of the size, at which what is above has lost most of its effect, and how dark it is.
+constexpr float near_height = 0.03F, far_height = 0.32F, depth = 0.02F;
+constexpr float near_darkness = 0.8F, far_darkness = 0.75F;
+
+double area(const Point& a, const Point& b, const Point& c) {
+  const glm::dvec3 u(b[0] - a[0], b[1] - a[1], b[2] - a[2]), v(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
+  const double twice = glm::length(glm::cross(u, v));
+  return std::isfinite(twice) ? 0.5 * twice : 0;
+}
+
+// The i-th of a sequence that fills a triangle evenly (M. Roberts, 2018, "The unreasonable effectiveness of
+// quasirandom sequences").
+std::array<float, 3> shares(std::size_t i) {
+  double a = std::fmod(0.7548776662466927 * static_cast<double>(i) + 0.5, 1.0);
+  double b = std::fmod(0.5698402909980532 * static_cast<double>(i) + 0.5, 1.0);
+  if (a + b > 1) a = 1 - a, b = 1 - b;
+  return {static_cast<float>(1 - a - b), static_cast<float>(a), static_cast<float>(b)};
+}
+
+// Values of cells, and the work on them.
+class Cells {
+public:
+  Cells(int width, int height)
+      : width_(width), height_(height), values_(static_cast<std::size_t>(width) * height) {}
+
+  float& at(int x, int y) { return values_[static_cast<std::size_t>(y) * width_ + x]; }
+  std::span<const float> values() const { return values_; }
+
+  void blur(int radius) {
+    for (int pass = 0; pass < passes; ++pass) {
+      for (int y = 0; y < height_; ++y) average(&at(0, y), width_, 1, radius);
+      for (int x = 0; x < width_; ++x) average(&at(x, 0), height_, width_, radius);
+    }
+  }
+
+private:
+  // Each value becomes the mean of those around; beyond the ends there is 0.
+  void average(float* line, int count, int stride, int radius) {
+    line_.assign(static_cast<std::size_t>(count + 2 * radius + 1), 0);
+    for (int i = 0; i < count; ++i) line_[i + radius] = line[static_cast<std::ptrdiff_t>(i) * stride];
+    const float share = 1.0F / static_cast<float>(2 * radius + 1);
+    float sum = 0;
+    for (int i = 0; i < 2 * radius; ++i) sum += line_[i];
+    for (int i = 0; i < count; ++i) {
+      sum += line_[i + 2 * radius];
+      line[static_cast<std::ptrdiff_t>(i) * stride] = sum * share;
+      sum -= line_[i];
+    }
+  }
+
+  int width_, height_;
+  std::vector<float> values_, line_;
+};
+
+// Farther off floats do not tell cells apart, and past all numbers there is no cell.
+bool has_cell(const glm::vec3& point, float cell) {
+  return glm::all(glm::lessThan(glm::abs(glm::vec2(point)), glm::vec2(0x1p22F * cell)));
+}
+
+struct Box {
+  glm::vec2 low{1e30F}, high{-1e30F};
+};
+
+Box bounds(std::span<const glm::vec3> points, float cell) {
+  Box box;
+  for (const auto& p : points) {
+    if (has_cell(p, cell))
+      box.low = glm::min(box.low, glm::vec2(p)), box.high = glm::max(box.high, glm::vec2(p));
+  }
+  return box;
+}
+
+int whole_squares(float cells) {
+  constexpr int side = GroundShadow::square;
+  return (static_cast<int>(cells) + side - 1) / side * side;
+}
+
+// Filtered, a cell darkens half of its neighbours.
+void find_squares(GroundShadow& shadow) {
+  constexpr int side = GroundShadow::square, least = 2;
+  const auto is_dark = [&](int column, int row) {
+    for (int y = std::max(0, row * side - 1); y < std::min(shadow.height, (row + 1) * side + 1); ++y) {
+      const auto* line = &shadow.darkness[static_cast<std::size_t>(y) * shadow.width];
+      const int begin = std::max(0, column * side - 1), end = std::min(shadow.width, (column + 1) * side + 1);
+      if (std::any_of(line + begin, line + end, [](std::uint8_t d) { return d >= least; })) return true;
+    }
+    return false;
+  };
+  for (int row = 0; row < shadow.height / side; ++row) {
+    for (int column = 0; column < shadow.width / side; ++column) {
+      if (is_dark(column, row))
+        shadow.squares.push_back({static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)});
+    }
+  }
+}
+
+}  // namespace
+
+SpreadPoints::SpreadPoints(std::span<const Triangle> triangles, std::span<const Point> positions) {
+  double whole = 0;
+  const auto area_of = [&](const Triangle& t) {
+    return area(positions[t[0]], positions[t[1]], positions[t[2]]);
+  };
+  for (const Triangle& t : triangles) whole += area_of(t);
+  if (!(whole > 0) || !std::isfinite(whole)) return;
+  places_.reserve(place_count);
+  double passed = 0;
+  for (const Triangle& t : triangles) {
+    passed += area_of(t) / whole;
+    while (places_.size() < place_count && (static_cast<double>(places_.size()) + 0.5) / place_count < passed)
+      places_.push_back({t, shares(places_.size())});
+  }
+}
+
+// Cells lie on a fixed grid, so that the shadow of what moves does not swim.
+GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
+  GroundShadow shadow;
+  shadow.cell = size / cells_per_size;
+  const Box box = bounds(points, shadow.cell);
+  if (!(shadow.cell > 0) || !(box.low.x <= box.high.x)) return shadow;
+  const glm::vec2 first = glm::floor(box.low / shadow.cell) - static_cast<float>(margin);
+  const glm::vec2 count = glm::min(
+      glm::floor(box.high / shadow.cell) + 1.0F + static_cast<float>(margin) - first, glm::vec2(most_cells));
+  if (!(count.x > 0 && count.y > 0)) return shadow;
+  shadow.low = first * shadow.cell;
+  shadow.width = whole_squares(count.x), shadow.height = whole_squares(count.y);
+
+  Cells near_by(shadow.width, shadow.height), far_off(shadow.width, shadow.height);
+  for (const auto& p : points) {
+    if (!has_cell(p, shadow.cell)) continue;
+    const glm::vec2 at = glm::floor(glm::vec2(p) / shadow.cell) - first;
+    const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
+    if (x >= shadow.width - margin || y >= shadow.height - margin) continue;
+    const float h = p.z / size, below = std::min(1.0F, std::exp(h / depth));
+    const auto raise = [&](float& value, float by) { value = std::max(value, by); };
+    raise(near_by.at(x, y), below * std::exp(-std::max(h, 0.0F) / near_height));
+    raise(far_off.at(x, y), below * std::exp(-std::max(h, 0.0F) / far_height));
+  }
+  near_by.blur(near_radius);
+  far_off.blur(far_radius);
+  shadow.darkness.resize(near_by.values().size());
+  for (std::size_t i = 0; i < shadow.darkness.size(); ++i) {
+    const float light = (1 - near_darkness * near_by.values()[i]) * (1 - far_darkness * far_off.values()[i]);
+    shadow.darkness[i] = static_cast<std::uint8_t>(std::lround(255 * (1 - light)));
+  }
+  find_squares(shadow);
+  return shadow;
+}
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/choice.h"
-#include "render/gl_objects.h"
+#include "render/gl.h"
 #include "render/image.h"
 #include "render/program.h"
 #include "render/view.h"

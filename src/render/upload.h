@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "render/gl_objects.h"
+#include "render/gl.h"
 #include "render/view.h"
 
 namespace viete::render {

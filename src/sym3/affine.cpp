@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "sym3/general.h"
-#include "sym3/products.h"
-#include "sym3/solve.h"
+#include "sym3/small_matrices.h"
 #include "sym3/translation_log.h"
 
 namespace viete::sym3 {

@@ -5,7 +5,6 @@
 //   #include "sym3/highway_targets.h"  // the instruction sets of the library's own kernels
 //   #define HWY_TARGET_INCLUDE "room/file.cpp"
 //   #include <hwy/foreach_target.h>
-//   #include "sym3/exp-inl.h"
 //   HWY_BEFORE_NAMESPACE();
 //   namespace viete::room::HWY_NAMESPACE {
 //   namespace lanes = viete::sym3::HWY_NAMESPACE;

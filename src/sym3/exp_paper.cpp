@@ -1,5 +1,3 @@
-// Equation numbers and sections are the paper's; its misprints are corrected (README.md, "The paper,
-// corrected").
 #include "sym3/exp_paper.h"
 
 #include <Eigen/Eigenvalues>
@@ -8,10 +6,12 @@
 
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
-#include "sym3/entries.h"
-#include "sym3/trigonometric.h"
+#include "sym3/small_matrices.h"
 
 namespace viete::sym3 {
+
+// Equation numbers and sections are the paper's; its misprints are corrected (README.md, "The paper,
+// corrected").
 
 namespace {
 

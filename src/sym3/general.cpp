@@ -9,7 +9,7 @@
 #include "sym3/jacobi.h"
 #include "sym3/log.h"
 #include "sym3/polar.h"
-#include "sym3/products.h"
+#include "sym3/small_matrices.h"
 
 namespace viete::sym3 {
 

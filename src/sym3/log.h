@@ -23,6 +23,24 @@
 
 namespace viete::sym3 {
 
+// log, square roots and powers of positive definite symmetric 3x3 matrices, of one or of many.
+//
+// By eigenvalues in closed form and divided differences (spectral-inl.h): one some 70 to 120 ns, many some 10
+// ns each. k is the condition number, the largest eigenvalue over the smallest. Error, relative to the norm
+// of the result f(S):
+//   log        <= 6 u max(1, k / |log S|), as the conditioning of log; <= 16 u for k up to 10
+//   sqrt       <= 6 u sqrt k
+//   inv_sqrt   <= 8 u k
+//   pow        <= 8 u (|p| k + 1 + |p log S|), for results in the normal range
+// at any gap between eigenvalues. Where k is above 2^33 (float 2^12), or eigenvalues are outside of 1e-80 ..
+// 1e80 (float 1e-9 .. 1e9), log and the roots go through Jacobi's eigenvectors: error <= 24 u (float 1.5 u)
+// for conditions up to 1e15, some 0.5 to 2.5 us.
+//
+// A matrix that is not positive definite, or has a NaN or an infinity, gives NaN in all six; but sqrt takes
+// eigenvalues that are zero, or negative by rounding only (16 u of the largest entry), as zero. u is 2^-53 or
+// 2^-24. The bounds are empirical: tests/sym3 pins them against 113 bits. Thread-safe; no allocation, no
+// throw.
+
 /// The symmetric X with exp(X) = S, for positive definite S.
 template <class T>
 Sym3<T> log(const Sym3<T>& s);

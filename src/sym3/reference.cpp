@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "sym3/double_double.h"
-#include "sym3/entries.h"
 #include "sym3/jacobi.h"
+#include "sym3/small_matrices.h"
 
 namespace viete::sym3 {
 

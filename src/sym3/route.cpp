@@ -3,10 +3,9 @@
 #include <cmath>
 
 #include "sym3/eigenvalues.h"
-#include "sym3/entries.h"
 #include "sym3/exp_paper.h"
 #include "sym3/exp_tables.h"
-#include "sym3/trigonometric.h"
+#include "sym3/small_matrices.h"
 
 namespace viete::sym3 {
 

@@ -5,8 +5,7 @@
 #include <numbers>
 
 #include "sym3/general.h"
-#include "sym3/products.h"
-#include "sym3/solve.h"
+#include "sym3/small_matrices.h"
 
 namespace viete::sym3 {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "base/quantity.h"
+#include "base/text.h"
 
 namespace viete::ui {
 

@@ -1,4 +1,4 @@
-#include "base/aligned.h"
+#include "base/memory.h"
 
 #include <doctest/doctest.h>
 

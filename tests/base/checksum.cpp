@@ -1,4 +1,4 @@
-#include "base/checksum.h"
+#include "base/encoding.h"
 
 #include <doctest/doctest.h>
 

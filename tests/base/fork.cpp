@@ -1,4 +1,4 @@
-#include "base/fork.h"
+#include "base/process.h"
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>

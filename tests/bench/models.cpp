@@ -7,7 +7,7 @@
 
 #include "bench/plain_weights.h"
 #include "bench/reference_frame.h"
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/deformer.h"
 #include "mesh/shapes.h"
 #include "mesh/summary.h"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "base/quantity.h"
-#include "bench/plot.h"
+#include "base/text.h"
 #include "bench/findings.h"
 #include "bench/page.h"
+#include "bench/plot.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "support/data.h"

@@ -1,4 +1,4 @@
-#include "cages/closeness.h"
+#include "cages/soundness.h"
 
 #include <doctest/doctest.h>
 

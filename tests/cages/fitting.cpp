@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "cages/best_fit.h"
+#include "cages/enclose.h"
 #include "cages/make.h"
 #include "cages/models.h"
 #include "mesh/formats/read.h"

@@ -3,8 +3,8 @@
 
 #include "cages/judge.h"
 #include "cages/make.h"
-#include "cages/mirror.h"
 #include "cages/models.h"
+#include "cages/subject.h"
 
 using namespace viete;
 using namespace viete::test;

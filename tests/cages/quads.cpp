@@ -1,4 +1,4 @@
-#include "cages/quads.h"
+#include "cages/extraction.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // Real models, where they are present.
 #include <doctest/doctest.h>
 
-#include "cages/closeness.h"
 #include "cages/judge.h"
 #include "cages/make.h"
+#include "cages/soundness.h"
 #include "mesh/formats/read.h"
 #include "support/data.h"
 

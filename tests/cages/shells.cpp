@@ -5,8 +5,8 @@
 
 #include "cages/clearance.h"
 #include "cages/extraction.h"
-#include "cages/mirror.h"
 #include "cages/models.h"
+#include "cages/subject.h"
 #include "mesh/self_intersection.h"
 #include "mesh/topology.h"
 

@@ -2,12 +2,12 @@
 // them.
 #include <doctest/doctest.h>
 
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/independent.h"
-#include "deform/map_rows.h"
+#include "deform/maps.h"
 #include "deform/moments.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "support/longer.h"
 
 using namespace viete;

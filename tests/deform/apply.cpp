@@ -1,4 +1,4 @@
-#include "deform/apply.h"
+#include "deform/staged_engine.h"
 
 #include <doctest/doctest.h>
 

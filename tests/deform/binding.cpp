@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "deform/bound.h"
-#include "deform/bind.h"
 
 using namespace viete::test;
 using viete::base::WorkerPool;

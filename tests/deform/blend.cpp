@@ -1,8 +1,7 @@
-#include "deform/blend.h"
+#include "deform/staged_engine.h"
 
 #include <doctest/doctest.h>
 
-#include "deform/apply.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;

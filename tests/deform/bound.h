@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/deformer.h"
+#include "deform/scheme.h"
 #include "deform/shapes.h"
-#include "deform/ways.h"
 
 namespace viete::test {
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "deform/linear_map.h"
+#include "deform/maps.h"
 #include "deform/shapes.h"
 
 using namespace viete;

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "deform/map_rows.h"
 #include "deform/maps.h"
 #include "deform/shapes.h"
 

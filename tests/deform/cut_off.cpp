@@ -1,4 +1,4 @@
-#include "deform/cut_off.h"
+#include "deform/point_weights.h"
 
 #include <doctest/doctest.h>
 

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "base/error.h"
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 
 using namespace viete::test;
 using viete::sym3::Method;

@@ -1,4 +1,4 @@
-#include "deform/dual_graph.h"
+#include "deform/branches.h"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
 // What every way of blending must do, whatever it is.
 #include <doctest/doctest.h>
 
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "support/longer.h"
 
 using namespace viete;

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "deform/bound.h"
-#include "deform/cut_off.h"
+#include "deform/point_weights.h"
 
 using namespace viete::test;
 using viete::sym3::Method;

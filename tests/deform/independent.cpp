@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "deform/face_maps.h"
+#include "deform/maps.h"
 #include "sym3/quad_general.h"
 
 namespace viete::test {

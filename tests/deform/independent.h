@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "mesh/surface.h"
 
 namespace viete::test {

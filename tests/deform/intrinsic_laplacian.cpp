@@ -1,10 +1,9 @@
-#include "deform/intrinsic_laplacian.h"
+#include "deform/laplacian.h"
 
 #include <doctest/doctest.h>
 
 #include <map>
 
-#include "deform/laplacian.h"
 #include "deform/shapes.h"
 
 using namespace viete;

@@ -1,4 +1,4 @@
-#include "deform/inverse_distance.h"
+#include "deform/point_weights.h"
 
 #include <doctest/doctest.h>
 

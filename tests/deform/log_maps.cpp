@@ -1,8 +1,7 @@
-#include "deform/log_maps.h"
+#include "deform/maps.h"
 
 #include <doctest/doctest.h>
 
-#include "deform/maps.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;

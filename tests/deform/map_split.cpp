@@ -1,8 +1,7 @@
-#include "deform/map_split.h"
+#include "deform/maps.h"
 
 #include <doctest/doctest.h>
 
-#include "deform/maps.h"
 #include "deform/polar.h"
 #include "deform/shapes.h"
 

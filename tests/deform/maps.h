@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/face_maps.h"
+#include "deform/maps.h"
 
 namespace viete::test {
 

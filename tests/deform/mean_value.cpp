@@ -1,4 +1,4 @@
-#include "deform/mean_value.h"
+#include "deform/point_weights.h"
 
 #include <doctest/doctest.h>
 

@@ -8,7 +8,6 @@
 #include <optional>
 #include <random>
 
-#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/shapes.h"

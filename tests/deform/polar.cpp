@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "deform/linear_map.h"
+#include "deform/maps.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;

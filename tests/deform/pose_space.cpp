@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "deform/face_maps.h"
+#include "deform/maps.h"
 #include "deform/shapes.h"
 
 using namespace viete;

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
-#include "deform/linear_map.h"
+#include "deform/maps.h"
 #include "deform/probe_layer.h"
 #include "deform/stitching.h"
 

@@ -65,9 +65,8 @@
 #include <cmath>
 #include <utility>
 
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/log_maps.h"
 #include "deform/maps.h"
 #include "deform/polar.h"
 #include "deform/tiled_binding.h"

@@ -1,4 +1,4 @@
-#include "deform/rings.h"
+#include "deform/leaves.h"
 
 #include <doctest/doctest.h>
 

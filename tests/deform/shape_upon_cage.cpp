@@ -1,11 +1,11 @@
 // A cage that acts upon a shape of the model: every engine, and what remains where nothing has a shape.
 #include <doctest/doctest.h>
 
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
+#include "deform/scheme.h"
 #include "deform/stitching.h"
-#include "deform/ways.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -1,11 +1,11 @@
 // Vertices that make only a share of their motion: by partial weights, and by a mask.
 #include <doctest/doctest.h>
 
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
+#include "deform/scheme.h"
 #include "deform/vertex_sample.h"
-#include "deform/ways.h"
 #include "sym3/rotation.h"
 
 using namespace viete;

@@ -1,4 +1,4 @@
-#include "deform/sparse/sparse_factor.h"
+#include "deform/sparse/sparse_cholesky.h"
 
 #include <doctest/doctest.h>
 

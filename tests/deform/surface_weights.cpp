@@ -5,10 +5,10 @@
 #include <Eigen/Dense>
 
 #include "base/error.h"
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
-#include "deform/inverse_distance.h"
+#include "deform/point_weights.h"
 #include "deform/vertex_sample.h"
 #include "mesh/formats/read.h"
 #include "mesh/triangle.h"

@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "deform/bound.h"
-#include "deform/vertex_sum.h"
 
 using namespace viete;
 using namespace viete::test;

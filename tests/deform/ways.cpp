@@ -1,4 +1,4 @@
-#include "deform/ways.h"
+#include "deform/scheme.h"
 
 #include <doctest/doctest.h>
 

@@ -3,9 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
-#include "deform/cut_off.h"
-#include "deform/inverse_distance.h"
-#include "deform/mean_value.h"
+#include "deform/point_weights.h"
 #include "deform/shapes.h"
 
 using namespace viete::test;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "program/command_line.h"

@@ -1,7 +1,7 @@
 // The hand at work: gizmo, typed numbers, edges and faces, orthographic view, axis widget, with real events.
 #include <cmath>
 
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "mesh/formats/write.h"
 #include "program/driver.h"
 #include "scene/ball.h"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "deform/pose_io.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "mesh/formats/write.h"
 #include "program/driver.h"
 #include "scene/document/edit.h"

@@ -1,7 +1,6 @@
-#include "render/disc_layer.h"
+#include "render/mark_layers.h"
 
 #include "base/error.h"
-#include "render/face_layer.h"
 #include "shapes.h"
 
 using namespace viete;

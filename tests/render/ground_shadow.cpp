@@ -1,4 +1,4 @@
-#include "render/ground_shadow.h"
+#include "render/shadow_layer.h"
 
 #include <doctest/doctest.h>
 

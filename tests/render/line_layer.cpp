@@ -1,4 +1,4 @@
-#include "render/line_layer.h"
+#include "render/mark_layers.h"
 
 #include "base/error.h"
 #include "shapes.h"

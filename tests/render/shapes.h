@@ -1,8 +1,7 @@
 // What the tests of lines, discs and faces draw.
 #pragma once
 
-#include "render/disc_layer.h"
-#include "render/line_layer.h"
+#include "render/mark_layers.h"
 #include "render/surface_layer.h"
 #include "support/stage.h"
 

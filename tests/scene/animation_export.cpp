@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
@@ -128,7 +128,7 @@ TEST_CASE("numbered_frames_are_the_model_as_each_pose_deforms_it_to_the_bit") {
     what.model.digits.kind = mesh::Digits::Kind::all;
     const AnimationReport report = write_animation(what);
     CHECK(report.frames == 3);
-      for (const int frame : {3, 7, 11})
+    for (const int frame : {3, 7, 11})
       CHECK(mesh::read(base::NumberedName(what.model.file).file(frame)).surface.positions ==
             exact_frame(cube, frame));
   }

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "deform/affine_map.h"
+#include "deform/maps.h"
 #include "scene/document/edit.h"
 #include "scene/files.h"
 #include "scene/files/session.h"

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "deform/affine_map.h"
+#include "deform/maps.h"
 #include "scene/document/brush.h"
 #include "scene/document/edit.h"
 #include "scene/document/range.h"

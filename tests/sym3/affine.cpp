@@ -6,7 +6,7 @@
 
 #include "sym3/general.h"
 #include "sym3/preamble.h"
-#include "sym3/products.h"
+#include "sym3/small_matrices.h"
 
 using sym3::Affine, sym3::AffineLog;
 

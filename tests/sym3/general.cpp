@@ -6,8 +6,8 @@
 
 #include "sym3/affine.h"
 #include "sym3/preamble.h"
-#include "sym3/products.h"
 #include "sym3/quad_general.h"
+#include "sym3/small_matrices.h"
 
 using sym3::Mat3, sym3::exp_general, sym3::log_general, sym3::has_log;
 using Vector = sym3::Vec3<double>;

@@ -6,11 +6,11 @@
 #include <limits>
 #include <vector>
 
-#include "sym3/entries.h"
 #include "sym3/entries_of.h"
 #include "sym3/log.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
+#include "sym3/small_matrices.h"
 #include "sym3/with_condition.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "sym3/preamble.h"
-#include "sym3/products.h"
+#include "sym3/small_matrices.h"
 
 using sym3::Mat3, sym3::Vec3, sym3::full, sym3::norm, sym3::plus, sym3::phi_times, sym3::even_part;
 using Vector = Vec3<double>;

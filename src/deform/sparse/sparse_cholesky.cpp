@@ -1,12 +1,270 @@
 #include "deform/sparse/sparse_cholesky.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "sym3/kernel.h"
 
 namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
+constexpr double step = 4e6;    // multiplications between two reports, about
+constexpr double small = 2e7;   // multiplications that are not shared among threads
+constexpr double tasks = 64;    // subtrees have at most one part in so many of the work
+constexpr double before = 0.2;  // the order, of the time
+
+std::size_t padded(std::size_t rows) {
+  return (rows + front_lanes - 1) / front_lanes * front_lanes;
+}
+
+std::size_t groups(std::size_t columns) {
+  return (columns + column_group - 1) / column_group;
+}
+
+// Multiplications, and what else a node takes, as if it were some.
+double work_of(const Supernode& node) {
+  const double b = node.below, m = node.columns + b;
+  return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
+}
+
+/// What one thread needs for one front at a time.
+struct Scratch {
+  explicit Scratch(std::size_t n) : position(n) {}
+
+  std::vector<std::uint32_t> position;  // of the rows of a front, in it
+  std::vector<std::uint32_t> rows;      // of a child
+  base::AlignedVector<double> panel, right;
+  double work = 0;  // that was not told yet
+};
+
+class Elimination {
+public:
+  Elimination(const SparseMatrix& matrix, SparseFactor& factor, base::WorkerPool& pool,
+              const FactorReport& report, const SparseKernel& kernel)
+      : matrix_(matrix),
+        factor_(factor),
+        pool_(pool),
+        report_(report),
+        kernel_(kernel),
+        updates_(factor.supernodes.size()),
+        work_(factor.supernodes.size()) {
+    factor.values.resize(factor.entries);
+    factor.pivots.resize(factor.size());
+    factor.inverse.resize(factor.size());
+    for (std::size_t s = 0; s < work_.size(); ++s) {
+      const double work = work_of(factor.supernodes[s]);
+      work_[s] += work, total_ += work;
+      if (factor.parents[s] != no_parent) work_[factor.parents[s]] += work_[s];
+    }
+  }
+
+  void run() {
+    const auto roots = task_roots();
+    std::atomic<std::size_t> next{0};
+    const auto threads = static_cast<std::size_t>(pool_.threads());
+    pool_.for_blocks(threads, 1, [&](std::size_t, std::size_t) {
+      Scratch scratch(factor_.size());
+      for (std::size_t i; (i = next++) < roots.size();) eliminate_subtree(roots[i], scratch);
+    });
+    shared_ = threads > 1;
+    Scratch scratch(factor_.size());
+    for (std::uint32_t s = 0; s < work_.size(); ++s) {
+      if (work_[s] > largest_task()) eliminate(s, scratch);
+    }
+  }
+
+private:
+  double largest_task() const { return total_ / tasks; }
+
+  // The largest first.
+  std::vector<std::uint32_t> task_roots() const {
+    std::vector<std::uint32_t> roots;
+    for (std::uint32_t s = 0; s < work_.size(); ++s) {
+      const auto parent = factor_.parents[s];
+      if (work_[s] <= largest_task() && (parent == no_parent || work_[parent] > largest_task()))
+        roots.push_back(s);
+    }
+    std::ranges::stable_sort(roots, std::greater(), [&](auto s) { return work_[s]; });
+    return roots;
+  }
+
+  // Parents come after their children, and nothing in between.
+  void eliminate_subtree(std::uint32_t root, Scratch& scratch) {
+    auto first = root;
+    while (!factor_.children.of(first).empty()) first = factor_.children.of(first).front();
+    for (auto s = first; s <= root; ++s) eliminate(s, scratch);
+  }
+
+  void tell(double work, Scratch& scratch) {
+    scratch.work += work;
+    if (scratch.work < step) return;
+    const double done = (done_ += std::exchange(scratch.work, 0)) / total_;
+    if (report_) report_(std::min(1.0, done));
+  }
+
+  void eliminate(std::uint32_t s, Scratch& scratch) {
+    const Supernode& node = factor_.supernodes[s];
+    const Front panel = assemble(s, scratch);
+    eliminate_columns(node, panel, scratch);
+    for (std::size_t p = 0; p < node.columns; p += longest_product) {
+      const Front left{panel.values + p * panel.stride + padded(node.columns), panel.stride};
+      subtract(left, padded(node.below), node.below, std::min(longest_product, node.columns - p),
+               factor_.pivots.data() + node.first + p, update_of(s), scratch);
+    }
+    keep(node, panel);
+    tell(1e3, scratch);
+  }
+
+  Front update_of(std::uint32_t s) { return {updates_[s].data(), padded(factor_.supernodes[s].below)}; }
+
+  Front assemble(std::uint32_t s, Scratch& scratch) {
+    const Supernode& node = factor_.supernodes[s];
+    const std::size_t top = padded(node.columns), stride = top + padded(node.below);
+    scratch.panel.assign(stride * top, 0.0);
+    updates_[s].assign(padded(node.below) * padded(node.below), 0.0);
+    const std::uint32_t* rows = factor_.rows.data() + node.rows;
+    for (std::uint32_t i = 0; i < node.columns; ++i) scratch.position[node.first + i] = i;
+    for (std::uint32_t i = 0; i < node.below; ++i)
+      scratch.position[rows[i]] = static_cast<std::uint32_t>(top + i);
+    for (std::uint32_t c = 0; c < node.columns; ++c) {
+      for_column(matrix_, node.first + c, [&](std::uint32_t row, double value) {
+        scratch.panel[c * stride + scratch.position[row]] += value;
+      });
+    }
+    const Front panel{scratch.panel.data(), stride};
+    for (const auto child : factor_.children.of(s)) {
+      add_child(child, panel, update_of(s), top, scratch);
+      base::AlignedVector<double>().swap(updates_[child]);  // frees it
+    }
+    return panel;
+  }
+
+  void add_child(std::uint32_t s, const Front& panel, const Front& update, std::size_t top,
+                 Scratch& scratch) {
+    const Supernode& child = factor_.supernodes[s];
+    const Front from = update_of(s);
+    scratch.rows.resize(child.below);
+    for (std::uint32_t i = 0; i < child.below; ++i)
+      scratch.rows[i] = scratch.position[factor_.rows[child.rows + i]];
+    for (std::size_t j = 0; j < child.below; ++j) {
+      const std::size_t at = scratch.rows[j];
+      double* into =
+          at < top ? panel.values + at * panel.stride : update.values + (at - top) * update.stride - top;
+      const double* column = from.values + j * from.stride;
+      for (std::size_t i = j; i < child.below; ++i) into[scratch.rows[i]] += column[i];
+    }
+    tell(0.5 * child.below * child.below, scratch);
+  }
+
+  void eliminate_columns(const Supernode& node, const Front& panel, Scratch& scratch) {
+    double* pivots = factor_.pivots.data() + node.first;
+    for (std::size_t begin = 0; begin < node.columns; begin += eliminated_at_once) {
+      const std::size_t end = std::min<std::size_t>(begin + eliminated_at_once, node.columns);
+      kernel_.eliminate(panel, begin, end, pivots);
+      const std::size_t rows = panel.stride - begin, columns = end - begin;
+      tell(static_cast<double>(columns * columns * rows) / 2, scratch);
+      const Front left{panel.values + begin * panel.stride + end, panel.stride};
+      const Front into{panel.values + end * panel.stride + end, panel.stride};
+      if (end < node.columns)
+        subtract(left, panel.stride - end, node.columns - end, columns, pivots + begin, into, scratch);
+    }
+  }
+
+  // into -= left D left^T, of which it has so many columns.
+  void subtract(const Front& left, std::size_t rows, std::size_t columns, std::size_t depth,
+                const double* pivots, const Front& into, Scratch& scratch) {
+    const std::size_t count = groups(columns);
+    scratch.right.assign(count * column_group * depth, 0.0);
+    for (std::size_t p = 0; p < depth; ++p) {
+      const double* column = left.values + p * left.stride;
+      for (std::size_t j = 0; j < columns; ++j)
+        scratch.right[(j / column_group * depth + p) * column_group + j % column_group] =
+            pivots[p] * column[j];
+    }
+    const ProductJob job{into, left, rows, scratch.right.data(), depth};
+    const auto work = [&](std::size_t begin, std::size_t end) {
+      return static_cast<double>(column_group * depth * (end - begin)) *
+             (static_cast<double>(rows) - 2 * static_cast<double>(begin + end));
+    };
+    const auto at_once = static_cast<std::size_t>(std::max(1.0, step / work(0, 1)));
+    const auto subtract_from = [&](std::size_t g, Scratch& used) {
+      const std::size_t end = std::min(g + at_once, count);
+      kernel_.subtract_product(job, g, end);
+      tell(work(g, end), used);
+    };
+    if (!shared_ || work(0, count) < small) {
+      for (std::size_t g = 0; g < count; g += at_once) subtract_from(g, scratch);
+      return;
+    }
+    std::atomic<std::size_t> next{0};
+    pool_.for_blocks(static_cast<std::size_t>(pool_.threads()), 1, [&](std::size_t, std::size_t) {
+      Scratch other(0);
+      for (std::size_t g; (g = next.fetch_add(at_once)) < count;) subtract_from(g, other);
+    });
+  }
+
+  void keep(const Supernode& node, const Front& panel) {
+    double* value = factor_.values.data() + node.values;
+    const std::size_t top = padded(node.columns);
+    for (std::size_t begin = 0; begin < node.columns; begin += column_group) {
+      const std::size_t end = std::min<std::size_t>(begin + column_group, node.columns);
+      const auto take = [&](std::size_t row, std::size_t until) {
+        for (std::size_t c = begin; c < until; ++c) *value++ = panel.values[c * panel.stride + row];
+      };
+      for (std::size_t r = begin + 1; r < node.columns; ++r) take(r, std::min(r, end));
+      for (std::size_t r = top; r < top + node.below; ++r) take(r, end);
+    }
+    for (auto c = node.first; c < node.first + node.columns; ++c) factor_.inverse[c] = 1 / factor_.pivots[c];
+  }
+
+  const SparseMatrix& matrix_;  // permuted
+  SparseFactor& factor_;
+  base::WorkerPool& pool_;
+  const FactorReport& report_;
+  const SparseKernel& kernel_;
+  // What a supernode's front takes from those below it it leaves behind for its parent: the lower triangle of
+  // its rows.
+  std::vector<base::AlignedVector<double>> updates_;
+  std::vector<double> work_;  // of what is below each node, itself included
+  double total_ = 0;
+  std::atomic<double> done_{0};
+  bool shared_ = false;
+};
+
+}  // namespace
+
+FactorReport told(base::Progress* progress, double from, double to) {
+  if (!progress) return {};
+  return [=](double done) { progress->report(std::lerp(from, to, done)); };
+}
+
+SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report) {
+  const mesh::Adjacency neighbours = neighbours_of_unknowns(matrix);
+  if (report) report(0);
+  FactorReport rest;
+  if (report) rest = [&report](double done) { report(std::lerp(before, 1.0, done)); };
+  return factor(matrix, neighbours, elimination_order(neighbours), pool, rest);
+}
+
+SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,
+                    std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report,
+                    const SparseKernel& kernel) {
+  SparseFactor result{analyse(neighbours, std::move(order), report), {}, {}, {}};
+  if (report) report(0);
+  const SparseMatrix lower = permuted(matrix, inverted(result.order));
+  if (report) report(0);
+  Elimination(lower, result, pool, report, kernel).run();
+  return result;
+}
 
 namespace {
 

@@ -1,8 +1,7 @@
-// Sparse factors, compiled once per instruction set.
 #include "deform/sparse/sparse_kernel.h"
 
-#include "deform/sparse/kernel_choice.h"
 #include "sym3/highway_targets.h"
+
 #define HWY_TARGET_INCLUDE "deform/sparse/sparse_kernel.cpp"
 #include <hwy/foreach_target.h>
 
@@ -10,15 +9,20 @@
 #include "deform/sparse/solve_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
+
 namespace viete::deform::HWY_NAMESPACE {
+
+// Sparse factors, compiled once per instruction set.
 
 static const SparseKernel sparse = {solve_block<solved_columns>, solve_forward<4>, solve_backward<4>,
                                     eliminate, subtract_product};
 
 }  // namespace viete::deform::HWY_NAMESPACE
+
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+
 namespace viete::deform {
 
 const SparseKernel& sparse_kernel(const sym3::Kernel& kernel) {
@@ -26,4 +30,5 @@ const SparseKernel& sparse_kernel(const sym3::Kernel& kernel) {
 }
 
 }  // namespace viete::deform
+
 #endif

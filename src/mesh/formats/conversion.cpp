@@ -5,7 +5,7 @@
 #include <charconv>
 #include <map>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/spread_normals.h"
 #include "mesh/normals.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/gltf_accessors.h"
 #include "mesh/formats/gltf_file.h"

@@ -9,9 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "base/base64.h"
+#include "base/encoding.h"
 #include "base/error.h"
-#include "base/percent_coding.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/gltf_shape.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/gltf_accessors.h"
 #include "mesh/formats/gltf_json.h"
 #include "mesh/formats/written_positions.h"

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "base/atomic_file.h"
-#include "base/base64.h"
+#include "base/encoding.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/gltf_beyond.h"
 #include "mesh/formats/gltf_morphs.h"
 #include "mesh/formats/gltf_output.h"

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "base/base64.h"
+#include "base/encoding.h"
 #include "base/error.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/gltf_file.h"

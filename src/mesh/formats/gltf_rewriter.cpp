@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/gltf_accessors.h"
 #include "mesh/formats/gltf_morph_output.h"
 #include "mesh/formats/gltf_morphs.h"

@@ -10,7 +10,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/picture.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/source.h"
 

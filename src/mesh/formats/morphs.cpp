@@ -4,9 +4,9 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "base/checksum.h"
+#include "base/encoding.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 
 namespace viete::mesh {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/text_cursor.h"
 
 namespace viete::mesh {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/obj_attributes.h"
 #include "mesh/formats/obj_original.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/mtl.h"
 
 namespace viete::mesh {

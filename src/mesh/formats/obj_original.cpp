@@ -4,7 +4,7 @@
 #include <charconv>
 #include <optional>
 
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/mtl.h"
 #include "mesh/formats/obj_normals.h"
 #include "mesh/formats/obj_words.h"

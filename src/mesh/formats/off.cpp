@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/off_original.h"
 #include "mesh/formats/printed.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/ply_attributes.h"
 #include "mesh/formats/ply_face_attributes.h"
 #include "mesh/formats/ply_header.h"

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/written_positions.h"

@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/printable.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/triangulation.h"
 

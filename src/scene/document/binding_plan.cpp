@@ -1,7 +1,7 @@
 #include "scene/document/binding_plan.h"
 
-#include "base/quantity.h"
-#include "deform/bind.h"
+#include "base/text.h"
+#include "deform/binding.h"
 #include "deform/cage_state.h"
 
 namespace viete::scene {

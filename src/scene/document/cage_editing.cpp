@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "cages/best_fit.h"
 #include "cages/edit.h"
 #include "cages/enclose.h"
 #include "mesh/triangulation.h"

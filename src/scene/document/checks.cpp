@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "base/quantity.h"
-#include "cages/best_fit.h"
+#include "base/text.h"
+#include "cages/enclose.h"
 #include "mesh/defects.h"
 #include "mesh/repair.h"
 #include "mesh/self_intersection.h"

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "cages/edit.h"
-#include "deform/dual_graph.h"
-#include "deform/linear_map.h"
+#include "deform/branches.h"
+#include "deform/maps.h"
 #include "mesh/content_key.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_cursor.h"

@@ -13,7 +13,7 @@
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/probe.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "mesh/summary.h"
 #include "mesh/surface.h"
 #include "scene/document/document_state.h"

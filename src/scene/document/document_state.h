@@ -7,7 +7,7 @@
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/probe.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "scene/document/cage_groups.h"
 #include "scene/document/opened_surface.h"
 #include "scene/document/pose_library.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "cages/quads.h"
+#include "cages/extraction.h"
 #include "mesh/union_find.h"
 #include "scene/document/elements.h"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "cages/mirror.h"
+#include "cages/subject.h"
 #include "deform/cage.h"
 #include "scene/document/handling.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "base/worker_pool.h"
 #include "scene/document/elements.h"
 #include "scene/document/record.h"

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <ranges>
 
-#include "base/quantity.h"
+#include "base/text.h"
 
 namespace viete::scene {
 

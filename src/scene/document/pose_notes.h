@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "deform/log_maps.h"
+#include "deform/maps.h"
 
 namespace viete::scene {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "deform/asked_scheme.h"
+#include "deform/scheme.h"
 #include "scene/document/document.h"
 
 namespace viete::scene {
@@ -14,7 +14,8 @@ struct AskedSettings : deform::AskedScheme {
   bool any() const { return method || AskedScheme::any(); }
 };
 
-/// To a document that was just opened: no edit. Throws what deform::scheme_of() throws, and changes nothing then.
+/// To a document that was just opened: no edit. Throws what deform::scheme_of() throws, and changes nothing
+/// then.
 void put_settings(Document& document, const AskedSettings& asked, bool chosen = false);
 
 }  // namespace viete::scene

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/memory.h"
-#include "deform/bind.h"
-#include "deform/engine_for.h"
+#include "deform/binding.h"
+#include "deform/scheme.h"
 #include "deform/tiled_binding.h"
 #include "scene/document/pose_notes.h"
 

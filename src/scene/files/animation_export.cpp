@@ -13,7 +13,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "base/worker_pool.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
-#include "base/checksum.h"
+#include "base/encoding.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
 #include "mesh/content_key.h"

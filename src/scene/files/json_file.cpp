@@ -5,9 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "base/base64.h"
+#include "base/encoding.h"
 #include "base/error.h"
-#include "base/percent_coding.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/source.h"
 

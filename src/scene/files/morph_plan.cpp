@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/written_positions.h"
 
 namespace viete::scene {

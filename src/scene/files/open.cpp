@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/numbered_files.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "deform/pose_io.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"

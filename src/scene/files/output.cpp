@@ -5,7 +5,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
-#include "base/base64.h"
+#include "base/encoding.h"
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "scene/files/json_file.h"
 
 namespace viete::scene {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "base/checksum.h"
+#include "base/encoding.h"
 #include "base/error.h"
 #include "mesh/content_key.h"
 #include "mesh/formats/source.h"

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/numbered_files.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"

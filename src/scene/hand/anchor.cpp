@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cages/frame.h"
+#include "cages/subject.h"
 #include "mesh/union_find.h"
 #include "scene/document/elements.h"
 #include "scene/document/selection_sets.h"

@@ -7,7 +7,7 @@
 
 #include "deform/branches.h"
 #include "deform/cage_state.h"
-#include "deform/linear_map.h"
+#include "deform/maps.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
 #include "scene/document/record.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "deform/bind.h"
+#include "deform/binding.h"
 #include "deform/exact.h"
 #include "scene/pictures/lattice.h"
 

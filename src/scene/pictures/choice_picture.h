@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "scene/pictures/picture_view.h"
 
 namespace viete::scene {

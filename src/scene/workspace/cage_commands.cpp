@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "scene/document/cage_editing.h"
 #include "scene/document/elements.h"
 #include "scene/document/selection_sets.h"

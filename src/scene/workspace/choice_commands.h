@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "deform/ways.h"
+#include "deform/scheme.h"
 #include "scene/document/handling.h"
 #include "scene/document/timeline.h"
 #include "scene/document/view_options.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "base/printable.h"
+#include "base/text.h"
 
 namespace viete::scene {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "deform/ways.h"
+#include "deform/scheme.h"
 
 namespace viete::scene {
 

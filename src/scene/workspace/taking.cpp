@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/quantity.h"
+#include "base/text.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/record.h"
 #include "scene/document/selection_sets.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "deform/engine_for.h"
+#include "deform/scheme.h"
 #include "scene/document/elements.h"
 #include "scene/document/pose_notes.h"
 #include "scene/document/probes.h"

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deform/log_maps.h"
+#include "deform/maps.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_making.h"
 #include "scene/document/camera.h"

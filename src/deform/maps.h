@@ -1,0 +1,138 @@
+// Affine maps of the cage's triangles from rest to pose, and links 1 and 2 of the frame: polar split and
+// logs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "deform/cage.h"
+#include "deform/rows.h"
+#include "mesh/vector.h"
+#include "sym3/rotation.h"
+#include "sym3/small_matrices.h"
+#include "sym3/sym3.h"
+
+namespace viete::deform {
+
+/// x' = linear (x - c) + center + origin, c the element's rest centre. Entries of linear by rows.
+struct AffineMap {
+  sym3::Mat3<double> linear;
+  mesh::Vec3 center;  ///< posed centre minus the pose's origin
+};
+
+inline mesh::Vec3 times(const sym3::Sym3<double>& s, const mesh::Vec3& x) {
+  return {s.xx * x[0] + s.xy * x[1] + s.xz * x[2], s.xy * x[0] + s.yy * x[1] + s.yz * x[2],
+          s.xz * x[0] + s.yz * x[1] + s.zz * x[2]};
+}
+
+inline mesh::Vec3 times(const sym3::Mat3<double>& m, const mesh::Vec3& x) {
+  return {m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
+          m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
+}
+
+inline sym3::Mat3<double> times(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
+  return sym3::product(a, b);
+}
+
+using sym3::full;
+
+/// The middle of a bounding box: of a rest cage, where poses have their origin too while they stay near.
+Vec3 middle(std::span<const mesh::Point> positions);
+
+/// What a pose's positions are taken relative to, so that blending them loses nothing when the pose is far
+/// from the origin of the axes: the middle of the rest cage, plus the way to the pose's middle in steps of
+/// about half the cage. A pose that is edited keeps its origin, but for large steps, and so what the edit
+/// does not reach keeps its bits.
+Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
+
+/// What takes the basis at rest to u, v, n; near rest as I + (posed - rest) rest^-1, which is exactly I where
+/// nothing moved.
+sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
+
+/// Centroid of an element at these positions, relative to origin.
+Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
+                    const Vec3& origin);
+
+/// linear = [u' v' n'][u v n]^-1 with u, v two edges and n = N / sqrt|N|, N = u x v. Reproduces similarities;
+/// exactly I for an element that did not move, and for degenerate rest elements. A posed element without area
+/// gives a matrix of rank 2 or less. Of these elements alone; the others' maps stay as they are. maps.size()
+/// == cage.element_count(), posed.size() == cage.surface.positions.size().
+void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
+               std::span<const std::uint32_t> elements, std::span<AffineMap> maps);
+
+/// linear = rotation * exp(stretch), rotation = exp(turn). What no other element has a say in.
+struct MapSplit {
+  sym3::Mat3<double> rotation;  ///< the nearest one
+  sym3::Sym3<double> stretch;   ///< X = log S; usable where `least` is positive and no tiny part of `largest`
+  Vec3 turn;                    ///< |turn| <= pi
+  double least, largest;        ///< stretches; least < 0 where the map mirrors, NaN where it is not finite
+};
+
+/// Of these elements' maps, in double vector code; splits of the others stay as they are. Each depends on its
+/// own map alone, to the last bit. Error of rotation and stretch: sym3/polar.h, sym3/log.h.
+void split_maps(std::span<const AffineMap> maps, std::span<const std::uint32_t> elements,
+                std::span<MapSplit> splits);
+
+/// linear = exp(rotation) exp(stretch). Twelve numbers, blended linearly.
+struct MapLog {
+  sym3::Sym3<double> stretch;  ///< X = log S
+  Vec3 rotation;               ///< Y = log R as a rotation vector, any number of turns
+  Vec3 center;                 ///< posed centroid minus the pose's origin
+};
+
+/// In the order of LogVector::logs.
+inline std::array<double, 9> numbers(const MapLog& log) {
+  const auto& [x, y, center] = log;
+  return {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2]};
+}
+
+/// What had to be decided: shown to the user, and carried to the next pose.
+struct LogReport {
+  std::vector<Vec3> turns;  ///< of each part of the cage, see Branches: pass as the next pose's `turns`
+  std::vector<std::uint32_t> collapsed;  ///< maps, ascending, whose stretch was raised to the floor
+  /// Neighbouring maps whose rotations differ by more than 120 degrees, or whose logs by more than 180 (no
+  /// choice of branches is right around a ring of elements that turns once): between them the blend is
+  /// ambiguous.
+  std::vector<mesh::Edge> torn;
+};
+
+/// Geometric mean of the largest stretches of what is not skipped: what size a pose has as a whole.
+double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const double> largest);
+
+/// Whether stretches, the least and the largest one of a map, are above the floors below. False for NaN.
+bool is_ordinary(double least, double largest, double mean_stretch);
+
+/// The split of a map that mirrors, collapses or is not finite, by SVD, its singular values raised to the
+/// floors below; that of others stays. True if one was below, or the map is not finite.
+bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
+
+/// Of each map, linear = R S: X = log S, Y = log R, from its split, and by SVD where it mirrors or nearly
+/// collapses. Singular values are raised to 1e-3 of the element's largest one and to 1e-4 of the pose's mean
+/// one: no element collapses fully. A mirrored map takes the closest proper rotation. A map that is not
+/// finite counts as collapsed, with the log of I.
+///
+/// Branches of Y: choose_branches(). A pure function of its inputs; handing report.turns on follows a
+/// continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
+///
+/// The log itself has a limit: rotations near a whole turn other than 0 (|Y| about 360 degrees) have nearly
+/// arbitrary axes, so elements there that do not turn rigidly together blend badly; `torn` says so.
+void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
+              std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
+
+/// True if maps are fitted to points: see moments.h.
+bool has_moments(RowForm form);
+
+/// Rows of RowForm::maps and RowForm::logs; rest_center is relative to the middle of the rest cage. For the
+/// identity every entry but the centre is exactly 0.
+void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row);
+void write_log_row(const MapLog& log, std::span<double> row);
+
+/// l of moments.h: 10 % of the root mean square of the rest cage's edges. Positive.
+double moment_length(const Cage& cage);
+/// p / l (from the middle of the rest cage), l A by rows and p' (from the pose's origin). map: of the point's
+/// patch; rest_center: p, from the middle of the rest cage.
+void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row);
+
+}  // namespace viete::deform

@@ -1,0 +1,441 @@
+// exp, polar decomposition and spectral functions of single matrices by Jacobi rotations, for entries that
+// vector code cannot take.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sym3/double_double.h"
+#include "sym3/fallback.h"
+#include "sym3/jacobi.h"
+#include "sym3/small_matrices.h"
+
+namespace viete::sym3 {
+
+namespace {
+
+// Beyond +-2800 every exponential, times any double, is infinite or zero; a fourth of it is in range.
+constexpr double exponent_limit = 2800;
+
+// Larger entries are scaled down for Jacobi, whose sums and products of halves would overflow.
+constexpr double large_entry = 1e270, down = 0x1p-64;
+
+/// The eigenvalues are `values` / scale. They stay unscaled until they are differences: only those are in
+/// range.
+struct Exponents {
+  Eigen3<DoubleDouble> eigen;
+  double scale;
+};
+
+DoubleDouble exponent(const DoubleDouble& value, double scale) {
+  const DoubleDouble x = scaled(value, 1 / scale);
+  return std::fabs(x.hi) <= exponent_limit ? x : DoubleDouble{std::copysign(exponent_limit, x.hi), 0};
+}
+
+double exp_of(const DoubleDouble& x) {
+  return std::exp(x.hi) * (1 + x.lo);
+}
+
+/// x e^y in four factors, so that e^y alone may be out of range.
+double times_exp(double x, const DoubleDouble& y) {
+  const double part = std::exp(y.hi / 4);
+  for (int k = 0; k < 4; ++k) x *= part;
+  return x * (1 + y.lo);
+}
+
+/// Entry (i, j) of V exp(values) V^T. Terms that are zero do not count for the common exponent, so that an
+/// overflow stays in its own block of the matrix.
+double entry(const Exponents& e, int i, int j) {
+  const auto& [values, vectors] = e.eigen;
+  double weight[3];
+  int top = -1;
+  for (int k = 0; k < 3; ++k) {
+    weight[k] = vectors[i][k].hi * vectors[j][k].hi;
+    if (weight[k] != 0 && (top < 0 || values[k].hi > values[top].hi)) top = k;
+  }
+  if (top < 0) return 0;
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (weight[k] != 0) sum += weight[k] * exp_of(exponent(values[k] - values[top], e.scale));
+  }
+  return times_exp(sum, exponent(values[top], e.scale));
+}
+
+Exponents exponents_of(const Sym3<double>& s) {
+  const double scale = largest_entry(s) > large_entry ? down : 1;
+  return {eigen_by_jacobi<DoubleDouble>(times(s, scale)), scale};
+}
+
+Sym3<double> exp_in_double(const Sym3<double>& s) {
+  if (!is_finite(s)) return nan_matrix<double>();
+  if (is_diagonal(s)) return {std::exp(s.xx), 0, 0, std::exp(s.yy), 0, std::exp(s.zz)};
+  const Exponents e = exponents_of(s);
+  return {entry(e, 0, 0), entry(e, 0, 1), entry(e, 0, 2), entry(e, 1, 1), entry(e, 1, 2), entry(e, 2, 2)};
+}
+
+/// Numbers k <= l of the six pairs of eigenvectors, in the order of Sym3.
+constexpr int first_of[] = {0, 0, 0, 1, 1, 2}, second_of[] = {0, 1, 2, 1, 2, 2};
+
+/// (e^x - e^y) / (x - y) over the larger one of both, or over e^x if they are equal: below 1.
+double relative_slope(double distance) {
+  return distance > 0 ? -std::expm1(-distance) / distance : 1;
+}
+
+/// Entry (i, j) of the sum over pairs of eigenvectors of their slope times that part of E; as `entry`.
+double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
+  const auto& values = e.eigen.values;
+  double weight[6];
+  int larger[6], top = -1;
+  for (int n = 0; n < 6; ++n) {
+    const int k = first_of[n], l = second_of[n];
+    larger[n] = values[k].hi > values[l].hi ? k : l;
+    weight[n] = direction[n] * (k == l ? v[i][k] * v[j][k] : v[i][k] * v[j][l] + v[i][l] * v[j][k]);
+    if (weight[n] != 0 && (top < 0 || values[larger[n]].hi > values[top].hi)) top = larger[n];
+  }
+  if (top < 0) return 0;
+  double sum = 0;
+  for (int n = 0; n < 6; ++n) {
+    if (weight[n] == 0) continue;
+    const double distance = std::fabs((values[first_of[n]] - values[second_of[n]]).hi / e.scale);
+    sum += weight[n] * relative_slope(distance) * exp_of(exponent(values[larger[n]] - values[top], e.scale));
+  }
+  return times_exp(sum, exponent(values[top], e.scale));
+}
+
+Sym3<double> derivative_in_double(const Sym3<double>& s, const Sym3<double>& direction) {
+  if (!is_finite(s) || !is_finite(direction)) return nan_matrix<double>();
+  if (largest_entry(direction) > large_entry)
+    return times(derivative_in_double(s, times(direction, down)), 1 / down);
+  const Exponents e = exponents_of(s);
+  const Axes v = axes_of(e.eigen);
+  const auto [xx, xy, xz, yy, yz, zz] = in_axes(v, direction);
+  const double parts[6] = {xx, xy, xz, yy, yz, zz};
+  const auto at = [&](int i, int j) { return slope_entry(e, v, parts, i, j); };
+  return {at(0, 0), at(0, 1), at(0, 2), at(1, 1), at(1, 2), at(2, 2)};
+}
+
+}  // namespace
+
+#define VIETE_FOR(T)                                                   \
+  void exp_by_jacobi(const T* in, T* out) {                            \
+    to_six(exp_in_double(from_six(in)), out);                          \
+  }                                                                    \
+  void exp_derivative_by_jacobi(const T* in, T* out) {                 \
+    to_six(derivative_in_double(from_six(in), from_six(in + 6)), out); \
+  }
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
+
+// The nearest rotation by Horn's quaternion ("Closed-form solution of absolute orientation using unit
+// quaternions", 1987), refined once.
+
+namespace {
+
+constexpr int n = 4;
+constexpr int most_sweeps = 12;  // five or six are enough: convergence is quadratic
+
+using Matrix4 = std::array<std::array<double, n>, n>;
+
+/// Horn's matrix: q^T H q = tr(R(q)^T M) for unit quaternions q, scalar part first.
+Matrix4 horn(const std::array<double, 9>& m) {
+  const auto [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
+  return {{{xx + yy + zz, zy - yz, xz - zx, yx - xy},
+           {zy - yz, xx - yy - zz, xy + yx, xz + zx},
+           {xz - zx, xy + yx, yy - xx - zz, yz + zy},
+           {yx - xy, xz + zx, yz + zy, zz - xx - yy}}};
+}
+
+void rotate(Matrix4& a, Matrix4& v, int p, int q) {
+  if (a[p][q] == 0) return;
+  const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = std::sqrt(1 + theta * theta);
+  const double t = 1 / (theta < 0 ? theta - root : theta + root), c = 1 / std::sqrt(1 + t * t), s = t * c;
+  const auto turn = [c, s](double& x, double& y) {
+    const double old = x;
+    x = c * old - s * y, y = s * old + c * y;
+  };
+  for (auto& row : a) turn(row[p], row[q]);
+  for (int k = 0; k < n; ++k) turn(a[p][k], a[q][k]);
+  for (auto& row : v) turn(row[p], row[q]);
+}
+
+double off_diagonal(const Matrix4& a) {
+  double sum = 0;
+  for (int p = 0; p < n; ++p) {
+    for (int q = p + 1; q < n; ++q) sum += std::fabs(a[p][q]);
+  }
+  return sum;
+}
+
+/// The unit quaternion of the largest eigenvalue; the first of equal ones.
+std::array<double, n> top_vector(Matrix4 a) {
+  Matrix4 v = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  for (int sweep = 0; sweep < most_sweeps && off_diagonal(a) > 1e-20; ++sweep) {
+    for (int p = 0; p < n; ++p) {
+      for (int q = p + 1; q < n; ++q) rotate(a, v, p, q);
+    }
+  }
+  int top = 0;
+  for (int k = 1; k < n; ++k) {
+    if (a[k][k] > a[top][top]) top = k;
+  }
+  return {v[0][top], v[1][top], v[2][top], v[3][top]};
+}
+
+/// Scaled so that the largest entry is between 1 and 2; zero stays zero.
+std::array<double, 9> normalized(const std::array<double, 9>& m) {
+  double largest = 0;
+  for (const double x : m) largest = std::max(largest, std::fabs(x));
+  if (largest == 0) return m;
+  const int exponent = -std::ilogb(largest);
+  std::array<double, 9> out;
+  for (int k = 0; k < 9; ++k) out[k] = std::scalbn(m[k], exponent);
+  return out;
+}
+
+std::array<double, 9> to_matrix(const std::array<double, n>& q) {
+  const auto [w, x, y, z] = q;
+  const double s = 2 / (w * w + x * x + y * y + z * z);
+  return {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),
+          s * (x * y + w * z),     1 - s * (x * x + z * z), s * (y * z - w * x),
+          s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
+}
+
+/// Column i of R times column j of M minus the other way round, in double-double: what is left of the
+/// asymmetry.
+double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m, int i, int j) {
+  DoubleDouble sum;
+  for (int k = 0; k < 9; k += 3) {
+    sum = sum + two_product(r[k + i], m[k + j]) + two_product(-r[k + j], m[k + i]);
+  }
+  return sum.hi;
+}
+
+/// One Newton step: R^T M is symmetric at the solution; a turn by w changes its asymmetry by (tr U - U) w.
+std::array<double, n> refined(const std::array<double, n>& q, const std::array<double, 9>& m) {
+  const auto r = to_matrix(q);
+  const auto dot = [&](int i, int j) { return r[i] * m[j] + r[3 + i] * m[3 + j] + r[6 + i] * m[6 + j]; };
+  const double xx = dot(1, 1) + dot(2, 2), yy = dot(0, 0) + dot(2, 2), zz = dot(0, 0) + dot(1, 1);
+  const double xy = -(dot(0, 1) + dot(1, 0)) / 2, xz = -(dot(0, 2) + dot(2, 0)) / 2,
+               yz = -(dot(1, 2) + dot(2, 1)) / 2;
+  const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
+  const double cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
+  const double det = xx * cxx + xy * cxy + xz * cxz;
+  if (!(det > 1e-30)) return q;  // no rotation is nearest alone
+  const double a = asymmetry(r, m, 1, 2), b = asymmetry(r, m, 2, 0), c = asymmetry(r, m, 0, 1);
+  const double x = -(cxx * a + cxy * b + cxz * c) / det / 2, y = -(cxy * a + cyy * b + cyz * c) / det / 2,
+               z = -(cxz * a + cyz * b + czz * c) / det / 2;
+  if (!(x * x + y * y + z * z < 1e-6)) return q;
+  return {q[0] - (q[1] * x + q[2] * y + q[3] * z), q[1] + (q[0] * x + q[2] * z - q[3] * y),
+          q[2] + (q[0] * y + q[3] * x - q[1] * z), q[3] + (q[0] * z + q[1] * y - q[2] * x)};
+}
+
+std::array<double, 9> nearest_rotation(const std::array<double, 9>& m) {
+  double finite = 0;
+  for (const double x : m) finite += x * 0;
+  if (finite != 0) {
+    std::array<double, 9> nan;
+    nan.fill(std::numeric_limits<double>::quiet_NaN());
+    return nan;
+  }
+  const auto scaled = normalized(m);
+  return to_matrix(refined(top_vector(horn(scaled)), scaled));
+}
+
+template <class T>
+void by_jacobi(const T* m, T* rotation) {
+  std::array<double, 9> in;
+  std::copy(m, m + 9, in.begin());
+  const auto r = nearest_rotation(in);
+  for (int k = 0; k < 9; ++k) rotation[k] = T(r[k]);
+}
+
+}  // namespace
+
+void polar_by_jacobi(const double* in, double* out) {
+  by_jacobi(in, out);
+}
+
+void polar_by_jacobi(const float* in, float* out) {
+  by_jacobi(in, out);
+}
+
+// log, square roots and eigenvalues by Jacobi's eigenvectors.
+
+namespace {
+
+// Jacobi in double errs by some u of the largest eigenvalue: where the smallest is below it by more than this
+// factor, that is repeated in double-double.
+constexpr double wide = 8;
+
+struct LogOf {
+  double operator()(double x) const { return std::log(x); }
+  double operator()(const DoubleDouble& x) const { return std::log(x.hi) + x.lo / x.hi; }
+};
+
+struct Log1pOf {
+  double operator()(double x) const { return std::log1p(x); }
+};
+
+struct InvSqrtOf {
+  double operator()(double x) const { return 1 / std::sqrt(x); }
+  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
+};
+
+/// What rounding made negative counts as zero.
+struct SqrtOf {
+  double operator()(double x) const { return x > 0 ? std::sqrt(x) : 0; }
+  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
+};
+
+template <class Real>
+double smallest(const Eigen3<Real>& e) {
+  return std::min({jacobi::leading(e.values[0]), jacobi::leading(e.values[1]), jacobi::leading(e.values[2])});
+}
+
+/// A power of two that keeps Jacobi's sums, products and low parts in range; diagonal matrices need none.
+double comfortable_scale(const Sym3<double>& s) {
+  const double largest = largest_entry(s);
+  if (is_diagonal(s)) return 1;
+  return largest > 1e250 ? 0x1p-512 : largest < 1e-150 ? 0x1p512 : 1;
+}
+
+template <class Real>
+Eigen3<Real> eigen_of(const Sym3<double>& s, double scale) {
+  auto e = eigen_by_jacobi<Real>(times(s, scale));
+  for (Real& x : e.values) x = x * Real{1 / scale};
+  return e;
+}
+
+/// f(S) for S all of whose eigenvalues are above `least` times its largest entry, else NaN.
+template <class F>
+Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) {
+  const double scale = comfortable_scale(s), bound = least * largest_entry(s);
+  const auto quick = eigen_of<double>(s, scale);
+  const double low = smallest(quick);
+  if (is_diagonal(s)) return low > bound ? recompose(f, quick) : nan_matrix<double>();
+  if (low * wide >= largest_entry(s)) return recompose(f, quick);
+  const auto exact = eigen_of<DoubleDouble>(s, scale);
+  return smallest(exact) > bound ? recompose(f, exact) : nan_matrix<double>();
+}
+
+template <class F>
+Sym3<double> of_positive(const F& f, const Sym3<double>& s) {
+  return of_spectrum_above(0, f, s);
+}
+
+/// Where S - I is exact, and its eigenvalues keep the digits that those of S would lose.
+bool is_near_identity(const Sym3<double>& s) {
+  const double off = std::max({std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yz)});
+  const auto [low, high] = std::minmax({s.xx, s.yy, s.zz});
+  return low >= 0.75 && high <= 1.5 && off <= 0.2;
+}
+
+bool is_usable(const Sym3<double>& s) {
+  return is_finite(s) && largest_entry(s) > 0;
+}
+
+Sym3<double> log_in_double(const Sym3<double>& s) {
+  if (!is_usable(s)) return nan_matrix<double>();
+  if (has_huge_eigenvalues(s)) return log_of_256_times(log_in_double(times(s, 0x1p-8)));
+  if (is_near_identity(s)) {
+    return recompose(Log1pOf(), eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
+  }
+  return of_positive(LogOf(), s);
+}
+
+Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
+  if (has_huge_eigenvalues(s)) return times(inv_sqrt_in_double(times(s, 0x1p-8)), 0x1p-4);
+  return is_usable(s) ? of_positive(InvSqrtOf(), s) : nan_matrix<double>();
+}
+
+/// An eigenvalue this far below zero, relative to the largest entry, is rounding in the entries of S.
+template <class T>
+constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
+
+template <class T>
+Sym3<double> sqrt_in_double(const Sym3<double>& s) {
+  if (!is_finite(s)) return nan_matrix<double>();
+  if (has_huge_eigenvalues(s)) return times(sqrt_in_double<T>(times(s, 0x1p-8)), 0x1p4);
+  return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, SqrtOf(), s) : Sym3<double>{};
+}
+
+std::array<double, 3> eigenvalues_in_double(const Sym3<double>& s) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (!is_finite(s)) return {nan, nan, nan};
+  const double scale = comfortable_scale(s);
+  auto values = eigen_by_jacobi<double>(times(s, scale)).values;
+  for (double& x : values) x /= scale;
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+/// (f(x) - f(y)) / (x - y), or f'(x) where they are equal, for positive x >= y.
+struct SlopeOf {
+  Of f;
+  double p;
+
+  double operator()(const DoubleDouble& x, const DoubleDouble& y) const {
+    const double distance = (x - y).hi;
+    if (f == Of::sqrt) return 1 / (std::sqrt(x.hi) + std::sqrt(y.hi));
+    const double of_log = distance > 0 ? std::log1p(distance / y.hi) / distance : 1 / y.hi;
+    if (f == Of::log) return of_log;
+    const double t = p * of_log * distance;  // p log(x / y)
+    const double of_exp = t != 0 ? -std::expm1(-std::fabs(t)) / std::fabs(t) : 1;
+    return p * of_log * std::pow(t > 0 ? x.hi : y.hi, p) * of_exp;
+  }
+};
+
+/// f(256 S) goes by that power of 256.
+double homogeneity(const SlopeOf& slope) {
+  return slope.f == Of::pow ? slope.p : slope.f == Of::sqrt ? 0.5 : 0;
+}
+
+/// f'(S)[E] = V (F o V^T E V) V^T, where F has the slopes between eigenvalues (Daleckii and Krein 1965).
+Sym3<double> derivative_by_slopes(const SlopeOf& slope, const Sym3<double>& s,
+                                  const Sym3<double>& direction) {
+  if (!is_usable(s) || !is_finite(direction)) return nan_matrix<double>();
+  if (has_huge_eigenvalues(direction)) {
+    return times(derivative_by_slopes(slope, s, times(direction, 0x1p-8)), 0x1p8);
+  }
+  if (has_huge_eigenvalues(s)) {
+    return times(derivative_by_slopes(slope, times(s, 0x1p-8), direction),
+                 std::exp2(8 * (homogeneity(slope) - 1)));
+  }
+  const auto e = eigen_of<DoubleDouble>(s, comfortable_scale(s));
+  if (!(smallest(e) > 0)) return nan_matrix<double>();
+  const auto between = [&](int k, int l) {
+    const DoubleDouble &x = e.values[k], &y = e.values[l];
+    return x.hi >= y.hi ? slope(x, y) : slope(y, x);
+  };
+  const Axes v = axes_of(e);
+  Sym3<double> g = in_axes(v, direction);
+  g.xx *= between(0, 0), g.xy *= between(0, 1), g.xz *= between(0, 2);
+  g.yy *= between(1, 1), g.yz *= between(1, 2), g.zz *= between(2, 2);
+  return in_axes(transposed(v), g);
+}
+
+}  // namespace
+
+#define VIETE_FOR(T)                                                           \
+  void log_by_jacobi(const T* in, T* out) {                                    \
+    to_six(log_in_double(from_six(in)), out);                                  \
+  }                                                                            \
+  void sqrt_by_jacobi(const T* in, T* out) {                                   \
+    to_six(sqrt_in_double<T>(from_six(in)), out);                              \
+  }                                                                            \
+  void inv_sqrt_by_jacobi(const T* in, T* out) {                               \
+    to_six(inv_sqrt_in_double(from_six(in)), out);                             \
+  }                                                                            \
+  void spectral_derivative_by_jacobi(Of f, double p, const T* in, T* out) {    \
+    to_six(derivative_by_slopes({f, p}, from_six(in), from_six(in + 6)), out); \
+  }                                                                            \
+  void eigenvalues_by_jacobi(const T* in, T* out) {                            \
+    const auto values = eigenvalues_in_double(from_six(in));                   \
+    for (int k = 0; k < 3; ++k) out[k] = T(values[k]);                         \
+  }
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
+
+}  // namespace viete::sym3
