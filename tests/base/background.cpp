@@ -1,14 +1,52 @@
-#include "base/background.h"
-
 #include <doctest/doctest.h>
-
 #include <atomic>
 #include <future>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
+#include "base/background.h"
+#include "base/clock.h"
+#include "base/progress.h"
 #include "support/threads_left.h"
+
+TEST_CASE("thread_time_does_not_count_sleep_and_wall_time_does") {
+  viete::base::Stopwatch watch;
+  const double before = viete::base::thread_seconds();
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  const double worked_ms = 1000 * (viete::base::thread_seconds() - before), passed_ms = watch.lap_ms();
+  CHECK(passed_ms >= 29.0);
+  CHECK(worked_ms < passed_ms - 25);
+}
+
+TEST_CASE("a_lap_starts_the_next_one") {
+  viete::base::Stopwatch whole, watch;
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  const double first = watch.lap_ms(), second = watch.lap_ms();
+  CHECK(first >= 19.0);
+  CHECK(first + second <= whole.lap_ms());
+}
+
+TEST_CASE("cancelling_stops_the_work_at_its_next_report") {
+  viete::base::Progress progress;
+  progress.report(0.25);
+  CHECK(progress.done() == 0.25);
+  progress.cancel();
+  CHECK_THROWS_AS(progress.report(0.5), viete::base::Cancelled);
+}
+
+TEST_CASE("sections_join_to_one_whole") {
+  viete::base::Progress progress;
+  progress.section(0, 0.5);
+  progress.report(1);
+  CHECK(progress.done() == 0.5);
+  progress.section(0.5, 1);
+  progress.report(0.5);
+  CHECK(progress.done() == 0.75);
+  progress.cancel();
+  CHECK_THROWS_AS(progress.section(0.8, 1), viete::base::Cancelled);
+}
 
 using viete::base::BackgroundJob;
 using viete::base::BackgroundQueue;

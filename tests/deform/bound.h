@@ -1,7 +1,9 @@
-// A model bound to a cage, with everything a test asks of it in one call.
+// Models bound to cages, and checks of their weights.
 #pragma once
 
+#include <doctest/doctest.h>
 #include <memory>
+#include <numeric>
 
 #include "deform/binding.h"
 #include "deform/deformer.h"
@@ -74,5 +76,27 @@ struct FusedFrame {
   CageState state;
   FusedEngine engine;
 };
+
+/// weights_at(cage, point): the same at every length scale, and summing to one at the cage's own vertices.
+template <class WeightsAt>
+void check_every_length_scale(const WeightsAt& weights_at) {
+  const auto unit = box({1, 2, 3});
+  const Cage cage = make_cage(unit);
+  Random random(5);
+  for (const double s : {1e-30, 1e-3, 1e3, 1e30}) {
+    auto scaled = unit;
+    for (auto& p : scaled.positions) p = s * p;
+    const Cage other = make_cage(scaled);
+    for (int n = 0; n < 50; ++n) {
+      const Vec3 p = random.vector(4);
+      const auto a = weights_at(cage, p), b = weights_at(other, s * p);
+      for (std::size_t e = 0; e < a.size(); ++e) CHECK(a[e] == doctest::Approx(b[e]).epsilon(1e-10));
+    }
+    for (const auto& p : scaled.positions) {
+      const auto w = weights_at(other, p);
+      CHECK(std::accumulate(w.begin(), w.end(), 0.0) == doctest::Approx(1));
+    }
+  }
+}
 
 }  // namespace viete::test

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "deform/maps.h"
-#include "sym3/quad_general.h"
+#include "sym3/quad_reference.h"
 
 namespace viete::test {
 

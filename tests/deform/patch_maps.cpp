@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/all_maps.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/maps.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -65,9 +65,9 @@
 #include <cmath>
 #include <utility>
 
+#include "deform/all_maps.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/maps.h"
 #include "deform/polar.h"
 #include "deform/tiled_binding.h"
 #include "mesh/triangle.h"

@@ -1,5 +1,7 @@
-#include "render/backdrop.h"
+#include <doctest/doctest.h>
 
+#include "render/backdrop.h"
+#include "render/surface_layer.h"
 #include "support/stage.h"
 
 using namespace viete;
@@ -12,5 +14,35 @@ TEST_CASE("backdrop_runs_from_the_top_colour_to_the_bottom_colour") {
   for (int c = 0; c < 3; ++c) {
     CHECK(std::abs(image.pixel(160, 0)[c] - 255 * theme.background_top[c]) <= 2);
     CHECK(std::abs(image.pixel(160, 199)[c] - 255 * theme.background_bottom[c]) <= 2);
+  }
+}
+
+TEST_CASE("grid_lies_behind_the_model_and_fades_out") {
+  test::Stage stage;
+  stage.view.view = glm::lookAt(glm::dvec3(0, 12, 12), glm::dvec3(0), glm::dvec3(0, 1, 0));
+  const render::Grid grid(stage.gl);
+  render::GridStyle style;
+  style.center = {0, -1, 0};
+  style.radius = 9;
+  const auto draw_grid = [&] { grid.draw(stage.view, render::dark_theme(), style); };
+  const render::Image alone = stage.picture(draw_grid);
+  CHECK(test::count_not_black(alone) > 500);
+  CHECK(test::brightness(alone.pixel(2, 2)) == 0);
+  CHECK(test::brightness(alone.pixel(318, 198)) == 0);
+
+  const test::Ball ball = test::ball(5, {0, 4, 0});
+  render::SurfaceLayer surface(stage.gl);
+  surface.set_triangles(ball.triangles, ball.positions.size());
+  surface.set_positions(ball.positions, ball.normals);
+  const auto draw_model = [&] { surface.draw(stage.view, render::dark_theme(), {}); };
+  const render::Image model = stage.picture(draw_model);
+  const render::Image both = stage.picture([&] {
+    draw_model();
+    draw_grid();
+  });
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      if (test::brightness(model.pixel(x, y)) > 0) CHECK_EQ(both.pixel(x, y), model.pixel(x, y));
+    }
   }
 }

@@ -1,15 +1,58 @@
-// Matrices in memory of any layout and alignment, with guards.
+// Matrices in every layout and with every kernel, and their entries.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
-#include "sym3/entries_of.h"
+#include "sym3/exp.h"
+#include "sym3/kernel.h"
+#include "sym3/sym3.h"
 #include "sym3/view.h"
 
 namespace viete::test {
+
+template <class T>
+std::array<T, 6> entries_of(const sym3::Sym3<T>& s) {
+  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+}
+
+template <class T>
+bool all_nan(const sym3::Sym3<T>& s) {
+  return std::ranges::all_of(entries_of(s), [](T x) { return std::isnan(x); });
+}
+
+template <class T>
+bool none_nan(const sym3::Sym3<T>& s) {
+  return std::ranges::none_of(entries_of(s), [](T x) { return std::isnan(x); });
+}
+
+template <class T>
+sym3::Sym3<T> diagonal(T x, T y, T z) {
+  return {x, 0, 0, y, 0, z};
+}
+
+template <class T>
+sym3::Sym3<T> negated(const sym3::Sym3<T>& s) {
+  return {-s.xx, -s.xy, -s.xz, -s.yy, -s.yz, -s.zz};
+}
+
+/// `count` matrices of six numbers each.
+template <class T>
+void run(const sym3::Kernel& kernel, const T* in, T* out, std::size_t count) {
+  sym3::exp(sym3::SymView<const T>(sym3::Layout::packed, in), sym3::SymView<T>(sym3::Layout::packed, out),
+            count, {&kernel});
+}
+
+template <class T>
+sym3::Sym3<T> exp_with(const sym3::Kernel& kernel, const sym3::Sym3<T>& s) {
+  sym3::Sym3<T> out;
+  run(kernel, &s.xx, &out.xx, 1);
+  return out;
+}
 
 inline constexpr sym3::Layout layouts[] = {sym3::Layout::planes, sym3::Layout::blocks, sym3::Layout::packed,
                                            sym3::Layout::full};

@@ -11,12 +11,10 @@
 
 #include "sym3/arranged.h"
 #include "sym3/call_kernel.h"
-#include "sym3/entries_of.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/log.h"
 #include "sym3/preamble.h"
-#include "sym3/quad_derivative.h"
 #include "sym3/quad_reference.h"
 #include "sym3/with_condition.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "sym3/entries_of.h"
+#include "sym3/arranged.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 

@@ -6,7 +6,7 @@
 
 #include "sym3/affine.h"
 #include "sym3/preamble.h"
-#include "sym3/quad_general.h"
+#include "sym3/quad_reference.h"
 #include "sym3/small_matrices.h"
 
 using sym3::Mat3, sym3::exp_general, sym3::log_general, sym3::has_log;

@@ -9,7 +9,6 @@
 
 #include "sym3/arranged.h"
 #include "sym3/call_kernel.h"
-#include "sym3/entries_of.h"
 #include "sym3/exp.h"
 #include "sym3/fallback.h"
 #include "sym3/kernel.h"

@@ -6,7 +6,7 @@
 
 #include "sym3/kernel.h"
 #include "sym3/preamble.h"
-#include "sym3/quad_general.h"
+#include "sym3/quad_reference.h"
 
 using sym3::Mat3;
 

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "sym3/arranged.h"
-#include "sym3/each_kernel.h"
-#include "sym3/entries_of.h"
 #include "sym3/preamble.h"
 
 using sym3::Layout;

@@ -1,9 +1,8 @@
-#include "base/encoding.h"
-
 #include <doctest/doctest.h>
-
 #include <set>
 #include <string>
+
+#include "base/encoding.h"
 
 using viete::base::Checksum;
 

@@ -1,17 +1,118 @@
-// The kernels' fallback for log and roots, called directly: accurate at any condition number and gap.
-#include "sym3/fallback.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "sym3/entries_of.h"
+#include "sym3/arranged.h"
+#include "sym3/double_double.h"
+#include "sym3/fallback.h"
+#include "sym3/jacobi.h"
 #include "sym3/log.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
 #include "sym3/small_matrices.h"
 #include "sym3/with_condition.h"
+
+using sym3::DoubleDouble;
+
+namespace {
+
+DoubleDouble random_number(Random& random) {
+  const double hi = uniform(random, -2, 2) * std::exp2(uniform(random, -20, 20));
+  return sym3::quick_two_sum(hi, hi * 0x1p-54 * uniform(random, -1, 1));
+}
+
+double relative(Quad computed, Quad exact) {
+  return static_cast<double>(fabsq((computed - exact) / exact));
+}
+
+}  // namespace
+
+TEST_CASE("double_double_operations_keep_104_bits") {
+  Random random(71);
+  for (int i = 0; i < 5000; ++i) {
+    const DoubleDouble a = random_number(random), b = random_number(random);
+    const Quad x = to_quad(a), y = to_quad(b);
+    CHECK(relative(to_quad(a + b), x + y) < 0x1p-103);
+    CHECK(relative(to_quad(a - b), x - y) < 0x1p-103);
+    CHECK(relative(to_quad(a * b), x * y) < 0x1p-102);
+    CHECK(relative(to_quad(a / b), x / y) < 0x1p-101);
+    CHECK(relative(to_quad(sqrt(a * a)), fabsq(x)) < 0x1p-100);
+  }
+}
+
+TEST_CASE("sums_and_products_of_doubles_are_exact") {
+  Random random(72);
+  for (int i = 0; i < 2000; ++i) {
+    const double a = uniform(random, -1, 1), b = uniform(random, -1, 1) * 1e-3;
+    CHECK(to_quad(sym3::two_product(a, b)) == Quad(a) * Quad(b));
+    CHECK(to_quad(sym3::two_sum(a, b)) == Quad(a) + Quad(b));
+  }
+}
+
+namespace {
+
+/// |S - V diag(values) V^T| and |V^T V - I|, over |S| and 1: the larger.
+template <class Real>
+double residual(const Sym3<double>& s) {
+  const auto e = sym3::eigen_by_jacobi<Real>(s);
+  const QuadSym original = test::to_quad(s);
+  QuadSym product{}, gram{};
+  const auto v = [&](int i, int k) { return to_quad(e.vectors[i][k]); };
+  Quad* const p[] = {&product.xx, &product.xy, &product.xz, &product.yy, &product.yz, &product.zz};
+  Quad* const g[] = {&gram.xx, &gram.xy, &gram.xz, &gram.yy, &gram.yz, &gram.zz};
+  const int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
+  for (int n = 0; n < 6; ++n) {
+    for (int k = 0; k < 3; ++k) {
+      *p[n] += to_quad(e.values[k]) * v(row[n], k) * v(column[n], k);
+      *g[n] += v(k, row[n]) * v(k, column[n]);
+    }
+  }
+  const Quad of_matrix = quad_distance(product, original) / quad_frobenius(original);
+  return static_cast<double>(std::max(of_matrix, quad_distance(gram, {1, 0, 0, 1, 0, 1})));
+}
+
+}  // namespace
+
+TEST_CASE("jacobi_decomposes_to_the_precision_of_its_numbers") {
+  for (const double spread : {1e-6, 1.0, 1e6}) {
+    for (const auto& s : spreads<double>(spread, -spread / 3, 200)) {
+      CHECK(residual<double>(s) < 30 * 0x1p-53);
+      CHECK(residual<DoubleDouble>(s) < 40 * 0x1p-104);
+    }
+  }
+  for (const auto& s : triples<double>(1e-9, 100)) CHECK(residual<DoubleDouble>(s) < 40 * 0x1p-104);
+}
+
+TEST_CASE("jacobi_keeps_blocks_and_extreme_ratios") {
+  const auto e = sym3::eigen_by_jacobi<DoubleDouble>({1e280, 0, 0, 2, 1, 2});
+  CHECK(e.vectors[0][0].hi == 1);
+  CHECK(e.vectors[0][1].hi == 0);
+  CHECK(e.vectors[1][0].hi == 0);
+  CHECK(e.values[0].hi == 1e280);
+  CHECK(std::min(e.values[1].hi, e.values[2].hi) == 1);
+  CHECK(std::max(e.values[1].hi, e.values[2].hi) == 3);
+  CHECK(sym3::eigen_by_jacobi<DoubleDouble>({1e280, 1e-100, 0, 1, 0, 1}).values[1].hi == 1);
+}
+
+TEST_CASE("exp_by_jacobi_is_exact_to_16_u_at_any_spread") {
+  for (const double spread : {0.0, 1e-9, 1.0, 30.0, 700.0, 1300.0}) {
+    for (const auto& s : spreads<double>(spread, -0.6 * spread, 300)) {
+      const double in[6] = {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+      double out[6];
+      sym3::exp_by_jacobi(in, out);
+      CHECK(error_in_u(sym3::Sym3<double>{out[0], out[1], out[2], out[3], out[4], out[5]},
+                       quad_exp(to_quad(s))) <= 16);
+    }
+  }
+}
+
+TEST_CASE("exp_by_jacobi_works_in_place") {
+  double matrix[6] = {1, 2, 3, 4, 5, 6}, copy[6];
+  sym3::exp_by_jacobi(matrix, copy);
+  sym3::exp_by_jacobi(matrix, matrix);
+  for (int i = 0; i < 6; ++i) CHECK(matrix[i] == copy[i]);
+}
 
 namespace {
 

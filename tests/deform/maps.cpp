@@ -1,0 +1,399 @@
+#include <doctest/doctest.h>
+#include <cmath>
+#include <limits>
+
+#include "deform/all_maps.h"
+#include "deform/polar.h"
+#include "deform/shapes.h"
+
+using namespace viete::test;
+
+namespace {
+
+Vec3 apply_map(const AffineMap& map, const Vec3& x) {
+  return Affine{map.linear, map.center}(x);
+}
+
+const viete::sym3::Mat3<double> unmoved = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+}  // namespace
+
+TEST_CASE("unmoved_elements_have_exactly_the_identity") {
+  const Cage cage = make_cage(tube(9, 7, 0.31, 2.3));
+  for (const auto& map : maps_of(cage, cage.surface.positions)) CHECK(map.linear == unmoved);
+}
+
+TEST_CASE("a_map_takes_the_corners_of_its_element_to_their_posed_places") {
+  const Cage cage = make_cage(box({1, 2, 3}));
+  Random random(7);
+  auto posed = cage.surface.positions;
+  for (auto& p : posed) p = p + random.vector(0.5);
+  const auto maps = maps_of(cage, posed);
+  const Vec3 origin = pose_origin(cage, posed);
+  for (std::size_t e = 0; e < maps.size(); ++e) {
+    for (const auto v : cage.surface.triangles[e]) {
+      const Vec3 image = apply_map(maps[e], cage.surface.positions[v] - cage.centers[e]) + origin;
+      CHECK(norm(image - posed[v]) < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("a_similarity_is_reproduced_off_the_plane_too") {
+  const Cage cage = make_cage(box({1, 2, 3}));
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    const auto map = similarity({1, -1, 2}, 2.2, scale, {scale, 0, 0});
+    for (const auto& m : maps_of(cage, mapped(cage.surface.positions, map))) {
+      for (int i = 0; i < 9; ++i) CHECK(std::abs(m.linear[i] - map.linear[i]) < 1e-13 * scale);
+    }
+  }
+}
+
+TEST_CASE("orientation_of_an_element_does_not_change_its_map") {
+  auto t = box().triangles;
+  for (auto& x : t) std::swap(x[1], x[2]);
+  const Cage cage = make_cage(box()), turned = make_cage(viete::mesh::from_triangles(box().positions, t));
+  const auto posed = mapped(cage.surface.positions, shear());
+  const auto a = maps_of(cage, posed), b = maps_of(turned, posed);
+  for (std::size_t e = 0; e < a.size(); ++e) {
+    for (int i = 0; i < 9; ++i) CHECK(std::abs(a[e].linear[i] - b[e].linear[i]) < 1e-14);
+  }
+}
+
+TEST_CASE("length_scales_from_1e-30_to_1e30_give_the_same_maps") {
+  const auto unit = make_cage(box({1, 2, 3}));
+  const auto expected = maps_of(unit, mapped(unit.surface.positions, shear()));
+  for (const double s : {1e-30, 1e30}) {
+    const Cage cage = make_cage(box({s, 2 * s, 3 * s}));
+    Affine map = shear();
+    map.shift = s * map.shift;
+    const auto maps = maps_of(cage, mapped(cage.surface.positions, map));
+    for (std::size_t e = 0; e < maps.size(); ++e) {
+      for (int i = 0; i < 9; ++i) CHECK(std::abs(maps[e].linear[i] - expected[e].linear[i]) < 1e-13);
+    }
+  }
+}
+
+TEST_CASE("elements_without_area_have_defined_maps") {
+  const auto surface =
+      viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
+  const Cage cage = make_cage(surface);
+  auto posed = surface.positions;
+  CHECK(maps_of(cage, posed)[1].linear == unmoved);
+  posed.assign(4, {5, 5, 5});
+  const auto maps = maps_of(cage, posed);
+  CHECK(maps[0].linear == viete::sym3::Mat3<double>{});
+  CHECK(maps[1].linear == unmoved);
+}
+
+namespace {
+
+// Rotations by up to 180 degrees of stretches between 0.5 and 2.
+std::vector<AffineMap> maps(std::size_t count) {
+  Random random(3);
+  std::vector<AffineMap> all(count);
+  for (auto& map : all) {
+    const Polar p = polar(viete::sym3::exp_rotation(random.vector(1.8)));
+    const Polar axes = polar(viete::sym3::exp_rotation(random.vector(1.8)));
+    const auto& [r, unused, none] = p;
+    const auto& v = axes.rotation;
+    const Vec3 s{random(0.5, 2), random(0.5, 2), random(0.5, 2)};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) {
+          for (int l = 0; l < 3; ++l) sum += r[3 * i + k] * v[3 * k + l] * s[l] * v[3 * j + l];
+        }
+        map.linear[3 * i + j] = sum;
+      }
+    }
+  }
+  return all;
+}
+
+template <class Numbers>
+double difference(const Numbers& a, const Numbers& b) {
+  double d = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) d = std::max(d, std::abs(a[i] - b[i]));
+  return d;
+}
+
+std::array<double, 6> six(const viete::sym3::Sym3<double>& s) {
+  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+}
+
+}  // namespace
+
+TEST_CASE("splits_in_vector_code_agree_with_singular_values") {
+  const auto all = maps(301);
+  std::vector<MapSplit> splits(all.size());
+  split_maps(all, first(all.size()), splits);
+  for (std::size_t e = 0; e < all.size(); ++e) {
+    const Polar expected = polar(all[e].linear);
+    CHECK(difference(splits[e].rotation, expected.rotation) < 1e-14);
+    CHECK(difference(six(splits[e].stretch), six(log_stretch(expected))) < 1e-14);
+    CHECK(difference(splits[e].turn, Vec3(viete::sym3::log_rotation(expected.rotation))) < 1e-12);
+    CHECK(splits[e].least == doctest::Approx(expected.stretches[2]));
+    CHECK(splits[e].largest == doctest::Approx(expected.stretches[0]));
+  }
+}
+
+TEST_CASE("a_split_depends_on_its_own_map_alone_to_the_last_bit") {
+  const auto all = maps(150);
+  std::vector<MapSplit> together(all.size()), apart(all.size());
+  split_maps(all, first(all.size()), together);
+  for (const std::uint32_t e : {0u, 7u, 63u, 64u, 149u}) {
+    split_maps(all, std::array{e}, apart);
+    CHECK(apart[e].rotation == together[e].rotation);
+    CHECK(apart[e].stretch == together[e].stretch);
+    CHECK(apart[e].turn == together[e].turn);
+  }
+  CHECK(apart[1].largest == 0);
+}
+
+TEST_CASE("a_split_tells_of_maps_that_mirror_or_are_not_finite") {
+  std::vector<AffineMap> two(2);
+  two[0].linear = {-1, 0, 0, 0, 2, 0, 0, 0, 3};
+  two[1].linear = {1, 0, 0, 0, std::numeric_limits<double>::quiet_NaN(), 0, 0, 0, 1};
+  std::vector<MapSplit> splits(2);
+  split_maps(two, first(2), splits);
+  CHECK(splits[0].least < 0);
+  CHECK_FALSE(splits[1].least >= 0);
+}
+
+namespace {
+
+struct Logs {
+  std::vector<MapLog> logs;
+  LogReport report;
+};
+
+Logs logs_of(const Cage& cage, const std::vector<AffineMap>& maps, const std::vector<Vec3>& turns = {}) {
+  std::vector<MapSplit> splits(maps.size());
+  split_maps(maps, first(maps.size()), splits);
+  Logs result{std::vector<MapLog>(maps.size()), {}};
+  log_maps(cage, maps, splits, turns, result.logs, result.report);
+  return result;
+}
+
+Logs logs_of(const Cage& cage, const std::vector<viete::mesh::Point>& posed,
+             const std::vector<Vec3>& turns = {}) {
+  return logs_of(cage, maps_of(cage, posed), turns);
+}
+
+double angle_from(const Vec3& y, const Vec3& axis) {
+  return dot(y, axis) / norm(axis) / degree;
+}
+
+}  // namespace
+
+TEST_CASE("an_unmoved_cage_has_zero_logs_and_nothing_to_report") {
+  const Cage cage = make_cage(tube(9, 7, 0.3, 2));
+  const auto [logs, report] = logs_of(cage, cage.surface.positions);
+  for (const auto& l : logs) {
+    CHECK(l.stretch == viete::sym3::Sym3<double>{});
+    CHECK(l.rotation == Vec3{0, 0, 0});
+  }
+  CHECK(report.collapsed.empty());
+  CHECK(report.torn.empty());
+  CHECK(report.turns == std::vector<Vec3>{{0, 0, 0}});
+}
+
+TEST_CASE("all_elements_of_a_turned_cage_have_the_same_log_also_at_180_degrees") {
+  const Cage cage = make_cage(tube(9, 7, 0.3, 2));
+  for (const double a : {1.0, 90.0, 179.9999, 180.0, 180.0001, 270.0}) {
+    const auto [logs, report] =
+        logs_of(cage, mapped(cage.surface.positions, similarity({1, 2, 3}, a * degree)));
+    for (const auto& l : logs) CHECK(norm(l.rotation - logs[0].rotation) < 1e-12);
+    CHECK(report.torn.empty());
+  }
+}
+
+TEST_CASE("separate_parts_that_turn_by_180_degrees_together_take_the_same_side") {
+  const auto surface = together(box(), together(box({1, 2, 3}, {5, 0, 0}), tube(5, 6, 0.4, 2)));
+  const Cage cage = make_cage(surface);
+  REQUIRE(cage.roots.size() == 3);
+  Random random(8);
+  for (int n = 0; n < 30; ++n) {
+    const Vec3 axis = random.vector(1);
+    const auto logs =
+        logs_of(cage, mapped(surface.positions, similarity(axis, 180 * degree, 2, {1, 2, 3}))).logs;
+    for (const auto& l : logs) CHECK(norm(l.rotation - logs[0].rotation) < 1e-12);
+  }
+}
+
+TEST_CASE("winding_with_turns_handed_on_counts_to_720_degrees_and_back_to_nothing") {
+  const Cage cage = make_cage(together(tube(9, 7, 0.3, 2), box({1, 1, 1}, {5, 0, 0})));
+  const Vec3 axis{1, -2, 3};
+  std::vector<Vec3> turns;
+  const auto visit = [&](double a) {
+    const auto [logs, report] =
+        logs_of(cage, mapped(cage.surface.positions, similarity(axis, a * degree)), turns);
+    for (const auto& l : logs) CHECK(angle_from(l.rotation, axis) == doctest::Approx(a).epsilon(1e-10));
+    turns = report.turns;
+  };
+  for (int a = 0; a <= 720; a += 30) visit(a);
+  for (int a = 720; a >= 0; a -= 45) visit(a);
+  for (const auto& t : turns) CHECK(norm(t) < 1e-14);
+}
+
+TEST_CASE("the_same_pose_with_its_own_turns_gives_the_same_logs") {
+  const Cage cage = make_cage(tube(9, 7, 0.3, 2));
+  const auto posed = mapped(cage.surface.positions, Twist{2, {0, 0, 0}, -1, 1, 170 * degree, 290 * degree});
+  const auto first = logs_of(cage, posed, {{0, 0, 200 * degree}});
+  CHECK(norm(first.report.turns[0]) == doctest::Approx(230 * degree).epsilon(0.05));
+  const auto second = logs_of(cage, posed, first.report.turns);
+  for (std::size_t e = 0; e < first.logs.size(); ++e)
+    CHECK(norm(first.logs[e].rotation - second.logs[e].rotation) < 1e-13);
+}
+
+TEST_CASE("logs_without_turns_do_not_depend_on_anything_before") {
+  const Cage cage = make_cage(tube(9, 7, 0.3, 2));
+  const auto posed = mapped(cage.surface.positions, similarity({0, 0, 1}, 200 * degree));
+  CHECK(norm(logs_of(cage, posed).report.turns[0]) == doctest::Approx(160 * degree));
+}
+
+TEST_CASE("a_floor_keeps_collapsed_elements_finite_and_names_them") {
+  const Cage cage = make_cage(box());
+  auto posed = cage.surface.positions;
+  posed[1] = posed[0];
+  const auto [logs, report] = logs_of(cage, posed);
+  CHECK(report.collapsed.size() >= 2);
+  for (const auto& l : logs) {
+    CHECK(std::isfinite(l.stretch.xx + l.stretch.xy + l.stretch.xz + l.stretch.yy + l.stretch.yz +
+                        l.stretch.zz));
+    CHECK(std::isfinite(norm(l.rotation)));
+    CHECK(l.stretch.xx + l.stretch.yy + l.stretch.zz > 3 * std::log(1e-4) - 1);
+  }
+}
+
+TEST_CASE("a_pose_in_one_point_is_collapsed_everywhere_and_finite") {
+  const Cage cage = make_cage(box());
+  const auto [logs, report] = logs_of(cage, std::vector<viete::mesh::Point>(8, {3, 4, 5}));
+  CHECK(report.collapsed.size() == 12);
+  for (const auto& l : logs) CHECK(std::isfinite(l.stretch.xx));
+}
+
+TEST_CASE("a_uniformly_tiny_or_huge_pose_is_not_collapsed") {
+  const Cage cage = make_cage(box());
+  for (const double s : {1e-30, 1e-9, 1e9, 1e30}) {
+    const auto [logs, report] = logs_of(cage, mapped(cage.surface.positions, similarity({0, 0, 1}, 1, s)));
+    CHECK(report.collapsed.empty());
+    for (const auto& l : logs) CHECK(l.stretch.xx == doctest::Approx(std::log(s)));
+  }
+}
+
+TEST_CASE("a_map_that_is_not_finite_is_reported_and_does_not_spread") {
+  const Cage cage = make_cage(box());
+  auto maps = maps_of(cage, cage.surface.positions);
+  maps[3].linear[4] = std::numeric_limits<double>::quiet_NaN();
+  const auto [logs, report] = logs_of(cage, maps);
+  CHECK(report.collapsed == std::vector<std::uint32_t>{3});
+  for (const auto& l : logs) CHECK(std::isfinite(norm(l.rotation) + l.stretch.xx));
+}
+
+TEST_CASE("neighbours_turned_by_more_than_120_degrees_are_reported_as_torn") {
+  // Two triangles folded about their common edge.
+  const auto rest =
+      viete::mesh::from_triangles({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}}, {{0, 2, 1}, {0, 1, 3}});
+  const Cage cage = make_cage(rest);
+  for (const auto& [fold, count] : {std::pair{110.0, 0u}, {130.0, 1u}, {170.0, 1u}}) {
+    auto posed = rest.positions;
+    posed[3] = similarity({0, 1, 0}, fold * degree)(posed[3]);
+    CHECK(logs_of(cage, posed).report.torn.size() == count);
+  }
+}
+
+TEST_CASE("elements_without_area_at_rest_have_zero_logs") {
+  const auto rest =
+      viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
+  const Cage cage = make_cage(rest);
+  const auto [logs, report] = logs_of(cage, mapped(rest.positions, similarity({1, 1, 1}, 1, 2)));
+  CHECK(logs[1].rotation == Vec3{0, 0, 0});
+  CHECK(logs[1].stretch == viete::sym3::Sym3<double>{});
+  CHECK(report.collapsed.empty());
+}
+
+using Matrix = viete::sym3::Mat3<double>;
+
+namespace {
+
+Matrix transposed(const Matrix& m) {
+  return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]};
+}
+
+Matrix diagonal(const Vec3& d) {
+  return {d[0], 0, 0, 0, d[1], 0, 0, 0, d[2]};
+}
+
+double difference(const Matrix& a, const Matrix& b) {
+  double d = 0;
+  for (int i = 0; i < 9; ++i) d = std::max(d, std::abs(a[i] - b[i]));
+  return d;
+}
+
+double determinant(const Matrix& m) {
+  return dot({m[0], m[1], m[2]}, cross({m[3], m[4], m[5]}, {m[6], m[7], m[8]}));
+}
+
+Matrix stretch(const Polar& p) {
+  return times(times(p.axes, diagonal(p.stretches)), transposed(p.axes));
+}
+
+const Matrix unity = diagonal({1, 1, 1});
+
+}  // namespace
+
+TEST_CASE("rotation_times_stretch_is_the_matrix") {
+  Random random(6);
+  for (int n = 0; n < 200; ++n) {
+    Matrix m;
+    for (double& x : m) x = random(-1, 1);
+    if (determinant(m) < 0) m = times(m, diagonal({1, 1, -1}));
+    const Polar p = polar(m);
+    CHECK(difference(times(p.rotation, stretch(p)), m) < 5e-15);
+    CHECK(difference(times(p.rotation, transposed(p.rotation)), unity) < 5e-15);
+    CHECK(determinant(p.rotation) == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("identity_has_exactly_the_identity_and_log_zero") {
+  const Polar p = polar(unity);
+  CHECK(p.rotation == unity);
+  CHECK(log_stretch(p) == viete::sym3::Sym3<double>{});
+}
+
+TEST_CASE("a_similarity_has_its_rotation_and_an_isotropic_log_at_any_scale") {
+  for (const double s : {1e-30, 1e-3, 1.0, 1e3, 1e30}) {
+    const auto map = similarity({1, 2, 3}, 2.5, s);
+    const Polar p = polar(map.linear);
+    CHECK(difference(p.rotation, similarity({1, 2, 3}, 2.5).linear) < 3e-15);
+    const auto x = log_stretch(p);
+    CHECK(x.xx == doctest::Approx(std::log(s)).epsilon(1e-14));
+    CHECK(x.zz == doctest::Approx(std::log(s)).epsilon(1e-14));
+    CHECK(std::abs(x.xy) < 1e-15 * (1 + std::abs(std::log(s))) * 10);
+  }
+}
+
+TEST_CASE("a_mirror_has_the_closest_proper_rotation") {
+  const Polar p = polar(diagonal({3, 2, -1}));
+  CHECK(difference(p.rotation, unity) < 1e-15);
+  CHECK(determinant(polar(diagonal({-1, -2, -3})).rotation) == doctest::Approx(1));
+}
+
+TEST_CASE("a_matrix_that_is_not_finite_has_no_rotation_and_no_stretch") {
+  for (const double odd :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const Polar p = polar({1, 0, 0, 0, odd, 0, 0, 0, 1});
+    for (const double x : p.rotation) CHECK(std::isnan(x));
+    for (const double x : p.stretches) CHECK(std::isnan(x));
+  }
+}
+
+TEST_CASE("singular_matrices_have_a_proper_rotation_and_zero_has_the_identity") {
+  CHECK(polar({0, 0, 0, 0, 0, 0, 0, 0, 0}).rotation == unity);
+  for (const Matrix& m : {diagonal({1, 0, 0}), diagonal({1, 1, 0}), Matrix{1, 2, 3, 2, 4, 6, 3, 6, 9}}) {
+    const Polar p = polar(m);
+    CHECK(determinant(p.rotation) == doctest::Approx(1));
+    CHECK(difference(times(p.rotation, stretch(p)), m) < 1e-13);
+  }
+}

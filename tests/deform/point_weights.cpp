@@ -1,0 +1,392 @@
+#include <doctest/doctest.h>
+#include <algorithm>
+#include <numeric>
+
+#include "base/error.h"
+#include "deform/bound.h"
+#include "deform/point_weights.h"
+#include "deform/shapes.h"
+#include "mesh/triangle.h"
+
+using namespace viete::test;
+
+namespace {
+
+std::vector<double> weights_at(const Cage& cage, const Vec3& p) {
+  std::vector<double> w(cage.element_count());
+  inverse_distance_weights(cage, p, w);
+  return w;
+}
+
+using Long3 = std::array<long double, 3>;
+
+long double long_dot(const Long3& a, const Long3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// To the plane where the foot lies inside, else to the nearest edge.
+long double squared_distance(const Cage& cage, std::size_t e, const Vec3& point) {
+  const auto difference = [](const auto& a, const auto& b) {
+    return Long3{(long double)a[0] - b[0], (long double)a[1] - b[1], (long double)a[2] - b[2]};
+  };
+  const auto& x = cage.surface.positions;
+  const auto& t = cage.surface.triangles[e];
+  const Long3 u = difference(x[t[1]], x[t[0]]), v = difference(x[t[2]], x[t[0]]);
+  const Long3 n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  long double least = std::numeric_limits<long double>::infinity();
+  bool inside = true;
+  for (int i = 0; i < 3; ++i) {
+    const Long3 d = difference(x[t[(i + 1) % 3]], x[t[i]]), q = difference(point, x[t[i]]);
+    const Long3 inward{n[1] * d[2] - n[2] * d[1], n[2] * d[0] - n[0] * d[2], n[0] * d[1] - n[1] * d[0]};
+    inside = inside && long_dot(inward, q) >= 0;
+    const long double s = std::clamp<long double>(long_dot(d, q) / long_dot(d, d), 0, 1);
+    const Long3 left{q[0] - s * d[0], q[1] - s * d[1], q[2] - s * d[2]};
+    least = std::min(least, long_dot(left, left));
+  }
+  const long double height = long_dot(n, difference(point, x[t[0]]));
+  return inside ? height * height / long_dot(n, n) : least;
+}
+
+double sum(const std::vector<double>& w) {
+  return std::accumulate(w.begin(), w.end(), 0.0);
+}
+
+}  // namespace
+
+TEST_CASE("weights_are_inverse_squared_distances_normalised") {
+  const Cage cage = make_cage(box({1, 2, 3}));
+  const Vec3 p{0.3, -0.7, 1.1};
+  const auto w = weights_at(cage, p);
+  CHECK(sum(w) == doctest::Approx(1).epsilon(1e-15));
+  const auto inverse = [&](std::size_t e) {
+    const auto& t = cage.surface.triangles[e];
+    const auto& x = cage.surface.positions;
+    return 1 / viete::mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;
+  };
+  double total = 0;
+  for (std::size_t e = 0; e < w.size(); ++e) total += inverse(e);
+  for (std::size_t e = 0; e < w.size(); ++e)
+    CHECK(w[e] == doctest::Approx(inverse(e) / total).epsilon(1e-14));
+}
+
+TEST_CASE("on_a_vertex_the_elements_that_meet_there_share_equally") {
+  const Cage cage = make_cage(box());
+  for (std::size_t v = 0; v < 8; ++v) {
+    const auto w = weights_at(cage, cage.surface.positions[v]);
+    double touching = 0;
+    for (const auto& t : cage.surface.triangles) touching += t[0] == v || t[1] == v || t[2] == v;
+    for (std::size_t e = 0; e < w.size(); ++e) {
+      const auto& t = cage.surface.triangles[e];
+      const bool touches = t[0] == v || t[1] == v || t[2] == v;
+      if (touches)
+        CHECK(w[e] == doctest::Approx(1 / touching));
+      else
+        CHECK(w[e] < 1e-20);
+    }
+  }
+}
+
+TEST_CASE("on_a_face_its_element_has_all_the_weight") {
+  const Cage cage = make_cage(box());
+  for (std::size_t e = 0; e < cage.element_count(); ++e)
+    CHECK(weights_at(cage, cage.centers[e])[e] == doctest::Approx(1));
+}
+
+TEST_CASE("near_an_element_weights_approach_the_limit_without_a_jump") {
+  const Cage cage = make_cage(box());
+  const Vec3 c = cage.centers[0];
+  for (double d = 1e-1; d > 1e-20; d /= 10) {
+    const auto w = weights_at(cage, c + Vec3{0, 0, d});
+    CHECK(w[0] > 1 - 100 * d * d - 1e-14);
+    CHECK(sum(w) == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("weights_are_the_same_at_every_length_scale_and_finite_everywhere") {
+  check_every_length_scale([](const Cage& cage, const Vec3& p) { return weights_at(cage, p); });
+}
+
+TEST_CASE("elements_without_area_have_no_weight") {
+  auto surface = box();
+  surface = viete::mesh::from_triangles(surface.positions, [&] {
+    auto t = surface.triangles;
+    t.push_back({0, 1, 1});
+    return t;
+  }());
+  const Cage cage = make_cage(surface);
+  CHECK(weights_at(cage, {0.1, 0.2, 0.3}).back() == 0);
+  CHECK(weights_at(cage, surface.positions[0]).back() == 0);
+  CHECK(sum(weights_at(cage, surface.positions[1])) == doctest::Approx(1));
+}
+
+TEST_CASE("weights_are_their_definition_in_long_double") {
+  Random random(3);
+  for (const auto& surface : {box({1, 2, 3}), tube(7, 12, 0.6, 2)}) {
+    const Cage cage = make_cage(surface);
+    double worst = 0;
+    for (int n = 0; n < 500; ++n) {
+      const Vec3 p = random.vector(2.5);
+      const auto w = weights_at(cage, p);
+      long double total = 0;
+      for (std::size_t e = 0; e < w.size(); ++e) total += 1 / squared_distance(cage, e, p);
+      for (std::size_t e = 0; e < w.size(); ++e)
+        worst = std::max(worst, double(std::abs(w[e] - 1 / squared_distance(cage, e, p) / total)));
+    }
+    CHECK(worst < 2e-13);
+  }
+}
+
+namespace {
+
+long double exact_distance(const Cage& cage, std::uint32_t face, const Vec3& p) {
+  const auto& x = cage.surface.positions;
+  const auto& t = cage.surface.triangles[face];
+  return std::sqrt(
+      (long double)viete::mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance);
+}
+
+}  // namespace
+
+TEST_CASE("cut_off_weights_are_their_definition_and_say_how_much_reaches_a_point") {
+  const Cage cage = make_cage(box({1, 2, 3}));
+  Random random(5);
+  std::vector<double> w(cage.element_count());
+  std::size_t none = 0, some = 0, all = 0;
+  for (int n = 0; n < 500; ++n) {
+    const Vec3 p = random.vector(4);
+    const Weighting weighting = viete::test::cut_off(0.2);
+    const double total = cut_off_weights(cage, p, weighting, w);
+    long double expected = 0, sum = 0;
+    for (std::uint32_t e = 0; e < w.size(); ++e) {
+      const long double d = exact_distance(cage, e, p) / (0.2L * cage.size);
+      const long double own = d < 1 ? (1 - d) * (1 - d) : 0;
+      expected += own, sum += w[e];
+      CHECK(std::abs(w[e] * total - double(own)) < 1e-14);
+      if (d >= 1) CHECK(w[e] == 0);
+    }
+    CHECK(total == doctest::Approx(double(expected)).epsilon(1e-12));
+    CHECK(share_of_motion(total) == std::min(total, 1.0));
+    if (total > 0) CHECK(double(sum) == doctest::Approx(1).epsilon(1e-14));
+    none += total == 0, some += total > 0 && total < 1, all += total >= 1;
+  }
+  CHECK(std::min({none, some, all}) > 50);
+}
+
+TEST_CASE("cut_off_weights_know_no_length_scale_and_both_sides_of_a_face") {
+  const auto surface = box({1, 2, 3});
+  for (const double scale : {1e-30, 1e-3, 1e6, 1e30}) {
+    auto scaled = surface;
+    for (auto& p : scaled.positions) p = scale * p;
+    const Cage here = make_cage(surface), there = make_cage(scaled);
+    std::vector<double> a(here.element_count()), b(a.size());
+    for (const Vec3& p : {Vec3{0.9, 0.1, 0.2}, Vec3{1.1, 0.1, 0.2}, Vec3{1, 0, 0}}) {
+      const double t = cut_off_weights(here, p, viete::test::cut_off(0.1), a);
+      CHECK(cut_off_weights(there, scale * p, viete::test::cut_off(0.1), b) ==
+            doctest::Approx(t).epsilon(1e-12));
+      for (std::size_t e = 0; e < a.size(); ++e) CHECK(a[e] == doctest::Approx(b[e]).epsilon(1e-12));
+    }
+  }
+  const Cage cage = make_cage(surface);
+  std::vector<double> inside(cage.element_count()), outside(inside.size());
+  const double t = cut_off_weights(cage, {0.9, 0, 0}, viete::test::cut_off(0.05), inside);
+  CHECK(cut_off_weights(cage, {1.1, 0, 0}, viete::test::cut_off(0.05), outside) == doctest::Approx(t));
+}
+
+TEST_CASE("on_an_element_a_cut_off_weight_is_finite") {
+  const Cage cage = make_cage(box({1, 1, 1}));
+  std::vector<double> w(cage.element_count());
+  const Weighting weighting = viete::test::cut_off(0.01);
+  const Vec3 on = cage.centers[0];
+  CHECK(cut_off_weights(cage, on, weighting, w) == doctest::Approx(1));
+  CHECK(w[0] == doctest::Approx(1));
+  CHECK(cut_off_weights(cage, {0, 0, 0}, weighting, w) == 0);
+  for (const double x : w) CHECK(x == 0);
+}
+
+namespace {
+
+struct Answer {
+  std::vector<double> weights;
+  bool exists;
+
+  double sum() const { return std::accumulate(weights.begin(), weights.end(), 0.0); }
+};
+
+Answer at(const Cage& cage, const Vec3& p) {
+  Answer a{std::vector<double>(cage.surface.positions.size()), false};
+  a.exists = mean_value_weights(cage, p, a.weights);
+  return a;
+}
+
+Vec3 blended(const Cage& cage, const Answer& a) {
+  Vec3 sum{0, 0, 0};
+  for (std::size_t i = 0; i < a.weights.size(); ++i) sum = sum + a.weights[i] * cage.surface.positions[i];
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("weights_reproduce_points_inside_and_outside_a_closed_cage") {
+  Random random(9);
+  for (const auto& surface : {box({1, 2, 3}), tube(7, 9, 0.5, 3)}) {
+    const Cage cage = make_cage(surface);
+    for (int n = 0; n < 300; ++n) {
+      const Vec3 p = random.vector(4);
+      const Answer a = at(cage, p);
+      CHECK(a.exists);
+      CHECK(a.sum() == doctest::Approx(1).epsilon(1e-13));
+      CHECK(norm(blended(cage, a) - p) < 1e-12 * cage.diagonal);
+    }
+  }
+}
+
+TEST_CASE("weights_in_the_middle_of_an_octahedron_are_equal") {
+  const Cage cage = make_cage(viete::mesh::from_triangles(
+      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}));
+  for (const double w : at(cage, {0, 0, 0}).weights) CHECK(w == doctest::Approx(1.0 / 6).epsilon(1e-14));
+}
+
+TEST_CASE("weights_inside_a_convex_cage_are_positive") {
+  const Cage cage = make_cage(box());
+  Random random(10);
+  for (int n = 0; n < 200; ++n) {
+    for (const double w : at(cage, random.vector(0.999)).weights) CHECK(w > 0);
+  }
+}
+
+TEST_CASE("an_inside_out_cage_has_the_same_weights") {
+  auto t = box({1, 2, 3}).triangles;
+  for (auto& x : t) std::swap(x[1], x[2]);
+  const Cage cage = make_cage(box({1, 2, 3})),
+             turned = make_cage(viete::mesh::from_triangles(cage.surface.positions, t));
+  const auto a = at(cage, {0.3, 0.4, 0.5}).weights, b = at(turned, {0.3, 0.4, 0.5}).weights;
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-13));
+}
+
+TEST_CASE("on_a_vertex_weight_one_on_an_edge_linear_on_a_face_barycentric") {
+  const Cage cage = make_cage(box());
+  const auto& x = cage.surface.positions;
+  for (std::size_t v = 0; v < x.size(); ++v)
+    CHECK(at(cage, x[v]).weights[v] == doctest::Approx(1).epsilon(1e-13));
+  const auto edge = at(cage, 0.25 * x[0] + 0.75 * x[1]).weights;
+  CHECK(edge[0] == doctest::Approx(0.25));
+  CHECK(edge[1] == doctest::Approx(0.75));
+  const auto& t = cage.surface.triangles[5];
+  const auto face = at(cage, 0.5 * x[t[0]] + 0.2 * x[t[1]] + 0.3 * x[t[2]]).weights;
+  CHECK(face[t[0]] == doctest::Approx(0.5));
+  CHECK(face[t[1]] == doctest::Approx(0.2));
+  CHECK(face[t[2]] == doctest::Approx(0.3));
+}
+
+TEST_CASE("towards_vertex_edge_and_face_weights_stay_exact_and_reach_the_limit") {
+  const Cage cage = make_cage(box({1, 2, 3}));
+  const auto& x = cage.surface.positions;
+  const auto& t = cage.surface.triangles[2];
+  const Vec3 inward{0.3, 0.2, -1};
+  for (const Vec3& limit : {x[4], 0.5 * (x[t[0]] + x[t[1]]), (1.0 / 3) * (x[t[0]] + x[t[1]] + x[t[2]])}) {
+    const auto on = at(cage, limit).weights;
+    for (double d = 1e-2; d > 1e-18; d /= 10) {
+      for (const double side : {1.0, -1.0}) {
+        const Vec3 p = limit + (side * d) * inward;
+        const Answer a = at(cage, p);
+        CHECK(a.exists);
+        CHECK(norm(blended(cage, a) - p) < 1e-13 * cage.diagonal);
+        for (std::size_t i = 0; i < on.size(); ++i)
+          CHECK(std::abs(a.weights[i] - on[i]) < 20 * d * (1 - std::log(d)) + 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("in_the_plane_of_a_face_but_outside_of_it_weights_are_exact_and_continuous") {
+  const Cage cage = make_cage(box());
+  Random random(11);
+  for (int n = 0; n < 50; ++n) {
+    const Vec3 p{random(1.5, 4), random(-4, 4), 1};  // in the plane of the top
+    const auto in = at(cage, p);
+    CHECK(in.exists);
+    CHECK(norm(blended(cage, in) - p) < 1e-12 * cage.diagonal);
+    for (double d = 1e-16; d < 1e-5; d *= 10) {
+      const Vec3 q = p + Vec3{0, 0, d};
+      const auto near = at(cage, q);
+      CHECK(norm(blended(cage, near) - q) < 1e-12 * cage.diagonal);
+      for (std::size_t i = 0; i < in.weights.size(); ++i)
+        CHECK(std::abs(near.weights[i] - in.weights[i]) < 1e-6 + 10 * d);
+    }
+  }
+}
+
+TEST_CASE("far_away_weights_are_finite_and_sum_to_one") {
+  const Cage cage = make_cage(box({1, 2, 3}));
+  for (double r = 10; r < 1e12; r *= 10) {
+    const Answer a = at(cage, {0.5 * r, r, -0.3 * r});
+    for (const double w : a.weights) CHECK(std::isfinite(w));
+    CHECK(a.sum() == doctest::Approx(1).epsilon(1e-6));
+    if (r < 1e3) CHECK(a.exists);
+  }
+}
+
+TEST_CASE("an_open_cage_has_finite_weights_that_sum_to_one") {
+  auto t = box().triangles;
+  t.resize(7);
+  const Cage cage = make_cage(viete::mesh::from_triangles(box().positions, t));
+  Random random(12);
+  for (int n = 0; n < 300; ++n) {
+    const Answer a = at(cage, random.vector(2));
+    for (const double w : a.weights) CHECK(std::isfinite(w));
+    CHECK(a.sum() == doctest::Approx(1).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("where_the_sum_vanishes_the_closest_point_of_the_cage_is_used_and_said_so") {
+  // One triangle: in its plane outside of it every weight is 0.
+  const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  const Answer a = at(cage, {0.25, -1, 0});
+  CHECK_FALSE(a.exists);
+  CHECK(a.weights[0] == doctest::Approx(0.75));
+  CHECK(a.weights[1] == doctest::Approx(0.25));
+  CHECK(a.weights[2] == doctest::Approx(0));
+}
+
+TEST_CASE("weights_are_the_same_at_every_length_scale") {
+  for (const double s : {1e-30, 1e30}) {
+    const auto a = at(make_cage(box({1, 2, 3})), {0.2, 0.9, -1.3}).weights;
+    const auto b = at(make_cage(box({s, 2 * s, 3 * s})), {0.2 * s, 0.9 * s, -1.3 * s}).weights;
+    for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a_cage_whose_faces_disagree_follows_as_one_whose_faces_agree") {
+  const auto sound = tube(7, 9, 0.5, 3);
+  auto some = sound.triangles, twice = sound.triangles;
+  for (std::size_t t = 0; t < some.size(); t += 3) std::swap(some[t][1], some[t][2]);
+  for (const auto& [a, b, c] : sound.triangles) twice.push_back({b, a, c});
+  const auto model = tube(12, 10, 0.3, 2);
+  Bound reference(model, sound, mean_values, 2, Blend::linear);
+  const auto motion = similarity({1, 2, 3}, 37 * degree);
+  for (const auto& triangles : {some, twice}) {
+    Bound b(model, viete::mesh::from_triangles(sound.positions, triangles), mean_values, 2, Blend::linear);
+    CHECK(b.error(motion) < 1e-12);
+    REQUIRE(b.binding->warnings.size() == 1);
+    CHECK(b.binding->warnings[0].starts_with("mean value coordinates turn, or leave out, "));
+    auto posed = sound.positions;
+    posed[3] = posed[3] + Vec3{0.4, 0.2, 0.1};
+    CHECK(largest_distance(b.deform({posed, {}}), reference.deform({posed, {}})) < 1e-12);
+  }
+}
+
+TEST_CASE("a_cage_that_has_no_outside_is_refused_for_mean_value_coordinates_alone") {
+  std::vector<viete::mesh::Point> positions;
+  std::vector<viete::mesh::Triangle> triangles;
+  for (std::uint32_t i = 0; i < 6; ++i) {  // a Moebius strip
+    for (int j = 0; j < 2; ++j) positions.push_back({std::cos(1.0 * i), std::sin(1.0 * i), 1.0 * j});
+    const std::uint32_t a = 2 * i, b = a + 1, c = i < 5 ? a + 2 : 1, d = i < 5 ? a + 3 : 0;
+    triangles.push_back({a, c, b}), triangles.push_back({b, c, d});
+  }
+  const auto strip = viete::mesh::from_triangles(positions, triangles);
+  const auto model = tube(6, 5, 0.3, 1);
+  CHECK_THROWS_WITH_AS(Bound(model, strip, mean_values, 2, Blend::linear), doctest::Contains("cannot agree"),
+                       viete::base::Error);
+  CHECK_NOTHROW(Bound(model, strip, faces));
+}

@@ -1,0 +1,262 @@
+#include "render/mark_layers.h"
+#include "base/error.h"
+#include "shapes.h"
+
+using namespace viete;
+using test::Point;
+
+TEST_CASE("disc_shows_its_colour_where_its_point_projects") {
+  test::Stage stage;
+  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  render::DiscLayer discs(stage.gl);
+  const Point at{2.2, 1.1, -3};
+  test::set_disc(discs, at, {glm::vec4(0.2F, 0.8F, 1, 1), 5, false});
+  const render::Image image = stage.picture([&] { discs.draw(stage.view, {}); });
+  const glm::ivec2 middle = stage.pixel_of(at);
+  CHECK(image.pixel(middle.x, middle.y) == render::Rgba8{51, 204, 255, 255});
+  CHECK(test::brightness(image.pixel(middle.x + 9, middle.y)) == 0);
+}
+
+TEST_CASE("disc_covers_a_circle_of_its_radius_at_any_scale") {
+  test::Stage stage;
+  render::DiscLayer discs(stage.gl);
+  test::set_disc(discs, {0.02, 0.03, 0}, {glm::vec4(1), 6, false});
+  for (const float scale : {1.0F, 2.0F}) {
+    stage.view.scale = scale;
+    const double area = test::lit_area(stage.picture([&] { discs.draw(stage.view, {}); }));
+    CHECK(area == doctest::Approx(M_PI * 36 * scale * scale).epsilon(0.03));
+  }
+}
+
+TEST_CASE("ring_is_drawn_around_the_disc_with_a_gap") {
+  test::Stage stage;
+  render::DiscLayer discs(stage.gl);
+  test::set_disc(discs, {0.05, 0.05, 0}, {glm::vec4(1, 0, 0, 1), 5, true});
+  render::DiscStyle style;
+  style.ring = glm::vec3(0, 1, 0);
+  const render::Image image = stage.picture([&] { discs.draw(stage.view, style); });
+  int green = 0;
+  for (int x = 160; x < 180; ++x) green = std::max<int>(green, image.pixel(x, 100)[1]);
+  CHECK(green > 200);
+  CHECK(image.pixel(160, 100)[1] == 0);
+}
+
+TEST_CASE("hidden_disc_is_fainter_than_a_visible_one") {
+  test::Stage stage;
+  const test::Wall wall(stage.gl);
+  render::DiscLayer discs(stage.gl);
+  discs.set_discs(std::vector<render::Disc>(2, render::Disc{glm::vec4(1), 6, false}));
+  discs.set_positions(std::vector<Point>{{-5, 0, -2}, {5, 0, -2}});
+  const render::Image image = stage.picture([&] {
+    wall.draw(stage.view);
+    discs.draw(stage.view, {});
+  });
+  CHECK(image.pixel(110, 100)[0] == 255);
+  CHECK(image.pixel(210, 100)[0] > 40);
+  CHECK(image.pixel(210, 100)[0] < 128);
+}
+
+TEST_CASE("ring_is_as_strong_around_a_hidden_disc") {
+  test::Stage stage;
+  const test::Wall wall(stage.gl);
+  render::DiscLayer discs(stage.gl);
+  test::set_disc(discs, {5, 0, -2}, {glm::vec4(1, 0, 0, 1), 6, true});
+  render::DiscStyle style;
+  style.ring = glm::vec3(0, 1, 0);
+  const render::Image image = stage.picture([&] {
+    wall.draw(stage.view);
+    discs.draw(stage.view, style);
+  });
+  CHECK(image.pixel(210, 100)[0] < 128);
+  int green = 0;
+  for (int x = 210; x < 230; ++x) green = std::max<int>(green, image.pixel(x, 100)[1]);
+  CHECK(green > 200);
+}
+
+TEST_CASE("disc_behind_the_eye_is_not_drawn") {
+  test::Stage stage;
+  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  render::DiscLayer discs(stage.gl);
+  test::set_disc(discs, {0, 0, 15}, {});
+  CHECK(test::count_not_black(stage.picture([&] { discs.draw(stage.view, {}); })) == 0);
+}
+
+TEST_CASE("discs_and_positions_must_be_equally_many") {
+  test::Stage stage;
+  render::DiscLayer discs(stage.gl);
+  discs.set_discs(std::vector<render::Disc>(2));
+  discs.set_positions(std::vector<Point>(3));
+  CHECK_THROWS_AS(discs.draw(stage.view, {}), base::Error);
+}
+
+TEST_CASE("line_has_the_asked_width_at_any_scale") {
+  test::Stage stage;
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {-10, 0.03, 0}, {10, 0.03, 0});
+  for (const float scale : {1.0F, 2.0F}) {
+    stage.view.scale = scale;
+    render::LineStyle style;
+    style.width = 3;
+    const double area = test::lit_area(stage.picture([&] { lines.draw(stage.view, style); }));
+    const double width = 3 * scale, length = 200;
+    CHECK(area == doctest::Approx(length * width + M_PI * width * width / 4).epsilon(0.03));
+  }
+}
+
+TEST_CASE("hidden_part_of_a_line_is_fainter_than_the_visible_part") {
+  test::Stage stage;
+  const test::Wall wall(stage.gl);
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {-12, 0, 0}, {12, 0, 0});
+  render::LineStyle style;
+  style.width = 4;
+  style.hidden_opacity = 0.25F;
+  const render::Image image = stage.picture([&] {
+    wall.draw(stage.view);
+    lines.draw(stage.view, style);
+  });
+  CHECK(image.pixel(100, 100)[0] == 255);
+  CHECK(image.pixel(220, 100)[0] == doctest::Approx(64).epsilon(0.05));
+}
+
+TEST_CASE("line_that_lies_on_a_surface_is_visible") {
+  test::Stage stage;
+  const test::Wall wall(stage.gl);
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {2, -5, 1}, {12, 7, 1});
+  render::LineStyle style;
+  style.width = 4;
+  const render::Image image = stage.picture([&] {
+    wall.draw(stage.view);
+    lines.draw(stage.view, style);
+  });
+  const glm::ivec2 middle = stage.pixel_of({7, 1, 1});
+  CHECK(image.pixel(middle.x, middle.y)[0] == 255);
+}
+
+TEST_CASE("line_through_the_near_plane_is_cut_there") {
+  test::Stage stage;
+  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
+  const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
+  CHECK(image.pixel(160, 195)[0] > 0);  // runs down to the lower border
+  for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);
+  test::set_line(lines, {-1, -1, 20}, {1, 1, 40});  // wholly behind
+  CHECK(test::count_not_black(stage.picture([&] { lines.draw(stage.view, {}); })) == 0);
+}
+
+TEST_CASE("each_segment_has_its_own_colour") {
+  test::Stage stage;
+  render::LineLayer lines(stage.gl);
+  const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
+  lines.set_segments(segments, 4);
+  lines.set_positions(std::vector<Point>{{-10, 5, 0}, {10, 5, 0}, {-10, -5, 0}, {10, -5, 0}});
+  lines.set_colors(std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}});
+  render::LineStyle style;
+  style.width = 4;
+  const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
+  CHECK(image.pixel(160, 50) == render::Rgba8{255, 0, 0, 255});
+  CHECK(image.pixel(160, 150) == render::Rgba8{0, 255, 0, 255});
+}
+
+TEST_CASE("halo_lies_beside_the_line_and_under_every_other_one") {
+  test::Stage stage;
+  render::LineLayer lines(stage.gl);
+  const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
+  lines.set_segments(segments, 4);
+  lines.set_positions(std::vector<Point>{{-4, 0.05, 0}, {4, 0.05, 0}, {0.05, -4, 0}, {0.05, 4, 0}});
+  lines.set_color(glm::vec4(1, 0, 0, 1));
+  render::LineStyle style;
+  style.width = 2;
+  const render::Image plain = stage.picture([&] { lines.draw(stage.view, style); });
+  style.halo = glm::vec4(0, 0, 1, 1);
+  const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
+  const auto brightest = [](const render::Image& picture, int x, int component) {
+    int most = 0;
+    for (int y = 90; y < 110; ++y) most = std::max<int>(most, picture.pixel(x, y)[component]);
+    return most;
+  };
+  CHECK(brightest(plain, 130, 2) == 0);
+  CHECK(brightest(image, 130, 2) > 100);
+  for (int x = 130; x < 190; ++x) CHECK(brightest(image, x, 0) == brightest(plain, x, 0));
+}
+
+TEST_CASE("between_the_colours_of_its_ends_a_segment_goes_over_from_one_to_the_other") {
+  test::Stage stage;
+  render::LineLayer lines(stage.gl);
+  const std::vector<render::Segment> segments{{0, 1}};
+  lines.set_segments(segments, 2);
+  lines.set_positions(std::vector<Point>{{-10, 0, 0}, {10, 0, 0}});
+  lines.set_end_colors(std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 0, 1, 1}});
+  render::LineStyle style;
+  style.width = 4;
+  const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
+  CHECK(image.pixel(80, 100)[0] > image.pixel(120, 100)[0]);
+  CHECK(image.pixel(80, 100)[2] < image.pixel(120, 100)[2]);
+  CHECK(std::abs(image.pixel(160, 100)[0] - image.pixel(160, 100)[2]) < 6);
+  CHECK_THROWS(lines.set_end_colors(std::vector<glm::vec4>{{1, 0, 0, 1}}));
+}
+
+TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
+  test::Stage stage;
+  render::FaceLayer faces(stage.gl);
+  faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
+  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises to the viewer
+  render::DiscLayer discs(stage.gl);
+  test::set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
+  render::FaceStyle untinted;
+  untinted.opacity = untinted.rim = 0;
+  const render::Image image = stage.picture([&] {
+    faces.draw(stage.view, untinted);
+    discs.draw(stage.view, {});
+  });
+  CHECK(test::lit_area(image) == doctest::Approx(M_PI * 36).epsilon(0.03));
+}
+
+TEST_CASE("faces_tint_and_hide_lines_behind_them") {
+  test::Stage stage;
+  render::FaceLayer faces(stage.gl);
+  const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 2, 3}};
+  faces.set_triangles(triangles, 4);
+  faces.set_positions(std::vector<Point>{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}});
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, {-12, 0, 0}, {12, 0, 0});
+  render::FaceStyle style;
+  style.opacity = 0.1F;
+  render::LineStyle wide;
+  wide.width = 4;
+  const auto draw = [&] {
+    faces.draw(stage.view, style);
+    lines.draw(stage.view, wide);
+  };
+  const render::Image occluding = stage.picture(draw);
+  CHECK(occluding.pixel(220, 50)[0] == doctest::Approx(25.5).epsilon(0.05));
+  CHECK(occluding.pixel(100, 50)[0] == 0);
+  CHECK(occluding.pixel(220, 100)[0] < 128);
+  style.occlude = false;
+  CHECK(stage.picture(draw).pixel(220, 100)[0] == 255);
+}
+
+TEST_CASE("edges_of_faces_are_not_hidden_by_their_own_faces") {
+  test::Stage stage;
+  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  render::FaceLayer faces(stage.gl);
+  const std::vector<Point> corners{{-4, -3, 2}, {4, -2, -3}, {0, 4, -1}};
+  faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
+  faces.set_positions(corners);
+  render::LineLayer lines(stage.gl);
+  test::set_line(lines, corners[0], corners[1]);
+  render::LineStyle wide;
+  wide.width = 3;
+  render::FaceStyle untinted;
+  untinted.opacity = untinted.rim = 0;
+  const render::Image image = stage.picture([&] {
+    faces.draw(stage.view, untinted);
+    lines.draw(stage.view, wide);
+  });
+  for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    const glm::ivec2 at = stage.pixel_of({-4 + 8 * t, -3 + t, 2 - 5 * t});
+    CHECK(image.pixel(at.x, at.y)[0] == 255);
+  }
+}
