@@ -34,7 +34,7 @@ struct AnimateOptions {
   std::optional<double> rate;
   int step = 1;
   double tolerance = 1e-4, most_megabytes = 1000;
-  bool every_frame = false, no_normals = false, straight = false, turntable = false, force = false;
+  bool no_normals = false, straight = false, turntable = false, force = false;
   mesh::Digits digits;
   std::filesystem::path keys;
   PictureOptions picture;
@@ -110,7 +110,6 @@ scene::AnimationExport export_of(const AnimateOptions& options, const scene::Ope
   what.model.digits = options.digits;
   what.step = options.step;
   what.tolerance = options.tolerance;
-  what.every_frame = options.every_frame;
   what.normals = !options.no_normals;
   what.most_bytes = 1e6 * options.most_megabytes;
   what.force = force_of(options.force);
@@ -192,15 +191,14 @@ void add_animate_command(CLI::App& app, Action& action) {
                   "Keys in place of the session's: numbered posed cages (pose_####.obj: the number is the "
                   "frame), a point cache of the cage, or a glTF file of it with morph targets");
   add_frames_option(*command, o->frames);
-  auto* step =
-      command->add_option("--step", o->step, "Every so many frames; glTF takes the motion there alone");
-  whole_in_range(step, 1, 1'000'000)->default_str("1; of glTF, where --tolerance needs it");
+  auto* step = command->add_option("--step", o->step, "Every so many frames");
+  whole_in_range(step, 1, 1'000'000)->default_str("1");
   auto* rate = command->add_option("--rate", o->rate, "Frames a second");
   in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)
       ->default_str("as in the session");
   auto* tolerance = command->add_option(
       "--tolerance", o->tolerance,
-      "Of morph targets: how far what they show may be from the motion, in diagonals of the model");
+      "Of morph targets: how far lines between them may lead from any frame, in diagonals of the model");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
   command->add_flag("--no-normals", o->no_normals,
                     "Morph targets of positions alone: half the size, and light stays as at rest where a "
@@ -217,7 +215,6 @@ void add_animate_command(CLI::App& app, Action& action) {
     check_usage(o->inputs);
     if (!o->inputs.session() && o->keys.empty() && !o->turntable) throw CLI::RequiredError("--keys");
     take_given(*command, o->picture);
-    o->every_frame = command->count("--step") > 0;
     action = [o] { return animate(*o); };
   });
 }
