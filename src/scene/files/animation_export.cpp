@@ -370,11 +370,6 @@ bool is_animation_format(const std::string& extension) {
   return format && (format->is_sequence || format->holds_morphs);
 }
 
-bool is_video_format(const std::string& extension) {
-  constexpr std::array formats{"mp4", "webm", "mkv", "gif"};
-  return std::ranges::find(formats, extension) != formats.end();
-}
-
 void check_animation_export(const AnimationExport& what) {
   const fs::path& file = what.model.file;
   const std::string extension = mesh::extension_of(file);
@@ -382,7 +377,7 @@ void check_animation_export(const AnimationExport& what) {
     throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
                       "use " + mesh::format_extensions(mesh::is_sequence, ", ") + ", " +
                           mesh::format_extensions(mesh::holds_morphs) +
-                          ", or numbered models such as frame_####.obj");
+                          ", or numbered models or pictures (frame_####.obj, frame_####.png)");
   if (!is_numbered(what) && !is_animation_format(extension))
     throw base::Error(file.string(), "a file of this format holds one frame",
                       "write numbered files, " + (file.stem() += "_####." + extension).string());

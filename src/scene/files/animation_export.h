@@ -51,8 +51,6 @@ struct AnimationReport {
 
 /// The extensions of one file for all frames: "pc2", "glb" ...
 bool is_animation_format(const std::string& extension);
-/// "mp4", "webm", "mkv" and "gif": pictures of all frames, which are drawn, see app/animation_pictures.h.
-bool is_video_format(const std::string& extension);
 
 /// Throws base::Error where the name says nothing that can be written, or cannot be written, or the timeline
 /// has no keys.
