@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // One word of a shell.
-std::string quoted(const std::string& text) {
+std::string shell_word(const std::string& text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
   return word + "'";
@@ -80,13 +80,13 @@ std::string ffmpeg_command(const PictureRun& run) {
   pictures.replace(place, end - begin, digits + (gaps ? ".0f" : "d"));
   const std::string rate = " -framerate " + plain(run.rate / run.step),
                     number = std::to_string(run.frames.front());
-  const std::string input = gaps ? "seq -f " + quoted(pictures) + ' ' + number + ' ' +
-                                       std::to_string(run.step) + ' ' + std::to_string(run.frames.back()) +
-                                       " | tr '\\n' '\\0' | xargs -0 cat | ffmpeg" + rate +
-                                       " -f image2pipe -i -"
-                                 : "ffmpeg" + rate + " -start_number " + number + " -i " + quoted(pictures);
+  const std::string input =
+      gaps ? "seq -f " + shell_word(pictures) + ' ' + number + ' ' + std::to_string(run.step) + ' ' +
+                 std::to_string(run.frames.back()) + " | tr '\\n' '\\0' | xargs -0 cat | ffmpeg" + rate +
+                 " -f image2pipe -i -"
+           : "ffmpeg" + rate + " -start_number " + number + " -i " + shell_word(pictures);
   // Every player takes 4:2:0, which needs even sizes.
-  return input + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " + quoted(film + ".mp4");
+  return input + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " + shell_word(film + ".mp4");
 }
 
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
