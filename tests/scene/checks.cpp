@@ -6,7 +6,7 @@
 
 #include "mesh/triangulation.h"
 #include "scene/cube.h"
-#include "scene/workspace/check_view.h"
+#include "scene/workspace/check_state.h"
 
 using namespace viete;
 using namespace viete::scene;

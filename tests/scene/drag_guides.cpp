@@ -1,4 +1,4 @@
-#include "scene/hand/drag_guides.h"
+#include "scene/hand/gizmo.h"
 
 #include <doctest/doctest.h>
 

@@ -6,7 +6,6 @@
 #include "mesh/triangulation.h"
 #include "scene/ball.h"
 #include "scene/cube.h"
-#include "scene/document/edge_rings.h"
 #include "scene/document/elements.h"
 
 using namespace viete;

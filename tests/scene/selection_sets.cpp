@@ -1,5 +1,5 @@
 // The selection as an edit; what is hidden; sets by name, through edits of the cage and sessions.
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/placing.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
 #include "support/commands.h"

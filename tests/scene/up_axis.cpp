@@ -1,5 +1,5 @@
 // Which axis points up, and what is measured.
-#include "scene/document/up_axis.h"
+#include "scene/document/camera.h"
 
 #include <doctest/doctest.h>
 

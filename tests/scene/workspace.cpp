@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "scene/document/edit.h"
-#include "scene/files/handling_json.h"
+#include "scene/files/session_parts.h"
 #include "scene/posed_cube.h"
 
 using namespace viete;
