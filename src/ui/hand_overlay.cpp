@@ -2,10 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/picking.h"
-#include "scene/hand/projector.h"
 #include "scene/hand/transform.h"
 #include "scene/workspace/pivot_place.h"
 #include "scene/workspace/pointer.h"

@@ -5,7 +5,6 @@
 
 #include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"

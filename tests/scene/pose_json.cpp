@@ -12,7 +12,6 @@
 
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/record.h"
 #include "scene/files.h"
 #include "scene/files/open.h"
 #include "scene/files/session.h"

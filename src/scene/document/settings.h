@@ -14,7 +14,8 @@ struct AskedSettings : deform::AskedScheme {
   bool any() const { return method || AskedScheme::any(); }
 };
 
-/// To a document that was just opened: no edit. Throws what deform::scheme_of() throws, and changes nothing then.
+/// To a document that was just opened: no edit. Throws what deform::scheme_of() throws, and changes nothing
+/// then.
 void put_settings(Document& document, const AskedSettings& asked, bool chosen = false);
 
 }  // namespace viete::scene

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "scene/document/record.h"
+#include "scene/document/edit.h"
 
 namespace viete::scene {
 

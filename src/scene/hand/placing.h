@@ -5,7 +5,6 @@
 
 #include "scene/document/document.h"
 #include "scene/hand/grip.h"
-#include "scene/hand/tool.h"
 #include "scene/hand/transform.h"
 
 namespace viete::scene {

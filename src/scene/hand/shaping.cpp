@@ -6,7 +6,7 @@
 
 #include "scene/document/camera.h"
 #include "scene/document/elements.h"
-#include "scene/document/vectors.h"
+#include "scene/document/space.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/grip.h"
 

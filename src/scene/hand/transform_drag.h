@@ -13,7 +13,6 @@
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/number_entry.h"
-#include "scene/hand/tool.h"
 #include "scene/hand/transform.h"
 
 namespace viete::scene {
