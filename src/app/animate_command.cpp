@@ -34,7 +34,7 @@ struct AnimateOptions {
   std::optional<double> rate;
   int step = 1;
   double tolerance = 1e-4, most_megabytes = 1000;
-  bool every_frame = false, no_normals = false, straight = false, turntable = false, force = false;
+  bool no_normals = false, straight = false, turntable = false, force = false;
   mesh::Digits digits;
   std::filesystem::path keys;
   PictureOptions picture;
@@ -76,7 +76,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
 void check_output(const AnimateOptions& options, FilesInUse files, const scene::FrameSteps& frames = {}) {
   const std::string extension = mesh::extension_of(options.output);
   const bool numbered = base::NumberedName::is_pattern(options.output);
-  if (!numbered && !scene::is_animation_format(extension) && !scene::is_video_format(extension)) return;
+  if (!numbered && !scene::is_animation_format(extension)) return;
   check_output(options.output, frames, files, force_of(options.force));
 }
 
@@ -110,7 +110,6 @@ scene::AnimationExport export_of(const AnimateOptions& options, const scene::Ope
   what.model.digits = options.digits;
   what.step = options.step;
   what.tolerance = options.tolerance;
-  what.every_frame = options.every_frame;
   what.normals = !options.no_normals;
   what.most_bytes = 1e6 * options.most_megabytes;
   what.force = force_of(options.force);
@@ -139,16 +138,14 @@ PictureRun picture_run(const AnimateOptions& options, const scene::Timeline& tim
 }
 
 int write_pictures(const AnimateOptions& options) {
-  const bool video = scene::is_video_format(mesh::extension_of(options.output));
-  if (video == base::NumberedName::is_pattern(options.output))
-    throw base::Error(options.output.string(),
-                      video ? "a video holds all frames" : "a picture holds one frame",
-                      video ? "leave the #### out of its name" : "write numbered pictures, frame_####.png");
+  if (!base::NumberedName::is_pattern(options.output))
+    throw base::Error(options.output.string(), "a picture holds one frame",
+                      "write numbered pictures, frame_####.png");
   scene::Opened opened = opened_for(options, scene::check_drawable);
   if (opened.document->timeline.empty() && !options.turntable)
     throw base::Error(options.inputs.model.string(), "there are no keys in time, so that nothing moves",
                       "set keys on the timeline and save the session, or add --turntable");
-  base::check_replaceable(video ? options.output : base::NumberedName(options.output).file(1));
+  base::check_replaceable(base::NumberedName(options.output).file(1));
   PictureOptions picture = options.picture;
   picture.viewer.probe = picture.panels;
   picture.panels_of_session = false;
@@ -164,16 +161,13 @@ int write_pictures(const AnimateOptions& options) {
 }
 
 int animate(const AnimateOptions& options) {
-  const std::string extension = mesh::extension_of(options.output);
   try {
     FilesInUse named = files_read(options.inputs);
     named.add(options.keys, scene::the_keys);
     check_output(options, std::move(named));
-    return extension == "png" || scene::is_video_format(extension) ? write_pictures(options)
-                                                                   : write_models(options);
+    return mesh::extension_of(options.output) == "png" ? write_pictures(options) : write_models(options);
   } catch (const base::Cancelled&) {
-    throw base::Error(options.output.string(), "stopped",
-                      scene::is_video_format(extension) ? "no file was changed" : "whole files stay");
+    throw base::Error(options.output.string(), "stopped", "whole files stay");
   }
 }
 
@@ -185,22 +179,21 @@ void add_animate_command(CLI::App& app, Action& action) {
   add_input_options(*command, o->inputs);
   add_file_option(*command, "-o,--output", o->output,
                   "File to write; the extension chooses the format: .pc2 and .mdd (point caches), .glb and "
-                  ".gltf (morph targets), numbered models or pictures (frame_####.obj, .ply, .off, .stl, "
-                  ".glb, .png), or, by ffmpeg, .mp4, .webm, .mkv and .gif")
+                  ".gltf (morph targets), and numbered models or pictures (frame_####.obj, .ply, .off, "
+                  ".stl, .glb, .png)")
       ->required();
   add_file_option(*command, "--keys", o->keys,
                   "Keys in place of the session's: numbered posed cages (pose_####.obj: the number is the "
                   "frame), a point cache of the cage, or a glTF file of it with morph targets");
   add_frames_option(*command, o->frames);
-  auto* step =
-      command->add_option("--step", o->step, "Every so many frames; glTF takes the motion there alone");
-  whole_in_range(step, 1, 1'000'000)->default_str("1; of glTF, where --tolerance needs it");
+  auto* step = command->add_option("--step", o->step, "Every so many frames");
+  whole_in_range(step, 1, 1'000'000)->default_str("1");
   auto* rate = command->add_option("--rate", o->rate, "Frames a second");
   in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)
       ->default_str("as in the session");
   auto* tolerance = command->add_option(
       "--tolerance", o->tolerance,
-      "Of morph targets: how far what they show may be from the motion, in diagonals of the model");
+      "Of morph targets: how far lines between them may lead from any frame, in diagonals of the model");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
   command->add_flag("--no-normals", o->no_normals,
                     "Morph targets of positions alone: half the size, and light stays as at rest where a "
@@ -217,7 +210,6 @@ void add_animate_command(CLI::App& app, Action& action) {
     check_usage(o->inputs);
     if (!o->inputs.session() && o->keys.empty() && !o->turntable) throw CLI::RequiredError("--keys");
     take_given(*command, o->picture);
-    o->every_frame = command->count("--step") > 0;
     action = [o] { return animate(*o); };
   });
 }

@@ -5,11 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "base/atomic_file.h"
-#include "base/child_program.h"
-#include "base/error.h"
 #include "base/numbered_files.h"
-#include "mesh/formats/source.h"
 #include "scene/files/animation_export.h"
 #include "scene/workspace/playing.h"
 
@@ -19,24 +15,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct VideoFormat {
-  std::string_view extension, container;
-  std::vector<std::string> coding;
-};
-
-// Every player takes 4:2:0, which needs even sizes.
-const std::vector<VideoFormat>& video_formats() {
-  const std::string even = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
-  static const std::vector<VideoFormat> all = {
-      {"mp4",
-       "mp4",
-       {"-vf", even, "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"}},
-      {"webm", "webm", {"-vf", even, "-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-pix_fmt", "yuv420p"}},
-      {"mkv", "matroska", {"-vf", even, "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p"}},
-      {"gif",
-       "gif",
-       {"-filter_complex", "[0:v]split[a][b];[a]palettegen[p];[b][p]paletteuse", "-loop", "0"}}};
-  return all;
+// One word of a shell.
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
 }
 
 std::string plain(double number) {
@@ -81,66 +64,47 @@ private:
   scene::CameraPose start_;
 };
 
-void report_pictures(base::Progress& progress, std::size_t done, std::size_t of) {
-  progress.report(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1)));
-}
-
-std::vector<std::string> write_png_files(FrameViewer& viewer, const PictureRun& run,
-                                         base::Progress& progress) {
-  const base::NumberedName name(run.file);
-  scene::check_frames_are_new(name, run.frames, run.force);
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    report_pictures(progress, i, run.frames.size());
-    viewer.go_to(i);
-    render::write_png(name.file(run.frames[i]), viewer.picture());
-  }
-  report_pictures(progress, 1, 1);
-  return scene::other_files_note(name, run.frames);
-}
-
-void write_video(FrameViewer& viewer, const PictureRun& run, glm::ivec2 size, base::Progress& progress) {
-  base::FileOfProgram file(run.file);
-  const std::string extension = mesh::extension_of(run.file);
-  base::ChildProgram ffmpeg(ffmpeg_words(extension, size.x, size.y, run.rate / run.step, file.part()),
-                            "install it (apt-get install ffmpeg), or write numbered pictures: " +
-                                run.file.stem().string() + "_####.png");
-  std::size_t done = 0;
-  const auto waiting = [&] { report_pictures(progress, done, run.frames.size()); };
-  for (; done < run.frames.size(); ++done) {
-    viewer.go_to(done);
-    ffmpeg.write(viewer.picture().rgba, waiting);
-  }
-  ffmpeg.finish(waiting);
-  report_pictures(progress, 1, 1);
-  file.replace();
-}
-
 }  // namespace
 
-std::vector<std::string> ffmpeg_words(const std::string& extension, int width, int height, double rate,
-                                      const fs::path& to) {
-  const auto format = std::ranges::find(video_formats(), extension, &VideoFormat::extension);
-  std::vector<std::string> words{"ffmpeg",      "-y",
-                                 "-loglevel",   "error",
-                                 "-f",          "rawvideo",
-                                 "-pix_fmt",    "rgba",
-                                 "-video_size", std::to_string(width) + "x" + std::to_string(height),
-                                 "-framerate",  plain(rate),
-                                 "-i",          "pipe:0"};
-  words.insert(words.end(), format->coding.begin(), format->coding.end());
-  words.insert(words.end(), {"-f", std::string(format->container), "file:" + fs::absolute(to).string()});
-  return words;
+std::string ffmpeg_command(const PictureRun& run) {
+  const std::string pattern = base::NumberedName(fs::absolute(run.file)).pattern();
+  const std::size_t first = pattern.rfind('/') + 1, begin = pattern.find('#', first),
+                    end = pattern.find_last_of('#') + 1;
+  std::string film = pattern.substr(0, begin), pictures;
+  film.resize(std::max(film.find_last_not_of("_-. ") + 1, first));
+  if (film.size() == first) film += "film";
+  for (const char c : pattern) pictures += c == '%' ? "%%" : std::string(1, c);
+  const auto place = pictures.rfind(pattern.substr(begin, end - begin));
+  const std::string digits = "%0" + std::to_string(end - begin);
+  const bool gaps = run.step != 1 || run.frames.front() < 0;  // which the numbers of ffmpeg do not have
+  pictures.replace(place, end - begin, digits + (gaps ? ".0f" : "d"));
+  const std::string rate = " -framerate " + plain(run.rate / run.step),
+                    number = std::to_string(run.frames.front());
+  const std::string input =
+      gaps ? "seq -f " + shell_word(pictures) + ' ' + number + ' ' + std::to_string(run.step) + ' ' +
+                 std::to_string(run.frames.back()) + " | tr '\\n' '\\0' | xargs -0 cat | ffmpeg" + rate +
+                 " -f image2pipe -i -"
+           : "ffmpeg" + rate + " -start_number " + number + " -i " + shell_word(pictures);
+  // Every player takes 4:2:0, which needs even sizes.
+  return input + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " + shell_word(film + ".mp4");
 }
 
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress) {
-  const glm::ivec2 size = offscreen.viewer().device_size();
-  const bool video = scene::is_video_format(mesh::extension_of(run.file));
+  const base::NumberedName name(run.file);
+  scene::check_frames_are_new(name, run.frames, run.force);
   offscreen.settle();
   FrameViewer viewer(offscreen, run);
-  if (!video) return write_png_files(viewer, run, progress);
-  write_video(viewer, run, size, progress);
-  return {};
+  const auto count = static_cast<double>(run.frames.size());
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    progress.report(static_cast<double>(i) / count);
+    viewer.go_to(i);
+    render::write_png(name.file(run.frames[i]), viewer.picture());
+  }
+  progress.report(1);
+  std::vector<std::string> notes = scene::other_files_note(name, run.frames);
+  notes.push_back("a film of them: " + ffmpeg_command(run));
+  return notes;
 }
 
 }  // namespace viete::app

@@ -1,4 +1,4 @@
-// Pictures of the frames of a timeline: numbered PNG files, or a video made by ffmpeg.
+// Pictures of the frames of a timeline: numbered PNG files.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace viete::app {
 
 struct PictureRun {
-  std::filesystem::path file;  ///< frame_####.png, or a video
+  std::filesystem::path file;  ///< frame_####.png
   std::vector<int> frames;
   double rate = 24;                         ///< frames of the timeline a second
   int step = 1;                             ///< frames of it from one picture to the next
@@ -19,14 +19,13 @@ struct PictureRun {
   scene::Force force = scene::Force::none;  ///< replace pictures that are there
 };
 
-/// Writes pictures or a film of the viewer's document, following its timeline and camera keys. Every file is
-/// written as a whole or not at all. Returns notes for the user, one line each. Throws base::Error, also where
-/// ffmpeg is not installed, and base::Cancelled.
+/// Writes pictures of the viewer's document, following its timeline and camera keys. Every file is
+/// written as a whole or not at all. Returns notes for the user, one line each. Throws base::Error
+/// and base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 
-/// The words that run ffmpeg for a video of pictures of that size, four bytes a pixel, which it reads.
-std::vector<std::string> ffmpeg_words(const std::string& extension, int width, int height, double rate,
-                                      const std::filesystem::path& to);
+/// Makes a film of the pictures: one line for a shell. A film is played at the rate that the timeline has.
+std::string ffmpeg_command(const PictureRun& run);
 
 }  // namespace viete::app

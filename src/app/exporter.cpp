@@ -31,9 +31,7 @@ void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
 
 void Exporter::add(PictureExport what) {
   const std::filesystem::path file = what.file;
-  const bool numbered = base::NumberedName::is_pattern(file);
-  add({file, numbered ? "pictures that are there are whole" : "no file was changed",
-       [what = std::move(what)](base::Progress& progress) {
+  add({file, "pictures that are there are whole", [what = std::move(what)](base::Progress& progress) {
          return Written{"", write_pictures_aside(what, progress)};
        }});
 }

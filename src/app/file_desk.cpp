@@ -114,9 +114,7 @@ PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::p
 void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
   const scene::Timeline& timeline = w.document.timeline;
   scene::check_output(file, {timeline.first, timeline.last}, scene::files_open(w), scene::Force::none);
-  const std::string extension = mesh::extension_of(file);
-  if (extension == "png" || scene::is_video_format(extension))
-    return exporter_.add(picture_export_of(w, file));
+  if (mesh::extension_of(file) == "png") return exporter_.add(picture_export_of(w, file));
   scene::AnimationExport what = scene::animation_export_of(w.document, file);
   what.model.up = w.camera.pose().up;
   what.tolerance = w.browser.morphs.tolerance;

@@ -1,4 +1,4 @@
-// Pictures and videos of an animation, for the window: this program draws them, run once more without one, so
+// Pictures of an animation, for the window: this program draws them, run once more without one, so
 // that the view stays live.
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace viete::app {
 
 struct PictureExport {
-  std::filesystem::path file;     ///< frame_####.png, or a video, see animation_pictures.h
+  std::filesystem::path file;     ///< frame_####.png
   std::filesystem::path program;  ///< `viete`
   scene::Session session;         ///< as it is at one moment: what plays, as it is looked at
   bool panels = false;

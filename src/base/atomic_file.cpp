@@ -284,22 +284,4 @@ void FilesTogether::replace() {
   files_.clear();
 }
 
-FileOfProgram::FileOfProgram(const fs::path& path) : file_(std::make_unique<NewFile>(checked_target(path))) {}
-
-FileOfProgram::~FileOfProgram() = default;
-
-fs::path FileOfProgram::part() const {
-  return file_->path();
-}
-
-void FileOfProgram::replace(Durability durability) {
-  std::error_code code;
-  if (const auto bytes = fs::file_size(part(), code); code || bytes == 0)
-    throw Error(file_->target().string(), "the program that makes it has written nothing",
-                "check that its installation is whole");
-  file_->settle(durability);
-  file_->become_target();
-  if (durability == Durability::power_cut) sync_folder(file_->folder());
-}
-
 }  // namespace viete::base

@@ -60,24 +60,6 @@ private:
   Durability durability_;
 };
 
-/// A file that another program writes, under the name part(), which is there and empty at first. replace()
-/// makes it the file; without it everything stays as it was, and so it does where nothing was written.
-class FileOfProgram {
-public:
-  /// Throws what replace_file() throws.
-  explicit FileOfProgram(const std::filesystem::path& path);
-  ~FileOfProgram();
-  FileOfProgram(const FileOfProgram&) = delete;
-  FileOfProgram& operator=(const FileOfProgram&) = delete;
-
-  std::filesystem::path part() const;
-  /// Throws Error, also where the part is empty.
-  void replace(Durability durability = Durability::power_cut);
-
-private:
-  std::unique_ptr<class NewFile> file_;
-};
-
 /// Throws what replace_file() would throw now for this place, for work that takes long before it writes; and
 /// for a file that a user has chosen: throws Error too where it has several names, which a user may not want
 /// to be parted. An existing file stays as it is.

@@ -1,21 +1,16 @@
 #include "base/child_program.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
-#include <sstream>
 #include <thread>
-#include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -31,10 +26,10 @@ struct SpawnSettings {
   posix_spawn_file_actions_t files{};
   posix_spawnattr_t attributes{};
 
-  SpawnSettings(int input, int errors) {
+  explicit SpawnSettings(int errors) {
     posix_spawn_file_actions_init(&files);
     posix_spawnattr_init(&attributes);
-    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
     sigset_t none;
@@ -52,40 +47,23 @@ struct SpawnSettings {
 
 }  // namespace
 
-bool is_installed(std::string_view program) {
-  const char* const path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "/bin:/usr/bin");  // as posix_spawnp() looks without it
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (access(((folder.empty() ? "." : folder) + '/' + std::string(program)).c_str(), X_OK) == 0)
-      return true;
-  return false;
-}
-
 ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::string& advice,
                            const std::vector<std::string>& variables)
     : name_(words.front()) {
-  // A socket, because a pipe that nobody reads would end this program by a signal.
-  int ends[2] = {-1, -1};
   errors_ = memfd_create("errors", MFD_CLOEXEC);
-  if (errors_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-    const int code = errno;
-    if (errors_ >= 0) close(errors_);
-    throw Error(name_, std::string("cannot be run: ") + std::strerror(code), "close other programs");
-  }
-  input_ = ends[0];
+  if (errors_ < 0)
+    throw Error(name_, std::string("cannot be run: ") + std::strerror(errno), "close other programs");
   std::vector<char*> arguments, environment;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   for (const std::string& variable : variables) environment.push_back(const_cast<char*>(variable.c_str()));
   for (char** variable = environ; *variable; ++variable) environment.push_back(*variable);
   environment.push_back(nullptr);
-  const SpawnSettings settings(ends[1], errors_);
+  const SpawnSettings settings(errors_);
   const int code = posix_spawnp(&process_, name_.c_str(), &settings.files, &settings.attributes,
                                 arguments.data(), environment.data());
-  close(ends[1]);
   if (code == 0) return;
   process_ = 0;
-  close_input();
   close(errors_);
   if (code == EAGAIN)
     throw Error(name_, "cannot be run: the limit on processes is reached",
@@ -97,32 +75,12 @@ ChildProgram::ChildProgram(const std::vector<std::string>& words, const std::str
 }
 
 ChildProgram::~ChildProgram() {
-  close_input();
   if (process_ > 0) {
     kill(-process_, SIGKILL);
     while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
   close(errors_);
-}
-
-void ChildProgram::close_input() {
-  if (input_ >= 0) close(std::exchange(input_, -1));
-}
-
-void ChildProgram::write(std::span<const unsigned char> bytes, const WhileWaiting& waiting) {
-  while (!bytes.empty()) {
-    waiting();
-    pollfd room{input_, POLLOUT, 0};
-    if (poll(&room, 1, look_again_ms) == 0) continue;
-    const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-    if (sent < 0) {
-      finish(waiting);  // says what it has said
-      fail();
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(sent));
-  }
 }
 
 bool ChildProgram::running() {
@@ -138,12 +96,8 @@ void ChildProgram::stop() {
   if (process_ > 0) kill(process_, SIGTERM);
 }
 
-void ChildProgram::finish(const WhileWaiting& waiting) {
-  close_input();
-  while (running()) {
-    waiting();
-    std::this_thread::sleep_for(std::chrono::milliseconds(look_again_ms));
-  }
+void ChildProgram::finish() {
+  while (running()) std::this_thread::sleep_for(std::chrono::milliseconds(look_again_ms));
   const int status = status_.value_or(0);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
 }

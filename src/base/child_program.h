@@ -1,23 +1,14 @@
-// Another program that is run with bytes on its standard input.
+// Another program that is run.
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace viete::base {
 
-/// True if there is a program of that name in PATH.
-bool is_installed(std::string_view program);
-
-/// Called several times a second by who waits for a program; what it throws ends the waiting.
-using WhileWaiting = std::function<void()>;
-
-/// Its standard output is thrown away, its standard error kept to be said. Ctrl+C in a terminal does not
-/// reach it: who runs it ends it. One thread at a time.
+/// It reads nothing; its standard output is thrown away, its standard error kept to be said. Ctrl+C in a
+/// terminal does not reach it: who runs it ends it. One thread at a time.
 class ChildProgram {
 public:
   /// words: the program, looked for in PATH, and its arguments, as they are: no shell. variables:
@@ -30,9 +21,6 @@ public:
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  /// Throws Error where it takes no more: with what it has said.
-  void write(
-      std::span<const unsigned char> bytes, const WhileWaiting& waiting = [] {});
   /// Of its standard error the first 4 KB, so far.
   std::string said() const;
   /// False once it has ended: finish() says how.
@@ -40,13 +28,12 @@ public:
   /// Asks it to end, by SIGTERM.
   void stop();
   /// Waits for its end. Throws Error where that is no success, with what it has said.
-  void finish(const WhileWaiting& waiting = [] {});
+  void finish();
 
 private:
   [[noreturn]] void fail();
-  void close_input();
   std::string name_;
-  int process_ = 0, input_ = -1, errors_ = -1;
+  int process_ = 0, errors_ = -1;
   std::optional<int> status_;  // once it has ended
 };
 

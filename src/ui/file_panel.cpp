@@ -294,7 +294,7 @@ void morph_row(const Context& ui) {
   record(ui, "morph_size");
 }
 
-// What pictures and films show.
+// How pictures are drawn.
 void picture_choices(const Context& ui) {
   scene::PictureChoice& choice = *ui.workspace.browser.pictures;
   const auto box = [&](const char* label, const char* name, bool& on, const char* what) {

@@ -2,10 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/picking.h"
-#include "scene/hand/projector.h"
 #include "scene/hand/transform.h"
 #include "scene/workspace/pivot_place.h"
 #include "scene/workspace/pointer.h"
@@ -88,26 +87,6 @@ void soft_circle(const Context& ui, OverlayPainter& painter) {
   if (pixels < 4000) painter.circle(glm::vec2(seen.at()), pixels, ui.colors.highlight, 1.25f, 0.5f);
 }
 
-// Of what is bent, twisted or tapered: the way between its ends, and the handle at the one that goes.
-void shape_in_hand(const Context& ui, OverlayPainter& painter) {
-  const auto handle = scene::shape_handle_of(ui.workspace);
-  if (!handle) return;
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const bool lit = ui.workspace.interaction.drag->holds_handle() || handle->contains({mouse.x, mouse.y});
-  const ImU32 color = lit ? ui.colors.highlight : ui.colors.text;
-  const bool grows = !handle->ring.empty() && handle->swept.empty();
-  painter.line(handle->start, ui.colors.neutral, 1.25f, grows, 0.6f);
-  painter.line(handle->way, color, 2.25f);
-  painter.disc(handle->way.front(), 4, color);
-  if (!handle->ring.empty()) painter.line(handle->ring, color, lit ? 3.0f : 2.25f, true);
-  if (!handle->swept.empty()) {
-    painter.fan(handle->way.back(), handle->swept, faded(color, 0.2f));
-    painter.line(handle->way.back(), handle->knob, color, 2.25f);
-  }
-  painter.disc(handle->knob, 4.5f, color);
-  painter.circle(handle->knob, 9, color, lit ? 2.5f : 1.75f);  // unlike a vertex
-}
-
 }  // namespace
 
 void hand_overlay(const Context& ui) {
@@ -125,7 +104,6 @@ void hand_overlay(const Context& ui) {
     partners_of_selection(ui, painter, project, *mirror);
   }
   placed_pivot(ui, painter, project);
-  shape_in_hand(ui, painter);
   if (w.interaction.drag && w.handling.soft.on && !w.interaction.drag->grip().vertices.empty())
     soft_circle(ui, painter);
 }

@@ -47,6 +47,8 @@ void message_log(const Context& ui) {
   for (std::size_t i = all.size(); i-- > 0;) {
     note(ui, message_text(all[i]), severity_color(ui, all[i].severity));
     record(ui, "message/" + std::to_string(all.size() - 1 - i));
+    if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all[i].text.c_str());
+    hint("Click to copy it.");
   }
   ImGui::EndChild();
   if (ImGui::Button("Clear")) w.messages.clear();

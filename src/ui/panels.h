@@ -35,7 +35,6 @@ void panel_probes(const Context& ui);
 void panel_poses(const Context& ui);     ///< poses with names, and how much of each is mixed in
 void timeline_panel(const Context& ui);  ///< below the view
 void timeline_track(const Context& ui, ImVec2 low, ImVec2 high);  ///< part of it: ruler, keys and playhead
-void easing_graph(const Context& ui, ImVec2 size);  ///< part of it: how a key comes to the next one
 void panel_checks(const Context& ui);
 void panel_method(const Context& ui);
 void panel_timings(const Context& ui);

@@ -28,11 +28,8 @@ std::string bend_words(const scene::Constraint& about) {
 std::string shape_words(const scene::TransformDrag& drag) {
   const scene::Shaping& shaping = drag.grip().shaping;
   const std::string about = shaping.shape == scene::Shape::bend ? bend_words(drag.constraint()) : "";
-  const std::string rest = "Esc takes it back,  digits set it,  Ctrl snaps";
-  if (drag.holds_handle())
-    return "The handle says how much,  Shift slows,  " + about + "release keeps it,  " + rest;
-  const std::string handle = shaping.ways.empty() ? "or the handle, dragged,  " : "";
-  return "Left and right say how much,  " + handle + "Shift slows,  " + about + "a click keeps it,  " + rest;
+  return "Digits set the amount, or left and right,  " + about +
+         "a click keeps it,  Esc takes it back,  Shift slows,  Ctrl snaps";
 }
 
 // Logs of rotations are not the same seen from elsewhere: see the manual, blending.

@@ -8,6 +8,7 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
+#include "scene/workspace/time_view.h"
 #include "ui/choice_list.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
@@ -18,7 +19,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float bar_height = 24, graph_width = 128, more_width = 28, icon = 5;
+constexpr float bar_height = 24, more_width = 28, icon = 5;
 
 // Pictures of what a button does, about its middle: 1 being as far as they reach.
 struct TimePen {
@@ -220,15 +221,18 @@ void rate_field(const Context& ui) {
   scene::set_play(document, play);
 }
 
-// Which stands at the end of both rows where there is room.
-void graph_in_menu(const Context& ui) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos(), size{graph_width, 132};
-  easing_graph(ui, size);
-  ImGui::SetCursorScreenPos(corner);
-  ImGui::Dummy(size);
+void easing_choice(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  const std::vector<int> eased = scene::eased_keys(w);
+  const scene::PoseKey* key = eased.empty() ? nullptr : scene::key_at(w.document.timeline, eased.front());
+  ImGui::BeginDisabled(!key);
+  choice_list(
+      ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 92,
+      {"time/", "Easing", "How the selected keys, or the one before this frame, come to the next one"});
+  ImGui::EndDisabled();
 }
 
-void range(const Context& ui, float right, bool graph) {
+void range(const Context& ui, float right) {
   scene::Document& document = ui.workspace.document;
   scene::Play play = scene::play_of(document.timeline);
   if (const auto first = frame_field(ui, "From", "time/first", play.first, 52, "The first frame that plays"))
@@ -237,14 +241,14 @@ void range(const Context& ui, float right, bool graph) {
   if (const auto last = frame_field(ui, "to", "time/last", play.last, 52, "The last frame that plays"))
     play.last = *last, play.first = std::min(play.first, *last - 1);
   scene::set_play(document, play);
-  std::vector<ToolPiece> pieces = {{76, 8, [&] { rate_field(ui); }},
-                                   {92, 8,
-                                    [&] {
-                                      choice_list(ui, "time/repeat", std::optional(document.timeline.repeat),
-                                                  92, {.prefix = "time/"});
-                                    }},
-                                   {156, 8, [&] { way_choice(ui); }}};
-  if (!graph) pieces.push_back({1e6f, 8, [&] { graph_in_menu(ui); }});
+  const ToolPiece pieces[] = {{76, 8, [&] { rate_field(ui); }},
+                              {92, 8,
+                               [&] {
+                                 choice_list(ui, "time/repeat", std::optional(document.timeline.repeat), 92,
+                                             {.prefix = "time/"});
+                               }},
+                              {156, 8, [&] { way_choice(ui); }},
+                              {92, 8, [&] { easing_choice(ui); }}};
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }
 
@@ -273,19 +277,13 @@ void timeline_panel(const Context& ui) {
   if (!w.remembered.layout.timeline) return;
   begin_panel(ui);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const bool graph = room.x > 520;
-  const float width = room.x - (graph ? graph_width + 10 : 0);
   ImGui::BeginDisabled(!w.document.model.surface);
-  transport(ui, low.x + width);
+  transport(ui, low.x + room.x);
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float bottom = low.y + room.y - bar_height - 6;
-  timeline_track(ui, top, {low.x + width, bottom});
+  timeline_track(ui, top, {low.x + room.x, bottom});
   ImGui::SetCursorScreenPos({low.x, bottom + 6});
-  range(ui, low.x + width, graph);
-  if (graph) {
-    ImGui::SetCursorScreenPos({low.x + width + 10, low.y});
-    easing_graph(ui, {graph_width, room.y});
-  }
+  range(ui, low.x + room.x);
   ImGui::EndDisabled();
   ImGui::End();
   ImGui::PopStyleVar(2);

@@ -5,7 +5,6 @@
 
 #include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
@@ -146,7 +145,7 @@ void follow_mouse(const Track& t) {
 
 void key_menu(const Context& ui) {
   if (!ImGui::BeginPopup("Keys of time")) return;
-  for (const char* name : {"easing_smooth", "easing_linear", "easing_hold", "easing_bezier", "delete_keys"}) {
+  for (const char* name : {"easing_smooth", "easing_linear", "easing_hold", "delete_keys"}) {
     const scene::Command& command = *scene::find_command(name);
     const bool deletes = std::string_view(name) == "delete_keys";
     if (deletes) ImGui::Separator();

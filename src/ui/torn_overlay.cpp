@@ -1,6 +1,6 @@
 // Marks at the cage where the mesh may fold.
 #include "scene/document/pose_notes.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 

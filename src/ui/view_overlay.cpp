@@ -1,5 +1,5 @@
 #include "scene/hand/picking.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/command.h"
 #include "ui/mouse_words.h"
 #include "ui/overlay_painter.h"

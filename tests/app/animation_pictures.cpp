@@ -8,16 +8,17 @@
 
 using namespace viete;
 
-TEST_CASE("ffmpeg_is_told_what_comes_and_where_to") {
-  for (const char* extension : {"mp4", "webm", "mkv", "gif"}) {
-    CHECK(scene::is_video_format(extension));
-    const auto words = app::ffmpeg_words(extension, 64, 48, 23.976, "/a b/-o.part");
-    CHECK(words.front() == "ffmpeg");
-    CHECK(words.back() == "file:/a b/-o.part");
-    CHECK(std::ranges::find(words, "64x48") != words.end());
-    CHECK(std::ranges::find(words, "23.976") != words.end());
-  }
-  CHECK_FALSE(scene::is_video_format("png"));
+TEST_CASE("the_command_for_a_film_has_the_rate_and_the_names_of_the_pictures") {
+  app::PictureRun run{"/a b/it's 5%_####.png", {3, 4, 5}, 23.976};
+  const std::string even = " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p ";
+  CHECK(app::ffmpeg_command(run) ==
+        "ffmpeg -framerate 23.976 -start_number 3 -i '/a b/it'\\''s 5%%_%04d.png'" + even +
+            "'/a b/it'\\''s 5%.mp4'");
+  run = {"/##.png", {-4, -1, 2}, 24, 3};
+  CHECK(
+      app::ffmpeg_command(run) ==
+      "seq -f '/%02.0f.png' -4 3 2 | tr '\\n' '\\0' | xargs -0 cat | ffmpeg -framerate 8 -f image2pipe -i -" +
+          even + "'/film.mp4'");
 }
 
 TEST_CASE("what_is_left_is_foreseen_once_something_is_known") {

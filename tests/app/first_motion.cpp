@@ -6,7 +6,6 @@
 
 #include "deform/pose_io.h"
 #include "scene/document/edit.h"
-#include "scene/document/record.h"
 #include "scene/files/open.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"

@@ -225,23 +225,3 @@ TEST_CASE("what_killed_programs_left_beside_a_file_goes") {
   for (const char* name : kept) CHECK_MESSAGE(fs::exists(folder / name), std::string(name));
   base::remove_leftovers_beside(folder / "none" / "a");
 }
-
-TEST_CASE("a_program_that_writes_nothing_leaves_the_file_as_it_was") {
-  const test::TemporaryFolder folder;
-  replace_file(folder / "a", "film");
-  {
-    base::FileOfProgram file(folder / "a");
-    CHECK_THROWS_WITH_AS(file.replace(), doctest::Contains("has written nothing"), base::Error);
-  }
-  {
-    base::FileOfProgram file(folder / "a");
-    fs::remove(file.part());
-    CHECK_THROWS_AS(file.replace(), base::Error);
-  }
-  CHECK(test::file_bytes(folder / "a") == "film");
-  base::FileOfProgram file(folder / "a");
-  test::put_file(file.part(), "another");
-  file.replace();
-  CHECK(test::file_bytes(folder / "a") == "another");
-  CHECK(folder.entries() == 1);
-}

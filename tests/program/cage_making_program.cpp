@@ -6,7 +6,7 @@
 #include "scene/ball.h"
 #include "scene/document/edit.h"
 #include "scene/files/session.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/saving.h"
 #include "support/edits.h"
 #include "support/folder.h"

@@ -19,7 +19,7 @@
 #include "program/no_pixels.h"
 #include "scene/files/export.h"
 #include "scene/hand/picking.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/command.h"
 #include "support/data.h"
 #include "ui/imgui_bridge.h"

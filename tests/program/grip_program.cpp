@@ -3,7 +3,6 @@
 #include <cstdlib>
 
 #include "program/driver.h"
-#include "scene/hand/shape_handle.h"
 #include "scene/hand/shaping.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
@@ -64,25 +63,6 @@ struct Hand : Driver {
     move({700, 300});
     frame();
     REQUIRE(workspace().interaction.drag);
-  }
-  scene::ShapeHandle handle() {
-    const auto handle = scene::shape_handle_of(workspace());
-    REQUIRE(handle);
-    return *handle;
-  }
-  // With Shift it hardly moves while the cursor goes to it.
-  void press_handle() {
-    key(left_shift, true);
-    for (int i = 0; i < 30; ++i) {
-      const glm::vec2 knob = glm::round(handle().knob);
-      move(knob);
-      if (glm::distance(handle().knob, knob) < 3) break;
-    }
-    key(left_shift, false);
-    button(0, true);
-    frame();
-    REQUIRE(workspace().interaction.drag);
-    REQUIRE(workspace().interaction.drag->holds_handle());
   }
   // Every vertex is where the shape takes it.
   void check_shaped(const scene::Shaping& shaping, double amount) {
@@ -254,37 +234,6 @@ TEST_CASE("a button of the panel twists what is selected once the pointer is in 
   d.move({700, 300});
   d.frame();
   CHECK_FALSE(d.workspace().interaction.drag);
-}
-
-TEST_CASE("bend, twist and taper are dragged by their handle, and its release keeps one edit") {
-  for (const std::string shape : {"bend", "twist", "taper"}) {
-    CAPTURE(shape);
-    Hand d;
-    d.take_shape(shape);
-    d.press_handle();
-    const glm::vec2 from = glm::round(d.handle().knob);
-    const double before = d.workspace().interaction.drag->shape_amount();
-    const glm::vec2 way = shape == "taper" ? glm::vec2(50, 10) : glm::vec2(-30, 40);
-    for (int i = 1; i <= 5; ++i) d.move(from + glm::floor(way * (static_cast<float>(i) / 5)));
-    const scene::TransformDrag& drag = *d.workspace().interaction.drag;
-    const scene::Shaping shaping = drag.grip().shaping;
-    const double amount = drag.shape_amount();
-    CHECK(std::abs(amount - before) > (shape == "taper" ? 0.5 : 5));
-    if (shape == "taper") CHECK(glm::distance(d.handle().knob, from + way) < 12);
-    d.check_shaped(shaping, amount);
-    keep_picture(d, shape + "_handle");
-    scene::find_command("toggle_theme")->run(d.workspace());
-    d.frame(2);
-    keep_picture(d, shape + "_handle_light");
-    d.button(0, false);
-    d.frame();
-    CHECK_FALSE(d.workspace().interaction.drag);
-    CHECK(test::edit_count(d.document().history) == 1);
-    d.check_shaped(shaping, amount);
-    CHECK(d.drawn_error() < 2e-5);
-    d.press_key('Z', true);
-    CHECK(d.moved().empty());
-  }
 }
 
 TEST_CASE("a bend goes about the axis whose key is pressed, and the same key again bends as seen") {

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "program/small_scene.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "support/commands.h"
 #include "support/longer.h"
 #include "support/pictures.h"

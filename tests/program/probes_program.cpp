@@ -10,7 +10,7 @@
 #include "scene/document/probes.h"
 #include "scene/files/session.h"
 #include "scene/hand/picking.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
 #include "support/edits.h"

@@ -5,7 +5,7 @@
 #include "program/driver.h"
 #include "scene/ball.h"
 #include "scene/document/edit.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 

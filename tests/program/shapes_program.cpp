@@ -8,7 +8,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
 #include "scene/hand/placing.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"

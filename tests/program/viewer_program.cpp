@@ -7,7 +7,7 @@
 #include "program/kept_work.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/choice_commands.h"
 #include "support/commands.h"
 #include "support/edits.h"

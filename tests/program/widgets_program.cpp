@@ -80,7 +80,6 @@ struct Held : Driver {
     for (const char* command : {"keep_pose", "reset_pose", "toggle_soft"}) run(command);
     scene::set_key(document(), 1);
     scene::set_key(document(), 20);
-    scene::set_easing(document(), std::vector{1}, scene::Easing::bezier);
     workspace().remembered.layout.timeline = true;
     frame(3);
   }
@@ -116,7 +115,6 @@ TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
   const glm::vec2 right{31, 0};
   for (const char* slider : {"turn", "stretch", "pose_weight/0", "soft_radius"})
     d.check_called_off(slider, right);
-  d.check_called_off("time/handle1", {20, -20});
   d.check_called_off("edge/methods", {-40, 0});
   d.check_called_off("edge/tools", {40, 0});
   d.run("toggle_stitched");

@@ -37,7 +37,7 @@ Timeline two_keys(const deform::Pose& from, const deform::Pose& to, Easing easin
 
 TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
   Keyed k;
-  for (const Easing easing : {Easing::linear, Easing::smooth, Easing::bezier}) {
+  for (const Easing easing : {Easing::linear, Easing::smooth}) {
     const Animation a = k.animation(two_keys(turned_cube(0), turned_cube(180), easing));
     CHECK(distance(a.at(6).cage.positions, turned_cube(90).positions) < 1e-12);
   }
@@ -282,16 +282,16 @@ TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
   CHECK(pose.probes[0].move[0] == doctest::Approx(2));
 }
 
-TEST_CASE("a_curve_that_overshoots_beyond_what_can_be_drawn_stays_at_the_key_before") {
+TEST_CASE("what_overshoots_beyond_what_can_be_drawn_stays_at_the_key_before") {
   Keyed k;
-  Timeline t = two_keys(stretched_cube(1), stretched_cube(1e30), Easing::bezier);
-  t.keys[0].handles = {0.5, 5, 0.5, 5};
+  Timeline t = two_keys(stretched_cube(1), stretched_cube(1e30), Easing::smooth);
+  t.keys.push_back(key(111, stretched_cube(1e29)));
   const Animation a = k.animation(t);
   bool stayed = false;
-  for (double frame = 1; frame <= 11; frame += 0.1) {
+  for (double frame = 1; frame <= 111; frame += 0.5) {
     const WholePose pose = a.at(frame);
     CHECK(in_range(pose));
-    stayed |= frame > 2 && pose == *t.keys[0].pose;
+    stayed |= frame > 12 && pose == *t.keys[1].pose;
   }
   CHECK(stayed);
 }
@@ -309,42 +309,4 @@ TEST_CASE("vectors_of_poses_are_taken_once_and_forgotten_with_the_pose") {
   CHECK_THROWS(k.vectors.of(test::whole({{{0, 0, 0}}, {}})));
   k.vectors.follow(nullptr);
   CHECK(k.vectors.of(t.keys[1].pose) == nullptr);
-}
-
-TEST_CASE("the_progress_between_two_keys_is_what_is_played") {
-  Keyed k;
-  Timeline timeline;
-  for (int i = 0; i < 4; ++i)
-    timeline.keys.push_back(key(1 + 10 * i, turned_cube(90 * i * i), Easing::smooth));
-  timeline.keys[1].easing = Easing::linear;
-  const Animation a = k.animation(timeline);
-  double off_smoothstep = 0;
-  for (std::size_t from = 0; from < 3; ++from) {
-    const std::vector<double> progress = a.progress(from, 20);
-    REQUIRE(progress.size() == 21);
-    const double start = 90.0 * double(from * from), end = 90.0 * double((from + 1) * (from + 1));
-    for (std::size_t i = 0; i <= 20; ++i) {
-      const double t = double(i) / 20, degrees = start + progress[i] * (end - start);
-      CHECK(distance(a.at(1 + 10 * (double(from) + t)).cage.positions, turned_cube(degrees).positions) <
-            1e-9);
-      off_smoothstep = std::max(off_smoothstep, std::abs(progress[i] - t * t * (3 - 2 * t)));
-    }
-  }
-  CHECK(off_smoothstep > 0.05);
-  CHECK(a.progress(3, 20).empty());
-}
-
-TEST_CASE("progress_is_along_straight_ways_where_they_are_straight_and_what_holds_stays") {
-  Keyed k;
-  for (const Easing easing : {Easing::smooth, Easing::linear, Easing::hold, Easing::bezier}) {
-    Timeline timeline = two_keys(turned_cube(0), turned_cube(120), easing);
-    timeline.straight = true;
-    const Animation a = k.animation(timeline);
-    const auto progress = a.progress(0, 10);
-    const auto first = a.at(1).cage.positions, last = a.at(11).cage.positions;
-    for (std::size_t i = 0; i <= 10; ++i) {
-      const auto now = a.at(1 + double(i)).cage.positions;
-      CHECK(now[0][0] == doctest::Approx(first[0][0] + progress[i] * (last[0][0] - first[0][0])));
-    }
-  }
 }

@@ -199,38 +199,41 @@ TEST_CASE("straight_keys_collapse_where_log_space_turns") {
   CHECK(half_way(true) < 1e-2);  // stretches are kept above a floor
 }
 
-TEST_CASE("morph_targets_keep_lines_as_near_to_the_motion_as_they_are_told") {
+TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
   const test::AnimatedCube cube;
   const double diagonal = 2 * std::sqrt(3.0);
-  std::size_t before = 0;
-  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+  std::size_t before = 3;  // keys
+  for (const double tolerance : {5e-2, 1e-3}) {
     CAPTURE(tolerance);
     AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
     what.tolerance = tolerance;
     const AnimationReport report = write_animation(what);
     CHECK(report.frames > before);
-    CHECK(report.targets < 12);  // a turn is few directions, however many lines it takes
+    CHECK(report.frames <= 17);
     before = report.frames;
     const auto read = mesh::read(cube / "a.glb");
     const auto clip = read.original->morphs();
     REQUIRE(clip);
     const auto& seconds = clip->seconds();
     CHECK(seconds.size() == report.frames);
+    CHECK(clip->targets().size() == report.frames);
+    CHECK(std::ranges::count_if(seconds, [](double s) { return std::abs(s - 8 / 24.0) < 1e-6; }) == 1);
     CHECK(seconds.back() == doctest::Approx(16 / 24.0));
     const auto own = file_vertices(read.surface, *cube.document.model.surface);
     double worst = 0;
-    for (std::size_t key = 0; key + 1 < seconds.size(); ++key) {
+    std::size_t key = 0;
+    for (int frame = 1; frame <= 17; ++frame) {
+      const double at = (frame - 1) / 24.0;
+      while (key + 2 < seconds.size() && seconds[key + 1] < at) ++key;
       const auto a = picked(clip->at_key(key), own), b = picked(clip->at_key(key + 1), own);
-      for (const double t : {0.1, 0.45, 0.8}) {
-        std::vector<mesh::Point> line(a.size());
-        for (std::size_t v = 0; v < a.size(); ++v) line[v] = a[v] + t * (b[v] - a[v]);
-        const double at = 1 + 24 * (seconds[key] + t * (seconds[key + 1] - seconds[key]));
-        worst = std::max(worst, farthest(line, exact_frame(cube, at)));
-      }
+      const double t = (at - seconds[key]) / (seconds[key + 1] - seconds[key]);
+      std::vector<mesh::Point> line(a.size());
+      for (std::size_t v = 0; v < a.size(); ++v) line[v] = a[v] + t * (b[v] - a[v]);
+      worst = std::max(worst, farthest(line, exact_frame(cube, frame)));
     }
     CHECK(worst < tolerance * diagonal);
-    CHECK(worst > 0.02 * tolerance * diagonal);  // no more of them than it needs, about
   }
+  CHECK(before == 17);
 }
 
 TEST_CASE("targets_without_normals_take_half_and_an_estimate_says_how_much_before") {
@@ -238,7 +241,7 @@ TEST_CASE("targets_without_normals_take_half_and_an_estimate_says_how_much_befor
   AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
   const AnimationReport report = write_animation(what);
   const MorphEstimate estimate = estimate_morphs(what);
-  CHECK(estimate.targets == report.targets);
+  CHECK(estimate.targets == report.frames);
   what.normals = false;
   CHECK(estimate_morphs(what).bytes < estimate.bytes);
   const auto with = fs::file_size(cube / "a.glb");
@@ -246,30 +249,22 @@ TEST_CASE("targets_without_normals_take_half_and_an_estimate_says_how_much_befor
   CHECK(fs::file_size(cube / "a.glb") < with);
 }
 
-TEST_CASE("a_key_far_off_and_more_than_is_allowed_are_refused_with_numbers_before_anything_is_written") {
-  test::AnimatedCube cube;
+TEST_CASE("more_targets_than_are_allowed_are_refused_with_numbers_before_anything_is_written") {
+  const test::AnimatedCube cube;
   AnimationExport small = animation_export_of(cube.document, cube / "a.glb");
   small.most_bytes = 200;
   CHECK(test::mentions(problem_of(small), "the motion needs more than"));
   CHECK(test::mentions(problem_of(small), "are allowed"));
-  WholePose far = *cube.document.timeline.keys[1].pose;
-  for (const double coordinate : {1e6, 1e9}) {
-    far.cage.positions[6][2] = coordinate;
-    cube.document.timeline.keys[1].pose = std::make_shared<const WholePose>(far);
-    const AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
-    CHECK(test::mentions(problem_of(what), "straight lines, more than"));
-  }
   CHECK_FALSE(fs::exists(cube / "a.glb"));
 }
 
-TEST_CASE("keys_that_hold_jump_and_targets_at_every_frame_are_as_many") {
+TEST_CASE("keys_that_hold_jump_and_targets_come_at_every_so_many_frames") {
   test::AnimatedCube cube;
   for (auto& key : cube.document.timeline.keys) key.easing = Easing::hold;
   AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
   CHECK(write_animation(what).frames == 5);  // three keys, and what comes before two of them
-  cube.document.timeline.keys[0].easing = Easing::linear;
+  cube.document.timeline.keys[0].easing = cube.document.timeline.keys[1].easing = Easing::linear;
   what = animation_export_of(cube.document, cube / "a.glb");
-  what.every_frame = true;
   what.step = 2;
   CHECK(write_animation(what).frames == 9);
 }
@@ -333,7 +328,7 @@ TEST_CASE("names_that_say_nothing_that_can_be_written_are_refused_with_what_to_d
   CHECK(test::mentions(problem("a.pc2"), "no keys"));
 }
 
-TEST_CASE("a_cache_that_cannot_be_finished_leaves_nothing") {
+TEST_CASE("an_animation_that_floats_do_not_hold_leaves_nothing") {
   test::AnimatedCube cube;
   WholePose far = *cube.document.timeline.keys.back().pose;
   for (auto& p : far.cage.positions)
@@ -341,7 +336,7 @@ TEST_CASE("a_cache_that_cannot_be_finished_leaves_nothing") {
   cube.document.timeline.keys.push_back({18, test::whole(far.cage), Easing::hold});
   cube.document.timeline.last = 18;
   cube.document.timeline.keys[2].easing = Easing::hold;
-  for (const char* name : {"a.pc2", "a.mdd"}) {
+  for (const char* name : {"a.pc2", "a.mdd", "a.glb"}) {
     CAPTURE(name);
     test::put_file(cube / name, "older");
     const auto before = names_in(cube.path());

@@ -9,6 +9,8 @@
 #include "mesh/formats/write.h"
 #include "scene/cube.h"
 #include "scene/document/edit.h"
+#include "scene/document/history.h"
+#include "scene/document/space.h"
 #include "scene/files.h"
 #include "scene/workspace/taking.h"
 #include "support/open.h"
@@ -33,6 +35,15 @@ struct Files {
   }
   ~Files() { fs::remove_all(folder); }
 };
+
+DocumentState at(double x) {
+  DocumentState state;
+  state.pose.positions = {{x, 0, 0}};
+  return state;
+}
+double x_of(const DocumentState& s) {
+  return s.pose.positions[0][0];
+}
 
 }  // namespace
 
@@ -145,4 +156,104 @@ TEST_CASE("loading_keeps_method_way_and_radius") {
   CHECK(w.document.method == sym3::Method::diag);
   CHECK(w.document.scheme == deform::scheme_of(deform::Way::mean_value));
   CHECK(w.document.scheme.weighting.radius == 0.3);
+}
+
+TEST_CASE("every_model_has_diagonal_two_in_view_wherever_it_is_and_however_large") {
+  for (const double size : {1e-30, 1.0, 1e30}) {
+    for (const double offset : {0.0, 1e7}) {
+      const mesh::Bounds box{{offset * size, 0, 0}, {(offset + 3) * size, 4 * size, 0}};
+      const auto space = scene::space_for(box);
+      const glm::vec3 a = space.to_view(box.low), b = space.to_view(box.high);
+      CHECK(glm::distance(a, b) == doctest::Approx(2).epsilon(1e-6));
+      CHECK(glm::length(a + b) < 1e-6f);
+    }
+  }
+}
+
+TEST_CASE("a_single_point_still_has_a_space") {
+  const auto space = scene::space_for({{1, 2, 3}, {1, 2, 3}});
+  CHECK(space.to_view({1, 2, 3}) == glm::vec3(0));
+}
+
+TEST_CASE("grid_cell_is_a_round_number_that_suits_the_model") {
+  CHECK(scene::grid_cell(20) == doctest::Approx(1));
+  CHECK(scene::grid_cell(2.9) == doctest::Approx(0.1));
+  CHECK(scene::grid_cell(90) == doctest::Approx(5));
+  CHECK(scene::grid_cell(1e-6) == doctest::Approx(5e-8));
+  CHECK(scene::grid_cell(0) == 1);
+}
+
+TEST_CASE("undo_and_redo_walk_the_same_path") {
+  History h;
+  CHECK_FALSE(h.can_undo());
+  h.record("one", at(0));
+  h.record("two", at(1));
+  CHECK(h.undo_label() == "two");
+  CHECK(x_of(h.undo(at(2))) == 1);
+  CHECK(x_of(h.undo(at(1))) == 0);
+  CHECK_FALSE(h.can_undo());
+  CHECK(x_of(h.redo(at(0))) == 1);
+  CHECK(x_of(h.redo(at(1))) == 2);
+  CHECK_FALSE(h.can_redo());
+}
+
+TEST_CASE("all_edits_are_listed_by_their_labels_and_taking_back_moves_among_them") {
+  History h;
+  for (int i = 0; i < 4; ++i) h.record("edit " + std::to_string(i), at(i));
+  const std::vector<std::string> all = {"edit 0", "edit 1", "edit 2", "edit 3"};
+  CHECK(h.labels() == all);
+  CHECK(h.position() == 4);
+  h.undo(at(4));
+  h.undo(at(3));
+  CHECK(h.labels() == all);
+  CHECK(h.position() == 2);
+  CHECK(h.redo_label() == "edit 2");
+}
+
+TEST_CASE("a_new_edit_ends_redo") {
+  History h;
+  h.record("one", at(0));
+  h.undo(at(1));
+  h.record("other", at(0));
+  CHECK_FALSE(h.can_redo());
+}
+
+TEST_CASE("an_edit_that_is_called_off_leaves_what_could_be_repeated") {
+  History h;
+  h.record("one", at(0));
+  h.undo(at(1));
+  const unsigned long before = h.recorded();
+  h.record("slide", at(0));
+  CHECK(h.recorded() == before + 1);
+  CHECK_FALSE(h.can_redo());
+  CHECK(x_of(h.drop_last()) == 0);
+  CHECK(h.recorded() == before);
+  CHECK_FALSE(h.can_undo());
+  CHECK(x_of(h.redo(at(0))) == 1);
+}
+
+TEST_CASE("no_number_of_clicks_takes_an_edit_out_of_reach") {
+  History h;
+  const auto mask =
+      std::make_shared<const std::vector<float>>(5u << 20, 1.0f);  // so large that few states fit
+  const auto state = [&](double x) {
+    DocumentState s = at(x);
+    s.mask = mask;
+    return s;
+  };
+  h.record("one", state(0));
+  h.record("two", state(1));
+  for (int i = 0; i < 100; ++i) h.record_selection(state(2));
+  int steps = 0;
+  DocumentState now = state(2);
+  while (h.can_undo() && h.undo_label() == "select") now = h.undo(now), ++steps;
+  CHECK(steps < 20);
+  REQUIRE(h.undo_label() == "two");
+  now = h.undo(now);
+  CHECK(x_of(now) == 1);
+  REQUIRE(h.undo_label() == "one");
+  now = h.undo(now);
+  CHECK(x_of(now) == 0);
+  while (h.can_redo()) now = h.redo(now);
+  CHECK(x_of(now) == 2);
 }

@@ -106,32 +106,6 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   CHECK(browser.entries.empty());  // nothing has changed since
 }
 
-TEST_CASE("films_are_offered_where_ffmpeg_is_installed") {
-  const test::TemporaryFolder folder;
-  const std::string before = std::getenv("PATH");
-  setenv("PATH", folder.path().c_str(), 1);
-  FileBrowser browser;
-  const auto offers = [&](const char* format) {
-    show(browser, FileBrowser::Purpose::save_animation, folder.path(), "walk.pc2");
-    return std::ranges::count(browser.formats(), format) > 0;
-  };
-  CHECK(offers("png"));
-  CHECK_FALSE(offers("mp4"));
-  CHECK_FALSE(offers("webm"));
-  for (const char* name : {"walk.mp4", "walk.gif"}) {
-    browser.path = name;
-    CHECK(problem_of_name(browser).find("ffmpeg") != std::string::npos);
-  }
-  browser.path = "walk_##.png";
-  CHECK(problem_of_name(browser).empty());
-  test::put_file(folder / "ffmpeg", "#!/bin/sh\n");
-  fs::permissions(folder / "ffmpeg", fs::perms::owner_all);
-  CHECK(offers("mp4"));
-  browser.path = "walk.mp4";
-  CHECK(problem_of_name(browser).empty());
-  setenv("PATH", before.c_str(), 1);
-}
-
 TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {
   const test::TemporaryFolder folder;
   put_files(folder);
@@ -202,11 +176,8 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   const test::TemporaryFolder folder;
   FileBrowser browser;
   show(browser, FileBrowser::Purpose::save_animation, folder.path(), "dragon");
-  browser.films = false;  // as without ffmpeg
   CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL or PNG");
-  browser.films = true;
   CHECK(chosen_file(browser).filename() == "dragon.pc2");
-  CHECK(format_list(browser) == "PC2, MDD, GLB, GLTF, OBJ, PLY, OFF, STL, PNG, MP4 or WEBM");
   CHECK(problem_of_name(browser) == "");
   set_format(browser, "obj");
   CHECK(chosen_file(browser).filename() == "dragon_####.obj");
@@ -217,9 +188,6 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   browser.path = (folder / "dragon.png").string();
   CHECK(chosen_file(browser).filename() == "dragon_####.png");
   browser.path = (folder / "dragon.mp4").string();
-  CHECK(chosen_file(browser).filename() == "dragon.mp4");
-  CHECK(problem_of_name(browser) == "");
-  browser.path = (folder / "dragon.avi").string();
   CHECK(problem_of_name(browser) != "");
 }
 

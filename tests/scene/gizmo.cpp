@@ -2,7 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include "scene/cube.h"
+#include "scene/hand/axis_widget.h"
+#include "scene/hand/grip.h"
 #include "scene/viewport.h"
+#include "support/grips.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -14,6 +18,23 @@ Camera camera(float yaw = 0.65f, float pitch = 0.32f, float distance = 4, bool o
   Camera c;
   c.set_pose({{0, 0, 0}, distance, yaw, pitch, orthographic});
   return c;
+}
+
+DragGuides guides(Tool tool, Constraint constraint, const char* typed) {
+  Workspace w = test::cube_workspace();
+  w.document.selection.select_all(8);
+  TransformDrag drag(w.document, test::plain_grip(w.document), tool, constraint, 1, {700, 390}, w.camera);
+  for (; *typed; ++typed) drag.type(*typed);
+  drag.update(w.document, {{710, 390}}, w.camera, w.viewport);
+  return drag_guides(drag, w.document.space, w.camera, w.viewport);
+}
+
+const AxisBall& ball(const AxisWidget& widget, int axis, bool positive) {
+  for (const auto& b : widget.balls) {
+    if (b.axis == axis && b.positive == positive) return b;
+  }
+  FAIL("no such ball");
+  return widget.balls[0];
 }
 
 }  // namespace
@@ -90,4 +111,58 @@ TEST_CASE("handles_that_point_at_the_viewer_fade_and_cannot_be_hit") {
   CHECK(gizmo.planes[0].opacity == 0);
   CHECK(pick_handle(gizmo, gizmo.arms[2].tip) == Constraint{});
   CHECK(gizmo.far_to_near[2] == 2);
+}
+
+TEST_CASE("moves_and_scales_show_the_axes_they_go_along") {
+  CHECK(guides(Tool::move, {Kind::axis, 1}, "").axes == std::vector<int>{1});
+  CHECK(guides(Tool::scale, {Kind::plane, 1}, "").axes == std::vector<int>{0, 2});
+  CHECK(guides(Tool::move, {}, "").axes.empty());
+  CHECK(guides(Tool::move, {}, "").arc.empty());
+  for (const auto& d : guides(Tool::move, {Kind::plane, 0}, "").axis_directions)
+    CHECK(glm::length(d) == doctest::Approx(1));
+}
+
+TEST_CASE("turns_show_the_sector_they_sweep_and_count_whole_turns") {
+  const DragGuides some = guides(Tool::rotate, {Kind::axis, 1}, "60");
+  CHECK(some.whole_turns == 0);
+  CHECK(some.circle.empty());
+  CHECK(some.arc.size() > 10);
+  const DragGuides many = guides(Tool::rotate, {Kind::axis, 1}, "780");
+  CHECK(many.whole_turns == 2);
+  CHECK(glm::distance(many.arc.back(), some.arc.back()) < 0.01f);
+  CHECK(glm::distance(many.circle.front(), many.circle.back()) < 0.01f);
+}
+
+TEST_CASE("the_widget_is_at_the_top_right_of_the_free_part_of_the_window") {
+  const auto widget = *axis_widget(Camera(), viete::test::viewport);
+  CHECK(widget.center.x > 900);
+  CHECK(widget.center.y < 100);
+  CHECK(widget.contains(widget.center));
+  CHECK_FALSE(widget.contains({600, 400}));
+  CHECK_FALSE(axis_widget(Camera(), {{400, 100}, {320, 0}, {80, 74}}));
+}
+
+TEST_CASE("balls_point_where_their_axes_do_on_screen") {
+  Camera camera;
+  camera.set_pose({{0, 0, 0}, 4, 0, 0, false});
+  const auto widget = *axis_widget(camera, viete::test::viewport);
+  CHECK(ball(widget, 0, true).at.x > widget.center.x + 20);
+  CHECK(ball(widget, 1, true).at.y < widget.center.y - 20);
+  CHECK(ball(widget, 2, true).nearness == doctest::Approx(1));
+  CHECK(ball(widget, 2, false).nearness == doctest::Approx(-1));
+  CHECK(widget.ball(widget.center)->positive);  // the nearest one
+}
+
+TEST_CASE("each_ball_looks_from_its_own_side_and_once_more_from_the_other") {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool positive : {true, false}) {
+      Camera camera;
+      look_from(camera, ball(*axis_widget(camera, viete::test::viewport), axis, positive));
+      camera.animate(1);
+      CHECK(camera.forward()[axis] == doctest::Approx(positive ? -1 : 1));
+      look_from(camera, ball(*axis_widget(camera, viete::test::viewport), axis, positive));
+      camera.animate(1);
+      CHECK(camera.forward()[axis] == doctest::Approx(positive ? 1 : -1));
+    }
+  }
 }

@@ -4,7 +4,7 @@
 
 #include "scene/cube.h"
 #include "scene/document/elements.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -8,8 +8,7 @@
 
 #include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
-#include "scene/document/record.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 #include "scene/posed_cube.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"

@@ -5,7 +5,7 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/hand/picking.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "support/edits.h"
 
 using namespace viete;

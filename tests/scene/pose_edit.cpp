@@ -10,7 +10,6 @@
 #include "scene/document/cage_making.h"
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/record.h"
 #include "scene/posed_cube.h"
 #include "support/edits.h"
 

@@ -12,7 +12,6 @@
 
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/record.h"
 #include "scene/files.h"
 #include "scene/files/open.h"
 #include "scene/files/session.h"
@@ -49,8 +48,7 @@ Workspace animated(const test::CubeFiles& files) {
   set_weight(w.document, w.playback.vectors, 1, -0.5);
   w.document.timeline = test::three_keys();
   Timeline& t = w.document.timeline;
-  t.keys[0].easing = Easing::bezier;
-  t.keys[0].handles = {0.1, -1.0 / 3, 0.7, 1.2};
+  t.keys[0].easing = Easing::linear;
   t.keys[1].easing = Easing::hold;
   t.keys[1].pose = test::whole(test::turned_cube(540), {w.document.probes.all[0].pose});
   t.keys[2].mix = {{"wide", -0.37}, {"with probe", 1.5}};
@@ -74,8 +72,7 @@ bool same(const Workspace& a, const Workspace& b) {
                    }) &&
          same_keys(s.keys, t.keys,
                    [](const auto& p, const auto& q) {
-                     const bool curve = p.easing != Easing::bezier || p.handles == q.handles;
-                     return p.frame == q.frame && p.easing == q.easing && p.mix == q.mix && curve;
+                     return p.frame == q.frame && p.easing == q.easing && p.mix == q.mix;
                    }) &&
          same_keys(s.unkeyed, t.unkeyed, [](const auto& p, const auto& q) { return p.frame == q.frame; }) &&
          s.cameras == t.cameras && s.first == t.first && s.last == t.last && s.rate == t.rate &&
@@ -214,9 +211,6 @@ TEST_CASE("what_is_damaged_of_the_time_costs_its_own_part") {
   CHECK(timeline("\"keys\": [" + key_text("2") + "," + key_text("2") + "]", "").keys.size() == 1);
   CHECK(timeline("\"keys\": [" + key_text("2", "\"easing\": \"fast\",") + "]", "easing").keys[0].easing ==
         Easing::smooth);
-  CHECK(timeline("\"keys\": [" + key_text("2", "\"handles\": [2, 0, 0, 0],") + "]", "handles")
-            .keys[0]
-            .handles == usual_handles);
   const std::string camera =
       R"("cameras": [{"frame": 3, "target": [0, 0, 0], "distance": 4, "yaw": 100, "pitch": 0}, {"frame": 4}])";
   const Timeline cameras = timeline("\"keys\": 5, " + camera, "keys");

@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "scene/cube.h"
+#include "scene/pictures/lattice.h"
+#include "scene/pictures/picture_view.h"
 
 using namespace viete;
 using namespace viete::scene;
+using scene::Ink, scene::PictureView;
 
 namespace {
 
@@ -23,6 +26,25 @@ deform::Pose scaled(const deform::Cage& cage, double factor) {
   for (auto& p : pose.positions)
     for (double& x : p) x *= factor;
   return pose;
+}
+
+const mesh::Surface& unit_cube() {
+  static const mesh::Surface cube = scene::lattice_surface({{-1, 1}, {-1, 1}, {-1, 1}});
+  return cube;
+}
+
+PictureView view_of(const mesh::Surface& surface, scene::PictureAngles angles = {}) {
+  return {angles, {surface.positions, {200, 100}, 10}};
+}
+
+// Above 0: clockwise on screen, where y points down.
+float signed_area(const std::vector<glm::vec2>& points) {
+  float sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::vec2 a = points[i], b = points[(i + 1) % points.size()];
+    sum += 0.5f * (a.x * b.y - a.y * b.x);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -61,4 +83,63 @@ TEST_CASE("a_picture_is_kept_while_its_pose_is_in_use") {
   pictures.tidy();
   const auto other = std::make_shared<const WholePose>(WholePose{scaled(*document.cage, 0.5), {}});
   CHECK(extent(pictures.of(document, other, UpAxis::y)).y < 0.6f * pose_picture_size.y);
+}
+
+TEST_CASE("a_view_fills_its_frame_and_keeps_shapes") {
+  const PictureView view = view_of(unit_cube());
+  CHECK(view.at({0, 0, 0}) == glm::vec2(100, 50));
+  CHECK(view.at({1, 1, 0}) == glm::vec2(140, 10));  // as high as there is room, and no wider
+  CHECK(view.at({1, 1, -1}) == view.at({1, 1, 1}));
+}
+
+TEST_CASE("turning_a_view_keeps_lengths") {
+  const PictureView view = view_of(unit_cube(), {-30, 25});
+  for (const mesh::Vec3& p : {mesh::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, -0.2, 0.7}})
+    CHECK(mesh::norm(view.seen(p)) == doctest::Approx(mesh::norm(p)));
+  CHECK(view.seen({0, 1, 0})[2] > 0);  // from above
+  CHECK(view.seen({0, 1, 0})[0] == doctest::Approx(0));
+}
+
+TEST_CASE("only_what_faces_the_viewer_is_seen_the_farthest_first") {
+  const mesh::Surface& cube = unit_cube();
+  CHECK(scene::facing(view_of(cube), cube, cube.positions).size() == 1);
+  CHECK(scene::facing(view_of(cube, {-30, 25}), cube, cube.positions).size() == 3);
+  const mesh::Surface steps = scene::lattice_surface({{0, 1, 2}, {0, 1}, {0, 1, 2}},
+                                                     [](int x, int, int z) { return x == 1 || z == 0; });
+  const PictureView view = view_of(steps);
+  const auto seen = scene::facing(view, steps, steps.positions);
+  REQUIRE(seen.size() == 2);
+  CHECK(view.seen(steps.positions[steps.corners[4 * seen[0]]])[2] == 1);
+  CHECK(view.seen(steps.positions[steps.corners[4 * seen[1]]])[2] == 2);
+}
+
+TEST_CASE("areas_are_clockwise_and_lit_by_where_they_face") {
+  const mesh::Surface& cube = unit_cube();
+  const auto shapes = scene::lit_model(view_of(cube, {-30, 25}), cube, cube.positions);
+  REQUIRE(shapes.size() == 3);
+  for (const auto& s : shapes) {
+    CHECK(signed_area(s.points) > 0);
+    REQUIRE(s.tones.size() == 1);
+    CHECK(s.tones[0] > 0.3f);
+    CHECK(s.tones[0] <= 1);
+  }
+  CHECK(shapes[0].tones != shapes[1].tones);
+}
+
+TEST_CASE("edges_of_a_cage_are_before_or_behind") {
+  const deform::Cage cage = deform::make_cage(unit_cube());
+  const auto& at = cage.surface.positions;
+  const PictureView view = view_of(cage.surface, {-30, 25});
+  CHECK(scene::cage_lines(view, cage, at, Ink::cage).size() == 9);
+  CHECK(scene::cage_lines(view, cage, at, Ink::behind).size() == 3);
+}
+
+TEST_CASE("an_outline_comes_back_to_where_it_began") {
+  const mesh::Surface& cube = unit_cube();
+  const PictureView view = view_of(cube);
+  const auto seen = scene::facing(view, cube, cube.positions);
+  const auto line = scene::outline(view, cube, seen[0], cube.positions);
+  CHECK(line.ink == Ink::marked);
+  CHECK(line.points.size() == 5);
+  CHECK(line.points.front() == line.points.back());
 }

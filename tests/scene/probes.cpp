@@ -12,7 +12,7 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/placing.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"

@@ -8,9 +8,9 @@
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 #include "scene/document/time_edit.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/command.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"
@@ -200,8 +200,7 @@ private:
     switch (below(10)) {
       case 0: return set_camera_key(d, frame(), w.camera.pose());
       case 1: return remove_keys(d, some);
-      case 2: return set_easing(d, some, static_cast<Easing>(below(4)));
-      case 3: return set_handles(d, some[0], {percent(0, 100), percent(-400, 500), percent(0, 100), 1});
+      case 2: return set_easing(d, some, static_cast<Easing>(below(3)));
       case 4:
         return set_play(d, {frame(), frame(), percent(0, 9999), static_cast<Repeat>(below(3)), once_in(2)});
       case 5: {

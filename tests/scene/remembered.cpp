@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
+#include "scene/workspace/layout.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -57,4 +58,72 @@ TEST_CASE("a_damaged_file_is_an_error_and_is_replaced_by_the_next_write") {
   remembered.add({"/a.ply", {}});
   write_remembered(folder / "r.json", remembered);
   CHECK(read_remembered(folder / "r.json") == remembered);
+}
+
+TEST_CASE("both_columns_are_shown_where_the_view_keeps_its_least_width") {
+  const PanelLayout layout;
+  const auto wide = shown_columns(layout, 1280);
+  CHECK(wide.tools == 320);
+  CHECK(wide.methods == 320);
+  const auto tight = shown_columns(layout, PanelLayout::least_view + 2 * PanelLayout::least_width);
+  CHECK(tight.tools == PanelLayout::least_width);
+  CHECK(tight.methods == PanelLayout::least_width);
+}
+
+TEST_CASE("where_there_is_room_for_one_column_the_one_unfolded_last_is_shown") {
+  PanelLayout layout;
+  CHECK(shown_columns(layout, 800).methods == 320);
+  CHECK(shown_columns(layout, 800).tools == 0);
+  toggle_column(layout, Column::tools, 800);
+  CHECK(shown_columns(layout, 800).methods == 0);
+  CHECK(shown_columns(layout, 800).tools == 320);
+  CHECK(shown_columns(layout, 1280).methods == 320);  // it was not folded away
+  toggle_column(layout, Column::tools, 800);
+  CHECK(shown_columns(layout, 800).methods == 320);
+}
+
+TEST_CASE("a_folded_column_leaves_its_place_to_the_view") {
+  PanelLayout layout;
+  toggle_column(layout, Column::tools, 1280);
+  const Viewport v = view_between(layout, {1280, 800}, true);
+  CHECK(v.origin.x == 0);
+  CHECK(v.size.x == 960);
+  CHECK(view_between(layout, {1280, 800}, false).size == glm::vec2(1280, 800));
+}
+
+TEST_CASE("a_row_of_notices_takes_its_height_from_columns_and_view") {
+  for (const bool panels : {true, false}) {
+    const Viewport without = view_between({}, {1280, 800}, panels),
+                   with = view_between({}, {1280, 800}, panels, 40);
+    CHECK(with.origin == without.origin + glm::vec2(0, 40));
+    CHECK(with.size == without.size - glm::vec2(0, 40));
+    CHECK(column_height(with) == column_height(without) - 40);
+  }
+}
+
+TEST_CASE("a_width_stays_within_its_limits_and_leaves_room_for_the_view") {
+  PanelLayout layout;
+  set_width(layout, Column::methods, 10, 1280);
+  CHECK(layout.width[1] == PanelLayout::least_width);
+  set_width(layout, Column::methods, 5000, 1280);
+  CHECK(layout.width[1] == PanelLayout::largest_width);
+  set_width(layout, Column::tools, 5000, 1280);
+  CHECK(view_between(layout, {1280, 800}, true).size.x >= PanelLayout::least_view);
+}
+
+TEST_CASE("layout_theme_and_window_come_back_and_what_is_out_of_range_is_brought_into_it") {
+  const test::TemporaryFolder folder;
+  Remembered remembered;
+  remembered.dark = false;
+  remembered.window = glm::ivec2(1000, 700);
+  remembered.layout.width = {300, 400};
+  remembered.layout.folded = {true, false};
+  remembered.layout.last = Column::methods;
+  remembered.layout.sections = {{"Analysis", true}, {"Model", false}};
+  write_remembered(folder / "r.json", remembered);
+  CHECK(read_remembered(folder / "r.json") == remembered);
+  test::put_file(folder / "r.json",
+                 R"({"window": [1, -5], "layout": {"tools": {"width": 1e9, "folded": false}}})");
+  CHECK_FALSE(read_remembered(folder / "r.json").window);
+  CHECK(read_remembered(folder / "r.json").layout.width[0] == PanelLayout::largest_width);
 }

@@ -1,6 +1,6 @@
 // Boxes, lassos and brushes in the hand, over a coarse cage and a dense one, through it or as far as one
 // sees.
-#include "scene/hand/select_shape.h"
+#include "scene/hand/picking.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/hand/sight.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/sight_keeper.h"

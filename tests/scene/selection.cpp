@@ -1,9 +1,227 @@
+// The selection as an edit; what is hidden; sets by name, through edits of the cage and sessions.
 #include "scene/document/selection.h"
 
 #include <doctest/doctest.h>
 
+#include "scene/cube.h"
+#include "scene/document/cage_editing.h"
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
+#include "scene/files/session.h"
+#include "scene/hand/cursor_projection.h"
+#include "scene/hand/grip.h"
+#include "scene/hand/picking.h"
+#include "scene/hand/placing.h"
+#include "scene/workspace/pointer.h"
+#include "scene/workspace/saving.h"
+#include "support/commands.h"
+#include "support/edits.h"
+#include "support/folder.h"
+#include "support/grips.h"
+
+using namespace viete;
 using namespace viete::scene;
 using Indices = std::vector<std::uint32_t>;
+
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+Selection vertices(Indices indices) {
+  Selection selection;
+  selection.apply(indices, SelectMode::replace);
+  return selection;
+}
+
+// An open, empty history and a clean slate: nothing is unsaved.
+Workspace saved_cube() {
+  Workspace w = test::cube_workspace();
+  mark_saved(w);
+  return w;
+}
+
+}  // namespace
+
+TEST_CASE("selecting_is_undone_and_redone_and_is_no_work_that_could_be_lost") {
+  Workspace w = saved_cube();
+  const unsigned long edits = w.document.history.revision();
+  CHECK(test::run_command(w, "select_all"));
+  set_selection(w.document, vertices({1, 2}));
+  set_selection(w.document, vertices({1, 2}));  // nothing new
+  CHECK_FALSE(has_unsaved_edits(w));
+  CHECK(w.document.history.revision() == edits);
+  CHECK(w.document.history.undo_label() == "select");
+  CHECK(test::edit_count(w.document.history) == 0);
+  CHECK(test::run_command(w, "undo"));
+  CHECK(w.document.selection.size() == 8);
+  CHECK(test::run_command(w, "undo"));
+  CHECK(w.document.selection.empty());
+  CHECK_FALSE(test::run_command(w, "undo"));
+  CHECK(test::run_command(w, "redo"));
+  CHECK(test::run_command(w, "redo"));
+  CHECK(w.document.selection == vertices({1, 2}));
+  CHECK_FALSE(has_unsaved_edits(w));
+}
+
+TEST_CASE("choosing_a_kind_while_nothing_is_selected_leaves_nothing_to_undo_and_keeps_redo") {
+  Workspace w = saved_cube();
+  CHECK(test::run_command(w, "select_all"));
+  CHECK(test::run_command(w, "undo"));
+  CHECK(test::run_command(w, "select_faces"));
+  CHECK(w.document.history.can_redo());
+  CHECK_FALSE(w.document.history.can_undo());
+}
+
+TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
+  Workspace w = saved_cube();
+  set_selection(w.document, vertices({1}));
+  Pointer pointer;
+  PointerInput input;
+  const auto at = [&](std::uint32_t v) {
+    return glm::vec2(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[v]));
+  };
+  w.tool = Tool::select;
+  const auto step = [&](glm::vec2 to, bool down) {
+    input.position = to;
+    input.down[left_button] = down;
+    pointer.frame(w, input);
+  };
+  const glm::vec2 from = at(7);
+  step(from, false), step(from, true), step(from + 30.0f, true), step(from + 30.0f, false);
+  CHECK(w.document.selection == vertices({7}));
+  CHECK(differs_from_rest(w.document));
+  undo(w.document);
+  CHECK(w.document.selection == vertices({1}));
+  CHECK_FALSE(differs_from_rest(w.document));
+  redo(w.document);
+  CHECK(w.document.selection == vertices({7}));
+  undo(w.document);
+  // Pulled out and put back: it is selected, no more.
+  step(from, false), step(from, true), step(from + 30.0f, true), step(from, true), step(from, false);
+  CHECK(w.document.selection == vertices({7}));
+  CHECK(w.document.history.undo_label() == "select");
+  undo(w.document);
+  CHECK(w.document.selection == vertices({1}));
+}
+
+TEST_CASE("what_is_hidden_is_not_selected_picked_or_moved_until_all_is_shown") {
+  Workspace w = saved_cube();
+  const glm::vec2 at(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[7]));
+  set_selection(w.document, vertices({6, 7}));
+  CHECK(test::run_command(w, "hide_selected"));
+  CHECK(w.document.selection.empty());
+  const auto under = pick_element(w.document, w.camera, w.viewport, at);
+  CHECK((!under || under->index != 7));
+  CHECK(test::run_command(w, "select_all"));
+  CHECK(w.document.selection.indices() == Indices{0, 1, 2, 3, 4, 5});
+  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 6);
+  CHECK(test::run_command(w, "invert_selection"));
+  CHECK(w.document.selection.empty());
+  // A face with a hidden corner is there, but that corner stays.
+  CHECK(test::run_command(w, "select_faces"));
+  CHECK(test::run_command(w, "select_all"));
+  CHECK(w.document.selection.size() == 12);
+  Transform t;
+  t.shift = {1, 0, 0};
+  CHECK(transform_selection(w.document, Tool::move, test::plain_grip(w.document), t));
+  CHECK(w.document.pose.positions[7] == w.document.cage->surface.positions[7]);
+  CHECK(w.document.pose.positions[5] != w.document.cage->surface.positions[5]);
+  CHECK(test::run_command(w, "show_hidden"));
+  CHECK_FALSE(test::run_command(w, "show_hidden"));
+  while (w.document.history.can_undo()) undo(w.document);
+  CHECK(w.document.groups.hidden.empty());
+  CHECK_FALSE(differs_from_rest(w.document));
+}
+
+TEST_CASE("only_these_hides_the_others_and_edges_between_hidden_vertices_are_hidden") {
+  Workspace w = saved_cube();
+  set_selection(w.document, vertices({0, 1}));
+  CHECK(test::run_command(w, "hide_others"));
+  CHECK(w.document.groups.hidden == Indices{2, 3, 4, 5, 6, 7});
+  CHECK(w.document.selection == vertices({0, 1}));
+  const auto hidden = hidden_elements(w.document, ElementKind::edge);
+  for (std::uint32_t e = 0; e < hidden.size(); ++e) {
+    const auto& [a, b] = w.document.cage->edges[e];
+    CHECK(hidden[e] == (a > 1 && b > 1));
+  }
+}
+
+TEST_CASE("sets_are_kept_renamed_selected_added_taken_out_and_deleted") {
+  Workspace w = saved_cube();
+  CHECK_FALSE(test::run_command(w, "save_set"));
+  set_selection(w.document, vertices({0, 1, 2, 3}));
+  CHECK(test::run_command(w, "save_set"));
+  CHECK(has_unsaved_edits(w));
+  set_selection(w.document, vertices({3, 4}));
+  CHECK(test::run_command(w, "save_set"));
+  REQUIRE(w.document.groups.sets.size() == 2);
+  CHECK(w.document.groups.sets[1].name == "Set 2");
+  rename_set(w.document, 1, "Arm");
+  CHECK(w.document.groups.sets[1].name == "Arm");
+  rename_set(w.document, 1, "");
+  rename_set(w.document, 1, "Set 1");
+  CHECK(w.document.groups.sets[1].name == "Arm");
+  select_set(w.document, 0, SelectMode::replace);
+  CHECK(w.document.selection == vertices({0, 1, 2, 3}));
+  select_set(w.document, 1, SelectMode::remove);
+  CHECK(w.document.selection == vertices({0, 1, 2}));
+  select_set(w.document, 1, SelectMode::add);
+  CHECK(w.document.selection == vertices({0, 1, 2, 3, 4}));
+  CHECK(test::run_command(w, "select_probes"));
+  select_set(w.document, 1, SelectMode::add);
+  CHECK(w.document.selection == vertices({3, 4}));
+  remove_set(w.document, 0);
+  CHECK(w.document.groups.sets.size() == 1);
+  undo(w.document);
+  CHECK(w.document.groups.sets[0].name == "Set 1");
+}
+
+TEST_CASE("sets_go_with_their_vertices_through_edits_of_the_cage_and_lost_ones_are_named") {
+  Workspace w = saved_cube();
+  set_selection(w.document, vertices({7}));
+  CHECK(test::run_command(w, "save_set"));
+  set_selection(w.document, vertices({4, 5, 6, 7}));
+  CHECK(test::run_command(w, "save_set"));
+  CHECK(test::run_command(w, "edit_cage"));
+  set_selection(w.document, vertices({7}));
+  CHECK(test::run_command(w, "remove_elements"));
+  REQUIRE(w.document.groups.sets.size() == 1);
+  CHECK(w.document.groups.sets[0].vertices == Indices{4, 5, 6});
+  REQUIRE_FALSE(w.messages.all().empty());
+  CHECK(w.messages.all().back().text.find("\"Set 1\"") != std::string::npos);
+  // A vertex between two of a set is of it.
+  select_set(w.document, 0, SelectMode::replace);
+  CHECK(test::run_command(w, "split_edges"));
+  CHECK(w.document.groups.sets[0].vertices.size() > 3);
+  CHECK(test::run_command(w, "undo"));
+  CHECK(test::run_command(w, "undo"));
+  CHECK(test::run_command(w, "undo"));
+  CHECK(w.document.groups.sets.size() == 2);
+}
+
+TEST_CASE("sets_and_what_is_hidden_are_in_the_session_and_those_that_do_not_fit_are_dropped_with_a_word") {
+  Workspace w = saved_cube();
+  w.document.model.path = "/model.obj";
+  w.document.groups.hidden = {2, 6};
+  w.document.groups.sets = {{"left arm", ElementKind::face, {0, 1, 2}}, {"hand", ElementKind::vertex, {7}}};
+  const test::TemporaryFolder folder;
+  const auto file = folder / "a.viete";
+  test::put_file(file, session_text(session_of(w), file));
+  Session session = read_session(file);
+  CHECK(session.warnings.empty());
+  CHECK(session.groups == w.document.groups);
+  session.groups.sets[1].vertices = {7, 8};
+  session.groups.hidden = {900};
+  const CageGroups fitting = fit_groups(session, w.document, file);
+  CHECK(fitting.sets.size() == 1);
+  CHECK(fitting.hidden.empty());
+  CHECK(session.warnings.size() == 2);
+  test::put_file(file, R"({"format": "viete session", "version": 1, "model": "m.obj",
+    "sets": [{"name": "a", "selecting": "probes", "vertices": [1]}], "hidden": "no"})");
+  session = read_session(file);
+  CHECK(session.groups == CageGroups{});
+  CHECK(session.warnings.size() == 2);
+}
 
 TEST_CASE("modes_replace_add_and_remove") {
   Selection s;

@@ -8,7 +8,6 @@
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/record.h"
 #include "scene/document/time_edit.h"
 #include "scene/files.h"
 #include "scene/files/session.h"

@@ -9,7 +9,6 @@
 #include "scene/document/edit.h"
 #include "scene/posed_cube.h"
 #include "support/edits.h"
-#include "scene/document/record.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -103,28 +102,12 @@ TEST_CASE("what_has_no_key_is_passed_over_and_is_no_edit") {
   remove_keys(t.document, Frames{2, 3});
   set_easing(t.document, Frames{2, 3}, Easing::hold);
   set_easing(t.document, Frames{1}, Easing::smooth);
-  set_handles(t.document, 2, usual_handles);
   CHECK(t.edits() == 0);
   remove_keys(t.document, Frames{2, 11, 1});
   CHECK(t.frames() == Frames{31});
   CHECK(t.edits() == 1);
   set_easing(t.document, Frames{31, 7}, Easing::linear);
   CHECK(t.timeline().keys[0].easing == Easing::linear);
-}
-
-TEST_CASE("handles_are_brought_into_their_ranges_and_shaping_one_curve_is_one_edit") {
-  Timed t;
-  t.timeline() = test::three_keys();
-  set_handles(t.document, 1, {0.1, 0.2, 0.3, 0.4});
-  set_handles(t.document, 1, {-1, 99, std::numeric_limits<double>::quiet_NaN(), -99});
-  CHECK(t.edits() == 1);
-  CHECK(t.timeline().keys[0].easing == Easing::bezier);
-  CHECK(t.timeline().keys[0].handles == Handles{0, 5, 0, -4});
-  CHECK(are_handles(t.timeline().keys[0].handles));
-  CHECK_FALSE(are_handles({0, 0, 1.1, 0}));
-  CHECK_FALSE(are_handles({0, 0, std::numeric_limits<double>::quiet_NaN(), 0}));
-  set_handles(t.document, 11, usual_handles);
-  CHECK(t.edits() == 2);
 }
 
 TEST_CASE("what_plays_is_brought_into_its_ranges_and_changed_in_one_edit") {

@@ -7,7 +7,6 @@
 #include "scene/document/time_edit.h"
 #include "support/commands.h"
 #include "support/edits.h"
-#include "scene/workspace/time_gestures.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -51,7 +51,7 @@ if(VIETE_BUILD_VIEWER)
   install_debian(viewer_debian zsh/vendor-completions ${PROJECT_SOURCE_DIR}/assets/desktop/completion/viete.zsh RENAME _viete)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME viete)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg")  # videos of animations
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg")  # films of numbered pictures
   # Libraries that are linked, and those that are opened at run time.
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libgl1, libegl1 | libosmesa6")

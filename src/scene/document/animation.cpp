@@ -218,44 +218,4 @@ std::vector<double> Animation::place(std::size_t key, bool logs) const {
   return all;
 }
 
-namespace {
-
-// Of a key's place along the way between two others, the first of which is the origin.
-double along(const std::vector<double>& place, const std::vector<double>& start,
-             const std::vector<double>& end) {
-  const auto at = [](const std::vector<double>& row, std::size_t i) { return i < row.size() ? row[i] : 0; };
-  double dot = 0, length = 0;
-  for (std::size_t i = 0; i < std::max(start.size(), end.size()); ++i) {
-    const double way = at(end, i) - at(start, i);
-    dot += (at(place, i) - at(start, i)) * way;
-    length += way * way;
-  }
-  return length > 0 ? dot / length : 0;
-}
-
-}  // namespace
-
-std::vector<double> Animation::progress(std::size_t from, int steps) const {
-  const auto& keys = timeline_.keys;
-  if (from + 1 >= keys.size()) return {};
-  bool logs = !timeline_.straight;
-  if (logs && place(from, true) == place(from + 1, true)) logs = false;  // what only moves
-  const std::vector<double> start = place(from, logs), end = place(from + 1, logs);
-  std::map<std::size_t, double> known{{from, 0}, {from + 1, 1}};
-  const auto of = [&](std::size_t key) {
-    const auto found = known.find(key);
-    return found != known.end() ? found->second : known[key] = along(place(key, logs), start, end);
-  };
-  std::vector<double> all;
-  for (int i = 0; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    double sum = 0;
-    for (const auto& [key, factor] :
-         moment_at(timeline_, keys[from].frame + share * (keys[from + 1].frame - keys[from].frame)).shares)
-      sum += factor * of(key);
-    all.push_back(sum);
-  }
-  return all;
-}
-
 }  // namespace viete::scene

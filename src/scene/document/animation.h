@@ -64,7 +64,7 @@ private:
 ///
 /// What is shown between keys is the cage that follows the blended logs, see PoseSpace; a timeline that is
 /// straight moves its vertices on straight lines. Probes are blended by their logs in either case. Where that
-/// leaves what can be drawn, as a curve that overshoots far may, the key before stays.
+/// leaves what can be drawn, as `smooth` may where it overshoots, the key before stays.
 class Animation {
 public:
   /// Requires keys, of this cage; where keys have shapes, of this model. Throws base::Error where a shape is
@@ -77,11 +77,6 @@ public:
   WholePose at(double frame) const;
   /// As if the timeline was straight, or was not.
   WholePose at(double frame, bool straight) const;
-
-  /// How far what is shown has come on its way from a key to the next one, at so many even steps and at both
-  /// ends: 0 at the key, 1 at the next one, beyond where it overshoots. The way is that of the logs, or a
-  /// straight one.
-  std::vector<double> progress(std::size_t from, int steps) const;
 
 private:
   WholePose key(std::size_t key) const;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "scene/document/record.h"
+#include "scene/document/edit.h"
 
 namespace viete::scene {
 

@@ -56,8 +56,7 @@ std::span<const Choice> choices(Easing) {
   static constexpr Choice all[] = {
       {"smooth", "Smooth", "Flows through the keys, and comes to rest at the first and the last one."},
       {"linear", "Linear", "At an even speed from this key to the next one."},
-      {"hold", "Hold", "Stays at this key until the next one."},
-      {"bezier", "Curve", "By a curve with two handles, which the graph shows."}};
+      {"hold", "Hold", "Stays at this key until the next one."}};
   return all;
 }
 

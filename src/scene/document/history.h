@@ -10,7 +10,7 @@
 namespace viete::scene {
 
 /// What an edit is, as far as that decides what becomes of the next one: labels are for people alone.
-enum class EditKind { other, selection, binding, amounts, mix, keys, curve, play, probe_radius, cage };
+enum class EditKind { other, selection, binding, amounts, mix, keys, play, probe_radius, cage };
 
 /// Edits of the same step that follow one another can be one edit.
 struct EditStep {

@@ -122,7 +122,8 @@ void PinPosing::step(Document& document, KnownVectors& known, const Hand& hand) 
   if (!is_of_now(document)) begin(document, known);
   if (set_ != seen_.pins) {
     std::vector<deform::PosingPin> pins;
-    for (const deform::Pin& pin : seen_.pins) pins.push_back({pin.vertex, pin.pulls ? deform::usual_pull : deform::holding});
+    for (const deform::Pin& pin : seen_.pins)
+      pins.push_back({pin.vertex, pin.pulls ? deform::usual_pull : deform::holding});
     posing_->set_pins(std::move(pins));
     set_ = seen_.pins;
   }

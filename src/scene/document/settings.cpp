@@ -1,6 +1,6 @@
 #include "scene/document/settings.h"
 
-#include "scene/document/record.h"
+#include "scene/document/edit.h"
 
 namespace viete::scene {
 

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "mesh/surface.h"
+#include "mesh/vector.h"
 
 namespace viete::scene {
 
@@ -33,5 +34,12 @@ double grid_cell(double diagonal);
 
 /// The space in which the diagonal of the box is 2.
 Space space_for(const mesh::Bounds& box);
+
+inline glm::dvec3 vector_of(const mesh::Vec3& p) {
+  return {p[0], p[1], p[2]};
+}
+inline mesh::Vec3 point_of(const glm::dvec3& p) {
+  return {p.x, p.y, p.z};
+}
 
 }  // namespace viete::scene

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "scene/document/record.h"
+#include "scene/document/edit.h"
 
 namespace viete::scene {
 
@@ -161,21 +161,6 @@ void set_easing(Document& document, std::span<const int> frames, Easing easing) 
   record_edit(document, "change the easing");
   for (PoseKey& key : document.timeline.keys)
     if (among(frames, key.frame)) key.easing = easing;
-}
-
-void set_handles(Document& document, int frame, const Handles& handles) {
-  if (!key_at(document.timeline, frame)) return;
-  record_step(document, "shape the curve of frame " + std::to_string(frame),
-              {EditKind::curve, static_cast<std::size_t>(frame)});
-  PoseKey& key = key_for(document.timeline.keys, frame);
-  key.easing = Easing::bezier;
-  key.handles = {brought_into(handles[0], 0, 1), brought_into(handles[1], -4, 5),
-                 brought_into(handles[2], 0, 1), brought_into(handles[3], -4, 5)};
-}
-
-bool are_handles(const Handles& h) {
-  const auto within = [](double x, double least, double most) { return x >= least && x <= most; };
-  return within(h[0], 0, 1) && within(h[1], -4, 5) && within(h[2], 0, 1) && within(h[3], -4, 5);
 }
 
 void put_timeline(Document& document, Timeline timeline, const std::string& label) {

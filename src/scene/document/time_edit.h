@@ -31,9 +31,6 @@ void remove_keys(Document& document, std::span<const int> frames);
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to);
 void set_easing(Document& document, std::span<const int> frames, Easing easing);
-/// Of the curve from one key to the next; x in [0, 1], y in [-4, 5].
-void set_handles(Document& document, int frame, const Handles& handles);
-bool are_handles(const Handles& handles);
 /// Keys that were read take the place of all others, with range and rate.
 void put_timeline(Document& document, Timeline timeline, const std::string& label);
 /// Range, rate, what comes after the last frame, straight lines; changes one after the other are one edit.

@@ -90,7 +90,6 @@ std::vector<KeyShare> shares_in_piece(const Track& track, std::size_t from, doub
   switch (track.easing(from)) {
     case Easing::hold: return {{from, 1}};
     case Easing::linear: return between(t);
-    case Easing::bezier: return between(eased(track.timeline.keys[from].handles, t));
     case Easing::smooth: break;
   }
   return hermite(track, from, t);
@@ -128,11 +127,6 @@ bool comes_back(const Timeline& timeline) {
   return first == last && whole && (timeline.repeat == Repeat::loop || std::abs(turns) > 0.5);
 }
 
-double cubic(double a, double b, double t) {
-  const double u = 1 - t;
-  return 3 * u * u * t * a + 3 * u * t * t * b + t * t * t;
-}
-
 }  // namespace
 
 const PoseKey* key_at(const Timeline& timeline, int frame) {
@@ -142,18 +136,6 @@ const PoseKey* key_at(const Timeline& timeline, int frame) {
 
 Moment moment_at(const Timeline& timeline, double frame) {
   return moment_on({timeline.keys.size(), timeline, false, is_closed(timeline)}, frame);
-}
-
-// x grows with the parameter, as both handles are in [0, 1].
-double eased(const Handles& handles, double t) {
-  const auto& [x1, y1, x2, y2] = handles;
-  if (t <= 0 || t >= 1) return t <= 0 ? 0 : 1;
-  double low = 0, high = 1;
-  for (int i = 0; i < 60 && low < high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (cubic(x1, x2, middle) < t ? low : high) = middle;
-  }
-  return cubic(y1, y2, 0.5 * (low + high));
 }
 
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward) {

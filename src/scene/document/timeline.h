@@ -1,7 +1,6 @@
 // Poses in time: keys, how one comes to the next, and what plays.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,16 +39,12 @@ struct WholePose {
 using SharedPose = std::shared_ptr<const WholePose>;
 
 /// How a key comes to the next one.
-enum class Easing { smooth, linear, hold, bezier };
+enum class Easing { smooth, linear, hold };
 std::span<const Choice> choices(Easing);
 
 /// What happens after the last frame.
 enum class Repeat { once, loop, ping_pong };
 std::span<const Choice> choices(Repeat);
-
-/// Of a cubic curve from (0, 0) to (1, 1), time to share of the way: x1, y1, x2, y2; x in [0, 1].
-using Handles = std::array<double, 4>;
-inline constexpr Handles usual_handles{0.42, 0, 0.58, 1};
 
 /// How much of a pose with that name a key has mixed in.
 struct MixedPose {
@@ -62,9 +57,8 @@ struct MixedPose {
 struct PoseKey {
   int frame;
   SharedPose pose{};
-  Easing easing = Easing::smooth;   ///< up to the next key
-  Handles handles = usual_handles;  ///< of Easing::bezier
-  std::vector<MixedPose> mix{};     ///< the named poses that it was made of, while these are unchanged
+  Easing easing = Easing::smooth;  ///< up to the next key
+  std::vector<MixedPose> mix{};    ///< the named poses that it was made of, while these are unchanged
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };
@@ -113,11 +107,8 @@ struct Moment {
 /// `smooth` flows through keys: cubic Hermite pieces with the slopes of E. Catmull and R. Rom (A class of
 /// local interpolating splines, 1974; of keys at uneven times as in P. J. Barry and R. N. Goldman, 1988); it
 /// comes to rest at the first and the last key, unless it loops and both are the same pose, and where the
-/// other side holds or is `bezier`; beside `linear` it has that one's slope.
+/// other side holds; beside `linear` it has that one's slope.
 Moment moment_at(const Timeline& timeline, double frame);
-
-/// Share of the way at share `t` of the time.
-double eased(const Handles& handles, double t);
 
 /// The frame after `seconds` of playing from `frame`, forward or backward (which ping-pong turns round);
 /// nothing where it has come to the end.

@@ -4,24 +4,23 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <numeric>
+#include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/memory.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
+#include "mesh/formats/written_positions.h"
 #include "scene/files/animated_model.h"
-#include "scene/files/morph_plan.h"
-#include "scene/files/pose_json.h"
 
 namespace viete::scene {
 
@@ -36,12 +35,6 @@ bool is_numbered(const AnimationExport& what) {
 // Where float frames are judged.
 std::array<double, 3> judged_frames(const std::vector<int>& frames) {
   return {double(frames.front()), double(frames[frames.size() / 2]), double(frames.back())};
-}
-
-std::string scientific(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1e", value);
-  return text;
 }
 
 std::string engine_text(const AnimatedModel& model) {
@@ -105,23 +98,76 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   return report;
 }
 
-// Keys of the range, its ends, and what comes before a jump.
-std::vector<double> sampled_frames(const AnimationExport& what) {
-  std::set<double> frames{double(what.first), double(what.last)};
-  const double jump = std::max(jump_frames, (what.last - what.first) * 0x1p-21);  // floats tell it apart
+// Coordinates are told apart in files of floats by this share of their size, and no better.
+constexpr double float_noise = 0x1p-22;
+
+// A frame that is looked at.
+struct Sample {
+  double frame;
+  bool is_key;  // or an end: straight lines do not lead past it
+};
+
+// Frames, keys, and what comes before a jump.
+std::vector<Sample> samples_of(const AnimationExport& what) {
+  std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
+  for (const int frame : what.frames()) samples.emplace(frame, false);
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // floats tell its seconds apart
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
     if (frame <= what.first || frame > what.last) continue;
-    frames.insert(frame);
-    if (i > 0 && keys[i - 1].easing == Easing::hold) frames.insert(frame - jump);
+    samples[frame] = true;
+    if (i > 0 && keys[i - 1].easing == Easing::hold) samples[frame - jump] = true;
   }
-  return {frames.begin(), frames.end()};
+  std::vector<Sample> all;
+  for (const auto& [frame, is_key] : samples) all.push_back({frame, is_key});
+  return all;
 }
 
-double diagonal_of(const mesh::Surface& surface) {
-  return std::max(mesh::bounds(surface.positions).diagonal(), 1e-300);
-}
+// Straight lines from one pose to later ones, as long as they stay near all poses in between. For each
+// coordinate it keeps the steepest and the flattest line that does.
+class StraightLines {
+public:
+  explicit StraightLines(double tolerance) : reach_(tolerance / std::sqrt(3.0)) {}
+
+  void start(double frame, std::span<const mesh::Point> pose) {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    frame_ = frame;
+    from_.assign(pose.begin(), pose.end());
+    flattest_.assign(pose.size(), {-any, -any, -any});
+    steepest_.assign(pose.size(), {any, any, any});
+  }
+  // Whether the line to that pose does; lines to later ones are to stay near it too.
+  bool lead_to(double frame, std::span<const mesh::Point> pose) {
+    const double length = frame - frame_;
+    bool near = true;
+    for (std::size_t v = 0; v < pose.size(); ++v) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double way = pose[v][c] - from_[v][c],
+                     reach = std::max(reach_, float_noise * std::abs(pose[v][c]));
+        near &= flattest_[v][c] <= way / length && way / length <= steepest_[v][c];
+        flattest_[v][c] = std::max(flattest_[v][c], (way - reach) / length);
+        steepest_[v][c] = std::min(steepest_[v][c], (way + reach) / length);
+      }
+    }
+    return near;
+  }
+
+private:
+  double reach_, frame_ = 0;
+  std::vector<mesh::Point> from_, flattest_, steepest_;
+};
+
+// Poses of the model between which it goes straight, a target each.
+struct MorphPlan {
+  std::vector<double> frames;
+  std::vector<char> moves;  // vertices that do not stay at rest
+
+  double bytes(double of_vertex) const {
+    const auto count = static_cast<double>(frames.size());
+    return count * (of_vertex * static_cast<double>(std::ranges::count(moves, 1)) + 4 * (count + 1));
+  }
+};
 
 std::string frame_name(double frame) {
   char text[32];
@@ -129,73 +175,95 @@ std::string frame_name(double frame) {
   return text;
 }
 
+void check_floats(std::span<const mesh::Point> pose, double frame) {
+  constexpr double most = std::numeric_limits<float>::max() / 4;
+  for (std::size_t v = 0; v < pose.size(); ++v)
+    if (!mesh::is_place(pose[v], most))
+      throw base::Error("vertex " + std::to_string(v),
+                        "its position at " + frame_name(frame) + " does not fit into the floats of glTF",
+                        "write numbered models (frame_####.ply), or scale the model");
+}
+
 // Below this nothing can be told from rounding of floats.
 constexpr double least_tolerance = 1e-7;
-
-// Of a target: three floats, and three of its normal.
-double bytes_of_vertex(const AnimationExport& what) {
-  return what.normals ? 24 : 12;
-}
-
-// A GLB file says its size in 32 bits, and holds the model too.
-double most_bytes(const AnimationExport& what) {
-  return mesh::extension_of(what.model.file) == "glb" ? std::min(what.most_bytes, 4.2e9) : what.most_bytes;
-}
 
 // The model in time, and how few targets show it.
 class MorphedModel {
 public:
   MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
-      : what_(what), pool_(pool), diagonal_(diagonal_of(*what.model.model)) {
+      : what_(what),
+        tolerance_(std::max(what.tolerance, least_tolerance) *
+                   std::max(mesh::bounds(what.model.model->positions).diagonal(), 1e-300)) {
     if (progress) progress->section(0, 0.05);
     model_.emplace(what.model, what.timeline, AnimatedModel::Precision::fast,
                    std::min(fast_frame_error, 0.1 * what.tolerance), judged_frames(what.frames()), pool,
                    progress);
   }
 
-  // By every so many vertices.
+  // Looks at every so many vertices. A line goes as far as it can; its end begins the next one.
   MorphPlan plan(std::size_t step, base::Progress* progress) {
-    const auto given = what_.frames();
-    return plan_morphs(
-        some(what_.model.model->positions, step),
-        what_.every_frame ? std::vector<double>(given.begin(), given.end()) : sampled_frames(what_),
-        [&, step](double frame) { return some(at(frame), step); },
-        {.tolerance = std::max(what_.tolerance, least_tolerance) * diagonal_,
-         .refines = !what_.every_frame,
-         .bytes_of_vertex = bytes_of_vertex(what_) * static_cast<double>(step),
-         .most_bytes = most_bytes(what_),
-         .to_allow_more = what_.to_allow_more},
-        pool_, progress);
+    if (progress) progress->section(0.05, 0.7);
+    const auto rest = some(what_.model.model->positions, step);
+    MorphPlan plan{{}, std::vector<char>(rest.size(), 0)};
+    StraightLines lines(tolerance_);
+    const auto take = [&](double frame, std::span<const mesh::Point> pose) {
+      plan.frames.push_back(frame);
+      check_size(plan, step);
+      lines.start(frame, pose);
+    };
+    std::vector<mesh::Point> before;
+    const std::vector<Sample> samples = samples_of(what_);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double frame = samples[i].frame;
+      auto pose = some(at(frame), step);
+      check_floats(pose, frame);
+      for (std::size_t v = 0; v < pose.size(); ++v)
+        plan.moves[v] |= mesh::norm(pose[v] - rest[v]) > tolerance_;
+      if (!plan.frames.empty() && !lines.lead_to(frame, pose)) {
+        take(samples[i - 1].frame, before);
+        lines.lead_to(frame, pose);
+      }
+      if (samples[i].is_key) take(frame, pose);
+      before = std::move(pose);
+      if (progress) progress->report(static_cast<double>(i + 1) / static_cast<double>(samples.size()));
+    }
+    return plan;
+  }
+
+  // A target takes three floats a vertex, and three of its normal.
+  double bytes(const MorphPlan& plan, std::size_t step) const {
+    return plan.bytes(static_cast<double>(step) * (what_.normals ? 24 : 12));
   }
 
   mesh::MorphMotion motion(const MorphPlan& plan) {
     mesh::MorphMotion motion;
     motion.name = what_.model.file.stem().string();
     motion.normals = what_.normals;
-    for (const double frame : plan.frames) motion.seconds.push_back((frame - what_.first) / what_.rate);
-    for (const auto& target : plan.targets) motion.targets.push_back(frame_name(target.front().frame));
-    if (plan.steady) motion.targets.back() = "steady";
-    motion.weights = plan.weights;
+    const std::size_t count = plan.frames.size();
+    motion.weights.assign(count * count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      motion.seconds.push_back((plan.frames[i] - what_.first) / what_.rate);
+      motion.targets.push_back(frame_name(plan.frames[i]));
+      motion.weights[i * count + i] = 1;
+    }
     motion.moves = plan.moves;
-    motion.positions = [&](std::size_t t) {
-      return plan.positions(t, what_.model.model->positions, [&](double frame) { return at(frame); });
+    motion.positions = [&](std::size_t target) {
+      auto pose = at(plan.frames[target]);
+      for (std::size_t v = 0; v < pose.size(); ++v)
+        if (!plan.moves[v]) pose[v] = what_.model.model->positions[v];
+      return pose;
     };
     return motion;
   }
 
-  void tell(const MorphPlan& plan, AnimationReport& report) {
-    report.targets = plan.targets.size();
-    report.frames = plan.frames.size();
+  AnimationReport report(const MorphPlan& plan) {
+    AnimationReport report{.frames = plan.frames.size()};
     report.notes = notes_.take();
-    const double asked = what_.tolerance * diagonal_;
-    if (plan.error > asked && !what_.every_frame)
-      report.notes.push_back("the tolerance of " + scientific(what_.tolerance) +
-                             " is below what floats tell apart in coordinates of up to " +
-                             scientific(plan.farthest) + ": it is not kept everywhere");
-    report.summary = base::counted(report.targets, "morph target") + " that " +
-                     (report.targets == 1 ? "takes " : "take ") + base::counted(report.frames, "pose") +
-                     " with straight lines between them, off by up to " + at_most(plan.error / diagonal_) +
-                     " of the model's diagonal; " + engine_text(*model_);
+    report.summary = base::counted(report.frames, "morph target") +
+                     " with straight lines between them, off by up to " +
+                     at_most(std::max(what_.tolerance, least_tolerance)) +
+                     " of the model's diagonal at any frame; " + engine_text(*model_);
+    return report;
   }
 
   FrameNotes& notes() { return notes_; }
@@ -213,26 +281,35 @@ private:
     return positions;
   }
 
+  // A GLB file says its size in 32 bits, and holds the model too.
+  void check_size(const MorphPlan& plan, std::size_t step) const {
+    const bool binary = mesh::extension_of(what_.model.file) == "glb";
+    const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes,
+                 size = bytes(plan, step);
+    if (size <= most) return;
+    throw base::Error(
+        "",
+        "the motion needs more than " + base::counted(plan.frames.size(), "morph target") + ": " +
+            base::memory_size(size) + ", and no more than " + base::memory_size(most) + " are allowed",
+        "allow a larger tolerance, " + (what_.to_allow_more.empty() ? "" : what_.to_allow_more + ", ") +
+            "or write a point cache (.pc2)");
+  }
+
   const AnimationExport& what_;
-  base::WorkerPool& pool_;
-  double diagonal_;
+  double tolerance_;  // in the file's unit
   std::optional<AnimatedModel> model_;
   FrameNotes notes_;
 };
 
-// Text holds the bytes as letters, and is put together in memory.
-void require_memory_of(const AnimationExport& what, const MorphPlan& plan) {
-  const double copies = mesh::extension_of(what.model.file) == "glb" ? 1 : 4;
-  base::require_memory({copies * plan.bytes(bytes_of_vertex(what)),
-                        base::counted(plan.targets.size(), "morph target") + " take",
-                        "allow a larger tolerance, export fewer frames, or write a point cache (.pc2)",
-                        what.model.file.string()});
-}
-
 AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
   MorphedModel model(what, pool, progress);
   const MorphPlan plan = model.plan(1, progress);
-  require_memory_of(what, plan);
+  // Text holds the bytes as letters, and is put together in memory.
+  const double copies = mesh::extension_of(what.model.file) == "glb" ? 1 : 4;
+  base::require_memory({copies * model.bytes(plan, 1),
+                        base::counted(plan.frames.size(), "morph target") + " take",
+                        "allow a larger tolerance, export fewer frames, or write a point cache (.pc2)",
+                        what.model.file.string()});
   if (progress) progress->section(0.7, 1);
   const mesh::Content content{
       *what.model.model, what.model.model->positions, {}, what.model.attributes.get()};
@@ -241,9 +318,7 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
   const bool original = mesh::writes_itself(what.model.original.get(), what.model.file);
   const std::string units = original ? "" : gltf_note(what.model.up);
   if (!units.empty()) model.notes().add({units});
-  AnimationReport report;
-  model.tell(plan, report);
-  return report;
+  return model.report(plan);
 }
 
 AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
@@ -295,11 +370,6 @@ bool is_animation_format(const std::string& extension) {
   return format && (format->is_sequence || format->holds_morphs);
 }
 
-bool is_video_format(const std::string& extension) {
-  constexpr std::array formats{"mp4", "webm", "mkv", "gif"};
-  return std::ranges::find(formats, extension) != formats.end();
-}
-
 void check_animation_export(const AnimationExport& what) {
   const fs::path& file = what.model.file;
   const std::string extension = mesh::extension_of(file);
@@ -307,7 +377,7 @@ void check_animation_export(const AnimationExport& what) {
     throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
                       "use " + mesh::format_extensions(mesh::is_sequence, ", ") + ", " +
                           mesh::format_extensions(mesh::holds_morphs) +
-                          ", or numbered models such as frame_####.obj");
+                          ", or numbered models or pictures (frame_####.obj, frame_####.png)");
   if (!is_numbered(what) && !is_animation_format(extension))
     throw base::Error(file.string(), "a file of this format holds one frame",
                       "write numbered files, " + (file.stem() += "_####." + extension).string());
@@ -325,7 +395,7 @@ MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progr
   constexpr std::size_t enough = 2000;
   const std::size_t step = std::max<std::size_t>(1, what.model.model->positions.size() / enough);
   const MorphPlan plan = model.plan(step, progress);
-  return {plan.targets.size(), plan.bytes(bytes_of_vertex(what) * static_cast<double>(step))};
+  return {plan.frames.size(), model.bytes(plan, step)};
 }
 
 AnimationReport write_animation(const AnimationExport& what, base::Progress* progress) {

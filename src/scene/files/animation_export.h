@@ -19,7 +19,8 @@ namespace viete::scene {
 /// All that the files are made of, as it is at one moment, see Export. Its file says what they are:
 ///
 /// .pc2, .mdd      a point cache of all frames; vertices in the model's order
-/// .glb, .gltf     one model with morph targets and an animation that plays them; not where the name has a
+/// .glb, .gltf     one model with morph targets and an animation that plays them: a target for each key, and
+///                 between keys one wherever straight lines would lead too far off; not where the name has a
 ///                 place for the number
 /// NAME_####.obj   (.ply, .off, .stl, .glb, .gltf) one model a frame, see base::NumberedName; the same bits
 /// as
@@ -29,9 +30,8 @@ struct AnimationExport {
   Timeline timeline;                  ///< keys, and whether they go straight
   int first = 1, last = 1, step = 1;  ///< frames; last >= first, step >= 1
   double rate = 24;                   ///< frames a second
-  double tolerance = 1e-4;   ///< of morph targets: how far from the motion lines between them may lead, in
-                             ///< diagonals of the model; above 0
-  bool every_frame = false;  ///< morph targets take the motion at these frames alone
+  double tolerance = 1e-4;  ///< of morph targets: how far from any of these frames lines between them may
+                            ///< lead, in diagonals of the model; above 0
   bool normals = true;      ///< of morph targets: without, they take half as much, and light stays as at rest
   double most_bytes = 1e9;  ///< of morph targets and their weights; more is refused
   std::string to_allow_more{};  ///< advice for that: "allow more megabytes (--largest)"; empty: none
@@ -44,16 +44,13 @@ struct AnimationExport {
 AnimationExport animation_export_of(const Document& document, const std::filesystem::path& file);
 
 struct AnimationReport {
-  std::size_t frames = 0;            ///< that are in the files now, or poses between which morph targets go
+  std::size_t frames = 0;            ///< that are in the files now, or morph targets
   std::string summary{};             ///< one line: what was written, by which engine, and how exact it is
   std::vector<std::string> notes{};  ///< what a person should know of the result, one line each
-  std::size_t targets = 0;           ///< morph targets
 };
 
 /// The extensions of one file for all frames: "pc2", "glb" ...
 bool is_animation_format(const std::string& extension);
-/// "mp4", "webm", "mkv" and "gif": pictures of all frames, which are drawn, see app/animation_pictures.h.
-bool is_video_format(const std::string& extension);
 
 /// Throws base::Error where the name says nothing that can be written, or cannot be written, or the timeline
 /// has no keys.

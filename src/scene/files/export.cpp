@@ -16,11 +16,10 @@
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "scene/document/cage_editing.h"
+#include "scene/document/camera.h"
 #include "scene/document/pose_notes.h"
-#include "scene/document/up_axis.h"
-#include "scene/files/probes_json.h"
-#include "scene/files/scheme_json.h"
 #include "scene/files/session.h"
+#include "scene/files/session_parts.h"
 
 namespace viete::scene {
 

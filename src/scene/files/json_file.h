@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "base/choice.h"
 #include "base/error.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/vector.h"
-#include "base/choice.h"
 
 namespace viete::scene {
 

@@ -18,12 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Recognises videos by their first bytes.
-bool is_video(std::string_view bytes, std::string_view extension) {
-  if (extension == "gif") return bytes.starts_with("GIF8");
-  return extension == "mp4" ? bytes.substr(0, 8).ends_with("ftyp") : bytes.starts_with("\x1A\x45\xDF\xA3");
-}
-
 bool is_svg(std::string_view bytes) {
   bytes = bytes.substr(0, 4096);
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
@@ -42,9 +36,8 @@ bool may_be_replaced(const fs::path& file, const mesh::Beginning& beginning, Con
     case Content::surface:
     case Content::animation: {
       const mesh::Format* named = mesh::find_format(file);
-      if (!named) return is_video(bytes, mesh::extension_of(file));
       const mesh::Format* found = mesh::format_of_content(file, beginning);
-      return found && found->name == named->name;
+      return found && named && found->name == named->name;
     }
     case Content::picture: return bytes.starts_with("\x89PNG\r\n\x1a\n");
     case Content::json: return !mesh::text_in_json(bytes, {"figure"}).empty();
@@ -60,8 +53,8 @@ std::string name_of(const fs::path& file, Content content) {
                                    "", "a session",     "a page of a report"};
   const std::string name = names[static_cast<std::size_t>(content)];
   if (!name.empty()) return name;
-  if (const mesh::Format* format = mesh::find_format(file)) return std::string(format->name);
-  return "a video (" + mesh::extension_of(file) + ")";
+  const mesh::Format* format = mesh::find_format(file);
+  return format ? std::string(format->name) : "an animation";
 }
 
 std::string name_of_found(const fs::path& file, const mesh::Beginning& beginning) {

@@ -13,7 +13,7 @@
 #include "scene/document/probes.h"
 #include "scene/document/range.h"
 #include "scene/document/time_edit.h"
-#include "scene/files/camera_json.h"
+#include "scene/files/session_parts.h"
 
 namespace viete::scene {
 
@@ -113,13 +113,7 @@ NamedPose named_pose_of(const JsonReader& json, std::span<const SharedShape> sha
 PoseKey key_of(const JsonReader& json, std::span<const SharedShape> shapes,
                std::vector<std::string>& warnings) {
   PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, shapes, warnings)};
-  const auto handles_of = [](const JsonReader& v) {
-    const Handles handles = v.numbers<4>();
-    if (!are_handles(handles)) v.fail("x is 0 to 1, y is -4 to 5");
-    return handles;
-  };
   take_part(json, "easing", key.easing, choice_of<Easing>, "smooth instead", warnings);
-  take_part(json, "handles", key.handles, handles_of, "the usual curve instead", warnings);
   take_part(json, "mix", key.mix, mix_of, "it counts as made by hand", warnings);
   return key;
 }
@@ -325,7 +319,6 @@ ordered_json timeline_json(const Timeline& timeline, double frame, ShapeTable& s
   json["keys"] = ordered_json::array();
   for (const PoseKey& key : timeline.keys) {
     ordered_json one = {{"frame", key.frame}, {"easing", entry_of(key.easing).word}};
-    if (key.easing == Easing::bezier) one["handles"] = key.handles;
     for (const MixedPose& mixed : key.mix)
       one["mix"].push_back({{"name", mixed.name}, {"weight", percent_of(mixed.weight)}});
     one.update(whole_pose_json(*key.pose, shapes));

@@ -51,12 +51,11 @@ nlohmann::ordered_json library_json(const PoseLibrary& library, ShapeTable& shap
 
 /// {"first", "last": what plays, "rate": frames a second, "frame": where it is, "repeat": "once", "loop" or
 ///  "ping_pong", "straight": true or missing,
-///  "keys": [{"frame", "easing": "smooth", "linear", "hold" or "bezier", "handles": [x1, y1, x2, y2] of
-///            "bezier", "mix": [{"name" of a pose, "weight": percent}, ...] that it was made of, and a pose
-///            as above}, ...],
+///  "keys": [{"frame", "easing": "smooth", "linear" or "hold", "mix": [{"name" of a pose, "weight": percent},
+///            ...] that it was made of, and a pose as above}, ...],
 ///  "unkeyed": [{"frame", and a pose as above}, ...], those that undo leads back to, oldest first; missing:
 ///             none,
-///  "cameras": [{"frame", and a camera as in camera_json.h}, ...]}
+///  "cameras": [{"frame", and a camera as in session_parts.h}, ...]}
 nlohmann::ordered_json timeline_json(const Timeline& timeline, double frame, ShapeTable& shapes);
 
 /// A pose that is damaged is left out, and a warning says so; so is what does not fit in size: see

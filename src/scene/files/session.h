@@ -10,7 +10,6 @@
 #include "scene/document/camera.h"
 #include "scene/document/document.h"
 #include "scene/document/handling.h"
-#include "scene/document/side_ways.h"
 #include "scene/document/view_options.h"
 
 namespace viete::scene {
@@ -41,14 +40,14 @@ struct MaskRun {
 ///   "radius"              of cut-off weights, percent of the cage's size; missing: 25
 ///   "mask"                painted shares of the model's vertices in their order, in 255ths: [share, for how
 ///                         many vertices, share, ...]; missing: every vertex follows the cage
-///   "probes"              see probes_json.h; missing: there are none
-///   "camera"              see camera_json.h
+///   "probes"              see session_parts.h; missing: there are none
+///   "camera"              see session_parts.h
 ///   "view"                flags, see ViewOptions
 ///   "views"               those beside the first: [{"method", what says a scheme, "field": the map,
 ///                         "other_lines": straight where the first has logs}], 3 at most; missing: none
 ///   "wipe"                of two views, where the line between them is, 0.05 to 0.95; missing: side by side
 ///   "cameras"             as "camera", one of each of "views", where they are not linked; missing: they are
-///   "hand"                see handling_json.h; missing: as in a new window
+///   "hand"                see session_parts.h; missing: as in a new window
 ///   "window"              [width, height] in logical pixels
 ///   "selecting"           "vertices", "edges" or "faces" of the cage, or "probes"
 ///   "selection"           their indices, from 0

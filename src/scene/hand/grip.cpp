@@ -1,6 +1,6 @@
 #include "scene/hand/grip.h"
 
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 #include "scene/hand/soft_selection.h"
 
 namespace viete::scene {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/hand/anchor.h"
-#include "scene/hand/shape.h"
+#include "scene/hand/shaping.h"
 #include "scene/hand/transform.h"
 
 namespace viete::scene {

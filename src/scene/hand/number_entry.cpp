@@ -40,10 +40,6 @@ void NumberEntry::backspace() {
   }
 }
 
-void NumberEntry::clear() {
-  *this = {};
-}
-
 std::optional<double> NumberEntry::value() const {
   const auto value = number_of(digits_);
   return value && negative_ ? -*value : value;

@@ -17,7 +17,6 @@ public:
   /// one of them.
   bool type(char c);
   void backspace();
-  void clear();
 
   bool empty() const { return digits_.empty() && !negative_; }
   /// Nothing before the first digit.

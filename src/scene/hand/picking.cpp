@@ -5,8 +5,7 @@
 
 #include "scene/document/elements.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection_sets.h"
-#include "scene/hand/select_shape.h"
+#include "scene/document/selection.h"
 #include "scene/hand/sight.h"
 
 namespace viete::scene {
@@ -213,6 +212,23 @@ std::vector<std::uint32_t> pick_elements_in_circle(const Document& document, con
     if (within || (under && under->index == i)) found.push_back(i);
   }
   return found;
+}
+
+void draw_on(Lasso& lasso, const glm::vec2& to) {
+  constexpr float step = 2;
+  if (lasso.line.empty() || glm::distance(lasso.line.back(), to) >= step) lasso.line.push_back(to);
+}
+
+// The winding number: each side that crosses the level of the point to its right counts by its direction.
+bool encloses(std::span<const glm::vec2> line, const glm::vec2& point) {
+  int turns = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const glm::vec2 a = line[i], b = line[(i + 1) % line.size()];
+    if ((a.y <= point.y) == (b.y <= point.y)) continue;
+    const float x = a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x);
+    if (x > point.x) turns += b.y > a.y ? 1 : -1;
+  }
+  return turns != 0;
 }
 
 }  // namespace viete::scene

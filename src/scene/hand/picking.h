@@ -9,8 +9,9 @@
 
 #include "scene/document/camera.h"
 #include "scene/document/document.h"
+#include "scene/document/selection.h"
 #include "scene/document/space.h"
-#include "scene/hand/projector.h"
+#include "scene/hand/cursor_projection.h"
 
 namespace viete::scene {
 
@@ -47,5 +48,21 @@ std::vector<std::uint32_t> pick_elements_in_lasso(const Document& document, cons
 std::vector<std::uint32_t> pick_elements_in_circle(const Document& document, const Camera& camera,
                                                    const Viewport& viewport, const glm::vec2& center,
                                                    float radius, const Sight* sight = nullptr);
+
+enum class SelectShape { box, lasso, brush };
+
+/// The circle of the brush follows the cursor.
+inline constexpr float least_select_radius = 4, largest_select_radius = 400;  ///< logical pixels
+
+/// In logical pixels; closed from its end to its start.
+struct Lasso {
+  std::vector<glm::vec2> line;
+  SelectMode mode;
+};
+
+/// Takes the next place of the cursor, where it is far enough from the last one to be seen.
+void draw_on(Lasso& lasso, const glm::vec2& to);
+/// True if the closed line goes round the point, however it crosses itself.
+bool encloses(std::span<const glm::vec2> line, const glm::vec2& point);
 
 }  // namespace viete::scene

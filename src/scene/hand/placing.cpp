@@ -8,10 +8,10 @@
 #include "deform/branches.h"
 #include "deform/cage_state.h"
 #include "deform/maps.h"
+#include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
-#include "scene/document/record.h"
-#include "scene/document/vectors.h"
+#include "scene/document/space.h"
 #include "sym3/affine.h"
 
 namespace viete::scene {

@@ -5,7 +5,6 @@
 
 #include "scene/document/document.h"
 #include "scene/hand/grip.h"
-#include "scene/hand/tool.h"
 #include "scene/hand/transform.h"
 
 namespace viete::scene {
@@ -14,8 +13,8 @@ namespace viete::scene {
 /// grip's pivots. If the turn differs from `degrees_seen`, the transform that the document shows, by more
 /// than a mouse can turn in a frame, it is followed in small steps, so that the pose's whole turns are what a
 /// slow turn would have made them. |degrees| is at most most_degrees. False, and the pose is as it was
-/// before, if a vertex or the turns would leave their range (scene/document/range.h). Selected probes go along instead
-/// where they are what is selected.
+/// before, if a vertex or the turns would leave their range (scene/document/range.h). Selected probes go
+/// along instead where they are what is selected.
 bool place(Document& document, const DocumentState& before, const Grip& grip, const Transform& transform,
            double degrees_seen);
 

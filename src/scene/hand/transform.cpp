@@ -1,5 +1,5 @@
 #include "scene/hand/transform.h"
-#include "scene/document/vectors.h"
+#include "scene/document/space.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/document/record.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/placing.h"
 
@@ -111,17 +111,6 @@ void TransformDrag::bend_about(int axis) {
   constrain(again ? Constraint{} : wanted);
 }
 
-void TransformDrag::take_handle(const glm::vec2& cursor) {
-  held_ = HeldHandle{glm::dvec2(cursor), shape_amount(), shape_amount()};
-  cursor_ = glm::dvec2(cursor);
-  lag_ = {0, 0};
-  entry_.clear();
-}
-
-double TransformDrag::shape_amount() const {
-  return is_angle(grip_.shaping.shape) ? transform_.degrees : transform_.amount;
-}
-
 glm::dvec3 TransformDrag::direction() const {
   if (constraint_.kind == Kind::free) return view_axis_;
   return grip_.anchor.axes[constraint_.axis];
@@ -165,10 +154,7 @@ Transform TransformDrag::measured(const DragInput& input, const Camera& camera, 
   const CursorProjection projection(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera,
                                     viewport);
   Transform t = still();
-  if (held_) {
-    held_->amount = amount_by_handle(grip_.shaping, *held_, slowed, space_, camera, viewport);
-    t = shaped_by(held_->amount, input.snap);
-  } else if (grip_.shaping.shape != Shape::none) {
+  if (grip_.shaping.shape != Shape::none) {
     t = shaped_by(amount_by_way(slowed.x - press_.x, projection), input.snap);
   } else if (tool_ == Tool::rotate) {
     t.axis = direction();

@@ -13,8 +13,6 @@
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/number_entry.h"
-#include "scene/hand/shape_handle.h"
-#include "scene/hand/tool.h"
 #include "scene/hand/transform.h"
 
 namespace viete::scene {
@@ -44,11 +42,6 @@ public:
   bool type(char c);
   void backspace() { entry_.backspace(); }
 
-  /// From now on a hand at this place holds the handle of a shape (scene/hand/shape_handle.h), and the amount goes
-  /// on from what it is.
-  void take_handle(const glm::vec2& cursor);
-  bool holds_handle() const { return held_.has_value(); }
-
   /// Other shares of what is near the selection; the next update moves it so.
   void soften(Document& document, const SoftSelection& soft, const Mirror* mirror);
   /// How often that was asked for: vertices() may be others since.
@@ -66,8 +59,6 @@ public:
   const Constraint& constraint() const { return constraint_; }
   /// What the selection has gone through so far.
   const Transform& transform() const { return transform_; }
-  /// Of a grip that shapes: in degrees where that is an angle.
-  double shape_amount() const;
   glm::vec2 press() const { return press_; }
   /// The amount as people read it: "X 0.125", "Z 405.0\u00b0", "1.20"; what is being typed ends with an
   /// underscore. What would leave the range of a pose, and so moves nothing, is said to.
@@ -101,7 +92,6 @@ private:
   Constraint constraint_;
   glm::dvec3 view_hinge_;         // of a bend in the plane of the view
   std::optional<int> along_way_;  // the axis that was asked for last, if nothing bends about it
-  std::optional<HeldHandle> held_;
   glm::dvec3 pivot_, view_axis_;  // file units; towards the eye at the press
   double depth_;
   glm::dvec2 press_, cursor_, lag_{0, 0};  // lag: what slow movement has held back

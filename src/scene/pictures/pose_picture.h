@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "scene/document/camera.h"
 #include "scene/document/document.h"
-#include "scene/document/up_axis.h"
 #include "scene/pictures/picture_view.h"
 
 namespace viete::scene {

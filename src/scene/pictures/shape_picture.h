@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/surface.h"
-#include "scene/document/up_axis.h"
+#include "scene/document/camera.h"
 #include "scene/pictures/picture_view.h"
 
 namespace viete::scene {

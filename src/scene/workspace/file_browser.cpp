@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/atomic_file.h"
-#include "base/child_program.h"
 #include "base/numbered_files.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
@@ -76,7 +75,6 @@ std::vector<std::string_view> FileBrowser::formats() const {
     add(mesh::holds_morphs);
     add(purpose == Purpose::animation ? mesh::keeps_order : mesh::holds_one_frame);
     if (purpose == Purpose::save_animation) names.push_back("png");
-    if (purpose == Purpose::save_animation && films) names.insert(names.end(), {"mp4", "webm"});
   } else {
     add(mesh::holds_surface);
     if (purpose == Purpose::shapes) add(mesh::is_sequence);
@@ -85,14 +83,12 @@ std::vector<std::string_view> FileBrowser::formats() const {
 }
 
 bool FileBrowser::makes_morphs() const {
-  const std::string format = format_of(*this);
   return purpose == Purpose::save_animation && mesh::is_a(mesh::holds_morphs, path) &&
          !base::NumberedName::is_pattern(path);
 }
 
 bool FileBrowser::makes_pictures() const {
-  const std::string format = format_of(*this);
-  return purpose == Purpose::save_animation && (format == "png" || is_video_format(format));
+  return purpose == Purpose::save_animation && format_of(*this) == "png";
 }
 
 bool FileBrowser::replaces() const {
@@ -108,7 +104,6 @@ void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const s
   browser.in_use = std::move(in_use);
   browser.open = browser.appearing = true;
   browser.purpose = purpose;
-  browser.films = base::is_installed("ffmpeg");
   browser.problem.clear();
   browser.warned.clear();
   browser.asked.clear();
@@ -196,9 +191,7 @@ namespace {
 
 // What holds one model gets a place for the number of the frame.
 fs::path animation_name(const fs::path& file) {
-  const std::string extension = mesh::extension_of(file);
-  const bool holds_all = is_animation_format(extension) || is_video_format(extension);
-  if (holds_all || base::NumberedName::is_pattern(file)) return file;
+  if (is_animation_format(mesh::extension_of(file)) || base::NumberedName::is_pattern(file)) return file;
   return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
 }
 
@@ -227,9 +220,6 @@ std::string problem_of_name(const FileBrowser& browser) {
   if (const std::string* used = browser.in_use.find(file))
     return name + " is open (" + *used + ") and stays as it is; " +
            base::unused_name(file).filename().string() + " would be free.";
-  if (browser.makes_pictures() && is_video_format(mesh::extension_of(file)) && !browser.films)
-    return "Films need ffmpeg: install it (apt-get install ffmpeg), or write numbered pictures (" +
-           file.stem().string() + "_####.png).";
   const auto formats = browser.formats();
   const bool known = browser.purpose == Purpose::save_session ||
                      std::find(formats.begin(), formats.end(), mesh::extension_of(file)) != formats.end();

@@ -21,7 +21,7 @@ struct MorphChoice {
   friend bool operator==(const MorphChoice&, const MorphChoice&) = default;
 };
 
-/// How pictures and films are drawn.
+/// How pictures are drawn.
 struct PictureChoice {
   bool cage = false, grid = true, light = false, panels = false;
   int width = 0, height = 0;  ///< logical pixels, least_picture to largest_picture
@@ -56,7 +56,6 @@ struct FileBrowser {
   Purpose purpose = Purpose::model;
   std::filesystem::path folder;
   std::filesystem::file_time_type changed{};  ///< the folder, when it was listed
-  bool films = false;                         ///< ffmpeg is there to make them
   std::vector<Entry>
       entries;       ///< folders first, then files that fit the purpose, each by name without regard to case
   std::string path;  ///< what the text field holds
@@ -77,11 +76,11 @@ struct FileBrowser {
 
   bool saves() const { return purpose >= Purpose::save_session; }
   /// Those of mesh::all_formats() that fit the purpose, by extension: of a pose what keeps the order of the
-  /// vertices; of animations sequences too, and pictures and films to save.
+  /// vertices; of animations sequences too, and pictures to save.
   std::vector<std::string_view> formats() const;
   /// Whether the file of the text field is an animation of morph targets.
   bool makes_morphs() const;
-  /// Whether it is pictures or a film.
+  /// Whether it is pictures.
   bool makes_pictures() const;
   /// Whether the file of the text field is there and not in use, so that saving would replace it.
   bool replaces() const;

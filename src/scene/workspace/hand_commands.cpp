@@ -1,4 +1,4 @@
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"

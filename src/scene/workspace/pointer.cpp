@@ -7,7 +7,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 #include "scene/workspace/pivot_place.h"
 
 namespace viete::scene {
@@ -72,12 +72,6 @@ std::optional<Gizmo> gizmo_of(const Workspace& w) {
   const glm::dvec3& center = turning ? w.interaction.drag->grip().anchor.center : anchor.center;
   const glm::dmat3& axes = w.interaction.drag ? w.interaction.drag->grip().anchor.axes : anchor.axes;
   return make_gizmo(tool, in_view(w.document, center), axes, w.camera, w.viewport);
-}
-
-std::optional<ShapeHandle> shape_handle_of(const Workspace& w) {
-  if (!w.interaction.drag) return std::nullopt;
-  const TransformDrag& drag = *w.interaction.drag;
-  return shape_handle(drag.grip().shaping, drag.shape_amount(), w.document.space, w.camera, w.viewport);
 }
 
 Grip grip_of(const Workspace& w) {
@@ -209,15 +203,8 @@ void Pointer::begin_grab(Workspace& workspace, const PointerInput& input) {
                                      workspace.camera);
 }
 
-// A press on the handle of a shape drags it, and its release is the end.
 void Pointer::end_grab(Workspace& workspace, const PointerInput& input) {
   if (!pressed_now(input, left_button)) return;
-  const auto handle = input.over_view ? shape_handle_of(workspace) : std::nullopt;
-  if (handle && handle->contains(input.position)) {
-    gesture_ = Gesture::moving;
-    last_.position = input.position;
-    return workspace.interaction.drag->take_handle(input.position);
-  }
   workspace.interaction.drag->commit(workspace.document);
   workspace.view.hints = false;
   finish(workspace, Gesture::ignored);

@@ -9,7 +9,6 @@
 #include "scene/hand/axis_widget.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/picking.h"
-#include "scene/hand/shape_handle.h"
 #include "scene/workspace/sight_keeper.h"
 #include "scene/workspace/workspace.h"
 
@@ -39,9 +38,6 @@ void disarm(Workspace& workspace);
 
 /// The gizmo of what is selected, as it is now; nothing while there is none, and while the cage is hidden.
 std::optional<Gizmo> gizmo_of(const Workspace& workspace);
-
-/// The handle of the bend, twist or taper that is in the hand.
-std::optional<ShapeHandle> shape_handle_of(const Workspace& workspace);
 
 /// What moves with the hand now, and how. Requires a selection.
 Grip grip_of(const Workspace& workspace);

@@ -3,11 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "scene/document/edge_rings.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/selecting.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/pointer.h"

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "scene/document/selection_sets.h"
-#include "scene/hand/projector.h"
+#include "scene/document/selection.h"
+#include "scene/hand/cursor_projection.h"
 
 namespace viete::scene {
 

@@ -6,7 +6,7 @@
 #include "scene/document/elements.h"
 #include "scene/document/pose_notes.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/selection.h"
 
 namespace viete::scene {
 
