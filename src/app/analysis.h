@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/live_model.h"
-#include "app/method_probe.h"
 #include "app/method_timer.h"
 #include "base/background.h"
 #include "scene/document/checks.h"

@@ -1,5 +1,4 @@
-// Keeps unsaved edits in a file from one finished edit to the next, so that the end of the program cannot
-// take them along.
+// Keeps unsaved edits in a file after each finished edit, so that they survive the end of the program.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +10,10 @@
 #include "scene/workspace/workspace.h"
 
 namespace viete::app {
+
+/// $XDG_STATE_HOME/viete, or ~/.local/state/viete where the variable is empty or no absolute path (as the XDG
+/// base directory specification says). Empty if there is no home folder either: then nothing is remembered.
+std::filesystem::path state_folder();
 
 /// After each finished edit, and each setting that is made after it, the whole session is written aside,
 /// replacing the one before; the frame waits for it a millisecond at most. Where one looks from and how the

@@ -12,7 +12,6 @@
 #include "app/command_line.h"
 #include "app/inputs.h"
 #include "app/options.h"
-#include "app/output.h"
 #include "app/pose_stream.h"
 #include "base/error.h"
 #include "base/text.h"

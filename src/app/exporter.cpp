@@ -1,12 +1,56 @@
 #include "app/exporter.h"
 
+#include <stdlib.h>
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
+#include "app/aside.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
 
 namespace viete::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Gone with what it holds.
+class ScratchFolder {
+public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "viete-XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      throw base::Error(name, "no folder can be made there", "set TMPDIR to one with space");
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+}  // namespace
+
+std::vector<std::string> write_pictures_aside(const PictureExport& what, base::Progress& progress) {
+  const ScratchFolder scratch;
+  const fs::path session = scratch.path() / "animation.viete";
+  base::replace_file(session, scene::session_text(what.session, session), base::Durability::process);
+  std::vector<std::string> words{what.program.string(), "animate", session.string(), "-o",
+                                 fs::absolute(what.file).string()};
+  if (what.session.view.cage) words.push_back("--show-cage");
+  if (what.panels) words.push_back("--panels");
+  return run_aside(words, progress);
+}
 
 void Exporter::add(scene::Export what, std::vector<std::string> told) {
   const std::filesystem::path file = what.file;
@@ -80,6 +124,32 @@ std::optional<Exporter::Failure> Exporter::follow(scene::Messages& messages, boo
   }
   start_next();
   return failure;
+}
+
+void MorphSizes::follow(scene::Workspace& w) {
+  scene::FileBrowser& browser = w.browser;
+  const bool asks =
+      browser.open && browser.makes_morphs() && w.document.is_movable() && !w.document.timeline.keys.empty();
+  if (!asks) {
+    asked_.reset();
+    return job_.cancel();
+  }
+  const Asked now{browser.morphs, scene::format_of(browser)};
+  if (asked_ != now) {
+    asked_ = now;
+    browser.morph_size.clear();
+    scene::AnimationExport what = scene::animation_export_of(w.document, scene::chosen_file(browser));
+    what.tolerance = browser.morphs.tolerance;
+    what.normals = browser.morphs.normals;
+    job_.start([what = std::move(what)](base::Progress& progress) {
+      return scene::estimate_morphs(what, &progress);
+    });
+  }
+  const auto result = job_.poll();
+  if (!result) return;
+  browser.morph_size = result->value ? base::counted(result->value->targets, "morph target") + ", about " +
+                                           base::memory_size(result->value->bytes) + " beside the model"
+                                     : result->problem;
 }
 
 }  // namespace viete::app

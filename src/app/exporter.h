@@ -1,4 +1,4 @@
-// Writes deformed models, and animations of them, aside, so that the view stays live.
+// Writes deformed models, animations and pictures in the background.
 #pragma once
 
 #include <deque>
@@ -8,14 +8,26 @@
 #include <string>
 #include <vector>
 
-#include "app/picture_export.h"
 #include "base/background.h"
+#include "base/progress.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/export.h"
+#include "scene/files/session.h"
 #include "scene/workspace/messages.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::app {
+
+struct PictureExport {
+  std::filesystem::path file;     ///< frame_####.png
+  std::filesystem::path program;  ///< `viete`
+  scene::Session session;         ///< as it is at one moment: what plays, as it is looked at
+  bool panels = false;
+};
+
+/// Throws base::Error with what the other run says, and base::Cancelled. Returns what a person should know of
+/// the result, one line each. Thread-safe.
+std::vector<std::string> write_pictures_aside(const PictureExport& what, base::Progress& progress);
 
 /// One after the other, in the order they were asked for. Call from one thread. The destructor stops what is
 /// not finished: files that are not written yet are as they were.
@@ -56,6 +68,22 @@ private:
   std::deque<Work> waiting_;
   Work now_;  ///< that is being done, but for how
   base::BackgroundJob<Written> job_;
+};
+
+class MorphSizes {
+public:
+  /// Every frame: says it in the file browser, once it is known.
+  void follow(scene::Workspace& workspace);
+  bool running() const { return job_.running(); }
+
+private:
+  struct Asked {
+    scene::MorphChoice choice;
+    std::string format;
+    friend bool operator==(const Asked&, const Asked&) = default;
+  };
+  std::optional<Asked> asked_;
+  base::BackgroundJob<scene::MorphEstimate> job_;
 };
 
 }  // namespace viete::app

@@ -11,7 +11,6 @@
 #include "app/autosave.h"
 #include "app/exporter.h"
 #include "app/loader.h"
-#include "app/morph_sizes.h"
 #include "base/background.h"
 #include "scene/workspace/workspace.h"
 

@@ -1,16 +1,35 @@
-// What a command opens, and how the model is to be moved: MODEL [CAGE] [--pose POSE], or a SESSION.
+// The files that a command opens and writes.
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "app/output.h"
+#include "deform/shape_space.h"
+#include "scene/files/export.h"
 #include "scene/files/open.h"
+#include "scene/files/output.h"
+#include "scene/files/shape_import.h"
+
+namespace viete::app {
+
+using scene::check_output, scene::Content, scene::FilesInUse;
+
+/// What a command writes.
+struct Output {
+  std::filesystem::path file;
+  Content content;
+  bool force = false;
+};
+
+}  // namespace viete::app
 
 namespace CLI {
 class App;
 }
+
 namespace viete::app {
 
 /// What a command makes of what it opens.
@@ -57,5 +76,24 @@ FilesInUse files_read(const Inputs& inputs);
 void print_notes(const std::vector<std::string>& notes);
 /// Of frames that were written, on stdout: a line.
 void print_summary(const std::filesystem::path& file, const std::string& summary);
+
+struct OpenedShapes {
+  scene::Opened model;                                   ///< with its document
+  std::vector<std::vector<scene::NamedShape>> of_files;  ///< those of each file that was named
+};
+
+/// Reads a model, which is at rest, and its shapes: see read_shapes(). The output is checked before anything
+/// is read, and again when all that is read is known; `frames` are those of an animation's numbered files, or
+/// null. Notes are printed. Throws base::Error.
+OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
+                         const Output& output, const scene::FrameSteps* frames = nullptr);
+
+/// Writes the model in its shape, which errors call by the name: "the mix". Throws base::Error where that is
+/// larger than can be drawn, or no numbers. Returns notes.
+std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
+                                     base::Progress* progress);
+
+/// What a command of one file makes of Ctrl+C.
+int unless_stopped(const std::filesystem::path& output, const std::function<int()>& write);
 
 }  // namespace viete::app

@@ -1,4 +1,4 @@
-// The open model, bound to its cage and deformed: what follows from the document before anything is drawn.
+// The open model, bound to its cage and deformed, and frames that follow a drag.
 #pragma once
 
 #include <memory>
@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/bound.h"
-#include "app/drag_follower.h"
 #include "app/file_desk.h"
 #include "base/background.h"
 #include "base/worker_pool.h"
@@ -14,10 +13,41 @@
 #include "deform/probe.h"
 #include "mesh/adjacency.h"
 #include "scene/document/document.h"
+#include "scene/hand/transform_drag.h"
 #include "scene/workspace/workspace.h"
 #include "sym3/rotation.h"
 
 namespace viete::app {
+
+/// The hand changes the cage itself: models stay as they are at rest.
+inline bool changes_rest(const scene::Workspace& w) {
+  const auto& drag = w.interaction.drag;
+  return drag && w.document.kept_pose && !drag->vertices().empty();
+}
+
+class DragFollower {
+public:
+  using Drag = std::optional<scene::TransformDrag>;
+
+  /// Before a frame. True where a drag has ended, or moves others than it did: the next frame must be whole.
+  bool before(deform::Deformer& deformer, const Drag& drag) {
+    if (!dragging_ || (drag && drag->softened() == softened_)) return false;
+    deformer.end_drag();
+    dragging_ = false;
+    return true;
+  }
+  /// After it: from the next frame on only what was deformed whole can be followed in parts.
+  void after(deform::Deformer& deformer, const Drag& drag) {
+    if (drag && !dragging_ && deformer.ran() && !drag->vertices().empty())
+      deformer.begin_drag(drag->vertices());
+    dragging_ = drag.has_value();
+    softened_ = drag ? drag->softened() : 0;
+  }
+
+private:
+  bool dragging_ = false;
+  int softened_ = 0;  // of the drag that is followed
+};
 
 /// Follows the document's revisions: surfaces and weights are bound aside, while what was bound before
 /// serves; pose, blend and method are a frame. Call from one thread.

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/bound.h"
-#include "app/model_looks.h"
+#include "app/model_layer.h"
 #include "base/background.h"
 #include "scene/files/open.h"
 #include "scene/workspace/workspace.h"

@@ -1,9 +1,15 @@
 #include "app/manual.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
 #include <vector>
 
+#include "app/aside.h"
 #include "app/assets.h"
+#include "app/command_line.h"
+#include "app/options.h"
 #include "base/error.h"
 
 namespace viete::app {
@@ -41,6 +47,35 @@ fs::path manual_page(const std::string& chapter) {
   const bool is_name = chapter.find('/') == chapter.npos;
   if (is_name && fs::exists(page, ignored)) return page;
   throw base::Error("the manual", "there is no chapter " + chapter, "choose one of " + chapters_in(folder));
+}
+
+// viete manual [CHAPTER]: the manual in the browser.
+
+namespace {
+
+bool has_display() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+    const char* const value = std::getenv(name);
+    if (value && *value) return true;
+  }
+  return false;
+}
+
+int show_manual(const std::string& chapter) {
+  const std::filesystem::path page = manual_page(chapter);
+  std::printf("%s\n", page.c_str());
+  if (has_display()) open_in_browser(page);
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_manual_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("manual", "Show the manual in the browser");
+  auto chapter = std::make_shared<std::string>();
+  command->add_option("CHAPTER", *chapter, "Such as cages, blending or python")
+      ->default_str("the first page");
+  command->callback([chapter, &action] { action = [chapter] { return show_manual(*chapter); }; });
 }
 
 }  // namespace viete::app

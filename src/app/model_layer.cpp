@@ -1,10 +1,173 @@
 #include "app/model_layer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
+#include <utility>
 
+#include "base/error.h"
+#include "mesh/cavity.h"
+#include "mesh/formats/image_files.h"
+#include "mesh/formats/source.h"
+#include "mesh/normals.h"
 #include "render/palette.h"
 
 namespace viete::app {
+
+namespace {
+
+using mesh::none;
+
+float light_of(float x) {
+  return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+}
+
+class LooksMaker {
+public:
+  LooksMaker(const mesh::Surface& surface, const mesh::Attributes& attributes,
+             std::span<const mesh::Point> normals)
+      : surface_(surface), given_(attributes), normals_(normals) {}
+
+  ModelLooks make() {
+    sort_triangles();
+    make_runs();
+    for (const mesh::Color& c : given_.colors) made_.looks.colors.push_back(bytes_of(c));
+    made_.looks.colors_of_corners = shows_colors_of_faces();
+    made_.says_something |= !made_.looks.colors.empty();
+    return std::move(made_);
+  }
+
+private:
+  struct Triangle {
+    mesh::Triangle vertices, corners;
+    std::uint32_t polygon;
+  };
+  using Look = std::pair<std::uint32_t, bool>;  // material, flat
+
+  void sort_triangles() {
+    std::size_t t = 0, g = 0;
+    mesh::for_each_triangle(surface_, [&](const mesh::Triangle& vertices, const mesh::Triangle& corners) {
+      const std::uint32_t polygon = surface_.triangle_polygon[t++];
+      while (g + 1 < given_.groups.size() && given_.groups[g + 1].first_polygon <= polygon) ++g;
+      const bool in_group = g < given_.groups.size();
+      const std::uint32_t material = in_group ? given_.groups[g].material : none;
+      const bool flat =
+          (in_group && !given_.groups[g].smooth) || stands_across_an_edge({vertices, corners, polygon});
+      by_look_[{material, flat}].push_back({vertices, corners, polygon});
+    });
+  }
+
+  // Those of vertices go before.
+  bool shows_colors_of_faces() const { return given_.colors.empty() && !given_.polygon_colors.empty(); }
+
+  // The file gives its corners the normal of the face, where that of all faces around is another.
+  bool stands_across_an_edge(const Triangle& t) const {
+    if (given_.corner_normal.empty()) return false;
+    const auto& p = surface_.positions;
+    const mesh::Vec3 face =
+        mesh::cross(p[t.vertices[1]] - p[t.vertices[0]], p[t.vertices[2]] - p[t.vertices[0]]);
+    bool is_edge = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t n = given_.corner_normal[t.corners[k]];
+      if (n == none || mesh::cosine(given_.normals[n], face) < 0.995) return false;
+      is_edge |= mesh::cosine(normals_[t.vertices[k]], face) < 0.99;
+    }
+    return is_edge;
+  }
+
+  void make_runs() {
+    auto& looks = made_.looks;
+    for (const auto& [look, triangles] : by_look_) {
+      render::SurfaceRun run{.triangles = triangles.size(), .flat = look.second};
+      if (look.first < given_.materials.size()) take_material(given_.materials[look.first], run);
+      looks.runs.push_back(run);
+      for (const Triangle& t : triangles) {
+        made_.triangles.push_back(t.vertices);
+        if (shows_colors_of_faces())
+          made_.looks.colors.insert(made_.looks.colors.end(), 3, bytes_of(given_.polygon_colors[t.polygon]));
+        if (given_.corner_texture.empty()) continue;
+        for (const std::uint32_t corner : t.corners) looks.texture_points.push_back(texture_point(corner));
+      }
+    }
+  }
+
+  std::array<float, 2> texture_point(std::uint32_t corner) const {
+    const std::uint32_t i = given_.corner_texture[corner];
+    if (i == none) return {0, 0};
+    return {static_cast<float>(given_.texture_points[i][0]),
+            static_cast<float>(1 - given_.texture_points[i][1])};
+  }
+
+  void take_material(const mesh::Material& material, render::SurfaceRun& run) {
+    const mesh::Color& c = material.base_color;
+    run.color = {light_of(c[0]), light_of(c[1]), light_of(c[2])};
+    run.repeats = material.repeats;
+    if (material.base_color_image < given_.images.size()) run.image = image(material.base_color_image);
+    made_.says_something |= run.image >= 0 || c[0] != c[1] || c[1] != c[2];
+  }
+
+  // Its number among those that are shown, or -1.
+  int image(std::uint32_t index) {
+    const auto [at, added] = images_.try_emplace(index, -1);
+    if (!added) return at->second;
+    constexpr int longest_side = 4096;
+    const mesh::ImageFile& file = given_.images[index];
+    const std::string place = file.path.empty() ? file.name : file.path.string();
+    try {
+      if (!file.bytes && file.path.empty()) return -1;  // reading has said why
+      render::Image decoded =
+          file.bytes
+              ? render::decode_image(place, *file.bytes, longest_side)
+              : render::decode_image(
+                    place, mesh::FileBytes(file.path, nullptr, mesh::most_image_bytes).view(), longest_side);
+      pixels_ += static_cast<std::size_t>(decoded.width) * static_cast<std::size_t>(decoded.height);
+      if (pixels_ > most_pixels_)
+        throw base::Error(place, "the pictures of the model have more than 128 million pixels together",
+                          "make them smaller");
+      made_.looks.images.push_back(std::move(decoded));
+      at->second = static_cast<int>(made_.looks.images.size()) - 1;
+    } catch (const base::Error& error) {
+      made_.warnings.push_back(std::string(error.what()) + "; shown without it");
+    }
+    return at->second;
+  }
+
+  static render::Rgba8 bytes_of(const mesh::Color& color) {
+    render::Rgba8 bytes;
+    for (std::size_t k = 0; k < 4; ++k)
+      bytes[k] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[k], 0.0F, 1.0F)));
+    return bytes;
+  }
+
+  static constexpr std::size_t most_pixels_ = std::size_t{1} << 27;
+  const mesh::Surface& surface_;
+  const mesh::Attributes& given_;
+  std::span<const mesh::Point> normals_;
+  std::map<Look, std::vector<Triangle>> by_look_;
+  std::map<std::uint32_t, int> images_;
+  std::size_t pixels_ = 0;
+  ModelLooks made_;
+};
+
+}  // namespace
+
+ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attributes,
+                    std::span<const mesh::Point> normals) {
+  return LooksMaker(surface, attributes, normals).make();
+}
+
+ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes) {
+  ModelShading shading;
+  const auto& positions = surface->positions;
+  shading.normals.resize(positions.size());
+  const auto around = mesh::vertex_triangles(positions.size(), surface->triangles);
+  mesh::vertex_normals(positions, surface->triangles, around, 0, positions.size(), shading.normals);
+  shading.occlusion = mesh::bake_cavity(positions, shading.normals, surface->triangles);
+  if (attributes) shading.looks = looks_of(*surface, *attributes, shading.normals);
+  shading.surface = std::move(surface);
+  return shading;
+}
 
 void ModelLayer::set_document(const scene::Document& document, const ModelShading& shading) {
   const mesh::Surface& model = *document.model.surface;

@@ -1,15 +1,16 @@
-// The model as one view shows it: its surface, its colours and its shadow.
+// The model as one view shows it: its surface, colours and shadow.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "app/model_looks.h"
 #include "deform/binding.h"
 #include "deform/frame_vertex.h"
 #include "lab/field.h"
+#include "mesh/formats/attributes.h"
 #include "mesh/surface.h"
 #include "render/mark_layers.h"
 #include "render/shadow_layer.h"
@@ -17,6 +18,31 @@
 #include "scene/workspace/workspace.h"
 
 namespace viete::app {
+
+struct ModelLooks {
+  std::vector<mesh::Triangle> triangles;  ///< of the surface, those that look alike together
+  render::SurfaceLooks looks;             ///< of these
+  bool says_something = false;            ///< there are colours, images, or materials that are not grey
+  std::vector<std::string> warnings;      ///< of images that cannot be shown, one line each
+};
+
+/// normals: of the vertices, at rest. Images are decoded, those of files beside are read; what is wrong with
+/// one costs that image. Triangles of a group that is flat in the file, or whose normals there stand across
+/// an edge, are flat. Thread-safe.
+ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attributes,
+                    std::span<const mesh::Point> normals);
+
+/// What drawing a model needs besides its surface, computed once per model.
+struct ModelShading {
+  std::shared_ptr<const mesh::Surface> surface;  ///< the model it belongs to; null: none
+  std::vector<mesh::Point> normals;              ///< at rest
+  std::vector<float> occlusion;                  ///< see mesh/cavity.h
+  ModelLooks looks;                              ///< empty where the file says nothing
+};
+
+/// attributes: null for none. Linear time, a third of a second for a million triangles, and what images take.
+/// Thread-safe.
+ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes);
 
 class ModelLayer {
 public:

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/words.h"
+#include "app/help.h"
 #include "base/text.h"
 #include "deform/scheme.h"
 #include "scene/document/range.h"

@@ -6,9 +6,8 @@
 
 #include "app/command_line.h"
 #include "app/inputs.h"
+#include "app/offscreen_viewer.h"
 #include "app/options.h"
-#include "app/output.h"
-#include "app/picture_options.h"
 #include "base/error.h"
 #include "mesh/formats/source.h"
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/bound.h"
-#include "app/drag_follower.h"
 #include "app/live_model.h"
 #include "base/background.h"
 #include "base/worker_pool.h"

@@ -12,7 +12,6 @@
 #include "app/assets.h"
 #include "app/command_line.h"
 #include "app/help.h"
-#include "app/words.h"
 #include "base/error.h"
 
 namespace viete::app {

@@ -10,17 +10,17 @@
 #include "app/cage_maker.h"
 #include "app/field_maker.h"
 #include "app/file_desk.h"
-#include "app/kept_view.h"
 #include "app/live_model.h"
 #include "app/side_views.h"
 #include "app/vertex_inspector.h"
+#include "app/workspace_renderer.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/workspace.h"
 #include "ui/context.h"
-#include "ui/imgui_bridge.h"
+#include "ui/input.h"
 
 namespace viete::app {
 

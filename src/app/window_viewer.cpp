@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "app/autosave.h"
 #include "app/file_desk.h"
 #include "app/first_motion.h"
-#include "app/state_folder.h"
 #include "app/viewer.h"
 #include "base/clock.h"
 #include "base/error.h"

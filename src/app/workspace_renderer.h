@@ -1,4 +1,4 @@
-// Draws a workspace: model, cage and ground through the render room's layers.
+// Draws a workspace through the layers of the render room, and keeps the picture while nothing changes.
 #pragma once
 
 #include <memory>
@@ -6,12 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "app/cage_marks.h"
-#include "app/finding_marks.h"
+#include "app/marks.h"
 #include "app/model_layer.h"
-#include "app/model_looks.h"
 #include "deform/frame_vertex.h"
 #include "render/backdrop.h"
+#include "render/framebuffer.h"
 #include "render/mark_layers.h"
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
@@ -108,6 +107,36 @@ private:
   unsigned long content_ = 0;
   std::vector<std::uint32_t> hidden_;         // vertices of the cage, as its lines are drawn
   std::vector<render::Segment> shown_edges_;  // which those are
+};
+
+/// How finely a picture is drawn: a software rasteriser draws what moves at half the resolution.
+enum class Fineness { coarse, plain, smooth };
+
+class KeptView {
+public:
+  struct Samples {
+    int plain = 0, smooth = 0;  ///< 0 none; smooth: no finer than plain
+  };
+  KeptView(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
+
+  bool shows(const ViewDrawing& drawing) const { return drawn_ == drawing; }
+  /// Draws, unless that is what it shows and as finely. Returns whether it did.
+  bool draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness);
+  const render::Framebuffer& picture() const { return picture_; }
+
+  /// How often it was drawn.
+  unsigned long count() const { return count_; }
+  Fineness fineness() const { return fineness_; }
+  Fineness finest() const { return samples_.smooth > 0 ? Fineness::smooth : Fineness::plain; }
+  /// The next draw() does.
+  void forget() { drawn_.reset(); }
+
+private:
+  Samples samples_;
+  render::Framebuffer picture_;
+  std::optional<ViewDrawing> drawn_;  // what it shows, whatever the fineness
+  Fineness fineness_ = Fineness::plain;
+  unsigned long count_ = 0;
 };
 
 }  // namespace viete::app

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "app/output.h"
+#include "app/inputs.h"
 
 namespace viete::bench {
 

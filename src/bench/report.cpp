@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/assets.h"
+#include "app/inputs.h"
 #include "app/options.h"
-#include "app/output.h"
 #include "app/program.h"
 #include "app/terminal_progress.h"
 #include "base/atomic_file.h"

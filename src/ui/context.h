@@ -1,14 +1,36 @@
-// What every panel gets: the workspace, the fonts, the theme, and a recorder when tests are watching.
+// The context of every panel: workspace, fonts, theme, and a recorder of widgets for tests.
 #pragma once
 
 #include <imgui.h>
-
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "scene/workspace/workspace.h"
-#include "ui/recorder.h"
 
 namespace viete::ui {
+
+/// Logical pixels from the top left of the window.
+struct WidgetRect {
+  float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool visible = false;  ///< false when scrolled or clipped away
+  bool enabled = true;
+};
+
+class Recorder {
+public:
+  void begin_frame() { widgets_.clear(); }
+  void add(const std::string& name, const WidgetRect& rect) { widgets_[name] = rect; }
+  std::optional<WidgetRect> find(const std::string& name) const {
+    const auto found = widgets_.find(name);
+    return found == widgets_.end() ? std::nullopt : std::optional(found->second);
+  }
+  const std::map<std::string, WidgetRect>& all() const { return widgets_; }
+
+private:
+  std::map<std::string, WidgetRect> widgets_;
+};
 
 /// null fonts mean the default font.
 struct Fonts {

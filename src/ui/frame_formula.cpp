@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ui/overlay_painter.h"
-#include "ui/stages.h"
+#include "ui/panel_timings.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {

@@ -1,13 +1,11 @@
 #include "ui/input.h"
 
 #include <imgui.h>
-
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "scene/workspace/command.h"
-#include "ui/imgui_bridge.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {

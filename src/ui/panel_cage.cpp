@@ -1,8 +1,43 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scene/document/cage_making.h"
+#include "scene/workspace/check_state.h"
+#include "ui/choice_picture.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
+
+namespace {
+
+std::string surface_text(const scene::Summary& summary) {
+  const std::string kind = !summary.manifold() ? "not manifold" : summary.closed() ? "watertight" : "open";
+  return summary.parts > 1 ? kind + ", " + count(summary.parts) + " parts" : kind;
+}
+
+}  // namespace
+
+void panel_model(const Context& ui) {
+  const auto& model = ui.workspace.document.model;
+  const bool open = section(ui, "Model");
+  if (model.surface) section_note(ui, surface_text(model.summary));
+  if (!open) return;
+  if (!model.surface && ui.workspace.loading.running) return note(ui, ui.workspace.loading.what);
+  if (!model.surface) {
+    note(ui, "No model is open. Open one, or drop a file on the window.");
+    command_button(ui, "open_model");
+    if (const auto clicked = recent_list(ui, 4)) open_recent(ui.workspace, *clicked);
+    return;
+  }
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(model.path.filename().string().c_str());
+  ImGui::PopTextWrapPos();
+  hint(model.path.string() + "  (" + model.format + ")");
+  value_row(ui, "Vertices, triangles", count(model.summary.vertices) + "  " + count(model.summary.triangles));
+  command_row(ui, {"open_model", "save_model"});
+}
 
 namespace {
 
@@ -35,6 +70,184 @@ void panel_cage(const Context& ui) {
   value_row(ui, "Vertices, triangles", count(summary.vertices) + "  " + count(summary.triangles));
   command_row(ui, {"open_cage", "make_cage", "edit_cage"});
   editing(ui);
+}
+
+// The sliders of a cage that is being made.
+
+namespace {
+
+constexpr float making_label = 84, making_value = 52;
+
+// A slider with its value at the right of it.
+Slid slider_row(const Context& ui, const char* text, const std::string& name, float& value, float least,
+                float most, ImGuiSliderFlags flags, const std::string& shown, const char* sentence) {
+  row_label(text, making_label);
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  ImGui::SetNextItemWidth(-making_value);
+  flags |= ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+  const Slid slid = slider(ui, name, value, least, most, [&] {
+    return ImGui::SliderFloat(("##" + name).c_str(), &value, least, most, "", flags);
+  });
+  hint(sentence);
+  value_beside(right, shown);
+  return slid;
+}
+
+// Steps that a hand can find again: 12, 14 ... 100, 110 ... 2,000.
+std::size_t rounded_triangles(float value) {
+  const double step = value < 40 ? 2 : value < 100 ? 5 : value < 400 ? 10 : 50;
+  return static_cast<std::size_t>(std::lround(value / step) * std::lround(step));
+}
+
+void triangles(const Context& ui, scene::CageWish& wish) {
+  constexpr float most = 2000;  // more take long, and are no cage that a person poses
+  auto value = static_cast<float>(wish.triangles);
+  const Slid slid =
+      slider_row(ui, "Triangles", "cage_triangles", value, scene::least_triangles, most,
+                 ImGuiSliderFlags_Logarithmic, count(wish.triangles),
+                 "How many the cage has: fewer are posed more quickly, more follow the model more closely.");
+  if (slid.moved) wish.triangles = rounded_triangles(value);
+  if (slid.typed) wish.triangles = static_cast<std::size_t>(std::lround(*slid.typed));
+}
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, share < 0.00995 ? "%.2f %%" : "%.1f %%", 100 * share);
+  return text;
+}
+
+void share(const Context& ui, const char* text, const char* name, double& share, double least, double most,
+           const char* sentence) {
+  auto value = static_cast<float>(100 * share);
+  const Slid slid =
+      slider_row(ui, text, name, value, static_cast<float>(100 * least), static_cast<float>(100 * most),
+                 ImGuiSliderFlags_Logarithmic, percent(share), sentence);
+  if (slid.typed) share = std::clamp(0.01 * *slid.typed, least, most);
+  if (slid.moved) {
+    const double step = value < 1 ? 0.05 : 0.5;  // percent
+    share = std::clamp(0.01 * step * std::round(static_cast<double>(value) / step), least, most);
+  }
+}
+
+void cells(const Context& ui, scene::CageWish& wish) {
+  constexpr const char* names[] = {"cage_cells_x", "cage_cells_y", "cage_cells_z"};
+  constexpr const char* labels[] = {"Cells, x", "y", "z"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto value = static_cast<float>(wish.cells[k]);
+    const Slid slid = slider_row(ui, labels[k], names[k], value, 1, 12, 0, count(wish.cells[k]),
+                                 "Into how many cells the box is cut along this axis.");
+    if (slid.moved || slid.typed)
+      wish.cells[k] = static_cast<std::size_t>(std::lround(slid.typed.value_or(value)));
+  }
+  ImGui::Checkbox("Along the model's own axes", &wish.own_axes);
+  record(ui, "cage_own_axes");
+}
+
+template <class Entry, class Value>
+void choice(const Context& ui, const char* text, const std::string& name, std::span<const Entry> table,
+            Value& value) {
+  row_label(text, making_label);
+  ImGui::SetNextItemWidth(-1);
+  value = entry_list(ui, name, table, value).value_or(value);
+}
+
+}  // namespace
+
+void panel_making(const Context& ui) {
+  scene::CageMaking& making = ui.workspace.making;
+  scene::CageWish& wish = making.wish;
+  choice(ui, "Kind", "cage_kind", scene::all_kinds(), wish.kind);
+  if (wish.kind == scene::CageKind::box) {
+    cells(ui, wish);
+  } else {
+    triangles(ui, wish);
+  }
+  share(ui, "Margin", "cage_margin", wish.margin, scene::least_margin, 0.1,
+        "The distance that the cage keeps from the model, in percent of its diagonal.");
+  if (wish.kind == scene::CageKind::automatic) {
+    share(ui, "Close gaps", "cage_gap", wish.gap, 0.001, 0.1,
+          "Gaps of the model narrower than twice this, in percent of its diagonal, are closed: fingers grow "
+          "together.");
+    choice(ui, "Symmetry", "cage_symmetry", scene::all_symmetries(), wish.symmetry);
+    ImGui::Checkbox("Mostly quads", &wish.quads);
+    record(ui, "cage_quads");
+    hint("Triangles are paired where two make a good quad.");
+  }
+  if (scene::shows_made(ui.workspace.document, making)) {  // not after an undo
+    for (const auto& lines : {making.notes, making.lost})
+      for (const std::string& line : lines) note(ui, line, ui.colors.warn);
+    if (!making.lost.empty()) record(ui, "making_lost");
+  }
+  command_row(ui, {"finish_cage", "cancel_cage"});
+}
+
+// What comes next with a model that was just opened, at the bottom of the view, and never more than one
+// thing: a cage, while it has none; what of it is outside of its cage.
+
+namespace {
+
+bool is_free(const scene::Workspace& w) {
+  return w.offer_cage && w.document.model.surface && !w.making.open && !w.loading.running &&
+         !w.browser.open && !w.question && w.view.panels && !w.view.help;
+}
+
+// The finding, until work on the pose has begun.
+const scene::Finding* outside(const scene::Workspace& w) {
+  const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.interaction.drag;
+  if (!w.document.has_cage() || begun || w.checks.running) return nullptr;
+  const auto at = scene::outside_finding(w.checks);
+  return at ? &w.checks.findings[*at] : nullptr;
+}
+
+// Returns how wide it is.
+float words(const Context& ui, const std::string& title, const std::string& what) {
+  ImGui::PushFont(ui.fonts.strong);
+  const float wide = ImGui::CalcTextSize(title.c_str()).x;
+  text_in(ui.colors.text, title);
+  ImGui::PopFont();
+  text_in(ui.colors.faint, what);
+  const float width = std::max({320.0f, wide, ImGui::CalcTextSize(what.c_str()).x});
+  ImGui::Dummy({width, 2});
+  return width;
+}
+
+void ways_to_a_cage(const Context& ui) {
+  const scene::Workspace& w = ui.workspace;
+  const float width =
+      words(ui, "This model has no cage yet", "A cage is the coarse mesh around it that you drag.");
+  if (!w.document.cage_beside.empty()) {
+    text_in(ui.colors.text, w.document.cage_beside.filename().string() + " lies beside it.");
+    command_button(ui, "open_cage_beside", width);
+  }
+  command_button(ui, "make_cage", width);
+  command_row(ui, {"open_cage", "hide_cage_offer"});
+}
+
+void ways_around_it(const Context& ui, const scene::Finding& finding) {
+  words(ui, scene::title(finding),
+        finding.turned ? "The cage should be around all of it; turned, it fits clearly better."
+                       : "The cage should be around all of it.");
+  if (finding.turned) command_row(ui, {"fit_cage", "fit_cage_turned"});
+  command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
+}
+
+}  // namespace
+
+bool offers_next_step(const scene::Workspace& w) {
+  return is_free(w) && (!w.document.is_movable() || outside(w));
+}
+
+float cage_offer(const Context& ui, float bottom) {
+  const scene::Workspace& w = ui.workspace;
+  if (!offers_next_step(w)) return bottom;
+  const Window window(
+      "Cage offer", {.at = middle_at(ui, bottom - 28), .pivot = {0.5f, 1}, .padding = {16, 14}}, card_flags);
+  if (const scene::Finding* finding = outside(w)) {
+    ways_around_it(ui, *finding);
+  } else {
+    ways_to_a_cage(ui);
+  }
+  return ImGui::GetWindowPos().y + 28;
 }
 
 }  // namespace viete::ui

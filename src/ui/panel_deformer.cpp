@@ -10,8 +10,8 @@
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command.h"
 #include "ui/choice_picture.h"
+#include "ui/panel_timings.h"
 #include "ui/panels.h"
-#include "ui/stages.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {

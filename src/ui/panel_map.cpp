@@ -1,10 +1,37 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
+#include <string>
 
-#include "ui/choice_list.h"
+#include "scene/document/brush.h"
+#include "scene/workspace/split.h"
+#include "ui/choice_picture.h"
+#include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
+
+void panel_display(const Context& ui) {
+  if (!section(ui, "Display", false)) return;
+  const float half = 0.5f * ImGui::GetContentRegionAvail().x;
+  const float left = ImGui::GetCursorPosX();
+  constexpr const char* pairs[][2] = {{"toggle_model", "toggle_wireframe"},
+                                      {"toggle_cage", "toggle_ghost"},
+                                      {"toggle_grid", "toggle_theme"},
+                                      {"toggle_orthographic", "toggle_axes"},
+                                      {"toggle_deformed", "toggle_z_up"}};
+  for (const auto& [one, other] : pairs) {
+    command_toggle(ui, one);
+    ImGui::SameLine(left + half);
+    command_toggle(ui, other);
+  }
+  command_toggle(ui, "toggle_coarse_motion");
+  const auto shading = static_cast<std::size_t>(ui.workspace.view.shading);
+  command_choice(ui, {"shading_clay", "shading_porcelain", "shading_jade", "shading_file"}, shading);
+  command_choice(ui, {"shading_checker", "shading_normals", "shading_zebra"}, shading - 4);
+}
 
 namespace {
 
@@ -51,6 +78,159 @@ void panel_map(const Context& ui) {
   command_toggle(ui, "hold_map_range");
   range_fields(ui);
   command_button(ui, "frame_worst", ImGui::GetContentRegionAvail().x);
+}
+
+namespace {
+
+constexpr float legend_margin = 12, thickness = 10, bars = 34;
+
+// With bars over the colours, or, where several views share the room, without.
+struct Size {
+  float width, height, bars;
+};
+constexpr Size whole{264, 134, bars}, small{216, 84, 0};
+
+struct Legend {
+  const Context& ui;
+  ImDrawList& draw;
+  const lab::FieldStats& stats;
+  ImVec2 at;  // the upper left of the colours
+  Size size;
+
+  float length() const { return size.width - 2 * legend_margin; }
+  float x_of(double value) const {
+    const double share = std::clamp((value - stats.low) / (stats.high - stats.low), 0.0, 1.0);
+    return at.x + static_cast<float>(share) * length();
+  }
+};
+
+void colors(const Legend& l, const std::vector<ImU32>& all) {
+  const float step = l.length() / static_cast<float>(all.size() - 1);
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const float x = l.at.x + static_cast<float>(i) * step;
+    l.draw.AddRectFilledMultiColor({x, l.at.y}, {x + step, l.at.y + thickness}, all[i], all[i + 1],
+                                   all[i + 1], all[i]);
+  }
+}
+
+// How many vertices have which value, by the root: few are seen beside many.
+void counts(const Legend& l) {
+  const auto& all = l.stats.counts;
+  const auto most = static_cast<float>(std::max(1u, *std::ranges::max_element(all)));
+  const float step = l.length() / static_cast<float>(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const float tall = bars * std::sqrt(static_cast<float>(all[i]) / most);
+    const float x = l.at.x + static_cast<float>(i) * step;
+    l.draw.AddRectFilled({x, l.at.y - 3 - tall}, {x + step - 1, l.at.y - 3}, faded(l.ui.colors.faint, 0.7f));
+  }
+}
+
+void tick(const Legend& l, double value, const std::string& text) {
+  const float x = l.x_of(value), wide = ImGui::CalcTextSize(text.c_str()).x;
+  l.draw.AddLine({x, l.at.y + thickness}, {x, l.at.y + thickness + 4}, l.ui.colors.faint);
+  const float left = std::clamp(x - wide / 2, l.at.x, l.at.x + l.length() - wide);
+  l.draw.AddText({left, l.at.y + thickness + 5}, l.ui.colors.text, text.c_str());
+}
+
+void ticks(const Legend& l) {
+  ImGui::PushFont(l.ui.fonts.numbers);
+  if (lab::entry(l.stats.field).scale == lab::Scale::log10) {
+    const int low = static_cast<int>(l.stats.low), high = static_cast<int>(l.stats.high);
+    for (int at = low + 1; at < high; at += (high - low + 4) / 5) tick(l, at, "1e" + std::to_string(at));
+  } else {
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const double value = l.stats.low + share * (l.stats.high - l.stats.low);
+      tick(l, value, lab::text(l.stats.field, value));
+    }
+  }
+  ImGui::PopFont();
+}
+
+// Of what is under the cursor: in the view that this is, or where all views have the same camera, in any.
+std::optional<double> pointed_value(const scene::Workspace& w, const scene::FieldView& shown) {
+  const auto& cursor = w.interaction.cursor;
+  if (!cursor || !shown.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse) return std::nullopt;
+  const auto hit = scene::pick_triangle(w.document, w.posed, w.camera.ray(*cursor, w.viewport));
+  if (!hit) return std::nullopt;
+  const auto& corners = w.document.model.surface->triangles[hit->triangle];
+  double value = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    value += hit->shares[k] * static_cast<double>((*shown.values)[corners[k]]);
+  return value;
+}
+
+void pointer(const Legend& l, double value) {
+  const float x = l.x_of(value), y = l.at.y - 1;
+  l.draw.AddTriangleFilled({x - 5, y - 7}, {x + 5, y - 7}, {x, y}, l.ui.colors.text);
+  const std::string text = lab::text(l.stats.field, value);
+  ImGui::PushFont(l.ui.fonts.numbers);
+  const float wide = ImGui::CalcTextSize(text.c_str()).x;
+  l.draw.AddText({l.at.x + l.length() - wide, l.at.y - l.size.bars - (l.size.bars > 0 ? 48 : 27)},
+                 l.ui.colors.accent, text.c_str());
+  ImGui::PopFont();
+}
+
+std::string title(const scene::FieldView& shown, lab::Field field, scene::Method method) {
+  std::string text(base::entry_of(field).label);
+  if (field == lab::Field::exp_error)
+    text += " by " + method_label(shown.stats.vertices ? shown.stats.method : method);
+  const std::string_view unit = lab::entry(field).unit;
+  return unit.empty() ? text : text + ", " + std::string(unit);
+}
+
+std::string extent(const scene::FieldView& shown, float room) {
+  const lab::FieldStats& stats = shown.stats;
+  if (!shown.problem.empty()) return shortened(shown.problem, room);
+  if (!shown.values) return "computing";
+  if (stats.is_nan) return "some are not numbers";
+  const std::string ends = lab::text(stats.field, stats.least) + " to " + lab::text(stats.field, stats.most);
+  const std::string with_median = ends + ", median " + lab::text(stats.field, stats.median);
+  return ImGui::CalcTextSize(with_median.c_str()).x <= room ? with_median : ends;
+}
+
+// With its lower right corner there.
+void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab::Field field,
+            scene::Method method, const Size& size) {
+  const ImVec2 low{corner.x - size.width - 16, corner.y - size.height - 16};
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  draw.AddRectFilled(low, {low.x + size.width, low.y + size.height}, faded(ui.colors.card, 0.92f), 8);
+  ImGui::PushFont(ui.fonts.text);
+  draw.AddText({low.x + legend_margin, low.y + 8}, ui.colors.text,
+               shortened(title(shown, field, method), size.width - 2 * legend_margin).c_str());
+  draw.AddText({low.x + legend_margin, low.y + 27}, ui.colors.faint,
+               extent(shown, size.width - 2 * legend_margin).c_str());
+  ImGui::PopFont();
+  const Legend made{
+      ui, draw, shown.stats, {low.x + legend_margin, low.y + 52 + size.bars + (size.bars > 0 ? 4 : 0)}, size};
+  colors(made, lab::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
+  if (!shown.values) return;
+  if (size.bars > 0) counts(made);
+  ticks(made);
+  if (const auto value = pointed_value(ui.workspace, shown)) pointer(made, *value);
+}
+
+}  // namespace
+
+// At the bottom right of each view: what the colours on its mesh say. What is said in the middle goes above
+// it.
+float map_legend(const Context& ui, float bottom) {
+  const auto& w = ui.workspace;
+  if (ui.field_colors.even.empty()) return bottom;
+  float top = bottom;
+  for (std::size_t view = 0; view < w.split.count(); ++view) {
+    const bool first = view == 0;
+    const scene::SideView* side = first ? nullptr : &w.split.sides[view - 1];
+    const lab::Field field = first ? scene::shown_field(w) : scene::shown_field(w, *side);
+    if (field == lab::Field::none) continue;
+    const scene::Pane pane = scene::pane_of(w.split, view);
+    const glm::vec2 corner = w.viewport.origin + (pane.at + pane.size) * w.viewport.size;
+    const Size& size = w.split.on() ? small : whole;
+    if (pane.size.x * w.viewport.size.x < size.width + 32) continue;
+    legend(ui, vec(corner), first ? w.field : side->shown, field, first ? w.document.method : side->method,
+           size);
+    if (corner.y > bottom - 1) top = bottom - size.height - 32;
+  }
+  return top;
 }
 
 }  // namespace viete::ui

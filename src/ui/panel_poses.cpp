@@ -8,9 +8,9 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_commands.h"
+#include "ui/choice_picture.h"
 #include "ui/format.h"
 #include "ui/panels.h"
-#include "ui/picture_painter.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {

@@ -1,11 +1,71 @@
-// Position of the selection, its pivot, axes, mirror and soft selection.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
 #include "scene/document/elements.h"
-#include "ui/choice_list.h"
+#include "scene/document/selection.h"
+#include "scene/hand/placing.h"
+#include "scene/workspace/command_conditions.h"
+#include "scene/workspace/pointer.h"
+#include "ui/choice_picture.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
+
+// What to select, how, and sets of it by name.
+
+namespace {
+
+// One row a set. What is done to the list is done after it was drawn.
+void sets(const Context& ui) {
+  scene::Document& document = ui.workspace.document;
+  const auto& all = document.groups.sets;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float button = 64, close = ImGui::GetFrameHeight();
+  const float width = ImGui::GetContentRegionAvail().x - button - close - 2 * gap;
+  std::optional<std::size_t> selected, removed, renamed;
+  std::string name;
+  ImGui::BeginDisabled(scene::in_hand(ui.workspace));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string id = "set/" + std::to_string(i);
+    if (const auto typed = name_field(ui, id, all[i].name, width, "The name of the set; type another one"))
+      renamed = i, name = *typed;
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button(("Select##" + id).c_str(), {button, 0})) selected = i;
+    record(ui, id + "/select");
+    hint("Select this set; Shift adds it, Ctrl takes it out");
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button(("x##" + id).c_str(), {close, 0})) removed = i;
+    record(ui, id + "/remove");
+    hint("Delete this set; what it holds stays, and undo brings it back");
+  }
+  ImGui::EndDisabled();
+  if (renamed) scene::rename_set(document, *renamed, name);
+  if (selected) scene::select_set(document, *selected, select_mode());
+  if (removed) scene::remove_set(document, *removed);
+  if (selected || removed) ui.workspace.interaction.hovered.reset();
+}
+
+}  // namespace
+
+// What is used most; the rest is in the menu Select, in the palette and on keys.
+void panel_select(const Context& ui) {
+  if (!ui.workspace.document.has_cage() || !section(ui, "Select", false)) return;
+  command_row(ui, {"select_all", "select_none", "invert_selection"});
+  command_row(ui, {"select_more", "select_less", "save_set"});
+  const float half = ImGui::GetCursorPosX() + 0.5f * ImGui::GetContentRegionAvail().x;
+  command_toggle(ui, "toggle_select_visible");
+  if (!ui.workspace.document.groups.hidden.empty()) {
+    ImGui::SameLine(half);
+    command_button(ui, "show_hidden", -1);
+  }
+  sets(ui);
+}
+
+// Position of the selection, its pivot, axes, mirror and soft selection.
 
 namespace {
 
@@ -114,6 +174,123 @@ void panel_transform(const Context& ui) {
   soft_rows(ui);
   command_row(ui, {"bend", "twist", "taper", "push"});
   command_row(ui, {"smooth", "relax", "flatten"});
+}
+
+// In the Cage panel: what is selected, with which tool, and numbers to type.
+
+namespace {
+
+struct Fields {
+  const char* label;
+  const char* hint;
+  glm::dvec3 values;
+};
+
+// How far along each of the axes.
+glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& place) {
+  return glm::transpose(axes) * place;
+}
+
+Fields fields(const scene::Workspace& w) {
+  const scene::Tool tool = w.tool;
+  if (tool == scene::Tool::rotate)
+    return {"Rotate by (degrees)", "Type an angle and press Enter: rotates about this axis", {0, 0, 0}};
+  if (tool == scene::Tool::scale)
+    return {"Scale by", "Type a factor and press Enter: scales along this axis", {1, 1, 1}};
+  glm::dvec3 place(0);
+  if (!w.document.selection.empty()) {
+    const scene::Anchor anchor = scene::grip_of(w).anchor;
+    place = along(anchor.axes, anchor.center);
+  }
+  return {w.handling.pivot == scene::Pivot::median ? "Centre" : "Pivot",
+          "Where the selection is, along the axes chosen below; type a place and press Enter", place};
+}
+
+void apply(scene::Workspace& workspace, int axis, double value) {
+  scene::Document& document = workspace.document;
+  scene::Tool tool = workspace.tool;
+  scene::Transform transform;
+  const scene::Grip grip = scene::grip_of(workspace);
+  transform.pivot = grip.anchor.center;
+  transform.axes = grip.anchor.axes;
+  if (tool == scene::Tool::rotate) {
+    transform.axis = grip.anchor.axes[axis];
+    transform.degrees = std::clamp(value, -scene::most_degrees, scene::most_degrees);
+    if (transform.degrees != value)
+      workspace.messages.info("Turned by " + count(static_cast<std::size_t>(scene::most_degrees)) +
+                              " degrees, the most at once");
+  } else if (tool == scene::Tool::scale) {
+    transform.factors[axis] = value;
+  } else {
+    const double way = value - along(grip.anchor.axes, grip.anchor.center)[axis];
+    transform.shift = way * grip.anchor.axes[axis];
+    tool = scene::Tool::move;
+  }
+  if (scene::transform_selection(document, tool, grip, transform)) return;
+  workspace.messages.warn(tool == scene::Tool::rotate
+                              ? "The cage has been turned round as often as it can be; nothing was changed"
+                              : "That is too far away from the model to be drawn; nothing was moved");
+}
+
+void field(const Context& ui, const Fields& fields, int axis, float width) {
+  const std::string name = std::string("transform_") + static_cast<char>('x' + axis);
+  ImGui::SetNextItemWidth(width);
+  const auto number = number_field(ui, name, fields.values[axis]);
+  const bool enabled = !ui.workspace.document.selection.empty();
+  record(ui, name, enabled);
+  hint(fields.hint);
+  if (number && enabled) apply(ui.workspace, axis, *number);
+}
+
+// As much room as the fields of the other tools take.
+void brush_fields(const Context& ui) {
+  scene::Brush& brush = ui.workspace.brush;
+  command_row(ui, {"mask_clear", "mask_invert"});
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
+  constexpr auto flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+  ImGui::SetNextItemWidth(width);
+  float radius = brush.radius;
+  constexpr float least = scene::Brush::least_radius, most = 150;
+  const Slid reach = slider(ui, "brush_radius", radius, least, most, [&] {
+    return ImGui::SliderFloat("##brush_radius", &radius, least, most, "%.0f px", flags);
+  });
+  if (reach.moved || reach.typed) brush.radius = static_cast<float>(reach.typed.value_or(radius));
+  hint("How far the brush reaches in the picture. Shift and the wheel change it, too.");
+  ImGui::SameLine(0, spacing);
+  ImGui::SetNextItemWidth(width);
+  int percent = static_cast<int>(std::lround(100 * brush.share));
+  const Slid share = slider(ui, "brush_share", percent, 0, 100, [&] {
+    return ImGui::SliderInt("##brush_share", &percent, 0, 100, "follows %d %%", flags);
+  });
+  if (share.moved || share.typed) brush.share = static_cast<float>(share.typed.value_or(percent) / 100);
+  hint(
+      "How much of its motion the model keeps where it is painted: 0 % stays at rest. With Ctrl the brush "
+      "paints 100 %.");
+}
+
+}  // namespace
+
+void transform_fields(const Context& ui) {
+  const auto& w = ui.workspace;
+  const auto kind = static_cast<std::size_t>(w.document.selection.kind());
+  if (w.document.has_cage())
+    command_choice(ui, {"select_vertices", "select_edges", "select_faces", "select_probes"}, kind);
+  if (w.tool == scene::Tool::paint) return brush_fields(ui);
+  const Fields shown = fields(w);
+  note(ui, shown.label);
+  ImGui::BeginDisabled(w.document.selection.empty() || w.interaction.drag);
+  const float letter = ImGui::CalcTextSize("X").x + ImGui::GetStyle().ItemInnerSpacing.x;
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 3 * letter - 2 * spacing) / 3;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) ImGui::SameLine(0, spacing);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.colors.axis[axis]), "%c", 'X' + axis);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    field(ui, shown, axis, width);
+  }
+  ImGui::EndDisabled();
 }
 
 }  // namespace viete::ui

@@ -1,4 +1,4 @@
-// The panels, one function each, one file each.
+// The panels, one function each.
 #pragma once
 
 #include <string_view>

@@ -3,7 +3,7 @@
 #include "scene/document/elements.h"
 #include "scene/hand/gizmo.h"
 #include "ui/format.h"
-#include "ui/mouse_words.h"
+#include "ui/help_overlay.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

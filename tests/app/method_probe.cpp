@@ -1,4 +1,4 @@
-#include "app/method_probe.h"
+#include "app/method_timer.h"
 
 #include <doctest/doctest.h>
 

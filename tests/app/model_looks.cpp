@@ -1,4 +1,4 @@
-#include "app/model_looks.h"
+#include "app/model_layer.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "app/output.h"
+#include "app/inputs.h"
 
 #include <doctest/doctest.h>
 

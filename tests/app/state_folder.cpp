@@ -1,4 +1,4 @@
-#include "app/state_folder.h"
+#include "app/autosave.h"
 
 #include <doctest/doctest.h>
 

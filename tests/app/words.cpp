@@ -1,4 +1,4 @@
-#include "app/words.h"
+#include "app/help.h"
 
 #include <doctest/doctest.h>
 

@@ -18,11 +18,11 @@
 #include "deform/exact.h"
 #include "program/no_pixels.h"
 #include "scene/files/export.h"
-#include "scene/hand/picking.h"
 #include "scene/hand/cursor_projection.h"
+#include "scene/hand/picking.h"
 #include "scene/workspace/command.h"
 #include "support/data.h"
-#include "ui/imgui_bridge.h"
+#include "ui/input.h"
 
 namespace viete::test {
 

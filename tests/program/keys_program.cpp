@@ -4,7 +4,7 @@
 
 #include "program/driver.h"
 #include "scene/workspace/menus.h"
-#include "ui/mouse_words.h"
+#include "ui/help_overlay.h"
 
 using namespace viete;
 using test::Driver;

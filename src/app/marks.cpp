@@ -1,6 +1,7 @@
-#include "app/cage_marks.h"
+#include "app/marks.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,82 @@ void CageMarks::draw(const render::View& view, const render::Theme& theme) const
   selected_faces_.draw(view, {theme.selection, 0.22f, 0.05f, false});
   hovered_face_.draw(view, {theme.hover, 0.10f, 0.05f, false});
   edges_.draw(view, {2.25f, 1, 0.4f, theme.halo});
+}
+
+namespace {
+
+constexpr std::size_t most = 20000;  // elements; more would be a carpet
+
+// Numbers the vertices of a few elements, so that only those are drawn and moved.
+class Numbering {
+public:
+  std::uint32_t operator()(std::uint32_t vertex) {
+    const auto [at, added] = numbers_.try_emplace(vertex, static_cast<std::uint32_t>(used_.size()));
+    if (added) used_.push_back(vertex);
+    return at->second;
+  }
+  std::vector<std::uint32_t> take_used() { return std::move(used_); }
+  std::size_t size() const { return used_.size(); }
+
+private:
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
+  std::vector<std::uint32_t> used_;
+};
+
+}  // namespace
+
+void FindingMarks::collect(const scene::Workspace& w) {
+  std::vector<render::Triangle> triangles;
+  std::vector<render::Segment> segments;
+  Numbering number;
+  bool vertices = false;
+  if (w.checks.shown) {
+    const scene::Finding& finding = w.checks.findings[*w.checks.shown];
+    const bool of_cage = finding.subject == scene::Subject::cage;
+    const mesh::Surface& surface = of_cage ? *w.document.cage_file.surface : *w.document.model.surface;
+    vertices = finding.kind == scene::ElementKind::vertex;
+    for (const auto e : scene::shown_elements(w.checks, most)) {
+      auto corners = scene::vertices_of(finding, surface, e);
+      for (auto& v : corners) v = number(v);
+      const std::size_t n = corners.size();
+      for (std::size_t i = 2; i < n; ++i) triangles.push_back({corners[0], corners[i - 1], corners[i]});
+      for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
+        segments.push_back({corners[i], corners[(i + 1) % n]});
+    }
+  }
+  faces_.set_triangles(triangles, number.size());
+  edges_.set_segments(segments, number.size());
+  const glm::vec4 color(w.view.dark ? render::dark_theme().finding : render::light_theme().finding, 1);
+  edges_.set_color(color);
+  vertices_.set_discs(std::vector<render::Disc>(number.size(), {color, vertices ? 4.0F : 2.5F, false}));
+  used_ = number.take_used();
+}
+
+bool FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_vertex, bool moved) {
+  const bool same = revision_ == w.checks.revision() && dark_ == w.view.dark;
+  if (same && (!moved || used_.empty())) return false;
+  if (!same) collect(w);
+  revision_ = w.checks.revision();
+  dark_ = w.view.dark;
+  if (used_.empty()) {
+    vertices_.set_positions({});
+    return true;
+  }
+  const bool of_cage = w.checks.findings[*w.checks.shown].subject == scene::Subject::cage;
+  std::vector<mesh::Point> positions;
+  positions.reserve(used_.size());
+  for (const auto v : used_) positions.push_back(of_cage ? w.document.pose.positions[v] : model_vertex(v));
+  faces_.set_positions(positions);
+  edges_.set_positions(positions);
+  vertices_.set_positions(positions);
+  return true;
+}
+
+void FindingMarks::draw(const render::View& view, const render::Theme& theme) const {
+  if (used_.empty()) return;
+  faces_.draw(view, {theme.finding, 0.30F, 0.05F, false});
+  edges_.draw(view, {2.5F, 1, 0.7F});
+  vertices_.draw(view, {theme.outline, theme.hover, 1, 0.7F});
 }
 
 }  // namespace viete::app

@@ -1,4 +1,4 @@
-// What the mouse does in the view, in words: as the keys in force have it.
+// The mouse buttons in words, for help and status bar.
 #pragma once
 
 #include <string>

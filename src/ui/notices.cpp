@@ -1,0 +1,439 @@
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <ctime>
+#include <string>
+
+#include "scene/files/recovery.h"
+#include "scene/workspace/check_state.h"
+#include "scene/workspace/command.h"
+#include "ui/input.h"
+#include "ui/overlay_painter.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace viete::ui {
+
+// All that was said, newest first: a window over the view.
+
+namespace {
+
+const char* word_of(scene::Severity severity) {
+  switch (severity) {
+    case scene::Severity::error: return "Error: ";
+    case scene::Severity::warning: return "Note: ";
+    case scene::Severity::info: break;
+  }
+  return "";
+}
+
+}  // namespace
+
+ImU32 severity_color(const Context& ui, scene::Severity severity) {
+  switch (severity) {
+    case scene::Severity::error: return ui.colors.bad;
+    case scene::Severity::warning: return ui.colors.warn;
+    case scene::Severity::info: break;
+  }
+  return ui.colors.text;
+}
+
+std::string message_text(const scene::Message& message) {
+  const std::string times = message.times > 1 ? "  (" + std::to_string(message.times) + " times)" : "";
+  return word_of(message.severity) + message.text + times;
+}
+
+void message_log(const Context& ui) {
+  scene::Workspace& w = ui.workspace;
+  if (!w.show_messages) return;
+  const scene::Viewport& v = w.viewport;
+  bool open = true;
+  const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.size.y - 32)};
+  const Window window("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
+  const auto& all = w.messages.all();
+  ImGui::BeginChild("list", {0, -(ImGui::GetFrameHeight() + 8)});
+  if (all.empty()) note(ui, "Nothing was said.");
+  for (std::size_t i = all.size(); i-- > 0;) {
+    note(ui, message_text(all[i]), severity_color(ui, all[i].severity));
+    record(ui, "message/" + std::to_string(all.size() - 1 - i));
+    if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all[i].text.c_str());
+    hint("Click to copy it.");
+  }
+  ImGui::EndChild();
+  if (ImGui::Button("Clear")) w.messages.clear();
+  record(ui, "clear_messages");
+  hint("Remove these messages.");
+  ImGui::SameLine();
+  if (ImGui::Button("Close") || key_pressed(scene::Key::escape)) open = false;
+  record(ui, "close_messages");
+  w.show_messages = open;
+}
+
+namespace {
+
+std::string name_of(const scene::Leftover& leftover) {
+  return leftover.name + ", " + scene::when(leftover.time, std::time(nullptr));
+}
+
+void hint_at(const scene::Leftover& leftover) {
+  const std::string began = leftover.first_edit.empty() ? "" : "First edit: " + leftover.first_edit + "\n";
+  hint(began + "Folder: " + leftover.folder.string());
+}
+
+// Beside the item before, or below it where the window is too narrow.
+void flow(float width) {
+  const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+  if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - ImGui::GetStyle().WindowPadding.x)
+    ImGui::SameLine();
+}
+
+float width_of(const std::string& label) {
+  return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+// The newest one, which Restore opens, and how many there are besides.
+void leftover_words(const Context& ui) {
+  const auto& leftovers = ui.workspace.leftovers;
+  const std::size_t more = leftovers.size() - 1;
+  const std::string text = "Recovered edits: " + name_of(leftovers.front()) +
+                           (more == 0 ? "" : " and " + std::to_string(more) + " more");
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(shortened(text, ImGui::GetContentRegionAvail().x).c_str());
+  hint_at(leftovers.front());
+}
+
+// As the last thing that is seen.
+void farewell(const Context& ui) {
+  const Window window("Farewell", {.at = middle_of_view(ui), .padding = {24, 16}}, sized_flags);
+  ImGui::TextUnformatted("Unsaved edits are kept; the next start offers to bring them back.");
+  record(ui, "farewell");
+}
+
+}  // namespace
+
+float notice_room(const Context& ui) {
+  constexpr float tools = 64, least = 180;  // tools at the left; as much at the right, so that it is centred
+  return std::max(least, ui.workspace.viewport.size.x - 2 * tools);
+}
+
+// A row of its own below the menu bar, above the columns and the view.
+void notice_bar(const Context& ui) {
+  auto& w = ui.workspace;
+  if (w.farewell) farewell(ui);
+  if (!w.attended) return;
+  w.notice_height = 0;
+  if (!w.offers_leftovers || w.leftovers.empty()) return;
+  const float top = w.view.panels ? scene::PanelLayout::menu_height : 0;
+  const ImVec2 size(w.viewport.window.x, 0);
+  ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});
+  const Window window("Notice", {.at = {0, top}, .pivot = {0, 0}, .rounding = 0}, card_flags);
+  leftover_words(ui);
+  for (const char* command : {"restore_leftover", "discard_leftovers", "put_off_leftovers"}) {
+    flow(width_of(scene::find_command(command)->brief));
+    command_button(ui, command);
+  }
+  w.notice_height = ImGui::GetWindowSize().y;
+}
+
+// At the bottom of the view: messages of the last seconds, in two lines each. Nothing else moves for them.
+
+namespace {
+
+constexpr float widest_toast = 480, toast_padding = 12, toast_gap = 8, close_width = 28, mark_width = 3;
+constexpr std::size_t most_toasts = 3;
+
+struct Toast {
+  std::string name, text;
+  ImU32 color;
+  bool closes = true;
+};
+
+enum class Pressed { nothing, text, close };
+
+void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
+  constexpr float r = 4;
+  draw.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, color, 1.5f);
+  draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, 1.5f);
+}
+
+// Shortened to two lines; the list of messages has the whole text.
+std::string in_two_lines(const std::string& text, float width) {
+  const auto fits = [&](const std::string& part) {
+    return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y < 2.5f * ImGui::GetTextLineHeight();
+  };
+  if (fits(text)) return text;
+  std::size_t low = 0, high = text.size();
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (fits(text.substr(0, middle) + "...") ? low : high) = middle;
+  }
+  const std::size_t space = text.rfind(' ', low);
+  if (space != std::string::npos && space > low / 2) low = space;
+  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // within a letter
+  return text.substr(0, low) + "...";
+}
+
+// Ends above `bottom`, which it moves up.
+Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
+  const scene::Viewport& v = ui.workspace.viewport;
+  const float beside = mark_width + 2 * toast_padding + (toast.closes ? close_width : 0);
+  const float room = std::min(widest_toast, notice_room(ui)) - beside;
+  const std::string shown = in_two_lines(toast.text, room);
+  const ImVec2 text = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
+  const ImVec2 size{text.x + beside, text.y + 16};
+  const ImVec2 low{std::floor(v.origin.x + 0.5f * (v.size.x - size.x)), bottom - size.y};
+  bottom = low.y - toast_gap;
+  ImGui::SetNextWindowPos(low);
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin(toast.name.c_str(), nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 high{low.x + size.x, low.y + size.y};
+  draw.AddRectFilled(low, high, ui.colors.card, 6);
+  draw.AddRect(low, high, ui.colors.line, 6);
+  draw.AddRectFilled({low.x, low.y + 4}, {low.x + mark_width, high.y - 4}, toast.color, 1.5f);
+  Pressed pressed = Pressed::nothing;
+  if (ImGui::InvisibleButton("text", {size.x - (toast.closes ? close_width : 0), size.y}))
+    pressed = Pressed::text;
+  record(ui, toast.name);
+  if (toast.closes) hint("Click to see all messages.");
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + mark_width + toast_padding, low.y + 8},
+               ui.colors.text, shown.c_str(), nullptr, room + 1);
+  if (toast.closes) {
+    ImGui::SameLine(0, 0);
+    if (ImGui::InvisibleButton("close", {close_width, size.y})) pressed = Pressed::close;
+    record(ui, toast.name + "/close");
+    cross(draw, {high.x - 0.5f * close_width - 2, 0.5f * (low.y + high.y)},
+          ImGui::IsItemHovered() ? ui.colors.text : ui.colors.faint);
+    hint("Put it away; it stays in the list of messages.");
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  return pressed;
+}
+
+// Newest lowest.
+std::vector<std::size_t> in_sight(const scene::Messages& messages) {
+  std::vector<std::size_t> newest;
+  for (std::size_t i = messages.all().size(); i-- > 0;) {
+    if (messages.all()[i].in_sight) newest.push_back(i);
+  }
+  return newest;
+}
+
+}  // namespace
+
+void toasts(const Context& ui, float bottom) {
+  scene::Workspace& w = ui.workspace;
+  if (!w.attended) return;
+  const auto newest = in_sight(w.messages);
+  for (std::size_t i = 0; i < std::min(most_toasts, newest.size()); ++i) {
+    const scene::Message& message = w.messages.all()[newest[i]];
+    const Toast toast{
+        "toast/" + std::to_string(i), message_text(message),
+        message.severity == scene::Severity::info ? ui.colors.good : severity_color(ui, message.severity)};
+    const Pressed pressed = draw_toast(ui, toast, bottom);
+    if (pressed == Pressed::text) w.show_messages = true;
+    if (pressed == Pressed::close) w.messages.dismiss(newest[i]);
+  }
+  if (newest.size() <= most_toasts) return;
+  const std::string more = "and " + std::to_string(newest.size() - most_toasts) + " more";
+  if (draw_toast(ui, {"toast/more", more, ui.colors.faint, false}, bottom) == Pressed::text)
+    w.show_messages = true;
+}
+
+namespace {
+
+using scene::Answer;
+
+constexpr std::array answers = {Answer::save, Answer::cancel, Answer::go_on};
+constexpr std::array names = {"question_save", "question_cancel", "question_go_on"};
+constexpr float question_width = 440;
+
+// The one that Enter gives is filled.
+bool answer_button(const Context& ui, std::size_t i) {
+  const scene::Question& question = *ui.workspace.question;
+  const bool chosen = question.chosen == i;
+  if (chosen) {
+    for (const auto color : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
+      ImGui::PushStyleColor(color, ui.colors.accent);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.on_axis);
+  }
+  const bool clicked = ImGui::Button(scene::label(question.kind, answers[i]));
+  if (chosen) ImGui::PopStyleColor(4);
+  record(ui, names[i]);
+  return clicked;
+}
+
+float button_width(const scene::Question& question, Answer answer) {
+  return ImGui::CalcTextSize(scene::label(question.kind, answer)).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+// What loses something stands apart, at the far end.
+std::optional<Answer> answer_row(const Context& ui) {
+  std::optional<Answer> answer;
+  const float left = ImGui::GetCursorPosX();
+  for (std::size_t i = 0; i < answer_count(ui.workspace.question->kind); ++i) {
+    if (i > 0) ImGui::SameLine();
+    if (answers[i] == Answer::go_on)
+      ImGui::SetCursorPosX(left + question_width - button_width(*ui.workspace.question, answers[i]));
+    if (answer_button(ui, i)) answer = answers[i];
+  }
+  return answer;
+}
+
+// Enter gives the chosen answer, Tab and the arrows choose another, Esc is Cancel.
+std::optional<Answer> answer_by_key(scene::Question& question) {
+  using scene::Key;
+  const bool back = key_pressed(Key::left) || (key_pressed(Key::tab) && ImGui::GetIO().KeyShift);
+  const bool forth = key_pressed(Key::right) || (key_pressed(Key::tab) && !ImGui::GetIO().KeyShift);
+  const std::size_t count = answer_count(question.kind);
+  if (back || forth) question.chosen = (question.chosen + (forth ? 1 : count - 1)) % count;
+  if (key_pressed(Key::escape)) return Answer::cancel;
+  if (key_pressed(Key::enter) || key_pressed(Key::pad_enter)) return answers[question.chosen];
+  return std::nullopt;
+}
+
+void question_words(const Context& ui) {
+  const scene::Question& question = *ui.workspace.question;
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + question_width);
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(question.title.c_str());
+  ImGui::PopFont();
+  ImGui::Spacing();
+  ImGui::TextUnformatted(question.text.c_str());
+  if (!question.why.empty()) text_in(ui.colors.faint, question.why);
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({question_width, 8});
+}
+
+}  // namespace
+
+void question_panel(const Context& ui) {
+  auto& question = ui.workspace.question;
+  if (!question) return;
+  ImGui::OpenPopup("Question");
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * display.x, 0.42f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20, 16});
+  constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize;
+  if (ImGui::BeginPopupModal("Question", nullptr, flags)) {
+    question_words(ui);
+    const auto clicked = answer_row(ui), typed = answer_by_key(*question);
+    ui.workspace.requests.answer = clicked ? clicked : typed;
+    if (ui.workspace.requests.answer) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+namespace {
+
+constexpr double silent_seconds = 0.2;  // what is done sooner shows no bar
+
+// No more exactly than it is known.
+std::string words_of(std::optional<double> left) {
+  if (!left) return "";
+  if (*left < 1) return "a moment";
+  if (*left > 90) return std::to_string(std::lround(*left / 60)) + " min left";
+  const double step = *left > 10 ? 5 : 1;
+  return std::to_string(std::lround(step * std::ceil(*left / step))) + " s left";
+}
+
+// What is done, how far, and a way to stop it.
+void row(const Context& ui, const scene::WorkState& work, scene::TimeLeft& time_left, const char* stop) {
+  constexpr float widest = 420, time_width = 96;
+  const float width = std::min(widest, notice_room(ui) - 2 * ImGui::GetStyle().WindowPadding.x);
+  const float right = ImGui::GetCursorScreenPos().x + width;
+  text_right(ui, right, words_of(time_left.of(work)), ui.colors.faint);
+  ImGui::TextUnformatted(shortened(work.what, width - time_width).c_str());
+  hint(work.what);
+  progress_bar(ui, width, work.done);
+  command_button(ui, stop);
+}
+
+bool shows(const scene::WorkState& work) {
+  return work.running && work.age >= silent_seconds;
+}
+
+}  // namespace
+
+float work_bar(const Context& ui, float bottom) {
+  auto& w = ui.workspace;
+  const scene::WorkState& work = w.loading.running       ? w.loading
+                                 : w.making_cage.running ? w.making_cage
+                                                         : w.binding;
+  if (!shows(work) && !shows(w.exporting)) return bottom;
+  const Window window("Work", {.at = middle_at(ui, bottom - 16), .pivot = {0.5f, 1}}, card_flags);
+  if (shows(w.exporting)) row(ui, w.exporting, w.export_left, "stop_export");
+  if (shows(w.exporting) && shows(work)) ImGui::Spacing();
+  if (shows(work)) row(ui, work, w.time_left, "stop_work");
+  return ImGui::GetWindowPos().y + 28;
+}
+
+// At the bottom of the view: what is wrong with cage or model, and the one thing that helps, for who does not
+// see the section of the checks.
+
+namespace {
+
+bool shows_badge(const scene::Workspace& w) {
+  return w.checks.badge && w.attended && w.view.panels && !w.view.help && !w.browser.open && !w.question &&
+         !w.making.open && !w.loading.running && !w.interaction.drag && !offers_next_step(w);
+}
+
+// Where it is, or away with it again. While it is looked for anew it cannot be shown.
+void show_button(const Context& ui, const scene::CheckBadge& badge) {
+  const auto at = scene::find_finding(ui.workspace.checks, badge.kind);
+  ImGui::BeginDisabled(!at);
+  const bool shown = at && ui.workspace.checks.shown == at;
+  if (ImGui::Button(shown ? "Hide##badge" : "Show##badge")) scene::toggle_finding(ui.workspace, *at);
+  ImGui::EndDisabled();
+  record(ui, "badge/show", at.has_value());
+  hint("Where they are in the view; the section Checks steps through them.");
+}
+
+void helping_button(const Context& ui, const scene::Command& command) {
+  const bool enabled = command.enabled(ui.workspace);
+  ImGui::BeginDisabled(!enabled);
+  if (ImGui::Button((std::string(command.label) + "##badge").c_str())) command.run(ui.workspace);
+  ImGui::EndDisabled();
+  record(ui, "badge/" + std::string(command.name), enabled);
+  hint(hint_of(ui, command));
+}
+
+}  // namespace
+
+float check_badge(const Context& ui, float bottom) {
+  scene::Workspace& w = ui.workspace;
+  if (!shows_badge(w)) return bottom;
+  const scene::CheckBadge badge = *w.checks.badge;
+  const Window window("Check badge",
+                      {.at = middle_at(ui, bottom), .pivot = {0.5f, 1}, .rounding = 6, .padding = {10, 5}},
+                      card_flags);
+  ImGui::AlignTextToFramePadding();
+  text_in(ui.colors.warn, badge.title);
+  record(ui, "badge");
+  ImGui::SameLine();
+  const std::string_view helps = scene::remedy(badge);
+  if (helps.empty()) {
+    show_button(ui, badge);
+  } else {
+    helping_button(ui, *scene::find_command(helps));
+  }
+  ImGui::SameLine(0, 2);
+  ImGui::PushStyleColor(ImGuiCol_Button, 0);
+  if (ImGui::Button("x##badge")) scene::put_badge_away(w.checks);
+  ImGui::PopStyleColor();
+  record(ui, "badge/close");
+  hint("Put it away; the section Checks still has it.");
+  return ImGui::GetWindowPos().y - 8;
+}
+
+}  // namespace viete::ui
