@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/ensembles.h"
-#include "bench/methods.h"
+#include "bench/exp.h"
 #include "sym3/reference.h"
 
 namespace viete::bench {

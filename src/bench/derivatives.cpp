@@ -15,7 +15,6 @@
 #include "base/progress.h"
 #include "bench/ensembles.h"
 #include "bench/matrix_array.h"
-#include "bench/rounds.h"
 #include "bench/table.h"
 #include "sym3/derivative.h"
 #include "sym3/eigen.h"

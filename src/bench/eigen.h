@@ -3,7 +3,7 @@
 
 #include "base/progress.h"
 #include "bench/plot.h"
-#include "bench/rounds.h"
+#include "bench/table.h"
 
 namespace viete::bench {
 

@@ -1,13 +1,16 @@
 #include "bench/exp.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/text.h"
 #include "bench/ensembles.h"
 #include "bench/matrix_array.h"
 #include "bench/table.h"
+#include "sym3/eigen.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 
@@ -15,9 +18,49 @@ namespace viete::bench {
 
 namespace {
 
-using sym3::Layout;
 using sym3::Method;
 using sym3::Sym3;
+
+template <Method method, class T>
+Sym3<T> by(const Sym3<T>& s) {
+  return sym3::exp(s, method);
+}
+
+template <class T>
+Sym3<T> by_direct(const Sym3<T>& s) {
+  using Matrix = Eigen::Matrix<T, 3, 3>;
+  Eigen::SelfAdjointEigenSolver<Matrix> solver;
+  solver.computeDirect(sym3::to_eigen(s));
+  const Matrix& v = solver.eigenvectors();
+  return sym3::from_eigen<T>(v * solver.eigenvalues().array().exp().matrix().asDiagonal() * v.transpose());
+}
+
+template <class T>
+Sym3<T> by_pade(const Sym3<T>& s) {
+  return sym3::from_eigen<T>(Eigen::Matrix<T, 3, 3>(sym3::to_eigen(s).exp()));
+}
+
+template <Method method>
+ExpMethod by_method() {
+  return {sym3::label(method).data(), by<method, double>, by<method, float>};
+}
+
+const ExpMethod methods[] = {
+    by_method<Method::diag>(),        {"Direct", by_direct<double>, by_direct<float>},
+    by_method<Method::sd>(),          by_method<Method::improved_sd_faithful>(),
+    by_method<Method::improved_sd>(), {"Pade", by_pade<double>, by_pade<float>},
+    by_method<Method::fast>(),
+};
+
+}  // namespace
+
+std::span<const ExpMethod> exp_methods() {
+  return methods;
+}
+
+namespace {
+
+using sym3::Layout;
 
 constexpr std::array layouts = {Layout::planes, Layout::blocks, Layout::packed, Layout::full};
 constexpr std::size_t distinct = 1 << 16;  // matrices, repeated where more are asked for
@@ -137,8 +180,6 @@ std::vector<ExpBar> bars_of(const ExpBench& bench) {
 }
 
 namespace {
-
-using sym3::Layout;
 
 const char* precision(const ExpBench& bench) {
   return bench.in_float ? "float" : "double";

@@ -1,17 +1,29 @@
-// The cost of exp by method, and by layout and size against a copy of the same bytes.
+// The methods for exp, and their cost by layout and size against a copy of the same bytes.
 #pragma once
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
 #include "bench/plot.h"
-#include "bench/rounds.h"
+#include "bench/table.h"
+#include "sym3/sym3.h"
 #include "sym3/view.h"
 
 namespace viete::bench {
+
+struct ExpMethod {
+  const char* name;
+  sym3::Sym3<double> (*in_double)(const sym3::Sym3<double>&);
+  sym3::Sym3<float> (*in_float)(const sym3::Sym3<float>&);
+};
+
+/// Diag, Direct (Eigen's closed-form computeDirect in place of QR), SD, Improved SD as printed and guarded,
+/// Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp), and Fast, one matrix a call.
+std::span<const ExpMethod> exp_methods();
 
 /// One layout and size; nanoseconds a matrix, all from the same interleaved run.
 struct LayoutResult {

@@ -1,10 +1,11 @@
-// What a report measures: the paper's three figures and five of ours, in one go.
+// The figures of a report: the paper's three and ours, measured one after the other.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@
 #include "bench/accuracy.h"
 #include "bench/eigen.h"
 #include "bench/exp.h"
-#include "bench/frame_bars.h"
-#include "bench/mode_comparison.h"
+#include "bench/frame.h"
+#include "bench/modes.h"
 
 namespace viete::bench {
 
@@ -59,5 +60,23 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
 
 /// All that was measured, as the benchmarks write it.
 nlohmann::json to_json(const Figures& figures);
+
+/// Triangles of the cage that frames are quoted of.
+inline constexpr std::size_t usual_faces = 300;
+
+/// How much less time than `than`: 76 of 0.24 and 1.
+double percent_less(double time, double than);
+/// "76 %", which no line parts.
+std::string percent(double value);
+/// Null where there is none; of one thread.
+const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces);
+/// The frame by links, with exp by that method.
+const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method);
+/// Over all gaps of two and of three eigenvalues; by the method of this label.
+double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method);
+/// Of a way in a row of measure_halfway(): "27 %", "nothing".
+std::string lost_volume(const nlohmann::json& way);
+/// A path as a shell takes it.
+std::string shell_word(const std::filesystem::path& path);
 
 }  // namespace viete::bench

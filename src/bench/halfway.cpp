@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/worker_pool.h"
-#include "bench/rest_model.h"
+#include "bench/models.h"
 #include "deform/shape_space.h"
 #include "mesh/formats/read.h"
 #include "scene/files/shape_import.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/program.h"
-#include "bench/command.h"
+#include "bench/options.h"
 #include "bench/report.h"
 
 namespace {

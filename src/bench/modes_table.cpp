@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/following.h"
-#include "bench/mode_comparison.h"
+#include "bench/modes.h"
 
 namespace viete::bench {
 

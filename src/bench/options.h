@@ -1,4 +1,4 @@
-// Options that benchmarks share.
+// Options of the benchmarks on the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "app/command_line.h"
 #include "app/inputs.h"
 
 namespace viete::bench {
@@ -25,5 +26,7 @@ void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual);
 constexpr std::int64_t most_vertices = 10'000'000;
 /// --json, --force and, if asked for, --plot.
 void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
+
+void add_bench_command(CLI::App& app, app::Action& action);
 
 }  // namespace viete::bench

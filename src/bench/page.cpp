@@ -1,16 +1,107 @@
 #include "bench/page.h"
 
+#include <sys/utsname.h>
+#include <unistd.h>
 #include <algorithm>
+#include <ctime>
+#include <thread>
+#include <utility>
 
+#include "app/build_facts.h"
 #include "base/text.h"
-#include "bench/findings.h"
+#include "bench/figures.h"
 #include "bench/halfway.h"
-#include "bench/html.h"
 #include "bench/plot.h"
 #include "bench/sections.h"
-#include "bench/svg.h"
+#include "bench/table.h"
+#include "sym3/kernel.h"
 
 namespace viete::bench {
+
+std::string paragraph(std::string_view text, std::string_view kind) {
+  const std::string attribute = kind.empty() ? "" : " class=\"" + std::string(kind) + "\"";
+  return "<p" + attribute + ">" + escaped(text) + "</p>\n";
+}
+
+std::string command_line(std::string_view command) {
+  return "<pre class=\"command\"><code>" + escaped(command) + "</code></pre>\n";
+}
+
+std::string html(const HtmlTable& table) {
+  const auto opened = [&](const char* tag, std::size_t column, const char* scope) {
+    const bool is_word = column == 0 || std::ranges::count(table.words, table.columns[column]) > 0;
+    return std::string("<") + tag + (*scope ? std::string(" scope=\"") + scope + "\"" : "") +
+           (is_word ? "" : " class=\"n\"") + ">";
+  };
+  std::string text = "<div class=\"wide\" tabindex=\"0\"><table><thead><tr>";
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    text += opened("th", c, "col") + escaped(table.columns[c]) + "</th>";
+  text += "</tr></thead><tbody>\n";
+  for (const auto& row : table.rows) {
+    text += "<tr>";
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const char* tag = c == 0 ? "th" : "td";
+      text += opened(tag, c, c == 0 ? "row" : "") + escaped(row[c]) + "</" + tag + ">";
+    }
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n";
+}
+
+std::string figure(std::string_view title, std::string_view svg) {
+  return "<figure role=\"group\"><figcaption>" + escaped(title) + "</figcaption>\n" + std::string(svg) +
+         "</figure>\n";
+}
+
+namespace {
+
+std::string date_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &utc);
+  return text;
+}
+
+std::string system_name() {
+  utsname names{};
+  if (uname(&names) != 0) return "";
+  return std::string(names.sysname) + " " + names.release + ", " + names.machine;
+}
+
+}  // namespace
+
+Made made_here(std::string command, double seconds) {
+  const std::string processor = processor_name();
+  const double bytes =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  return {std::move(command),
+          date_now(),
+          std::string("viete ") + app::version() + ", " + app::build_type(),
+          std::string(sym3::kernel_name()),
+          (processor.empty() ? "a processor without a name" : processor) + ", " +
+              base::counted(std::thread::hardware_concurrency(), "thread"),
+          base::memory_size(bytes),
+          system_name(),
+          seconds};
+}
+
+std::vector<std::pair<std::string, std::string>> facts_of(const Made& made) {
+  return {{"Machine", made.processor},
+          {"Memory", made.memory},
+          {"System", made.system},
+          {"Program", made.program},
+          {"Kernel of the vector code", made.kernel},
+          {"Made", made.date + ", in " + base::few_digits(made.seconds) + " s"},
+          {"By", made.command}};
+}
+
+nlohmann::json to_json(const Made& made) {
+  nlohmann::json json;
+  for (const auto& [what, value] : facts_of(made)) json[what] = value;
+  return json;
+}
 
 namespace {
 

@@ -1,4 +1,4 @@
-// A frame as published tools compute it, rebuilt plainly: what the engine is compared with.
+// Plain loops for weights and frames, as published tools have them: the reference of the benchmarks.
 #pragma once
 
 #include <array>
@@ -6,8 +6,24 @@
 #include <vector>
 
 #include "deform/binding.h"
+#include "deform/cage.h"
 
 namespace viete::bench {
+
+/// Loops over vertices and cage triangles, in double: distance to the triangle's plane, by barycentric
+/// coordinates, and to its three edges; the least of them to the power of -exponent; then each row divided by
+/// its sum. Two arrays, distances and weights, of n rows of k each.
+class PlainWeights {
+public:
+  PlainWeights(std::size_t vertices, std::size_t elements)
+      : distances_(vertices * elements), weights_(vertices * elements) {}
+
+  void compute(std::span<const mesh::Point> positions, const deform::Cage& cage, double exponent = 2);
+  std::span<const double> weights() const { return weights_; }
+
+private:
+  std::vector<double> distances_, weights_;
+};
 
 /// Per element: map, polar decomposition by SVD, logs of stretch and rotation, the rotation's principal one:
 /// for poses whose elements turn by less than 180 degrees and keep their area. Per vertex: whole matrices

@@ -15,7 +15,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/memory.h"
-#include "bench/findings.h"
+#include "bench/figures.h"
 #include "bench/page.h"
 #include "mesh/formats/format_table.h"
 

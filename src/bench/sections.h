@@ -1,4 +1,4 @@
-// The parts of the page: of each what is seen, why, drawings, numbers and the command that repeats it.
+// The sections of the page: text, drawings, numbers and the commands that repeat them.
 #pragma once
 
 #include <string>

@@ -4,13 +4,12 @@
 #include <tuple>
 
 #include "base/text.h"
-#include "bench/findings.h"
+#include "bench/figures.h"
 #include "bench/halfway.h"
-#include "bench/html.h"
 #include "bench/modes_table.h"
+#include "bench/page.h"
 #include "bench/plot.h"
 #include "bench/sections.h"
-#include "bench/svg.h"
 
 namespace viete::bench {
 

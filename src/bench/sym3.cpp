@@ -12,7 +12,6 @@
 
 #include "bench/derivatives.h"
 #include "bench/ensembles.h"
-#include "bench/rounds.h"
 #include "bench/table.h"
 #include "deform/polar.h"
 #include "sym3/exp.h"

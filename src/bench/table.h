@@ -1,14 +1,36 @@
-// How what was measured is printed and written.
+// Interleaved rounds of measurements, and how their results are printed and written.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "bench/rounds.h"
+#include "base/progress.h"
 
 namespace viete::bench {
+
+/// One thing that is measured: run(round) does `items` of it, of which there may be others each round.
+struct RoundCase {
+  std::string name;
+  std::size_t items;
+  std::function<void(std::size_t round)> run;
+};
+
+struct BenchResult {
+  std::string name;
+  double ns_per_item = 0;  ///< median over the rounds, processor time of the calling thread
+};
+
+/// The time of the case of that name; 0 if there is none.
+double time_of(const std::vector<BenchResult>& results, const std::string& name);
+
+/// Every case once a round, so that a disturbance hits all alike; one round more before, which does not
+/// count. Processor time of the calling thread, medians. Throws base::Cancelled.
+std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
+                                        base::Progress& progress);
 
 /// name, ns per item, and how many times the time of `copy` and how much faster than `reference`.
 void print_table(const std::string& title, const std::vector<BenchResult>& results,

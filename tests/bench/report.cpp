@@ -1,5 +1,4 @@
 #include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,15 +9,19 @@
 #include <vector>
 
 #include "base/text.h"
-#include "bench/findings.h"
+#include "bench/accuracy.h"
+#include "bench/exp.h"
+#include "bench/figures.h"
 #include "bench/page.h"
 #include "bench/plot.h"
+#include "bench/table.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "support/data.h"
 #include "support/folder.h"
 #include "support/text.h"
 #include "support/xml.h"
+#include "sym3/reference.h"
 
 using namespace viete;
 using namespace viete::bench;
@@ -230,5 +233,96 @@ TEST_CASE("numbers_of_the_readme_and_the_manual_are_those_of_the_report_that_is_
     const auto row = std::ranges::find(manual, std::to_string(faces), [](const Cells& c) { return c[0]; });
     REQUIRE(row != manual.end());
     check_frames({row->begin() + 1, row->end()}, report, faces);
+  }
+}
+
+namespace {
+
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("marks_of_xml_in_a_text_are_written_out") {
+  bench::Svg svg(100, 50, "#ffffff");
+  svg.text({1, 2}, "a < b & c");
+  const std::string document = svg.document();
+  CHECK(document.find("a &lt; b &amp; c") != std::string::npos);
+  CHECK(document.ends_with("</svg>\n"));
+}
+
+TEST_CASE("a_plot_has_its_bars_and_curves_by_name") {
+  bench::Plot plot;
+  plot.title = "Times", plot.subtitle = "of exp", plot.bars_title = "bars", plot.curves_title = "curves";
+  plot.bars = {{"Diag", 500, "#000000"}, {"Fast", 5, "#0072b2"}};
+  plot.curves = {{"Fast, planes", "#0072b2", false, {{1024, 3}, {1e6, 5}}}};
+  const std::string document = bench::draw_plot(plot);
+  for (const char* text : {"Times", "Diag", "Fast, planes", "500"})
+    CHECK_MESSAGE(document.find(text) != std::string::npos, text);
+  CHECK(count_of("<svg", document) == 1);
+}
+
+TEST_CASE("every_case_runs_once_a_round_in_turn_and_once_before") {
+  std::string order;
+  base::Progress progress;
+  const auto results = bench::measure_rounds(
+      {{"a", 1, [&](std::size_t) { order += 'a'; }}, {"b", 10, [&](std::size_t) { order += 'b'; }}}, 3,
+      progress);
+  CHECK(order == "abababab");
+  REQUIRE(results.size() == 2);
+  CHECK(results[0].name == "a");
+  CHECK(results[1].name == "b");
+  CHECK(progress.done() == 1);
+}
+
+TEST_CASE("rounds_can_be_cancelled") {
+  base::Progress progress;
+  std::size_t runs = 0;
+  const auto run = [&](std::size_t) {
+    if (++runs == 2) progress.cancel();
+  };
+  CHECK_THROWS_AS(bench::measure_rounds({{"a", 1, run}}, 100, progress), base::Cancelled);
+  CHECK(runs == 2);
+}
+
+TEST_CASE("a_time_is_found_by_its_name") {
+  const std::vector<bench::BenchResult> results = {{"fast", 3}, {"diag", 500}};
+  CHECK(bench::time_of(results, "diag") == 500);
+  CHECK(bench::time_of(results, "none") == 0);
+  CHECK(bench::to_json(results)[0]["ns"] == 3);
+}
+
+TEST_CASE("a_bar_is_met_from_above_or_from_below") {
+  bench::Bars bars;
+  bars.check("as fast", 5, 5, true);
+  bars.check("too slow", 4.9, 5, true);
+  bars.check("small enough", 4.9, 5, false);
+  REQUIRE(bars.rows.size() == 3);
+  CHECK(bars.rows[0]["met"] == true);
+  CHECK(bars.rows[1]["met"] == false);
+  CHECK(bars.rows[2]["met"] == true);
+}
+
+TEST_CASE("every_way_to_exp_is_one_in_double_and_in_float") {
+  const sym3::Sym3<double> s{0.3, 0.1, -0.2, 0.4, 0.05, -0.1};
+  const sym3::Sym3<float> f{0.3F, 0.1F, -0.2F, 0.4F, 0.05F, -0.1F};
+  CHECK(bench::exp_methods().size() >= 6);
+  for (const auto& method : bench::exp_methods()) {
+    CHECK_MESSAGE(sym3::relative_error(method.in_double(s), s) < 1e-13, method.name);
+    const auto e = method.in_float(f);
+    CHECK_MESSAGE(sym3::relative_error({e.xx, e.xy, e.xz, e.yy, e.yz, e.zz}, s) < 1e-5, method.name);
+  }
+}
+
+TEST_CASE("accuracy_has_a_cell_for_every_method_in_every_row") {
+  base::Progress progress;
+  const auto tables = bench::measure_accuracy(16, false, progress);
+  CHECK_FALSE(tables.empty());
+  for (const auto& table : tables) {
+    CHECK_FALSE(table.rows.empty());
+    for (const auto& row : table.rows) CHECK(row.cells.size() == bench::exp_methods().size());
   }
 }
