@@ -1,7 +1,7 @@
 // The inner edges of the columns: dragged to make them wider or narrower, with a tab each that folds a column
 // away and brings it back.
 #include "scene/workspace/command.h"
-#include "scene/workspace/layout.h"
+#include "scene/workspace/remembered.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -8,7 +8,6 @@
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "deform/ways.h"
-#include "scene/document/cage_groups.h"
 #include "scene/document/opened_surface.h"
 #include "scene/document/pose_library.h"
 #include "scene/document/selection.h"
