@@ -1,5 +1,5 @@
 // Marks at the cage where the mesh may fold.
-#include "scene/document/pose_notes.h"
+#include "scene/document/checks.h"
 #include "scene/hand/cursor_projection.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

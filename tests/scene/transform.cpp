@@ -7,7 +7,7 @@
 #include "deform/cage_state.h"
 #include "scene/cube.h"
 #include "scene/document/edit.h"
-#include "scene/document/pose_library.h"
+#include "scene/document/document_state.h"
 #include "scene/hand/anchor.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"

@@ -12,7 +12,7 @@
 #include "base/progress.h"
 #include "mesh/formats/morphs.h"
 #include "mesh/surface.h"
-#include "scene/document/pose_library.h"
+#include "scene/document/document_state.h"
 
 namespace viete::scene {
 
