@@ -10,7 +10,7 @@
 #include "mesh/normals.h"
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
-#include "scene/document/pose_notes.h"
+#include "scene/document/checks.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
 #include "sym3/small_matrices.h"

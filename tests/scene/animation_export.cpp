@@ -185,20 +185,6 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
   CHECK(in_float >= 4);
 }
 
-TEST_CASE("straight_keys_collapse_where_log_space_turns") {
-  test::AnimatedCube cube;
-  const auto half_way = [&](bool straight) {
-    cube.document.timeline.straight = straight;
-    cube.document.timeline.keys.resize(2);
-    cube.document.timeline.keys[1].pose = test::whole(test::turned_cage(*cube.document.cage, 180, 0, 0));
-    write_animation(animation_export_of(cube.document, cube / "a.pc2"));
-    const auto frame = mesh::PointCache(cube / "a.pc2").frame(4);
-    return std::hypot(frame[0][0], frame[0][1]);
-  };
-  CHECK(half_way(false) == doctest::Approx(std::sqrt(2.0)).epsilon(1e-5));
-  CHECK(half_way(true) < 1e-2);  // stretches are kept above a floor
-}
-
 TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
   const test::AnimatedCube cube;
   const double diagonal = 2 * std::sqrt(3.0);

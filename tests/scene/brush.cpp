@@ -101,8 +101,7 @@ TEST_CASE("a_mask_is_unsaved_until_its_session_is_and_comes_back_to_the_last_bit
   CHECK(has_unsaved_edits(p.w));
   REQUIRE(save_session(p.w, p.files / "a.viete"));
   CHECK_FALSE(has_unsaved_edits(p.w));
-  Workspace back;
-  REQUIRE(open_now(back, {OpenRequest::What::model, {p.files / "a.viete"}}));
+  Workspace back = test::opened({p.files / "a.viete"});
   REQUIRE(back.document.mask);
   CHECK(*back.document.mask == *p.w.document.mask);
   CHECK_FALSE(has_unsaved_edits(back));
@@ -134,8 +133,7 @@ TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
         p.files / "a.viete",
         R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "mask": )" +
             c.value + "}");
-    Workspace w;
-    REQUIRE(open_now(w, {OpenRequest::What::model, {p.files / "a.viete"}}));
+    Workspace w = test::opened({p.files / "a.viete"});
     CHECK_FALSE(w.document.mask);
     CHECK_MESSAGE(test::mentions(w.messages.all().back().text, c.warning), w.messages.all().back().text);
   }
@@ -143,8 +141,7 @@ TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
       p.files / "a.viete",
       R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "mask": [0, )" +
           std::to_string(n) + "]}");
-  Workspace w;
-  REQUIRE(open_now(w, {OpenRequest::What::model, {p.files / "a.viete"}}));
+  Workspace w = test::opened({p.files / "a.viete"});
   CHECK(w.document.mask);
 }
 

@@ -8,7 +8,6 @@
 #include "deform/cage_state.h"
 #include "mesh/triangulation.h"
 #include "scene/cube.h"
-#include "scene/document/pose_notes.h"
 #include "scene/workspace/check_state.h"
 
 using namespace viete;

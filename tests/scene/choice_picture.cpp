@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "deform/cage.h"
-#include "scene/pictures/lattice.h"
 
 using namespace viete;
 using deform::Blend, deform::Weights;

@@ -10,7 +10,6 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/hand/placing.h"
-#include "scene/hand/soft_selection.h"
 #include "support/grips.h"
 
 using namespace viete;

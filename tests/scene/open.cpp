@@ -108,8 +108,7 @@ TEST_CASE("vertices_of_the_cage_that_have_no_face_do_not_move_the_view_away") {
 
 TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   REQUIRE(drop(w, {files.pose}));
   CHECK(w.document.model.path == files.model);
   CHECK(w.document.pose.positions == test::cube(2).positions);
@@ -120,8 +119,7 @@ TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose") {
 
 TEST_CASE("a_pose_over_unsaved_edits_stays_unsaved") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.pose.positions[0][0] -= 1;
   CHECK(has_unsaved_edits(w));
   REQUIRE(drop(w, {files.pose}));
@@ -143,8 +141,7 @@ TEST_CASE("a_dropped_surface_around_a_model_without_cage_is_its_cage_and_anythin
 
 TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   REQUIRE(save_session(w, files / "a.viete"));
   Workspace other;
   REQUIRE(drop(other, {files / "a.viete"}));
@@ -173,8 +170,7 @@ TEST_CASE("reading_can_be_cancelled_and_says_how_far_it_is") {
 
 TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(open_now(w, {What::model, {files.model, files.cage, files.pose}}));
+  Workspace w = test::opened({files.model, files.cage, files.pose});
   CHECK(w.document.pose.positions == test::cube(2).positions);
   CHECK_FALSE(w.document.history.can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
@@ -184,8 +180,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
 
 TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.pose.positions[0][0] -= 1;
   w.saved.session = files / "mine.viete";
   test::put_file(files / "r.viete", session_text(session_of(w), files / "r.viete", false));
@@ -202,8 +197,7 @@ TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
 
 TEST_CASE("what_is_opened_comes_to_the_front_of_the_recent_files") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   REQUIRE(test::load_model(w, files.cage, {}));
   REQUIRE(save_session(w, files / "a.viete"));
   REQUIRE(test::load_model(w, files.model, files.cage));
@@ -237,14 +231,12 @@ TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_exp
 TEST_CASE(
     "settings_that_are_asked_for_stand_over_those_of_a_session_and_are_unsaved_where_they_shape_the_model") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.put_method(sym3::Method::sd);
   set_radius(w.document, 0.3);
   REQUIRE(save_session(w, files / "a.viete"));
 
-  Workspace as_saved;
-  REQUIRE(open_now(as_saved, {What::model, {files / "a.viete"}}));
+  Workspace as_saved = test::opened({files / "a.viete"});
   CHECK(as_saved.document.method == sym3::Method::sd);
   CHECK(as_saved.document.scheme.weighting.radius == 0.3);
   CHECK_FALSE(has_unsaved_edits(as_saved));
@@ -291,8 +283,7 @@ TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
 
 TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_for") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.put_method(sym3::Method::sd);
   set_scheme(w.document, deform::scheme_of(deform::Way::local));
   set_radius(w.document, 0.3);
@@ -347,8 +338,7 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
 
 TEST_CASE("located_files_take_the_place_of_those_that_a_session_names") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(open_now(w, {What::model, {files.model, files.cage, files.pose}}));
+  Workspace w = test::opened({files.model, files.cage, files.pose});
   REQUIRE(save_session(w, files / "a.viete"));
   test::put_file(files / "r.viete", session_text(session_of(w), files / "r.viete", false));
   const auto open = [&](What what, const LocatedFiles& located) {
@@ -423,8 +413,7 @@ TEST_CASE("a_cage_with_a_fin_opens_without_it_where_that_is_asked_for") {
 
 TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_where_they_are") {
   test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.selection.select_all(8);
   save_set(w.document);
   keep_pose(w.document, "stand");

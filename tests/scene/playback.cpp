@@ -1,4 +1,4 @@
-#include "scene/workspace/playback.h"
+#include "scene/workspace/playing.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,6 @@
 #include "scene/document/edit.h"
 #include "scene/document/selection.h"
 #include "scene/posed_cube.h"
-#include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"

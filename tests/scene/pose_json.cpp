@@ -32,8 +32,7 @@ namespace {
 
 // A workspace whose session has poses, a mix, keys of all easings, and camera keys.
 Workspace animated(const test::CubeFiles& files) {
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   REQUIRE(add_probe(w.document, {}, {1, 1, 1}));
   w.document.probes.all[0].pose = {{0.1, 0, 1.0 / 3}, {0, 0.5, 0, 0, 0, -1}, {1e-17, 2, 3}};
   test::add_two_poses(w.document);
@@ -135,8 +134,7 @@ TEST_CASE("poses_mixes_keys_and_camera_keys_come_back_to_the_last_bit") {
 
 TEST_CASE("weights_as_they_are_typed_come_back_to_the_last_bit") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   test::add_two_poses(w.document);
   for (int tenths = -2000; tenths <= 3000; tenths += 7) {
     const double weight = tenths / 10.0 / 100;
@@ -286,8 +284,7 @@ TEST_CASE("recovered_work_has_its_poses_and_keys") {
 
 TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_recovered") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.timeline = test::three_keys();
   follow_time(w, 0);
   const std::vector<mesh::Point> first = test::turned_cube(33).positions,
@@ -310,8 +307,7 @@ TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_rec
     CHECK(again.document.pose.positions == first);
     CHECK(again.document.timeline.unkeyed.empty());
   };
-  Workspace opened;
-  REQUIRE(open_now(opened, {OpenRequest::What::model, {files / "a.viete"}}));
+  Workspace opened = test::opened({files / "a.viete"});
   opened.playback.auto_key = true;
   follow_time(opened, 0);
   CHECK_FALSE(has_unsaved_edits(opened));

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "scene/cube.h"
-#include "scene/pictures/lattice.h"
+#include "scene/pictures/choice_picture.h"
 #include "scene/pictures/picture_view.h"
 
 using namespace viete;

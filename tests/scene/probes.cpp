@@ -9,10 +9,10 @@
 #include "scene/files.h"
 #include "scene/files/session.h"
 #include "scene/hand/anchor.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/placing.h"
-#include "scene/hand/cursor_projection.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"
@@ -251,8 +251,7 @@ TEST_CASE("a_model_of_one_point_can_have_probes") {
   CHECK(w.document.probes.all[0].turn.radius > 0);
   CHECK(least_probe_radius(w.document) > 0);
   REQUIRE(save_session(w, files / "a.viete"));
-  Workspace back;
-  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+  Workspace back = test::opened({files / "a.viete"});
   CHECK(back.document.probes == w.document.probes);
 }
 
@@ -316,8 +315,7 @@ TEST_CASE("probes_come_back_from_a_session_to_the_last_bit") {
     p.select({1});
     REQUIRE(save_session(p.w, p.files / "a.viete"));
     CHECK_FALSE(has_unsaved_edits(p.w));
-    Workspace back;
-    REQUIRE(open_now(back, {OpenRequest::What::model, {p.files / "a.viete"}}));
+    Workspace back = test::opened({p.files / "a.viete"});
     CHECK(back.document.probes == p.document().probes);
     CHECK(back.document.selection == p.document().selection);
     CHECK_FALSE(has_unsaved_edits(back));
@@ -361,8 +359,7 @@ TEST_CASE("damaged_probes_cost_themselves_alone_and_say_so") {
                    R"({"format": "viete session", "version": 1, "model": "model.obj", "selecting": "probes",)"
                    R"( "selection": [1], "probes": {"mix": "odd", "all": [)" +
                        good + ", " + c.probe + "]}}");
-    Workspace w;
-    REQUIRE(open_now(w, {OpenRequest::What::model, {files / "a.viete"}}));
+    Workspace w = test::opened({files / "a.viete"});
     CHECK(w.document.probes.all.size() == 1);
     CHECK(w.document.probes.mix == deform::ProbeMix::added);
     CHECK(w.document.selection.empty());

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/process.h"
 #include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
 #include "scene/files.h"
 #include "scene/files/session.h"
 #include "scene/hand/grip.h"
@@ -42,8 +43,7 @@ TEST_CASE("the_work_of_a_program_that_has_ended_and_is_still_listed_is_left_over
 
 TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   deform::Pose moved = w.document.pose;
   moved.positions[0][0] += 0.25;
   set_pose(w.document, moved);
@@ -73,8 +73,7 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
   const fs::path folder = files / "recovery", kept = folder / "999999999-1.viete",
                  session = files / "a.viete";
   fs::create_directories(folder);
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   const auto move = [&] {
     deform::Pose pose = w.document.pose;
     pose.positions[0][0] += 0.25;
@@ -135,8 +134,7 @@ std::string first_edit_kept(const Workspace& w, const fs::path& file) {
 TEST_CASE("kept_work_tells_the_first_edit_since_it_was_saved_and_a_saved_session_tells_none") {
   const test::CubeFiles files;
   const fs::path kept = files / "999999999-1.viete";
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   CHECK(first_edit_kept(w, kept).empty());
   w.document.selection.select_all(8);
   const auto move = [&] {

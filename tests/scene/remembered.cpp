@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
-#include "scene/workspace/layout.h"
 #include "support/folder.h"
 
 using namespace viete;

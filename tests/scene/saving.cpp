@@ -28,8 +28,7 @@ using Purpose = FileBrowser::Purpose;
 namespace {
 
 Workspace edited(const test::CubeFiles& files) {
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   CHECK_FALSE(has_unsaved_edits(w));
   w.document.history.record("move", state_of(w.document));
   w.document.pose.positions[0][0] -= 0.25;
@@ -62,8 +61,7 @@ TEST_CASE("undoing_to_what_was_opened_leaves_nothing_to_save") {
 
 TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.pose.turns = {{0, 3.14159, 0}};
   CHECK_FALSE(has_unsaved_edits(w));
   w.document.pose.turns = {{0, 1e-9, 0}};
@@ -82,8 +80,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
 
 TEST_CASE("weights_and_radius_are_edits_that_a_session_keeps_and_a_pose_does_not_and_the_method_is_none") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.scheme = deform::scheme_of(deform::Way::local);
   mark_saved(w);
   w.document.put_method(sym3::Method::diag);
@@ -99,8 +96,7 @@ TEST_CASE("weights_and_radius_are_edits_that_a_session_keeps_and_a_pose_does_not
   test::run_command(w, "blend_srl");
   CHECK_FALSE(has_unsaved_edits(w));
 
-  Workspace back;
-  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+  Workspace back = test::opened({files / "a.viete"});
   CHECK_FALSE(has_unsaved_edits(back));
   set_radius(back.document, 0.25);
   CHECK(has_unsaved_edits(back));
@@ -185,8 +181,7 @@ TEST_CASE("the_title_names_the_session_and_else_the_model_with_a_star_while_edit
   CHECK(window_title(w) == model + "* - Viete");
   REQUIRE(save_session(w, files / "walk.viete"));
   CHECK(window_title(w) == "walk.viete - Viete");
-  Workspace again;
-  REQUIRE(open_now(again, {OpenRequest::What::model, {files / "walk.viete"}}));
+  Workspace again = test::opened({files / "walk.viete"});
   CHECK(window_title(again) == "walk.viete - Viete");
 }
 
@@ -197,8 +192,7 @@ TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
   test::put_file(files / "letter.viete", "Dear all");
   test::put_file(files / "key_1.obj", test::file_bytes(files.pose));
   test::put_file(files / "key_9.obj", test::file_bytes(files.cage));
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   REQUIRE(test::load_pose(w, files.pose));
   REQUIRE(open_now(w, {OpenRequest::What::animation, {files / "key_1.obj"}}));
   fs::create_hard_link(files.model, files / "model.viete");
@@ -232,8 +226,7 @@ TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
 
 TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   w.document.cage_file = made_surface(*w.document.cage_file.surface, "cage.obj, edited");
   CHECK_FALSE(save_pose(w, files.cage));  // undo leads back to it
   CHECK(save_cage(w, files.cage));
@@ -260,8 +253,7 @@ TEST_CASE("save_asks_for_a_name_once_and_then_writes_there") {
 
 TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one_does_no_harm") {
   const test::CubeFiles files;
-  Workspace w;
-  REQUIRE(test::load_model(w, files.model, files.cage));
+  Workspace w = test::opened({files.model, files.cage});
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   std::filesystem::create_directories(files / "other");

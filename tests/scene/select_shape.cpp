@@ -12,7 +12,6 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/hand/cursor_projection.h"
-#include "scene/hand/sight.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/sight_keeper.h"
 #include "support/commands.h"

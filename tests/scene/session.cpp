@@ -91,8 +91,7 @@ TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
   const test::CubeFiles files;
   Workspace w = worked(files);
   REQUIRE(save_session(w, files / "a.viete"));
-  Workspace back;
-  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+  Workspace back = test::opened({files / "a.viete"});
   check_same(w, back);
   CHECK(back.saved.session == files / "a.viete");
   CHECK_FALSE(has_unsaved_edits(back));
@@ -108,8 +107,7 @@ TEST_CASE("cameras_of_views_are_kept_wherever_the_hand_is") {
   w.camera.orbit({30, 10});
   const CameraPose moved = w.camera.destination();
   REQUIRE(save_session(w, files / "a.viete"));
-  Workspace back;
-  REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+  Workspace back = test::opened({files / "a.viete"});
   CHECK(back.split.active == 0);
   CHECK(camera_of(back, 0) == first);
   CHECK(camera_of(back, 1) == camera_of(w, 1));
@@ -130,8 +128,7 @@ TEST_CASE("a_session_names_its_files_relative_to_itself_and_moves_with_them") {
   const test::TemporaryFolder elsewhere;
   fs::copy(files.path(), elsewhere / "moved", fs::copy_options::recursive);
   fs::remove(files.model);
-  Workspace back;
-  REQUIRE(open_now(back, {OpenRequest::What::model, {elsewhere / "moved" / "one" / "deep" / "a.viete"}}));
+  Workspace back = test::opened({elsewhere / "moved" / "one" / "deep" / "a.viete"});
   check_same(w, back);
 }
 
@@ -257,8 +254,7 @@ TEST_CASE("one_bad_number_of_a_pose_costs_its_vertex") {
     const auto at = damaged.find(from);
     REQUIRE(at != std::string::npos);
     test::put_file(files / "a.viete", damaged.replace(at, from.size(), to));
-    Workspace back;
-    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    Workspace back = test::opened({files / "a.viete"});
     return back;
   };
   for (const char* bad :
@@ -295,8 +291,7 @@ TEST_CASE("whatever_is_typed_or_looked_at_can_be_saved_and_opened_again") {
     w.camera.pan({1e30f, -1e30f}, w.viewport);
     REQUIRE(save_session(w, files / "a.viete"));
     CHECK_FALSE(mentions(test::file_bytes(files / "a.viete"), "null"));
-    Workspace back;
-    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    Workspace back = test::opened({files / "a.viete"});
     CHECK(back.messages.all().empty());
     check_same(w, back);
   }
@@ -315,16 +310,14 @@ TEST_CASE("weights_and_blend_are_kept_and_older_programs_read_what_they_know") {
   for (deform::Scheme scheme : deform::valid_schemes()) {
     CAPTURE(text(scheme));
     scheme.weighting.radius = 0.3;
-    Workspace w;
-    REQUIRE(test::load_model(w, files.model, files.cage));
+    Workspace w = test::opened({files.model, files.cage});
     w.document.scheme = scheme;
     REQUIRE(save_session(w, files / "a.viete"));
     const auto json = read_json(files / "a.viete");
     CHECK(json["weights"] == std::string(deform::entry(scheme.weighting.weights).name));
     CHECK(json["blend"] == std::string(deform::entry(scheme.blend).name));
     CHECK_FALSE(json.contains("stitched"));
-    Workspace back;
-    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    Workspace back = test::opened({files / "a.viete"});
     CHECK(back.document.scheme == w.document.scheme);
     CHECK(back.document.scheme.weighting.radius == 0.3);
   }
@@ -333,19 +326,16 @@ TEST_CASE("weights_and_blend_are_kept_and_older_programs_read_what_they_know") {
 TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
   const test::CubeFiles files;
   for (const int iterations : {1, 3, deform::most_iterations}) {
-    Workspace w;
-    REQUIRE(test::load_model(w, files.model, files.cage));
+    Workspace w = test::opened({files.model, files.cage});
     w.document.scheme.iterations = iterations;
     REQUIRE(save_session(w, files / "a.viete"));
     const auto json = read_json(files / "a.viete");
     CHECK(json["stitched"] == iterations);
-    Workspace back;
-    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    Workspace back = test::opened({files / "a.viete"});
     CHECK(back.document.scheme.iterations == iterations);
   }
   for (const int iterations : {0, 2}) {  // kept for when it is stitched again
-    Workspace w;
-    REQUIRE(test::load_model(w, files.model, files.cage));
+    Workspace w = test::opened({files.model, files.cage});
     w.document.scheme.iterations = iterations;
     w.document.scheme.holding = {0.29, 0.07};
     REQUIRE(save_session(w, files / "a.viete"));
@@ -364,14 +354,12 @@ TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
   for (const deform::Weighting& weighting :
        {deform::Weighting{deform::Elements::face, deform::Weights::cut_off, 0.29},
         deform::Weighting{deform::Elements::face, deform::Weights::biharmonic, 0.29}}) {
-    Workspace w;
-    REQUIRE(test::load_model(w, files.model, files.cage));
+    Workspace w = test::opened({files.model, files.cage});
     w.document.scheme.weighting = weighting;
     REQUIRE(save_session(w, files / "a.viete"));
     const auto json = read_json(files / "a.viete");
     CHECK(json["radius"] == 29);
-    Workspace back;
-    REQUIRE(open_now(back, {OpenRequest::What::model, {files / "a.viete"}}));
+    Workspace back = test::opened({files / "a.viete"});
     const deform::Weighting& kept = back.document.scheme.weighting;
     CHECK(kept == weighting);
     CHECK(kept.radius == 0.29);  // also those that these weights do not use
@@ -441,8 +429,7 @@ void permute(const fs::path& cage) {
 }
 
 std::vector<std::string> said_on_opening(const fs::path& session) {
-  Workspace w;
-  REQUIRE(open_now(w, {OpenRequest::What::model, {session}}));
+  Workspace w = test::opened({session});
   std::vector<std::string> all;
   for (const auto& message : w.messages.all()) all.push_back(message.text);
   return all;
@@ -471,8 +458,7 @@ TEST_CASE("a_model_or_cage_that_has_changed_since_is_said_when_the_session_is_op
   REQUIRE(said.size() == 2);
   CHECK(mentions(said[0], "model.obj is another one than when"));
 
-  Workspace again;
-  REQUIRE(open_now(again, {OpenRequest::What::model, {files / "a.viete"}}));
+  Workspace again = test::opened({files / "a.viete"});
   REQUIRE(save_session(again, files / "a.viete"));
   CHECK_MESSAGE(said_on_opening(files / "a.viete").empty(), "what was saved since is of the new ones");
 }
@@ -561,8 +547,7 @@ TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
   REQUIRE(test::load_model(w, folder / "m\xff.obj", folder / "c\xff.obj"));
   for (const fs::path& session : {folder / "s\xff.viete", files / "s.viete"}) {
     REQUIRE(save_session(w, session));
-    Workspace back;
-    REQUIRE(open_now(back, {OpenRequest::What::model, {session}}));
+    Workspace back = test::opened({session});
     CHECK(back.document.model.path.filename() == "m\xff.obj");
     CHECK(back.document.cage_file.path.filename() == "c\xff.obj");
   }

@@ -210,8 +210,7 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   const fs::path file = f / "all.viete";
   REQUIRE(save_session(f.w, file));
   CHECK(!has_unsaved_edits(f.w));
-  Workspace again;
-  REQUIRE(open_now(again, {What::model, {file}}));
+  Workspace again = test::opened({file});
   const Document &a = f.document(), &b = again.document;
   CHECK(*b.shape == *a.shape);
   CHECK(b.probes == a.probes);
@@ -228,8 +227,7 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   CHECK(shapes == 3);
   // Of another model: dropped, and said.
   test::put_file(f / "bar.obj", test::file_bytes(f.cage_file()));
-  Workspace other;
-  REQUIRE(open_now(other, {What::model, {file}}));
+  Workspace other = test::opened({file});
   CHECK(other.document.library.poses.empty());
   CHECK(!other.document.shape);
   CHECK(other.document.probes.empty());

@@ -7,7 +7,7 @@
 #include "deform/cage_state.h"
 #include "scene/cube.h"
 #include "scene/document/edit.h"
-#include "scene/document/pose_library.h"
+#include "scene/document/document_state.h"
 #include "scene/hand/anchor.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
@@ -152,14 +152,6 @@ TEST_CASE("an_edit_that_moves_nothing_is_not_recorded") {
   Document document = selected_cube();
   transform_selection(document, Tool::move, test::plain_grip(document), {});
   CHECK_FALSE(document.history.can_undo());
-}
-
-TEST_CASE("grid_snapping_suits_the_model_whatever_its_size") {
-  for (const double size : {1e-9, 1.0, 1e9}) {
-    const double cell = grid_cell(size);
-    CHECK(cell > size / 50);
-    CHECK(cell < size / 10);
-  }
 }
 
 TEST_CASE("absurd_amounts_neither_hang_nor_leave_the_range_of_numbers") {

@@ -7,7 +7,7 @@
 
 #include "deform/pose_space.h"
 #include "deform/shape_space.h"
-#include "scene/document/pose_library.h"
+#include "scene/document/document_state.h"
 #include "scene/document/timeline.h"
 
 namespace viete::scene {

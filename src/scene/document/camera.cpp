@@ -8,7 +8,7 @@
 
 #include "mesh/formats/format_table.h"
 #include "mesh/vector.h"
-#include "scene/document/opened_surface.h"
+#include "scene/document/document_state.h"
 #include "scene/document/range.h"
 
 namespace viete::scene {

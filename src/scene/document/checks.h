@@ -1,12 +1,15 @@
-// Defects of a model and its cage, element by element, and what each means for the deformation.
+// Defects of a model and its cage, element by element, and what each means for the deformation; and what the
+// deformer had to decide in a pose, in words.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
+#include "deform/maps.h"
 #include "mesh/summary.h"
 #include "scene/document/document.h"
 
@@ -64,5 +67,15 @@ std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Su
 /// All of them, those that matter first; cage.surface may be null. Thread-safe.
 std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage,
                            base::Progress* progress = nullptr);
+
+/// One line per kind of trouble, with how often and the first place; nothing for a pose without trouble. A
+/// closed cage that is turned inside out, as by a mirror, is told from one that is only torn.
+std::vector<std::string> pose_notes(const deform::LogReport& report, const deform::Cage& cage,
+                                    const deform::Pose& pose);
+
+/// The vertices at both ends of the cage's edges between torn neighbours, at most so many; nothing where
+/// elements are neither triangles nor vertices.
+std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& report,
+                                                     const deform::Cage& cage, std::size_t most);
 
 }  // namespace viete::scene

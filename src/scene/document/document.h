@@ -19,8 +19,6 @@
 #include "scene/document/document_state.h"
 #include "scene/document/files_in_use.h"
 #include "scene/document/history.h"
-#include "scene/document/opened_surface.h"
-#include "scene/document/pose_library.h"
 #include "scene/document/selection.h"
 #include "scene/document/space.h"
 #include "sym3/exp.h"

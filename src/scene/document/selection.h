@@ -10,7 +10,6 @@
 
 namespace viete::scene {
 
-struct CageGroups;
 struct Document;
 
 enum class SelectMode { replace, add, remove };
@@ -52,6 +51,24 @@ private:
   std::vector<std::uint32_t> indices_;
   std::uint32_t picked_ = 0;
   bool has_picked_ = false;
+};
+
+/// What was selected once, to be selected again: elements of this kind with all their vertices among these.
+struct NamedSet {
+  std::string name;
+  ElementKind kind = ElementKind::vertex;  ///< no probes
+  std::vector<std::uint32_t> vertices;     ///< ascending, each once
+
+  friend bool operator==(const NamedSet&, const NamedSet&) = default;
+};
+
+struct CageGroups {
+  /// Vertices, ascending, each once: elements without any other one are neither shown nor selected, and none
+  /// of these is moved by hand.
+  std::vector<std::uint32_t> hidden;
+  std::vector<NamedSet> sets;
+
+  friend bool operator==(const CageGroups&, const CageGroups&) = default;
 };
 
 /// Of the elements of a kind, 1 for those that are hidden; of probes none is.

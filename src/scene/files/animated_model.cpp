@@ -8,7 +8,7 @@
 #include "deform/binding.h"
 #include "deform/scheme.h"
 #include "deform/tiled_binding.h"
-#include "scene/document/pose_notes.h"
+#include "scene/document/checks.h"
 
 namespace viete::scene {
 

@@ -169,10 +169,14 @@ struct MorphPlan {
   }
 };
 
-std::string frame_name(double frame) {
+std::string plain(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "frame %.6g", frame);
+  std::snprintf(text, sizeof text, "%.6g", number);
   return text;
+}
+
+std::string frame_name(double frame) {
+  return "frame " + plain(frame);
 }
 
 void check_floats(std::span<const mesh::Point> pose, double frame) {
@@ -261,7 +265,7 @@ public:
     report.notes = notes_.take();
     report.summary = base::counted(report.frames, "morph target") +
                      " with straight lines between them, off by up to " +
-                     at_most(std::max(what_.tolerance, least_tolerance)) +
+                     plain(std::max(what_.tolerance, least_tolerance)) +
                      " of the model's diagonal at any frame; " + engine_text(*model_);
     return report;
   }

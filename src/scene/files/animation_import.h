@@ -9,7 +9,7 @@
 
 #include "base/progress.h"
 #include "scene/document/document.h"
-#include "scene/document/pose_library.h"
+#include "scene/document/document_state.h"
 #include "scene/document/timeline.h"
 
 namespace viete::scene {

@@ -17,7 +17,7 @@
 #include "mesh/formats/write.h"
 #include "scene/document/cage_editing.h"
 #include "scene/document/camera.h"
-#include "scene/document/pose_notes.h"
+#include "scene/document/checks.h"
 #include "scene/files/session.h"
 #include "scene/files/session_parts.h"
 

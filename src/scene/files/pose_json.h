@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/document/pose_library.h"
+#include "scene/document/document_state.h"
 #include "scene/files/json_file.h"
 
 namespace viete::scene {

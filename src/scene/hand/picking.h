@@ -1,4 +1,5 @@
-// What is under the cursor: vertices, edges and faces of the cage near a pixel, or inside a rectangle.
+// What of the cage can be seen, and what is under the cursor: vertices, edges and faces near a pixel, or
+// inside a rectangle, a lasso or the circle of a brush.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,26 @@
 
 namespace viete::scene {
 
-class Sight;
+/// Depths of what hides, on a raster of two logical pixels. A place as near as the surface there, or up to
+/// half a percent of the model's diagonal behind it, is seen: the cage's own vertices are, and those a little
+/// inside.
+class Sight {
+public:
+  Sight(const Camera& camera, const Viewport& viewport);
+
+  /// Corners as a Projector gives them. O(pixels covered).
+  void hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+  /// Likewise, in logical pixels, with its depth.
+  bool sees(const glm::vec3& at) const;
+
+private:
+  // Grows towards the eye, and is linear on screen.
+  float nearness(float depth) const;
+
+  bool orthographic_;
+  int columns_, rows_;
+  std::vector<float> nearest_;
+};
 
 /// An element of the cage, and how deep in front of the camera the place is at which the cursor met it, in
 /// view units.

@@ -1,6 +1,7 @@
 // A small picture of what an entry of a chooser does, made by the deformer itself.
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "base/error.h"
 #include "deform/scheme.h"
+#include "mesh/surface.h"
 #include "scene/pictures/picture_view.h"
 
 namespace viete::scene {
@@ -57,5 +59,21 @@ private:
              std::map<deform::Blend, ChoicePicture>>
       kept_;
 };
+
+/// Where a lattice is cut, along each axis, ascending: two places or more.
+struct Lattice {
+  std::vector<double> x, y, z;
+};
+
+/// True for a cell that is filled, by its place along each axis.
+using Filled = std::function<bool(int x, int y, int z)>;
+
+/// What encloses the cells that are filled: quads, outward, corners shared.
+mesh::Surface lattice_surface(const Lattice& lattice, const Filled& filled);
+/// All of them are.
+mesh::Surface lattice_surface(const Lattice& lattice);
+
+/// So many equal steps from low to high: steps + 1 places.
+std::vector<double> even(double low, double high, int steps);
 
 }  // namespace viete::scene

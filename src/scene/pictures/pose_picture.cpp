@@ -1,8 +1,8 @@
 #include "scene/pictures/pose_picture.h"
 
 #include <algorithm>
-
-#include "scene/pictures/shape_picture.h"
+#include <cmath>
+#include <limits>
 
 namespace viete::scene {
 
@@ -40,6 +40,107 @@ const std::vector<PictureShape>& PosePictures::of(const Document& document, cons
 
 void PosePictures::tidy() {
   std::erase_if(pictures_, [](const auto& entry) { return entry.second.pose.use_count() == 1; });
+}
+
+namespace {
+
+constexpr int pixels_per_point = 2, shades = 7;
+
+// What of a triangle faces the viewer, nearest first, as shades.
+class Raster {
+public:
+  explicit Raster(glm::vec2 size)
+      : width_(static_cast<int>(size.x) * pixels_per_point),
+        height_(static_cast<int>(size.y) * pixels_per_point),
+        depth_(static_cast<std::size_t>(width_ * height_), -std::numeric_limits<double>::infinity()),
+        tones_(depth_.size(), 0.0f) {}
+
+  // Corners with x and y in pixels, z to the viewer. What is smaller than a pixel still takes one.
+  void add(const std::array<mesh::Vec3, 3>& t, float tone) {
+    const auto [low_x, high_x] = std::minmax({t[0][0], t[1][0], t[2][0]});
+    const auto [low_y, high_y] = std::minmax({t[0][1], t[1][1], t[2][1]});
+    const double z = (t[0][2] + t[1][2] + t[2][2]) / 3;
+    if (high_x - low_x < 1 && high_y - low_y < 1) return put(low_x, low_y, z, tone);
+    for (int y = first(low_y); y <= last(high_y, height_); ++y)
+      for (int x = first(low_x); x <= last(high_x, width_); ++x)
+        if (covers(t, x + 0.5, y + 0.5)) put(x, y, z, tone);
+  }
+
+  std::vector<PictureShape> rows() const {
+    std::vector<PictureShape> rows;
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0, end = 0; x < width_; x = end) {
+        const float tone = tones_[index(x, y)];
+        while (end < width_ && tones_[index(end, y)] == tone) ++end;
+        if (tone > 0) rows.push_back(row(x, end, y, tone));
+      }
+    }
+    return rows;
+  }
+
+private:
+  static int first(double low) { return std::max(0, static_cast<int>(std::floor(low))); }
+  static int last(double high, int size) { return std::min(size - 1, static_cast<int>(std::floor(high))); }
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * width_ + x); }
+
+  static bool covers(const std::array<mesh::Vec3, 3>& t, double x, double y) {
+    const auto side = [&](int i, int j) {
+      return (t[j][0] - t[i][0]) * (y - t[i][1]) - (t[j][1] - t[i][1]) * (x - t[i][0]);
+    };
+    const double a = side(0, 1), b = side(1, 2), c = side(2, 0);
+    return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+  }
+
+  void put(double x, double y, double z, float tone) {
+    const int column = static_cast<int>(std::floor(x)), line = static_cast<int>(std::floor(y));
+    if (column < 0 || line < 0 || column >= width_ || line >= height_) return;
+    const std::size_t i = index(column, line);
+    if (z > depth_[i]) depth_[i] = z, tones_[i] = tone;
+  }
+
+  static PictureShape row(int begin, int end, int y, float tone) {
+    constexpr float point = 1.0f / pixels_per_point;
+    const float x0 = point * static_cast<float>(begin), x1 = point * static_cast<float>(end);
+    const float y0 = point * static_cast<float>(y), y1 = y0 + point;
+    return {Ink::lit, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {tone}, {{0, 1, 2}, {0, 2, 3}}};
+  }
+
+  int width_, height_;
+  std::vector<double> depth_;
+  std::vector<float> tones_;  // 0: nothing is there
+};
+
+}  // namespace
+
+std::vector<mesh::Point> upright(std::span<const mesh::Point> points, UpAxis up) {
+  std::vector<mesh::Point> all(points.begin(), points.end());
+  if (up == UpAxis::z)
+    for (mesh::Point& p : all) p = {p[0], p[2], -p[1]};
+  return all;
+}
+
+std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<const mesh::Point> shape,
+                                        UpAxis up, glm::vec2 size) {
+  if (model.triangles.empty()) return {};
+  constexpr PictureAngles angles{-32, 18};
+  const std::vector<mesh::Point> at = upright(shape, up);
+  std::vector<mesh::Point> framed = upright(model.positions, up);
+  framed.insert(framed.end(), at.begin(), at.end());
+  const PictureView view(angles, {framed, size, 3});
+  Raster raster(size);
+  for (const auto& [a, b, c] : model.triangles) {
+    const mesh::Vec3 p = view.seen(at[a]), q = view.seen(at[b]), r = view.seen(at[c]);
+    const mesh::Vec3 normal = mesh::cross(q - p, r - p);
+    if (!(mesh::norm(normal) > 0)) continue;
+    const auto placed = [&](std::uint32_t v, double z) {
+      const glm::vec2 on = static_cast<float>(pixels_per_point) * view.at(at[v]);
+      return mesh::Vec3{on.x, on.y, z};
+    };
+    // Models that are open are seen from behind too.
+    const float light = lightness(normal[2] < 0 ? -1.0 * normal : normal);
+    raster.add({placed(a, p[2]), placed(b, q[2]), placed(c, r[2])}, std::round(shades * light) / shades);
+  }
+  return raster.rows();
 }
 
 }  // namespace viete::scene

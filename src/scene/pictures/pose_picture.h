@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "mesh/surface.h"
 #include "scene/document/camera.h"
 #include "scene/document/document.h"
 #include "scene/pictures/picture_view.h"
@@ -36,5 +37,12 @@ private:
   UpAxis up_ = UpAxis::y;
   std::map<const WholePose*, Picture> pictures_;
 };
+
+/// On the scale of the model at rest, or of the shape where it is larger. Empty where it has no triangles.
+std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<const mesh::Point> shape,
+                                        UpAxis up, glm::vec2 size);
+
+/// As it stands in the view.
+std::vector<mesh::Point> upright(std::span<const mesh::Point> points, UpAxis up);
 
 }  // namespace viete::scene

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/workspace/shortcut.h"
+#include "scene/workspace/keymap.h"
 
 namespace viete::scene {
 

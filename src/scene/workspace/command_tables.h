@@ -1,4 +1,4 @@
-// The commands, a table a topic: each is in the unit that has its name. A new command is one row.
+// The commands, a table a topic. A new command is one row.
 #pragma once
 
 #include <string>

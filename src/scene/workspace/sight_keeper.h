@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/hand/sight.h"
+#include "scene/hand/picking.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::scene {

@@ -10,7 +10,6 @@
 #include "scene/document/selection.h"
 #include "scene/files/animation_import.h"
 #include "scene/files/pose_json.h"
-#include "scene/workspace/playback.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 

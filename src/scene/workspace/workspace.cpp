@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "deform/scheme.h"
+#include "scene/document/checks.h"
 #include "scene/document/elements.h"
-#include "scene/document/pose_notes.h"
 #include "scene/document/probes.h"
 #include "scene/document/selection.h"
 
