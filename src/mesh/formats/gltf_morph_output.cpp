@@ -21,6 +21,25 @@ void widen_list(GltfJson& of, std::size_t count) {
 
 }  // namespace
 
+std::size_t add_gltf_view(GltfJson& document, std::string& bytes, const void* data, std::size_t size,
+                          std::size_t buffer) {
+  bytes.resize((bytes.size() + 3) / 4 * 4);
+  document["bufferViews"].push_back({{"buffer", buffer}, {"byteOffset", bytes.size()}, {"byteLength", size}});
+  bytes.append(static_cast<const char*>(data), size);
+  return document["bufferViews"].size() - 1;
+}
+
+void set_gltf_bounds(GltfJson& accessor, std::span<const float> values, std::size_t components) {
+  const auto first = values.first(components);
+  std::vector<float> low(first.begin(), first.end()), high = low;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    low[i % components] = std::min(low[i % components], values[i]);
+    high[i % components] = std::max(high[i % components], values[i]);
+  }
+  accessor["min"] = low;
+  accessor["max"] = high;
+}
+
 GltfJson& GltfMorphs::mesh_of(std::size_t node) const {
   return document_["meshes"][document_["nodes"][node]["mesh"].get<std::size_t>()];
 }
@@ -41,13 +60,6 @@ void GltfMorphs::add_target(const MorphedVertices& vertices, std::span<const dou
   for (const std::size_t i : vertices.primitives) primitives[i]["targets"].push_back(target);
 }
 
-std::size_t GltfMorphs::add_view(const void* data, std::size_t size) {
-  bytes_.resize((bytes_.size() + 3) / 4 * 4);
-  document_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}});
-  bytes_.append(static_cast<const char*>(data), size);
-  return document_["bufferViews"].size() - 1;
-}
-
 std::size_t GltfMorphs::add_deltas(std::span<const float> base, std::span<const double> now) {
   std::vector<float> deltas(base.size());
   for (std::size_t i = 0; i < deltas.size(); ++i) {
@@ -60,13 +72,10 @@ std::size_t GltfMorphs::add_deltas(std::span<const float> base, std::span<const 
 // Of zeros but for a few these alone: a sparse accessor has one value at least.
 std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t parts) {
   const std::size_t count = values.size() / parts;
-  std::vector<float> some, low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(parts)),
-      high = low;
+  std::vector<float> some;
   std::vector<std::uint32_t> where;
   for (std::size_t i = 0; i < count; ++i) {
     const auto element = values.subspan(i * parts, parts);
-    for (std::size_t k = 0; k < parts; ++k)
-      low[k] = std::min(low[k], element[k]), high[k] = std::max(high[k], element[k]);
     const bool is_zero = std::ranges::all_of(element, [](float x) { return x == 0; });
     if (is_zero && (i + 1 < count || !where.empty())) continue;
     where.push_back(static_cast<std::uint32_t>(i));
@@ -79,10 +88,9 @@ std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t pa
   if (where.size() * (index_size + 4 * parts) + cost < 4 * values.size()) {
     accessor["sparse"] = sparse(where, some, index_size);
   } else {
-    accessor["bufferView"] = add_view(values.data(), values.size_bytes());
+    accessor["bufferView"] = add_gltf_view(document_, bytes_, values.data(), values.size_bytes());
   }
-  accessor["min"] = low;
-  accessor["max"] = high;
+  set_gltf_bounds(accessor, values, parts);
   document_["accessors"].push_back(std::move(accessor));
   return document_["accessors"].size() - 1;
 }
@@ -92,11 +100,12 @@ GltfJson GltfMorphs::sparse(std::span<const std::uint32_t> where, std::span<cons
   const bool is_short = index_size == 2;
   const std::vector<std::uint16_t> shorts(is_short ? where.begin() : where.end(), where.end());
   const std::size_t indices =
-      add_view(is_short ? static_cast<const void*>(shorts.data()) : where.data(), index_size * where.size());
+      add_gltf_view(document_, bytes_, is_short ? static_cast<const void*>(shorts.data()) : where.data(),
+                    index_size * where.size());
   return {{"count", where.size()},
           {"indices",
            {{"bufferView", indices}, {"componentType", is_short ? gltf_unsigned_short : gltf_unsigned_int}}},
-          {"values", {{"bufferView", add_view(some.data(), some.size_bytes())}}}};
+          {"values", {{"bufferView", add_gltf_view(document_, bytes_, some.data(), some.size_bytes())}}}};
 }
 
 std::vector<GltfMorphs::Output> GltfMorphs::weights_of(std::size_t node) const {

@@ -12,6 +12,13 @@
 
 namespace viete::mesh {
 
+/// Appends bytes at a multiple of four to those of a buffer; the number of the view that is added for them.
+std::size_t add_gltf_view(GltfJson& document, std::string& bytes, const void* data, std::size_t size,
+                          std::size_t buffer = 0);
+
+/// Lowest and highest of each of the components.
+void set_gltf_bounds(GltfJson& accessor, std::span<const float> values, std::size_t components);
+
 /// Vertices that primitives of one mesh share, as they are written: three numbers each.
 struct MorphedVertices {
   std::size_t node = 0;  ///< that places the mesh, alone
@@ -61,7 +68,6 @@ private:
   void animate(const MorphMotion& motion, std::span<const std::size_t> nodes,
                std::span<const std::size_t> before);
 
-  std::size_t add_view(const void* data, std::size_t size);
   std::size_t add_floats(std::span<const float> values, std::size_t parts);
   GltfJson sparse(std::span<const std::uint32_t> where, std::span<const float> some, std::size_t index_size);
   std::size_t add_deltas(std::span<const float> base, std::span<const double> now);

@@ -12,7 +12,6 @@
 #include "mesh/formats/gltf_morphs.h"
 #include "mesh/formats/gltf_output.h"
 #include "mesh/formats/gltf_rewriter.h"
-#include "mesh/formats/image_files.h"
 
 namespace viete::mesh {
 
@@ -143,10 +142,13 @@ private:
     for (std::size_t i = 0; i < file_.images.size(); ++i) {
       const GltfImage& image = file_.images[i];
       if (image.uri.empty() || image.file.path.empty()) continue;
-      result.document["images"][i]["uri"] = encoded_uri(way_to(image.file.path, to).generic_string());
+      const fs::path way = (folder_of(image.file.path) / image.file.path.filename()).lexically_relative(to);
+      result.document["images"][i]["uri"] = encoded_uri(way.generic_string());
       ++led;
     }
-    if (led > 0) result.notes.push_back(stayed_note(base::counted(led, "image"), path));
+    if (led > 0)
+      result.notes.push_back(base::counted(led, "image") + " stayed where the model was read from, and " +
+                             path.filename().string() + " leads there: move them together");
   }
 
   // "out.bin", or with a number where this is taken: also by another buffer of the same file.

@@ -328,7 +328,9 @@ private:
                     components * sizeof(float));
     }
     for (Json* primitive : primitives) (*primitive)["attributes"][attribute] = to;
-    set_bounds(document_["accessors"][to], components, values, *attribute == 'P');
+    Json& json = document_["accessors"][to];  // positions must have bounds, of others they are only corrected
+    if (*attribute == 'P' || json.contains("min") || json.contains("max"))
+      set_gltf_bounds(json, values, components);
   }
 
   using Vertices = std::array<int, 4>;  // a mesh, and accessors of positions, normals and tangents
@@ -362,35 +364,16 @@ private:
   // A new accessor like the old one, over new bytes at the end of its buffer.
   std::size_t appended(std::size_t old, std::size_t components, const std::vector<float>& values) {
     const GltfPlace place = accessors_.place(static_cast<int>(old));
-    std::string& bytes = buffers_[place.buffer];
-    bytes.resize((bytes.size() + 3) / 4 * 4);
-    Json& views = document_["bufferViews"];
-    Json view = {{"buffer", place.buffer},
-                 {"byteOffset", bytes.size()},
-                 {"byteLength", values.size() * sizeof(float)},
-                 {"target", gltf_array_buffer}};
-    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+    const std::size_t view = add_gltf_view(document_, buffers_[place.buffer], values.data(),
+                                           values.size() * sizeof(float), place.buffer);
+    document_["bufferViews"][view]["target"] = gltf_array_buffer;
     Json accessor = document_["accessors"][old];
     for (const char* key : {"sparse", "byteOffset", "normalized"}) accessor.erase(key);
-    accessor["bufferView"] = views.size();
+    accessor["bufferView"] = view;
     accessor["componentType"] = gltf_float;
     accessor["type"] = components == 4 ? "VEC4" : "VEC3";
-    views.push_back(std::move(view));
     document_["accessors"].push_back(std::move(accessor));
     return document_["accessors"].size() - 1;
-  }
-
-  // Positions must have bounds; of others they are only corrected.
-  static void set_bounds(Json& accessor, std::size_t components, const std::vector<float>& values,
-                         bool must) {
-    if (!must && !accessor.contains("min") && !accessor.contains("max")) return;
-    std::vector<float> low(components, std::numeric_limits<float>::max()), high(components, -low[0]);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      low[i % components] = std::min(low[i % components], values[i]);
-      high[i % components] = std::max(high[i % components], values[i]);
-    }
-    accessor["min"] = low;
-    accessor["max"] = high;
   }
 
   const GltfFile& file_;

@@ -24,11 +24,8 @@ bool looks_like_obj(const Source& source);
 /// True if nine of ten lines are statements of OBJ with the numbers that they need, and one is a vertex.
 bool is_certainly_obj(const Beginning& file);
 
-/// The shortest digits that read back as the same numbers, unless other digits are asked for. Of the
-/// attributes all but materials' colours and images; materials must have names, see name_materials().
+/// The shortest digits that read back as the same numbers, unless other digits are asked for. Colours,
+/// texture points and normals; no groups and no materials.
 void write_obj(const Content& content, TextWriter& out);
-
-/// The same with a line that names the library of its materials; none if that is empty.
-void write_obj_with_library(const Content& content, const std::string& library, TextWriter& out);
 
 }  // namespace viete::mesh

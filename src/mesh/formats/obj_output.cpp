@@ -1,6 +1,4 @@
 // Any surface as an OBJ file, with what a file said of it besides.
-#include <algorithm>
-
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/obj.h"
 #include "mesh/formats/printed.h"
@@ -33,13 +31,11 @@ public:
       out_.text("vn ").point(n).text("\n");
       out_.element_done(done_, all_);
     }
+    if (is_flat(*a_)) out_.text("s off\n");
   }
 
   void faces() {
-    std::size_t next_group = 0;
     for (std::size_t p = 0; p < surface_.polygon_count(); ++p) {
-      if (a_ && next_group < a_->groups.size() && a_->groups[next_group].first_polygon == p)
-        group(a_->groups[next_group++]);
       out_.text("f");
       for (auto c = surface_.polygon_starts[p]; c < surface_.polygon_starts[p + 1]; ++c) corner(c);
       out_.text("\n");
@@ -50,23 +46,7 @@ public:
 private:
   void color(const Color& c) {
     const std::size_t channels = c[3] == 1 ? 3 : 4;
-    for (std::size_t i = 0; i < channels; ++i) out_.text(" ").text(short_number(c[i]));
-  }
-
-  void named(const char* word, const std::string& name, std::string& before) {
-    if (name == before) return;
-    out_.text(word).text(TextWriter::one_line(name)).text("\n");
-    before = name;
-  }
-
-  void group(const Group& g) {
-    named("o ", g.object, before_.object);
-    named("g ", g.name, before_.name);
-    if (g.material != before_.material && g.material != none)
-      out_.text("usemtl ").text(TextWriter::one_line(a_->materials[g.material].name)).text("\n");
-    if (g.smooth != before_.smooth) out_.text(g.smooth ? "s 1\n" : "s off\n");
-    before_.material = g.material;
-    before_.smooth = g.smooth;
+    for (std::size_t i = 0; i < channels; ++i) out_.text(" ").number(c[i]);
   }
 
   void corner(std::size_t c) {
@@ -83,22 +63,16 @@ private:
   std::span<const Point> positions_;
   const Attributes* a_;
   TextWriter& out_;
-  Group before_;
   std::size_t done_ = 0, all_ = 0;
 };
 
 }  // namespace
 
-void write_obj_with_library(const Content& content, const std::string& library, TextWriter& out) {
+void write_obj(const Content& content, TextWriter& out) {
   out.comments("# ", content.comments);
-  if (!library.empty()) out.text("mtllib ").text(library).text("\n");
   ObjOutput output(content, out);
   output.vertices();
   output.faces();
-}
-
-void write_obj(const Content& content, TextWriter& out) {
-  write_obj_with_library(content, "", out);
 }
 
 }  // namespace viete::mesh

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <map>
 #include <optional>
 #include <span>
 
@@ -72,26 +71,17 @@ private:
   bool colored_ = false;
 };
 
-// Corners; colours, texture points where vertices have several, and whose image they lie in.
+// Corners; colours, and texture points where vertices have several.
 class PlyFaceOutput {
 public:
   explicit PlyFaceOutput(const Content& content) : s_(content.surface), a_(content.attributes) {
     if (a_) {
       colored_ = !a_->polygon_colors.empty();
       textured_ = !a_->corner_texture.empty() && !one_a_vertex(s_, a_->corner_texture);
-      for (const std::uint32_t image : used_images(*a_))
-        image_numbers_.emplace(image, static_cast<std::int32_t>(image_numbers_.size()));
     }
     const std::uint32_t most = textured_ ? 127 : 255;  // whose lists have lengths of one byte
     for (std::size_t p = 0; p < s_.polygon_count(); ++p)
       large_ |= s_.polygon_starts[p + 1] - s_.polygon_starts[p] > most;
-  }
-
-  void images(TextWriter& out) const {
-    for (const auto& [image, number] : image_numbers_)
-      out.text("comment TextureFile ")
-          .text(TextWriter::one_line(a_->images[image].path.generic_string()))
-          .text("\n");
   }
 
   void header(TextWriter& out) const {
@@ -99,7 +89,6 @@ public:
     out.text("element face ").number(std::uint64_t{s_.polygon_count()});
     out.text("\nproperty list ").text(length).text(" uint vertex_indices\n");
     if (textured_) out.text("property list ").text(length).text(" float texcoord\n");
-    if (!image_numbers_.empty()) out.text("property int texnumber\n");
     if (colored_) color_header(out);
   }
 
@@ -114,7 +103,6 @@ public:
         write_texture_point(t == none ? Vec2{0, 0} : a_->texture_points[t], out);
       }
     }
-    if (!image_numbers_.empty()) write_little_endian(out, image_number(p));
     if (colored_) write_color(a_->polygon_colors[p], out);
   }
 
@@ -123,19 +111,8 @@ private:
     large_ ? write_little_endian(out, n) : write_little_endian(out, static_cast<std::uint8_t>(n));
   }
 
-  // Polygons come in order. -1: none.
-  std::int32_t image_number(std::uint32_t polygon) {
-    const auto& groups = a_->groups;
-    while (group_ + 1 < groups.size() && groups[group_ + 1].first_polygon <= polygon) ++group_;
-    if (group_ >= groups.size() || groups[group_].material >= a_->materials.size()) return -1;
-    const auto found = image_numbers_.find(a_->materials[groups[group_].material].base_color_image);
-    return found == image_numbers_.end() ? -1 : found->second;
-  }
-
   const Surface& s_;
   const Attributes* a_;
-  std::map<std::uint32_t, std::int32_t> image_numbers_;
-  std::size_t group_ = 0;
   bool colored_ = false, textured_ = false, large_ = false;
 };
 
@@ -145,7 +122,6 @@ void write_ply(const Content& content, TextWriter& out) {
   const PlyVertexOutput vertices(content);
   PlyFaceOutput faces(content);
   out.text("ply\nformat binary_little_endian 1.0\n").comments("comment ", content.comments);
-  faces.images(out);
   vertices.header(out);
   faces.header(out);
   out.text("end_header\n");

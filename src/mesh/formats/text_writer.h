@@ -50,8 +50,9 @@ public:
     return *this;
   }
 
-  /// The shortest digits (17 at most) that read back as the same double.
+  /// The shortest digits (17 at most) that read back as the same number.
   TextWriter& number(double value) { return shortest(value); }
+  TextWriter& number(float value) { return shortest(value); }
   TextWriter& number(std::uint64_t value) { return shortest(value); }
 
   TextWriter& point(const Point& p) { return number(p[0]).text(" ").number(p[1]).text(" ").number(p[2]); }

@@ -11,7 +11,6 @@
 #include "base/worker_pool.h"
 #include "deform/exact.h"
 #include "mesh/content_key.h"
-#include "mesh/formats/conversion.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
