@@ -18,6 +18,17 @@ namespace viete::mesh {
 Attributes deformed_attributes(const Surface& rest, std::span<const Point> positions,
                                const Attributes& attributes);
 
+/// Each of a file's normals once for every vertex whose corners use it, or for every polygon where the file
+/// asks for flat faces: these may differ once the surface is deformed.
+struct SpreadNormals {
+  std::vector<Vec3> normals;
+  std::vector<std::uint32_t> first;      ///< of each of the file's normals, one or more each; and the end
+  std::vector<std::uint32_t> of_corner;  ///< or none
+
+  /// attributes has normals and indices of corners.
+  SpreadNormals(const Surface& surface, const Attributes& attributes);
+};
+
 /// Of each vertex the index that all its corners have, none where it has no corner; nothing where corners of
 /// one vertex differ.
 std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,

@@ -12,6 +12,7 @@
 #include "base/base64.h"
 #include "base/error.h"
 #include "base/percent_coding.h"
+#include "mesh/formats/byte_order.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/gltf_shape.h"
 
@@ -29,9 +30,7 @@ constexpr std::string_view glb_magic = "glTF", base64_mark = ";base64,";
 }
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return word;
+  return number_of_bytes<std::uint32_t>(bytes.data() + at);
 }
 
 struct Chunks {

@@ -22,9 +22,7 @@ namespace fs = std::filesystem;
 class GltfOriginal final : public Original {
 public:
   GltfOriginal(const Source& source, GltfFile file, GltfMap map)
-      : Original("glTF"),
-        owner_(source.owner),
-        bytes_(source.owner ? source.bytes : std::string_view()),
+      : Original("glTF", source),
         shared_file_(std::make_shared<const GltfFile>(std::move(file))),
         shared_map_(std::make_shared<const GltfMap>(std::move(map))),
         file_(*shared_file_),
@@ -173,8 +171,6 @@ private:
     return older.view().find('"' + encoded_uri(buffer.filename().string()) + '"') != std::string_view::npos;
   }
 
-  std::shared_ptr<const void> owner_;
-  std::string_view bytes_;
   std::shared_ptr<const GltfFile> shared_file_;
   std::shared_ptr<const GltfMap> shared_map_;
   const GltfFile& file_;

@@ -210,12 +210,6 @@ std::string json_text(const GltfJson& document, int indent = -1) {
   return document.dump(indent, ' ', false, GltfJson::error_handler_t::replace);
 }
 
-void put_word(std::uint64_t word, TextWriter& out) {
-  char bytes[4];
-  for (char& byte : bytes) byte = static_cast<char>(word & 255), word >>= 8;
-  out.text({bytes, 4});
-}
-
 std::size_t padded_to_four(std::size_t size) {
   return (size + 3) / 4 * 4;
 }
@@ -223,8 +217,7 @@ std::size_t padded_to_four(std::size_t size) {
 // Chunks end at multiples of four bytes, JSON with blanks.
 void put_chunk(std::string_view bytes, std::string_view kind, char padding, TextWriter& out) {
   constexpr std::size_t portion = 1 << 20;
-  put_word(padded_to_four(bytes.size()), out);
-  out.text(kind);
+  out.little_endian(static_cast<std::uint32_t>(padded_to_four(bytes.size()))).text(kind);
   for (std::size_t at = 0; at < bytes.size(); at += portion) {
     out.text(bytes.substr(at, portion));
     out.element_done(std::min(at + portion, bytes.size()), bytes.size());
@@ -263,9 +256,7 @@ void write_glb_chunks(std::string_view json, std::string_view bytes, std::string
   const std::size_t all = 20 + padded_to_four(json.size()) + binary + others.size();
   if (all > std::numeric_limits<std::uint32_t>::max())
     throw base::Error("", "more than 4 GB, which a GLB file cannot hold", "write .gltf or another format");
-  out.text("glTF");
-  put_word(2, out);
-  put_word(all, out);
+  out.text("glTF").little_endian(std::uint32_t{2}).little_endian(static_cast<std::uint32_t>(all));
   put_chunk(json, {"JSON", 4}, ' ', out);
   if (!bytes.empty()) put_chunk(bytes, {"BIN\0", 4}, '\0', out);
   out.text(others);

@@ -28,4 +28,13 @@ bool is_certainly_obj(const Beginning& file);
 /// texture points and normals; no groups and no materials.
 void write_obj(const Content& content, TextWriter& out);
 
+/// The file as it was, to be written again. Coordinates that moved are printed with as many decimals as the
+/// file has, and no fewer than six digits of the model's diagonal need. Normals follow; a line that serves
+/// corners whose normals now differ gets others behind its block, and indices of faces are changed
+/// accordingly. attributes may be null. normal_blocks: of each block of lines `vn` the number of such lines
+/// up to its end, ascending; the last is that of the file.
+std::shared_ptr<const Original> obj_original(const Source& source,
+                                             std::shared_ptr<const Attributes> attributes,
+                                             std::vector<std::uint32_t> normal_blocks);
+
 }  // namespace viete::mesh

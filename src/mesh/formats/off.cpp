@@ -11,15 +11,27 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "mesh/formats/conversion.h"
-#include "mesh/formats/off_original.h"
 #include "mesh/formats/printed.h"
 #include "mesh/formats/rewriter.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
+#include "mesh/normals.h"
 
 namespace viete::mesh {
 
 namespace {
+
+constexpr TextRules off_rules{.comment = '#'};
+
+// What the rows of vertices hold behind positions, and where.
+struct OffForm {
+  bool normals = false, colors = false, texture = false;
+  bool more_axes = false;     //< 4OFF, nOFF
+  bool colors_first = false;  //< of four numbers before the normals, as MeshLab writes them
+  bool wrapped = false;       //< rows end with their last number, not with the line
+
+  std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
+};
 
 // OFF, behind ST (texture), C (colours), N (normals), 4, n (dimension): in this order by the manual.
 std::optional<OffForm> off_form(std::string_view word) {
@@ -75,6 +87,102 @@ void to_unit_range(std::span<OffColor> colors) {
   for (OffColor& c : colors) c.color[3] /= c.color[3] > 1 ? 255.0F : 1.0F;
 }
 
+class OffRewriter {
+public:
+  OffRewriter(std::string_view bytes, std::size_t body, const OffForm& form, const Surface& rest,
+              std::span<const Point> positions, TextWriter& out)
+      : body_{"", "off", bytes.substr(body)},
+        form_(form),
+        rest_(rest),
+        positions_(positions),
+        coordinates_(out.digits()),
+        directions_(out.digits()),
+        rewriter_(bytes, out) {}
+
+  void run() {
+    const bool has_normals = form_.normals;
+    std::vector<Vec3> normals(has_normals ? rest_.positions.size() : 0);
+    const std::size_t enough = has_normals ? rest_.positions.size() : 10'000;
+    walk(std::min(enough, rest_.positions.size()), [&](std::size_t v, const Words& words) {
+      for (const std::string_view word : words[0]) coordinates_.learn(word);
+      if (has_normals) normals[v] = learned_normal(words[1]);
+    });
+    coordinates_.keep(6, bounds(rest_.positions).diagonal());
+    directions_.keep(5, 1);
+    std::vector<Vec3> moved = normals;
+    if (has_normals) {
+      moved = deformed_normals(rest_, positions_, normals, rest_.corners, every_vertex(rest_));
+      keep_lengths(normals, moved);
+    }
+    walk(rest_.positions.size(), [&](std::size_t v, const Words& words) {
+      rewriter_.replace(words[0], rest_.positions[v], positions_[v], coordinates_);
+      if (has_normals) rewriter_.replace(words[1], normals[v], moved[v], directions_);
+    });
+    rewriter_.finish();
+  }
+
+private:
+  using Words = std::array<ThreeWords, 2>;  // a position and a normal, if there are any
+
+  template <class Vertex>
+  void walk(std::size_t vertices, const Vertex& vertex) {
+    TextCursor text(body_, off_rules);
+    Words words;
+    for (std::size_t v = 0; v < vertices && text.next_filled_line(); ++v) {
+      words[0] = next_three(text);
+      if (form_.colors_first) next_three(text), text.word();
+      if (form_.normals) words[1] = next_three(text);
+      vertex(v, words);
+      if (!form_.wrapped) text.next_line();
+      for (std::size_t i = form_.normals ? 3 : 0; form_.wrapped && i < form_.numbers(); ++i) next_word(text);
+    }
+  }
+
+  std::string_view next_word(TextCursor& text) const {
+    if (form_.wrapped) text.next_filled_line();
+    return text.word();
+  }
+  ThreeWords next_three(TextCursor& text) const {
+    return {next_word(text), next_word(text), next_word(text)};
+  }
+
+  // One that is missing is taken as 0 0 0, and stays so.
+  Vec3 learned_normal(const ThreeWords& words) {
+    if (words[2].empty()) return {0, 0, 0};
+    const Vec3 normal = vector_in(words);
+    if (is_direction(normal)) {
+      for (const std::string_view word : words) directions_.learn(word);
+    }
+    return normal;
+  }
+
+  const Source body_;
+  const OffForm form_;
+  const Surface& rest_;
+  std::span<const Point> positions_;
+  Printed coordinates_, directions_;
+  Rewriter rewriter_;
+};
+
+// Everything stays but coordinates that moved and the normals of NOFF that follow; they are printed with as
+// many decimals as the file has, and no fewer than six digits of the model's diagonal need.
+class OffOriginal final : public Original {
+public:
+  // body: where the first vertex is looked for.
+  OffOriginal(const Source& source, std::size_t body, const OffForm& form)
+      : Original("OFF", source), body_(body), form_(form) {}
+
+  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
+                                 TextWriter& out) const override {
+    OffRewriter(bytes_, body_, form_, rest, positions, out).run();
+    return {};
+  }
+
+private:
+  std::size_t body_;
+  OffForm form_;
+};
+
 class OffReader {
 public:
   // Where line ends are blanks.
@@ -106,8 +214,7 @@ public:
       text_.fail("the file goes on behind its last face", "export the model again");
     auto attributes = finished_attributes();
     ReadResult result = builder_.finish("OFF");
-    if (source_.owner)
-      result.original = std::make_shared<const OffOriginal>(source_.bytes, source_.owner, body, form_);
+    if (source_.owner) result.original = std::make_shared<const OffOriginal>(source_, body, form_);
     result.attributes = std::move(attributes);
     return result;
   }

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "mesh/formats/off_form.h"
 #include "mesh/formats/read_result.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_cursor.h"

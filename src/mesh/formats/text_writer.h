@@ -13,6 +13,7 @@
 #include "base/atomic_file.h"
 #include "base/progress.h"
 #include "mesh/formats/attributes.h"
+#include "mesh/formats/byte_order.h"
 #include "mesh/surface.h"
 
 namespace viete::mesh {
@@ -54,6 +55,12 @@ public:
   TextWriter& number(double value) { return shortest(value); }
   TextWriter& number(float value) { return shortest(value); }
   TextWriter& number(std::uint64_t value) { return shortest(value); }
+
+  template <class Number>
+  TextWriter& little_endian(Number value) {
+    const auto raw = bytes_of_number(value);
+    return text({raw.data(), raw.size()});
+  }
 
   TextWriter& point(const Point& p) { return number(p[0]).text(" ").number(p[1]).text(" ").number(p[2]); }
 

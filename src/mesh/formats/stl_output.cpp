@@ -1,19 +1,34 @@
-#include "mesh/formats/stl_original.h"
-
-#include <array>
-#include <bit>
+// Writes STL: any surface, and a file that was read as it was.
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
+#include "mesh/formats/byte_order.h"
 #include "mesh/formats/printed.h"
 #include "mesh/formats/rewriter.h"
-#include "mesh/formats/stl_layout.h"
+#include "mesh/formats/stl.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/normals.h"
 
 namespace viete::mesh {
 
 namespace {
+
+// For the normal that STL wants; zero if there is no area.
+Point unit_normal(const Point& a, const Point& b, const Point& c) {
+  Point u = b - a, v = c - a;
+  const double scale = std::max(largest_abs(u), largest_abs(v));
+  if (scale == 0) return {0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    u[i] /= scale;
+    v[i] /= scale;
+  }
+  Point n = cross(u, v);
+  const double size = stable_norm(n);
+  if (size == 0) return {0, 0, 0};
+  for (double& x : n) x /= size;
+  return n;
+}
 
 // The normal of each facet: each of its corners has it.
 std::vector<Vec3> moved_facet_normals(const Surface& rest, std::span<const Point> positions,
@@ -35,7 +50,7 @@ public:
     const std::size_t triangles = layout_.count();
     std::vector<Vec3> normals(triangles);
     for (std::size_t t = 0; t < triangles; ++t) {
-      for (int i = 0; i < 3; ++i) normals[t][i] = stl_float(place(t, i).data());
+      for (int i = 0; i < 3; ++i) normals[t][i] = number_of_bytes<float>(place(t, i).data());
     }
     const std::vector<Vec3> moved = moved_facet_normals(rest_, positions_, normals);
     for (std::size_t t = 0; t < triangles; ++t) {
@@ -64,9 +79,7 @@ private:
                           "write another format, or scale the model");
       }
       if (value == static_cast<float>(before[axis])) continue;
-      const auto bits = std::bit_cast<std::uint32_t>(value);
-      std::array<char, 4> bytes;
-      for (int b = 0; b < 4; ++b) bytes[b] = static_cast<char>(bits >> 8 * b & 0xFF);
+      const auto bytes = bytes_of_number(value);
       rewriter_.replace(place(triangle, i + axis), {bytes.data(), bytes.size()});
     }
   }
@@ -142,17 +155,49 @@ private:
   Rewriter rewriter_;
 };
 
+class StlOriginal final : public Original {
+public:
+  StlOriginal(const Source& source, bool binary) : Original("STL", source), binary_(binary) {}
+
+  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
+                                 TextWriter& out) const override {
+    const Source source = this->source();
+    if (binary_) {
+      StlBinaryRewriter(source, rest, positions, out).run();
+    } else {
+      StlTextRewriter(source, rest, positions, out).run();
+    }
+    return {};
+  }
+
+private:
+  bool binary_;
+};
+
 }  // namespace
 
-std::vector<std::string> StlOriginal::write(const Surface& rest, std::span<const Point> positions,
-                                            TextWriter& out) const {
-  const Source source{name_, "stl", bytes_};
-  if (binary_) {
-    StlBinaryRewriter(source, rest, positions, out).run();
-  } else {
-    StlTextRewriter(source, rest, positions, out).run();
+void write_stl(const Content& content, TextWriter& out) {
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const auto& comments = content.comments;
+  std::size_t done = 0;
+  out.text("solid ").text(comments.empty() ? "surface" : TextWriter::one_line(comments.front())).text("\n");
+  for (const Triangle& t : surface.triangles) {
+    const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+    out.text(" facet normal ").point(unit_normal(a, b, c)).text("\n  outer loop\n");
+    for (const Point& p : {a, b, c}) {
+      out.text("   vertex ");
+      print_point(p, out);
+      out.text("\n");
+    }
+    out.text("  endloop\n endfacet\n");
+    out.element_done(++done, surface.triangles.size());
   }
-  return {};
+  out.text("endsolid\n");
+}
+
+std::shared_ptr<const Original> stl_original(const Source& source, bool binary) {
+  return std::make_shared<const StlOriginal>(source, binary);
 }
 
 }  // namespace viete::mesh
