@@ -6,7 +6,6 @@
 
 #include "cages/frame.h"
 #include "mesh/defects.h"
-#include "mesh/self_intersection.h"
 #include "mesh/summary.h"
 #include "mesh/union_find.h"
 #include "mesh/winding_number.h"

@@ -7,7 +7,7 @@
 #include "cages/extraction.h"
 #include "cages/mirror.h"
 #include "cages/models.h"
-#include "mesh/self_intersection.h"
+#include "mesh/defects.h"
 #include "mesh/topology.h"
 
 using namespace viete;

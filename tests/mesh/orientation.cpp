@@ -1,4 +1,4 @@
-#include "mesh/orientation.h"
+#include "mesh/triangle.h"
 
 #include <doctest/doctest.h>
 

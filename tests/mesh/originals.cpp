@@ -231,8 +231,8 @@ TEST_CASE("stl_binary_keeps_header_and_attributes") {
     for (int i = 0; i < 4; ++i) {
       Point before, after;
       for (int k = 0; k < 3; ++k) {
-        before[k] = stl_float(&bytes[at + 12 * i + 4 * k]);
-        after[k] = stl_float(&written[at + 12 * i + 4 * k]);
+        before[k] = number_of_bytes<float>(&bytes[at + 12 * i + 4 * k]);
+        after[k] = number_of_bytes<float>(&written[at + 12 * i + 4 * k]);
       }
       CHECK(norm(after - turned(before)) < 1e-6);
     }

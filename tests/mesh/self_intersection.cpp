@@ -1,4 +1,4 @@
-#include "mesh/self_intersection.h"
+#include "mesh/defects.h"
 
 #include <doctest/doctest.h>
 

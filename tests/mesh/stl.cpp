@@ -159,8 +159,8 @@ TEST_CASE("stl_a_normal_that_is_no_direction_becomes_the_triangles_where_it_move
     const ReadResult r = test::read_kept(bytes, "stl");
     CHECK(test::written_again(r, r.surface.positions) == bytes);
     const std::string written = test::written_again(r, moved);
-    CHECK(stl_float(&written[84]) == 0);
-    CHECK(stl_float(&written[88]) == -1);
-    CHECK(stl_float(&written[92]) == 0);
+    CHECK(number_of_bytes<float>(&written[84]) == 0);
+    CHECK(number_of_bytes<float>(&written[88]) == -1);
+    CHECK(number_of_bytes<float>(&written[92]) == 0);
   }
 }

@@ -1,4 +1,4 @@
-#include "mesh/triangle_intersection.h"
+#include "mesh/triangle.h"
 
 #include <doctest/doctest.h>
 

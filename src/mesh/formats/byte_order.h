@@ -18,7 +18,7 @@ T number_of_bytes(const char* bytes, std::endian order = std::endian::little) {
 }
 
 template <class T>
-std::array<char, sizeof(T)> bytes_of_number(T value, std::endian order = std::endian::little) {
+auto bytes_of_number(T value, std::endian order = std::endian::little) {
   auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
   if (order != std::endian::native) std::ranges::reverse(raw);
   return raw;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/quantity.h"
+#include "mesh/adjacency.h"
 #include "mesh/normals.h"
 
 namespace viete::mesh {
@@ -25,28 +26,6 @@ std::vector<std::uint64_t> common_to_corners(const Surface& surface, const Attri
   }
   return common;
 }
-
-// Corners with the same normal, one normal after the other.
-struct CornersOfNormals {
-  std::vector<std::uint32_t> starts, corners;
-
-  CornersOfNormals(std::span<const std::uint32_t> corner_normal, std::size_t normals)
-      : starts(normals + 2, 0) {
-    for (const std::uint32_t n : corner_normal) {
-      if (n != none) ++starts[n + 2];
-    }
-    for (std::size_t n = 2; n < starts.size(); ++n) starts[n] += starts[n - 1];
-    corners.resize(starts.back());
-    for (std::uint32_t c = 0; c < corner_normal.size(); ++c) {
-      if (corner_normal[c] != none) corners[starts[corner_normal[c] + 1]++] = c;
-    }
-    starts.pop_back();
-  }
-
-  std::span<std::uint32_t> of(std::size_t normal) {
-    return std::span(corners).subspan(starts[normal], starts[normal + 1] - starts[normal]);
-  }
-};
 
 // What the format cannot hold, in the order in which it is told.
 std::vector<std::string> names_of_left_out(const Format& format, const Surface& surface, const Attributes& a,
@@ -94,12 +73,17 @@ void tell_triangles(const Surface& surface, std::vector<std::string>& notes) {
 SpreadNormals::SpreadNormals(const Surface& surface, const Attributes& attributes)
     : of_corner(surface.corners.size(), none) {
   const auto common = common_to_corners(surface, attributes);
-  CornersOfNormals of_normals(attributes.corner_normal, attributes.normals.size());
+  Adjacency of_normals = make_adjacency(attributes.normals.size(), [&](const auto& add) {
+    for (std::uint32_t c = 0; c < attributes.corner_normal.size(); ++c) {
+      if (attributes.corner_normal[c] != none) add(attributes.corner_normal[c], c);
+    }
+  });
   normals.reserve(attributes.normals.size());
   for (std::size_t n = 0; n < attributes.normals.size(); ++n) {
     first.push_back(static_cast<std::uint32_t>(normals.size()));
     normals.push_back(attributes.normals[n]);
-    const auto corners = of_normals.of(n);
+    const auto corners = std::span(of_normals.items)
+                             .subspan(of_normals.starts[n], of_normals.starts[n + 1] - of_normals.starts[n]);
     if (corners.empty()) continue;
     const auto same = [&](std::uint32_t c) { return common[c] == common[corners[0]]; };
     if (!std::all_of(corners.begin(), corners.end(), same)) {

@@ -13,8 +13,8 @@
 #include "base/error.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/gltf_file.h"
-#include "mesh/formats/gltf_morph_output.h"
-#include "mesh/formats/written_positions.h"
+#include "mesh/formats/gltf_morphs.h"
+#include "mesh/formats/printed.h"
 #include "mesh/normals.h"
 
 namespace viete::mesh {

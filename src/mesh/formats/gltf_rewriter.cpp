@@ -1,4 +1,3 @@
-#include "mesh/formats/gltf_rewriter.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +12,9 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "mesh/formats/gltf_accessors.h"
-#include "mesh/formats/gltf_morph_output.h"
 #include "mesh/formats/gltf_morphs.h"
-#include "mesh/formats/gltf_sharing.h"
-#include "mesh/formats/written_positions.h"
+#include "mesh/formats/gltf_original.h"
+#include "mesh/formats/printed.h"
 #include "mesh/normals.h"
 
 namespace viete::mesh {

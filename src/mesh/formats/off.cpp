@@ -105,7 +105,7 @@ public:
     const std::size_t enough = has_normals ? rest_.positions.size() : 10'000;
     walk(std::min(enough, rest_.positions.size()), [&](std::size_t v, const Words& words) {
       for (const std::string_view word : words[0]) coordinates_.learn(word);
-      if (has_normals) normals[v] = learned_normal(words[1]);
+      if (has_normals) normals[v] = learned_direction(words[1], directions_);
     });
     coordinates_.keep(6, bounds(rest_.positions).diagonal());
     directions_.keep(5, 1);
@@ -144,16 +144,6 @@ private:
   }
   ThreeWords next_three(TextCursor& text) const {
     return {next_word(text), next_word(text), next_word(text)};
-  }
-
-  // One that is missing is taken as 0 0 0, and stays so.
-  Vec3 learned_normal(const ThreeWords& words) {
-    if (words[2].empty()) return {0, 0, 0};
-    const Vec3 normal = vector_in(words);
-    if (is_direction(normal)) {
-      for (const std::string_view word : words) directions_.learn(word);
-    }
-    return normal;
   }
 
   const Source body_;
@@ -295,10 +285,10 @@ private:
   }
 
   // Up to so many; what is no number ends them.
-  std::span<const OffNumber> numbers(std::size_t most) {
+  std::span<const OffNumber> numbers(std::size_t most, bool wrapped) {
     numbers_.clear();
-    while (numbers_.size() < most && (form_.wrapped || !text_.at_line_end())) {
-      if (form_.wrapped) text_.need_word("the last vertex");
+    while (numbers_.size() < most && (wrapped || !text_.at_line_end())) {
+      if (wrapped) text_.need_word("the last vertex");
       const auto n = number(text_.word());
       if (!n) break;
       numbers_.push_back(*n);
@@ -309,7 +299,7 @@ private:
   // A normal, a colour of three or four numbers, and a texture point, as far as they are there.
   void behind_position() {
     if (form_.numbers() == 0) return unnamed();
-    std::span<const OffNumber> left = numbers(form_.numbers());
+    std::span<const OffNumber> left = numbers(form_.numbers(), form_.wrapped);
     const auto take = [&](std::size_t n) {
       const auto taken = left.first(std::min(n, left.size()));
       left = left.subspan(taken.size());
@@ -335,7 +325,7 @@ private:
   // What the head does not name: three numbers or four that are not negative are a colour.
   void unnamed() {
     if (form_.wrapped || text_.at_line_end()) return;
-    const auto behind = numbers(5);
+    const auto behind = numbers(5, false);
     const bool is_color = (behind.size() == 3 || behind.size() == 4) &&
                           std::ranges::all_of(behind, [](const OffNumber& n) { return n.value >= 0; });
     if (!is_color) ++unknown_rows_;
@@ -388,14 +378,8 @@ private:
 
   // Three or four numbers behind the corners; a single one is the index of a list that is in no file.
   void face_color(std::size_t polygon) {
-    std::array<OffNumber, 4> behind;
-    std::size_t n = 0;
-    for (; n < behind.size() && !text_.at_line_end(); ++n) {
-      const auto found = number(text_.word());
-      if (!found) break;
-      behind[n] = *found;
-    }
-    if (n >= 3) face_colors_.emplace_back(polygon, OffColor(std::span(behind).first(n)));
+    const auto behind = numbers(4, false);
+    if (behind.size() >= 3) face_colors_.emplace_back(polygon, OffColor(behind));
   }
 
   const Source& source_;

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/formats/original.h"
 #include "mesh/formats/ply_file.h"
-#include "mesh/formats/read_result.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_writer.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <span>
 
 #include "base/error.h"
@@ -345,29 +344,11 @@ public:
         companions_(std::move(companions)) {}
 
   std::vector<std::string> beyond_attributes() const override {
-    static const std::set<std::string> of_vertices = {"x",
-                                                      "y",
-                                                      "z",
-                                                      "nx",
-                                                      "ny",
-                                                      "nz",
-                                                      "red",
-                                                      "green",
-                                                      "blue",
-                                                      "alpha",
-                                                      "diffuse_red",
-                                                      "diffuse_green",
-                                                      "diffuse_blue",
-                                                      "s",
-                                                      "t",
-                                                      "u",
-                                                      "v",
-                                                      "texture_u",
-                                                      "texture_v",
-                                                      "texture_s",
-                                                      "texture_t"};
-    static const std::set<std::string> of_faces = {"vertex_indices", "vertex_index", "red",      "green",
-                                                   "blue",           "alpha",        "texcoord", "texnumber"};
+    constexpr std::string_view of_vertices =
+        " x y z nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue s t u v texture_u "
+        "texture_v texture_s texture_t ";
+    constexpr std::string_view of_faces =
+        " vertex_indices vertex_index red green blue alpha texcoord texnumber ";
     std::vector<std::string> found;
     for (const PlyElement& element : header_.elements) {
       if (element.count == 0) continue;
@@ -377,7 +358,7 @@ public:
         continue;
       }
       for (const PlyProperty& p : element.properties) {
-        if (!(vertices ? of_vertices : of_faces).count(p.name))
+        if ((vertices ? of_vertices : of_faces).find(" " + p.name + " ") == std::string_view::npos)
           found.push_back("property " + p.name + " of " + element.name);
       }
     }

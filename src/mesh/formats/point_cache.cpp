@@ -17,8 +17,8 @@
 #include "base/quantity.h"
 #include "mesh/formats/byte_order.h"
 #include "mesh/formats/foreign_content.h"
+#include "mesh/formats/printed.h"
 #include "mesh/formats/source.h"
-#include "mesh/formats/written_positions.h"
 
 namespace viete::mesh {
 

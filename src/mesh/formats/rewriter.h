@@ -29,6 +29,16 @@ inline Vec3 vector_in(const ThreeWords& words) {
   return v;
 }
 
+/// A direction, whose words are learned. One that is missing is taken as 0 0 0, and stays so.
+inline Vec3 learned_direction(const ThreeWords& words, Printed& printed) {
+  if (words[2].empty()) return {0, 0, 0};
+  const Vec3 direction = vector_in(words);
+  if (is_direction(direction)) {
+    for (const std::string_view word : words) printed.learn(word);
+  }
+  return direction;
+}
+
 /// Replacements come in the order of the file; what lies between them is copied as it is.
 class Rewriter {
 public:

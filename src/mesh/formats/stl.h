@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/formats/read_result.h"
+#include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_writer.h"
 

@@ -104,7 +104,7 @@ public:
 
   void run() {
     std::vector<Vec3> normals(rest_.triangles.size());
-    walk([&](std::size_t t, const ThreeWords& words) { learn_normal(words, normals[t]); },
+    walk([&](std::size_t t, const ThreeWords& words) { normals[t] = learned_direction(words, directions_); },
          [&](std::size_t corner, const ThreeWords& words) {
            if (corner < enough_)
              for (const std::string_view word : words) coordinates_.learn(word);
@@ -136,15 +136,6 @@ private:
       } else if (word == "vertex") {
         corner(corners++, three_words(text));
       }
-    }
-  }
-
-  // One that is missing is taken as 0 0 0, and stays so.
-  void learn_normal(const ThreeWords& words, Vec3& normal) {
-    if (words[2].empty()) return;
-    normal = vector_in(words);
-    if (is_direction(normal)) {
-      for (const std::string_view word : words) directions_.learn(word);
     }
   }
 

@@ -1,6 +1,7 @@
 #include "mesh/formats/write.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -9,7 +10,7 @@
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/gltf_output.h"
-#include "mesh/formats/written_positions.h"
+#include "mesh/formats/printed.h"
 
 namespace viete::mesh {
 
@@ -139,12 +140,6 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
 }
 
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
-                                        const Original* original, const MorphAnimation& animation,
-                                        base::Progress* progress) {
-  return write_animated(path, content, original, morph_motion(animation, content.positions), progress);
-}
-
-std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                         const Original* original, const MorphMotion& motion,
                                         base::Progress* progress) {
   const Format& format = surface_format(path);
@@ -172,6 +167,37 @@ void check_keeps_vertices(const std::filesystem::path& path) {
   if (!format || !format->write || format->keeps_order) return;
   throw base::Error(path.string(), std::string(format->name) + " does not keep the order of the vertices",
                     "save it as " + format_extensions(keeps_order));
+}
+
+std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Surface& rest,
+                                              std::span<const Point> positions, Digits digits,
+                                              base::Progress* progress) const {
+  std::vector<std::string> notes;
+  base::replace_file(path, [&](const base::ByteSink& sink) {
+    TextWriter out(sink, progress, digits);
+    notes = write(rest, positions, out);
+    out.finish();
+  });
+  return notes;
+}
+
+std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const Surface&,
+                                                  std::span<const Point>, const MorphMotion&,
+                                                  base::Progress*) const {
+  throw base::Error(path.string(), "this format has no morph targets", "write one that has them");
+}
+
+void check_motion(const MorphMotion& motion, std::size_t vertices) {
+  const auto& seconds = motion.seconds;
+  if (seconds.empty()) throw base::Error("", "an animation without keys", "give it at least one");
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    const bool ascends = i == 0 || static_cast<float>(seconds[i]) > static_cast<float>(seconds[i - 1]);
+    if (!std::isfinite(seconds[i]) || !ascends)
+      throw base::Error("key " + std::to_string(i), "its time does not come after that of the key before it",
+                        "give each key its own time");
+  }
+  if (motion.moves.size() != vertices || motion.weights.size() != seconds.size() * motion.targets.size())
+    throw base::Error("", "an animation of another model, or of other targets", "make it of this model");
 }
 
 }  // namespace viete::mesh

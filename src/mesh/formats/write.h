@@ -41,9 +41,6 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                         const Original* original, const MorphMotion& motion,
                                         base::Progress* progress = nullptr);
-std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
-                                        const Original* original, const MorphAnimation& animation,
-                                        base::Progress* progress = nullptr);
 
 /// Throws base::Error where this name's format would read back other vertices, or in another order, than were
 /// written: STL and glTF.

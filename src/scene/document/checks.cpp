@@ -10,7 +10,6 @@
 #include "cages/best_fit.h"
 #include "mesh/defects.h"
 #include "mesh/repair.h"
-#include "mesh/self_intersection.h"
 #include "mesh/winding_number.h"
 #include "scene/document/cage_editing.h"
 

@@ -11,7 +11,7 @@
 #include "cages/edit.h"
 #include "deform/dual_graph.h"
 #include "deform/linear_map.h"
-#include "mesh/content_key.h"
+#include "mesh/surface.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/repair.h"

@@ -10,7 +10,7 @@
 #include "base/checksum.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
-#include "mesh/content_key.h"
+#include "mesh/surface.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"

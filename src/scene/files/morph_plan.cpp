@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/quantity.h"
-#include "mesh/formats/written_positions.h"
+#include "mesh/formats/printed.h"
 
 namespace viete::scene {
 
