@@ -14,24 +14,10 @@ using viete::test::holds;
 namespace {
 
 // A binary STL of a tetrahedron, two bytes behind each facet.
-std::string colored_stl(std::string head, const std::vector<std::uint16_t>& words) {
-  head.resize(80, ' ');
-  std::string bytes = head;
-  const auto put = [&](auto value) {
-    const auto raw = std::bit_cast<std::array<char, sizeof value>>(value);
-    bytes.append(raw.data(), raw.size());
-  };
-  const std::vector<Point> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const std::vector<Triangle> triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-  put(static_cast<std::uint32_t>(triangles.size()));
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) put(0.0F);
-    for (const auto v : triangles[t]) {
-      for (const double x : p[v]) put(static_cast<float>(x));
-    }
-    put(words[t]);
-  }
-  return bytes;
+std::string colored_stl(const std::string& head, const std::vector<std::uint16_t>& words) {
+  const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  return test::binary_stl(s, head, [&](std::size_t t) { return words[t]; });
 }
 
 std::vector<Color> face_colors(const std::string& bytes, const std::string& extension) {

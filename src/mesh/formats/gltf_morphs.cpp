@@ -299,7 +299,7 @@ GltfJson& GltfMorphs::mesh_of(std::size_t node) const {
   return document_["meshes"][document_["nodes"][node]["mesh"].get<std::size_t>()];
 }
 
-std::size_t GltfMorphs::targets_before(std::size_t node) const {
+std::size_t GltfMorphs::targets_of(std::size_t node) const {
   std::size_t count = 0;
   for (const GltfJson& primitive : list_of(mesh_of(node), "primitives"))
     count = std::max(count, list_of(primitive, "targets").size());

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "mesh/formats/gltf_accessors.h"
 #include "mesh/formats/gltf_file.h"
 #include "mesh/formats/gltf_scene.h"
@@ -50,23 +51,30 @@ public:
   /// bytes: of the document's first buffer.
   GltfMorphs(GltfJson& document, std::string& bytes) : document_(document), bytes_(bytes) {}
 
-  /// Targets that the node's mesh has already.
-  std::size_t targets_before(std::size_t node) const;
-
   /// One more target for all its primitives, three numbers for each of what the vertices have; no normals or
   /// tangents: these do not follow.
   void add_target(const MorphedVertices& vertices, std::span<const double> positions,
                   std::span<const double> normals, std::span<const double> tangents);
 
-  /// After all targets. before: of each node, which targets_before() it had. Of the file's own animations of
-  /// these nodes' weights `numbers_of(accessor)` gives the numbers: they get zeros for the new targets.
-  template <class NumbersOf>
-  void finish(const MorphMotion& motion, std::span<const std::size_t> nodes,
-              std::span<const std::size_t> before, const NumbersOf& numbers_of) {
+  /// The targets of the motion behind those that the nodes' meshes have, and its animation. add_target(now)
+  /// calls the one above for all vertices, which are so many floats. Tells progress, which may be null. Of
+  /// the file's own animations of these nodes' weights `numbers_of(accessor)` gives the numbers: they get
+  /// zeros for the new targets.
+  template <class AddTarget, class NumbersOf>
+  void add(const MorphMotion& motion, std::span<const std::size_t> nodes, std::size_t floats,
+           base::Progress* progress, const AddTarget& add_target, const NumbersOf& numbers_of) {
+    std::vector<std::size_t> before;
+    for (const std::size_t node : nodes) before.push_back(targets_of(node));
+    const std::size_t count = motion.targets.size();
+    bytes_.reserve(bytes_.size() + count * floats * sizeof(float));
+    for (std::size_t t = 0; t < count; ++t) {
+      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(count));
+      add_target(motion.positions(t));
+    }
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (const Output& output : weights_of(nodes[i])) {
         const std::vector<double> numbers = numbers_of(output.accessor);
-        widen(output, numbers, before[i], motion.targets.size());
+        widen(output, numbers, before[i], count);
       }
       name_targets(motion, nodes[i], before[i]);
     }
@@ -80,6 +88,7 @@ private:
   };
 
   GltfJson& mesh_of(std::size_t node) const;
+  std::size_t targets_of(std::size_t node) const;
   std::vector<Output> weights_of(std::size_t node) const;
   void widen(const Output& output, std::span<const double> numbers, std::size_t before, std::size_t added);
   void name_targets(const MorphMotion& motion, std::size_t node, std::size_t before);

@@ -40,8 +40,8 @@ struct HashOfVertex {
 
 class GltfMaker {
 public:
-  explicit GltfMaker(const Content& content) : surface_(content.surface), positions_(content.positions) {
-    if (content.attributes) given_ = *content.attributes;
+  explicit GltfMaker(const Content& content)
+      : surface_(content.surface), positions_(content.positions), given_(content.given()) {
     document["asset"] = {{"version", "2.0"}, {"generator", "viete"}};
     if (!content.comments.empty()) document["asset"]["extras"] = {{"comments", content.comments}};
     document["scene"] = 0;
@@ -62,15 +62,11 @@ public:
     Surface base = surface_;
     base.positions.assign(positions_.begin(), positions_.end());
     GltfMorphs out(document, bytes);
-    const std::size_t count = motion.targets.size();
-    const std::size_t floats = written_.positions.size() + (motion.normals ? written_.normals.size() : 0);
-    bytes.reserve(bytes.size() + count * floats * sizeof(float));
-    for (std::size_t t = 0; t < count; ++t) {
-      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(count));
-      add_target(out, base, motion.positions(t), motion.normals);
-    }
-    constexpr std::size_t first = 0;  // of nodes, and how many targets it had
-    out.finish(motion, {&first, 1}, {&first, 1}, [](int) { return std::vector<double>(); });
+    constexpr std::size_t node = 0;
+    out.add(
+        motion, {&node, 1}, written_.positions.size() + (motion.normals ? written_.normals.size() : 0),
+        progress, [&](const std::vector<Point>& now) { add_target(out, base, now, motion.normals); },
+        [](int) { return std::vector<double>(); });
     document["buffers"] = {{{"byteLength", bytes.size()}}};
   }
 
@@ -197,7 +193,7 @@ private:
 
   const Surface& surface_;
   std::span<const Point> positions_;
-  Attributes given_;
+  const Attributes& given_;
   std::vector<Vec3> normals_;
   std::vector<std::uint32_t> corner_normal_;  // of `normals_`
   std::vector<OutputVertex> vertices_;

@@ -237,22 +237,16 @@ private:
     if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation is written"));
     const std::size_t own = list_of(document_, "animations").size();
     GltfMorphs out(document_, buffers_.front());
-    std::vector<std::size_t> nodes, before;
-    for (const MorphedPiece& p : pieces) {
-      if (!nodes.empty() && nodes.back() == p.vertices.node) continue;
-      nodes.push_back(p.vertices.node);
-      before.push_back(out.targets_before(p.vertices.node));
-    }
-    const std::size_t count = motion.targets.size();
+    std::vector<std::size_t> nodes;
     std::size_t floats = 0;
-    for (const auto& [piece, inverse, vertices] : pieces)
+    for (const auto& [piece, inverse, vertices] : pieces) {
+      if (nodes.empty() || nodes.back() != vertices.node) nodes.push_back(vertices.node);
       floats += vertices.positions.size() + vertices.normals.size() + vertices.tangents.size();
-    buffers_.front().reserve(buffers_.front().size() + count * floats * sizeof(float));
-    for (std::size_t t = 0; t < count; ++t) {
-      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(count));
-      add_target(out, pieces, motion.positions(t), motion.normals);
     }
-    out.finish(motion, nodes, before, [&](int output) { return accessors_.numbers(output, 1); });
+    out.add(
+        motion, nodes, floats, progress,
+        [&](const std::vector<Point>& now) { add_target(out, pieces, now, motion.normals); },
+        [&](int output) { return accessors_.numbers(output, 1); });
     if (own > 0)
       notes_.push_back(base::counted(own, "animation") + " of the file " + (own == 1 ? "stays" : "stay") +
                        " beside that which is new");

@@ -87,52 +87,33 @@ void to_unit_range(std::span<OffColor> colors) {
   for (OffColor& c : colors) c.color[3] /= c.color[3] > 1 ? 255.0F : 1.0F;
 }
 
-class OffRewriter {
+// Everything stays but coordinates that moved and the normals of NOFF that follow; they are printed with as
+// many decimals as the file has, and no fewer than six digits of the model's diagonal need.
+class OffOriginal final : public Original {
 public:
-  OffRewriter(std::string_view bytes, std::size_t body, const OffForm& form, const Surface& rest,
-              std::span<const Point> positions, TextWriter& out)
-      : body_{"", "off", bytes.substr(body)},
-        form_(form),
-        rest_(rest),
-        positions_(positions),
-        coordinates_(out.digits()),
-        directions_(out.digits()),
-        rewriter_(bytes, out) {}
+  // body: where the first vertex is looked for.
+  OffOriginal(const Source& source, std::size_t body, const OffForm& form)
+      : Original("OFF", source), body_(body), form_(form) {}
 
-  void run() {
-    const bool has_normals = form_.normals;
-    std::vector<Vec3> normals(has_normals ? rest_.positions.size() : 0);
-    const std::size_t enough = has_normals ? rest_.positions.size() : 10'000;
-    walk(std::min(enough, rest_.positions.size()), [&](std::size_t v, const Words& words) {
-      for (const std::string_view word : words[0]) coordinates_.learn(word);
-      if (has_normals) normals[v] = learned_direction(words[1], directions_);
-    });
-    coordinates_.keep(6, bounds(rest_.positions).diagonal());
-    directions_.keep(5, 1);
-    std::vector<Vec3> moved = normals;
-    if (has_normals) {
-      moved = deformed_normals(rest_, positions_, normals, rest_.corners, every_vertex(rest_));
-      keep_lengths(normals, moved);
-    }
-    walk(rest_.positions.size(), [&](std::size_t v, const Words& words) {
-      rewriter_.replace(words[0], rest_.positions[v], positions_[v], coordinates_);
-      if (has_normals) rewriter_.replace(words[1], normals[v], moved[v], directions_);
-    });
-    rewriter_.finish();
+  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
+                                 TextWriter& out) const override {
+    const std::size_t count = rest.positions.size(), enough = form_.normals ? count : 10'000;
+    rewrite_vectors(
+        bytes_, out, rest, positions, enough, [](std::size_t row) { return static_cast<std::uint32_t>(row); },
+        form_.normals ? count : 0, rest.corners, every_vertex(rest),
+        [&](const auto& position, const auto& normal) { walk(count, position, normal); });
+    return {};
   }
 
 private:
-  using Words = std::array<ThreeWords, 2>;  // a position and a normal, if there are any
-
-  template <class Vertex>
-  void walk(std::size_t vertices, const Vertex& vertex) {
-    TextCursor text(body_, off_rules);
-    Words words;
+  template <class Position, class Normal>
+  void walk(std::size_t vertices, const Position& position, const Normal& normal) const {
+    const Source body{"", "off", bytes_.substr(body_)};
+    TextCursor text(body, off_rules);
     for (std::size_t v = 0; v < vertices && text.next_filled_line(); ++v) {
-      words[0] = next_three(text);
+      if (!position(v, next_three(text))) return;
       if (form_.colors_first) next_three(text), text.word();
-      if (form_.normals) words[1] = next_three(text);
-      vertex(v, words);
+      if (form_.normals) normal(v, next_three(text));
       if (!form_.wrapped) text.next_line();
       for (std::size_t i = form_.normals ? 3 : 0; form_.wrapped && i < form_.numbers(); ++i) next_word(text);
     }
@@ -146,29 +127,6 @@ private:
     return {next_word(text), next_word(text), next_word(text)};
   }
 
-  const Source body_;
-  const OffForm form_;
-  const Surface& rest_;
-  std::span<const Point> positions_;
-  Printed coordinates_, directions_;
-  Rewriter rewriter_;
-};
-
-// Everything stays but coordinates that moved and the normals of NOFF that follow; they are printed with as
-// many decimals as the file has, and no fewer than six digits of the model's diagonal need.
-class OffOriginal final : public Original {
-public:
-  // body: where the first vertex is looked for.
-  OffOriginal(const Source& source, std::size_t body, const OffForm& form)
-      : Original("OFF", source), body_(body), form_(form) {}
-
-  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
-                                 TextWriter& out) const override {
-    OffRewriter(bytes_, body_, form_, rest, positions, out).run();
-    return {};
-  }
-
-private:
   std::size_t body_;
   OffForm form_;
 };
@@ -438,28 +396,25 @@ void write_off(const Content& content, TextWriter& out) {
   const Surface& surface = content.surface;
   const auto& positions = content.positions;
   const std::size_t all = positions.size() + surface.polygon_count();
-  const bool colored = content.attributes && !content.attributes->colors.empty();
-  const bool faces_colored = content.attributes && !content.attributes->polygon_colors.empty();
+  const auto &colors = content.given().colors, &face_colors = content.given().polygon_colors;
   const auto color = [&](const Color& c) {
     for (const float x : c) out.text(" ").number(std::uint64_t{color_byte(x)});
   };
   std::size_t done = 0;
-  out.text(colored ? "COFF\n" : "OFF\n").comments("# ", content.comments);
+  out.text(colors.empty() ? "OFF\n" : "COFF\n").comments("# ", content.comments);
   out.number(std::uint64_t{positions.size()}).text(" ");
   out.number(std::uint64_t{surface.polygon_count()}).text(" 0\n");
   for (std::size_t v = 0; v < positions.size(); ++v) {
     print_point(positions[v], out);
-    if (colored) color(content.attributes->colors[v]);
-    out.text("\n");
-    out.element_done(++done, all);
+    if (!colors.empty()) color(colors[v]);
+    out.text("\n").element_done(++done, all);
   }
   for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
     const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
     out.number(std::uint64_t{end - begin});
     for (auto c = begin; c < end; ++c) out.text(" ").number(std::uint64_t{surface.corners[c]});
-    if (faces_colored) color(content.attributes->polygon_colors[p]);
-    out.text("\n");
-    out.element_done(++done, all);
+    if (!face_colors.empty()) color(face_colors[p]);
+    out.text("\n").element_done(++done, all);
   }
 }
 

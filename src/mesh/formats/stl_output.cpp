@@ -30,14 +30,11 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
   return n;
 }
 
-// The normal of each facet: each of its corners has it.
-std::vector<Vec3> moved_facet_normals(const Surface& rest, std::span<const Point> positions,
-                                      const std::vector<Vec3>& normals) {
-  std::vector<std::uint32_t> of_corner(rest.corners.size());
-  for (std::size_t c = 0; c < of_corner.size(); ++c) of_corner[c] = static_cast<std::uint32_t>(c / 3);
-  std::vector<Vec3> moved = deformed_normals(rest, positions, normals, of_corner);
-  keep_lengths(normals, moved);
-  return moved;
+// Each corner has the normal of its facet.
+std::vector<std::uint32_t> facet_of_corner(const Surface& rest) {
+  std::vector<std::uint32_t> facets(rest.corners.size());
+  for (std::size_t c = 0; c < facets.size(); ++c) facets[c] = static_cast<std::uint32_t>(c / 3);
+  return facets;
 }
 
 class StlBinaryRewriter {
@@ -52,7 +49,8 @@ public:
     for (std::size_t t = 0; t < triangles; ++t) {
       for (int i = 0; i < 3; ++i) normals[t][i] = number_of_bytes<float>(place(t, i).data());
     }
-    const std::vector<Vec3> moved = moved_facet_normals(rest_, positions_, normals);
+    std::vector<Vec3> moved = deformed_normals(rest_, positions_, normals, facet_of_corner(rest_));
+    keep_lengths(normals, moved);
     for (std::size_t t = 0; t < triangles; ++t) {
       vector(t, 0, normals[t], moved[t]);
       for (int c = 0; c < 3; ++c) {
@@ -91,42 +89,28 @@ private:
   Rewriter rewriter_;
 };
 
-class StlTextRewriter {
+class StlOriginal final : public Original {
 public:
-  StlTextRewriter(const Source& source, const Surface& rest, std::span<const Point> positions,
-                  TextWriter& out)
-      : source_(source),
-        rest_(rest),
-        positions_(positions),
-        coordinates_(out.digits()),
-        directions_(out.digits()),
-        rewriter_(source.bytes, out) {}
+  StlOriginal(const Source& source, bool binary) : Original("STL", source), binary_(binary) {}
 
-  void run() {
-    std::vector<Vec3> normals(rest_.triangles.size());
-    walk([&](std::size_t t, const ThreeWords& words) { normals[t] = learned_direction(words, directions_); },
-         [&](std::size_t corner, const ThreeWords& words) {
-           if (corner < enough_)
-             for (const std::string_view word : words) coordinates_.learn(word);
-         });
-    coordinates_.keep(6, bounds(rest_.positions).diagonal());
-    directions_.keep(5, 1);
-    const std::vector<Vec3> moved = moved_facet_normals(rest_, positions_, normals);
-    walk([&](std::size_t t,
-             const ThreeWords& words) { rewriter_.replace(words, normals[t], moved[t], directions_); },
-         [&](std::size_t corner, const ThreeWords& words) {
-           const std::uint32_t v = rest_.corners[corner];
-           rewriter_.replace(words, rest_.positions[v], positions_[v], coordinates_);
-         });
-    rewriter_.finish();
+  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
+                                 TextWriter& out) const override {
+    const Source source = this->source();
+    if (binary_) {
+      StlBinaryRewriter(source, rest, positions, out).run();
+    } else {
+      rewrite_vectors(
+          bytes_, out, rest, positions, 10'000, [&](std::size_t corner) { return rest.corners[corner]; },
+          rest.triangles.size(), facet_of_corner(rest), {},
+          [&](const auto& corner, const auto& normal) { walk(source, corner, normal); });
+    }
+    return {};
   }
 
 private:
-  static constexpr std::size_t enough_ = 10'000;
-
-  template <class Normal, class Corner>
-  void walk(const Normal& normal, const Corner& corner) {
-    TextCursor text(source_, {});
+  template <class Corner, class Normal>
+  static void walk(const Source& source, const Corner& corner, const Normal& normal) {
+    TextCursor text(source, {});
     std::size_t facets = 0, corners = 0;
     for (; text.next_filled_line(); text.next_line()) {
       const std::string word = lower_stl_word(text.word());
@@ -139,29 +123,6 @@ private:
     }
   }
 
-  const Source& source_;
-  const Surface& rest_;
-  std::span<const Point> positions_;
-  Printed coordinates_, directions_;
-  Rewriter rewriter_;
-};
-
-class StlOriginal final : public Original {
-public:
-  StlOriginal(const Source& source, bool binary) : Original("STL", source), binary_(binary) {}
-
-  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
-                                 TextWriter& out) const override {
-    const Source source = this->source();
-    if (binary_) {
-      StlBinaryRewriter(source, rest, positions, out).run();
-    } else {
-      StlTextRewriter(source, rest, positions, out).run();
-    }
-    return {};
-  }
-
-private:
   bool binary_;
 };
 

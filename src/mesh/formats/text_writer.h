@@ -35,6 +35,12 @@ struct Content {
   std::span<const Point> positions;  ///< of its vertices, instead of its own
   const std::vector<std::string>& comments;
   const Attributes* attributes = nullptr;  ///< of the surface; null: none
+
+  /// The attributes, or what has none.
+  const Attributes& given() const {
+    static const Attributes nothing;
+    return attributes ? *attributes : nothing;
+  }
 };
 
 /// Hands bytes on whenever a portion of them has come together, so that large files are never in memory as a
