@@ -9,7 +9,6 @@
 
 #include "cages/subject.h"
 #include "mesh/defects.h"
-#include "mesh/self_intersection.h"
 #include "mesh/summary.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/union_find.h"

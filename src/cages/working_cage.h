@@ -9,7 +9,7 @@
 
 #include "cages/clearance.h"
 #include "cages/extraction.h"
-#include "mesh/triangle_intersection.h"
+#include "mesh/triangle.h"
 
 namespace viete::cages {
 

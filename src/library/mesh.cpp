@@ -13,7 +13,7 @@
 #include "library/words.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
-#include "mesh/formats/written_positions.h"
+#include "mesh/formats/printed.h"
 #include "mesh/triangulation.h"
 
 namespace viete {

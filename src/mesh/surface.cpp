@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/encoding.h"
+
 namespace viete::mesh {
 
 namespace {
@@ -105,6 +107,13 @@ double used_size(const Surface& surface) {
   double farthest = 0;
   for (const auto v : used) farthest = std::max(farthest, norm(surface.positions[v] - center));
   return 2 * farthest;
+}
+
+std::uint64_t content_key(const Surface& surface) {
+  base::Checksum sum;
+  sum.add(surface.positions.data(), surface.positions.size() * sizeof(Point));
+  sum.add(surface.triangles.data(), surface.triangles.size() * sizeof(Triangle));
+  return sum.value();
 }
 
 }  // namespace viete::mesh

@@ -86,4 +86,8 @@ Bounds used_bounds(const Surface& surface);
 /// of its bounds is not.
 double used_size(const Surface& surface);
 
+/// base::Checksum of positions and triangles: of their values and their order. Depends on the machine's byte
+/// order. At the speed of memory.
+std::uint64_t content_key(const Surface& surface);
+
 }  // namespace viete::mesh

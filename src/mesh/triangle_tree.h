@@ -9,7 +9,7 @@
 
 #include "base/progress.h"
 #include "mesh/surface.h"
-#include "mesh/triangle_intersection.h"
+#include "mesh/triangle.h"
 
 namespace viete::mesh {
 

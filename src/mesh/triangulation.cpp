@@ -8,7 +8,7 @@
 #include <queue>
 
 #include "mesh/adjacency.h"
-#include "mesh/orientation.h"
+#include "mesh/triangle.h"
 
 namespace viete::mesh {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "cages/wish.h"
-#include "mesh/self_intersection.h"
+#include "mesh/defects.h"
 #include "mesh/summary.h"
 #include "mesh/topology.h"
-#include "mesh/triangle_intersection.h"
+#include "mesh/triangle.h"
 #include "mesh/winding_number.h"
 
 namespace viete::test {

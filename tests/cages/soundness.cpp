@@ -6,6 +6,7 @@
 #include "cages/models.h"
 #include "cages/soundness.h"
 #include "cages/subject.h"
+#include "mesh/defects.h"
 #include "mesh/self_intersection.h"
 #include "mesh/topology.h"
 

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <numeric>
+#include <random>
+
 #include "mesh/shapes.h"
 
 using namespace viete;
@@ -46,4 +49,117 @@ TEST_CASE("thin_triangles_are_named_at_every_scale_and_flat_ones_are_not") {
     CHECK(thin_triangles(test::moved(s, scale), 1e-3) == List{1, 4});
     CHECK(thin_triangles(test::moved(s, scale), 1e-5).empty());
   }
+}
+
+namespace {
+
+Surface rotated(Surface s) {
+  for (Point& p : s.positions) {
+    p = {0.36 * p[0] + 0.48 * p[1] - 0.8 * p[2], -0.8 * p[0] + 0.6 * p[1],
+         0.48 * p[0] + 0.64 * p[1] + 0.6 * p[2]};
+  }
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("sound_surfaces_do_not_cut_themselves_at_any_scale_or_angle") {
+  for (const Surface& s : {test::cube(), test::sphere(3), test::torus(40, 20), test::torus(12, 8, true)}) {
+    for (const double scale : {1e-100, 1e-30, 1.0, 1e30, 1e100}) {
+      CHECK(self_intersecting_triangles(test::moved(s, scale)).empty());
+      CHECK(self_intersecting_triangles(rotated(test::moved(s, scale))).empty());
+    }
+    CHECK(self_intersecting_triangles(test::moved(s, 1, 1e4)).empty());
+  }
+}
+
+TEST_CASE("a_triangle_through_another_names_both") {
+  const Surface s = from_triangles(
+      {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}, {9, 0, 9}, {8, 0, 9}, {9, 1, 9}},
+      {{0, 1, 2}, {6, 7, 8}, {3, 4, 5}});
+  CHECK(self_intersecting_triangles(s) == List{0, 2});
+  CHECK(self_intersecting_triangles(rotated(s)) == List{0, 2});
+}
+
+TEST_CASE("an_edge_exactly_through_an_edge_or_a_vertex_counts") {
+  // The second one's edge meets the first one's border from above to below.
+  CHECK(self_intersecting_triangles(from_triangles(
+            {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 0, -1}, {2, 0, 1}, {2, -3, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
+        List{0, 1});
+  CHECK(self_intersecting_triangles(from_triangles(
+            {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 0, -1}, {4, 0, 1}, {9, 0, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
+        List{0, 1});
+}
+
+TEST_CASE("touching_without_crossing_does_not_count") {
+  // A vertex on a face, two boxes edge to edge and face to face in part with open interiors apart.
+  CHECK(self_intersecting_triangles(
+            from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 3}, {2, 1, 3}},
+                           {{0, 1, 2}, {3, 4, 5}}))
+            .empty());
+  Surface beside = test::cube();
+  for (Point& p : beside.positions) p[0] += 2, p[1] += 2;
+  CHECK(self_intersecting_triangles(test::both(test::cube(), beside)).empty());
+}
+
+TEST_CASE("overlap_in_one_plane_counts_and_doubled_triangles_do") {
+  CHECK(self_intersecting_triangles(from_triangles(
+            {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {1, 1, 1}, {5, 1, 1}, {1, 5, 1}, {-1, -1, 1}, {-2, 0, 1}},
+            {{0, 1, 2}, {3, 4, 5}, {0, 7, 6}})) == List{0, 1});
+  CHECK(self_intersecting_triangles(from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}},
+                                                   {{0, 1, 2}, {0, 2, 3}})) == List{0, 1});
+}
+
+TEST_CASE("a_neighbour_that_pierces_beyond_the_common_vertex_counts") {
+  CHECK(self_intersecting_triangles(from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 2, -1}, {1, 1, 1}},
+                                                   {{0, 1, 2}, {0, 3, 4}})) == List{0, 1});
+}
+
+TEST_CASE("two_boxes_pushed_into_each_other_are_named_where_they_meet") {
+  Surface other = test::cube();
+  for (Point& p : other.positions) p[0] += 1, p[1] += 0.5, p[2] += 0.25;
+  const auto found = self_intersecting_triangles(test::both(test::cube(), other));
+  CHECK(found.size() > 6);
+  CHECK(found.size() < 24);
+  Surface same = test::cube();
+  for (Point& p : same.positions) p[0] += 1;  // sides in common planes, crossings exactly on edges
+  CHECK(self_intersecting_triangles(test::both(test::cube(), same)).size() > 6);
+}
+
+TEST_CASE("triangles_without_area_cut_nothing") {
+  CHECK(self_intersecting_triangles(from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}},
+                                                   {{0, 1, 2}, {3, 4, 4}, {3, 4, 3}}))
+            .empty());
+  CHECK(self_intersecting_triangles(Surface{}).empty());
+}
+
+TEST_CASE("the_sweep_finds_what_all_pairs_find") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> at(0, 1), off(-0.15, 0.15);
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t t = 0; t < 150; ++t) {
+    const Point center{at(random), 3 * at(random), at(random)};
+    for (int i = 0; i < 3; ++i)
+      points.push_back({center[0] + off(random), center[1] + off(random), center[2] + off(random)});
+    triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  List expected;
+  for (std::uint32_t s = 0; s < triangles.size(); ++s) {
+    bool cut = false;
+    for (std::uint32_t t = 0; t < triangles.size() && !cut; ++t) {
+      if (s != t)
+        cut = !self_intersecting_triangles(from_triangles(points, {triangles[s], triangles[t]})).empty();
+    }
+    if (cut) expected.push_back(s);
+  }
+  CHECK(expected.size() > 20);
+  CHECK(expected.size() < 140);
+  CHECK(self_intersecting_triangles(from_triangles(points, triangles)) == expected);
+}
+
+TEST_CASE("the_search_can_be_cancelled") {
+  base::Progress progress;
+  progress.cancel();
+  CHECK_THROWS_AS(self_intersecting_triangles(test::cube(), &progress), base::Cancelled);
 }

@@ -14,24 +14,10 @@ using viete::test::holds;
 namespace {
 
 // A binary STL of a tetrahedron, two bytes behind each facet.
-std::string colored_stl(std::string head, const std::vector<std::uint16_t>& words) {
-  head.resize(80, ' ');
-  std::string bytes = head;
-  const auto put = [&](auto value) {
-    const auto raw = std::bit_cast<std::array<char, sizeof value>>(value);
-    bytes.append(raw.data(), raw.size());
-  };
-  const std::vector<Point> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const std::vector<Triangle> triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-  put(static_cast<std::uint32_t>(triangles.size()));
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) put(0.0F);
-    for (const auto v : triangles[t]) {
-      for (const double x : p[v]) put(static_cast<float>(x));
-    }
-    put(words[t]);
-  }
-  return bytes;
+std::string colored_stl(const std::string& head, const std::vector<std::uint16_t>& words) {
+  const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  return test::binary_stl(s, head, [&](std::size_t t) { return words[t]; });
 }
 
 std::vector<Color> face_colors(const std::string& bytes, const std::string& extension) {
@@ -115,25 +101,21 @@ TEST_CASE("off_colours_that_the_head_does_not_name_are_kept") {
   }
 }
 
-TEST_CASE("colours_of_faces_go_where_a_format_has_them_and_become_materials_in_an_obj") {
+TEST_CASE("colours_of_faces_go_where_a_format_has_them") {
   const test::TemporaryFolder folder;
   const ReadResult stl =
       test::read_kept(colored_stl("made up", {0x8000 | 31 << 10, 0x801F, 0x801F, 0x8000 | 31 << 10}), "stl");
   const auto& colors = stl.attributes->polygon_colors;
   CHECK(converted(stl, folder / "a.ply").attributes->polygon_colors == colors);
   CHECK(converted(stl, folder / "a.off").attributes->polygon_colors == colors);
-  const ReadResult obj = converted(stl, folder / "a.obj", 1);
-  REQUIRE(obj.attributes->materials.size() == 2);
-  REQUIRE(obj.attributes->groups.size() == 3);
-  CHECK(obj.attributes->materials[obj.attributes->groups[1].material].base_color == colors[1]);
-  CHECK(obj.attributes->materials[obj.attributes->groups[2].material].base_color == colors[3]);
   const ReadResult glb = converted(stl, folder / "a.glb");
   for (std::size_t p = 0; p < 4; ++p) CHECK(glb.surface.polygon_starts[p] == 3 * p);
   CHECK(glb.surface.positions.size() == 4);  // split where colours meet, and closed by the reader
   const std::string bytes = test::file_bytes(folder / "a.glb");
   CHECK(holds(bytes, "COLOR_0"));
   CHECK(mesh::write(folder / "b.stl", Content{stl.surface, stl.surface.positions, {}, stl.attributes.get()},
-                    nullptr, {}) == std::vector<std::string>{"STL has no colours of faces: 4 left out"});
+                    nullptr, {}) ==
+        std::vector<std::string>{"STL does not get what else was in the file: colours of faces"});
 }
 
 TEST_CASE("ply_faces_have_texture_points_colours_and_images") {
@@ -155,12 +137,9 @@ TEST_CASE("ply_faces_have_texture_points_colours_and_images") {
   CHECK(a.images[a.materials[a.groups[0].material].base_color_image].path == folder / "my wood.png");
   CHECK(a.images[a.materials[a.groups[1].material].base_color_image].path == folder / "b.png");
   for (const char* name : {"out.ply", "out.obj", "out.glb"}) {
-    const bool glb = std::string(name) == "out.glb";
-    const ReadResult out = converted(read, folder / name, 2);
+    const ReadResult out = converted(read, folder / name, 1);
     REQUIRE(out.surface.corners.size() == 6);
     for (std::size_t c = 0; c < 6; ++c) CHECK(at(*out.attributes, c) == at(a, c));
-    CHECK(out.attributes->groups.size() == 2);
-    if (!glb) CHECK(out.attributes->images.at(0).path == folder / "my wood.png");
   }
   CHECK(mesh::read(folder / "out.ply").attributes->polygon_colors == a.polygon_colors);
 }
@@ -204,18 +183,4 @@ TEST_CASE("ply_normals_of_several_face_elements_follow") {
   for (Point& p : moved) p = {p[0], -p[2], p[1]};
   const std::string written = test::written_again(read, moved);
   CHECK(holds(written, "\n2 0 1 0 0 1\n3 0 1 2 0 -1 0\n3 0 2 3 0 -1 0\n"));
-}
-
-TEST_CASE("materials_of_one_name_are_several_in_a_library") {
-  const test::TemporaryFolder folder;
-  Surface square = test::cube();
-  Attributes a;
-  a.materials = {{"Material", {1, 0, 0, 1}}, {"Material", {0, 1, 0, 1}}, {"", {0, 0, 1, 1}}};
-  a.groups = {{0, "", "", 0}, {2, "", "", 1}, {4, "", "", 2}};
-  mesh::write(folder / "a.obj", Content{square, square.positions, {}, &a}, nullptr, {});
-  const ReadResult out = mesh::read(folder / "a.obj");
-  REQUIRE(out.attributes->groups.size() == 3);
-  for (std::size_t g = 0; g < 3; ++g)
-    CHECK(out.attributes->materials.at(out.attributes->groups[g].material).base_color ==
-          a.materials[g].base_color);
 }

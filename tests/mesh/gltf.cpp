@@ -1,9 +1,9 @@
 #include "mesh/formats/gltf.h"
 
 #include <doctest/doctest.h>
-#include <tiny_gltf.h>
 
 #include "mesh/formats/write.h"
+#include "mesh/gltf_judge.h"
 #include "mesh/shapes.h"
 #include "support/full_disk.h"
 #include "support/gltf.h"
@@ -26,26 +26,8 @@ std::string refusal_of(const GltfParts& parts) {
   return said;
 }
 
-// The judge is a reader that is not ours: accessor by number, as floats.
 std::vector<float> floats_by_judge(const std::filesystem::path& path, int accessor) {
-  tinygltf::TinyGLTF loader;
-  tinygltf::Model model;
-  std::string problem, warning;
-  loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
-                           int, void*) { return true; },
-                        nullptr);
-  const bool good = path.extension() == ".glb"
-                        ? loader.LoadBinaryFromFile(&model, &problem, &warning, path.string())
-                        : loader.LoadASCIIFromFile(&model, &problem, &warning, path.string());
-  REQUIRE_MESSAGE(good, problem);
-  const tinygltf::Accessor& a = model.accessors.at(static_cast<std::size_t>(accessor));
-  const tinygltf::BufferView& v = model.bufferViews.at(static_cast<std::size_t>(a.bufferView));
-  std::vector<float> values(a.count * static_cast<std::size_t>(tinygltf::GetNumComponentsInType(
-                                          static_cast<std::uint32_t>(a.type))));
-  const unsigned char* from =
-      model.buffers.at(static_cast<std::size_t>(v.buffer)).data.data() + v.byteOffset + a.byteOffset;
-  std::memcpy(values.data(), from, values.size() * sizeof(float));
-  return values;
+  return test::GltfJudge(path).floats(accessor);
 }
 
 int accessor_of(const std::string& glb, std::size_t mesh, const char* attribute) {

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 
+#include "mesh/adjacency.h"
+#include "mesh/edge_paths.h"
 #include "mesh/shapes.h"
 #include "mesh/triangulation.h"
+#include "mesh/union_find.h"
 
 using namespace viete;
 using namespace viete::mesh;
@@ -52,4 +55,49 @@ TEST_CASE("repeated_corners_make_no_edge") {
   const Surface surface = from_triangles({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}});
   CHECK(polygon_edges(surface) == std::vector<Edge>{{0, 1}});
   CHECK(polygon_edges({}).empty());
+}
+
+TEST_CASE("adjacency_lists_both_ends_of_every_edge") {
+  const auto graph = adjacency(4, std::vector<Edge>{{0, 1}, {0, 2}, {1, 2}});
+  CHECK(std::vector<std::uint32_t>(graph.of(0).begin(), graph.of(0).end()) ==
+        std::vector<std::uint32_t>{1, 2});
+  CHECK(std::vector<std::uint32_t>(graph.of(2).begin(), graph.of(2).end()) ==
+        std::vector<std::uint32_t>{0, 1});
+  CHECK(graph.of(3).empty());
+}
+
+TEST_CASE("joined_sets_have_one_number_and_others_keep_theirs") {
+  UnionFind sets(5);
+  CHECK(sets.join(0, 1));
+  CHECK(sets.join(3, 4));
+  CHECK_FALSE(sets.join(1, 0));
+  CHECK(sets.find(0) == sets.find(1));
+  CHECK(sets.find(3) == sets.find(4));
+  CHECK(sets.find(0) != sets.find(3));
+  CHECK(sets.find(2) == 2);
+  CHECK(sets.join(4, 0));
+  CHECK(sets.find(1) == sets.find(3));
+  sets.reset(2);
+  CHECK(sets.find(1) != sets.find(0));
+}
+
+TEST_CASE("paths_along_edges_join_vertices_that_are_no_farther_than_their_length") {
+  std::vector<Point> p;  // a strip of squares of side 1, and a triangle beside it
+  std::vector<Triangle> t;
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    p.push_back({double(i), 0, 0}), p.push_back({double(i), 1, 0});
+    if (i > 0) t.push_back({2 * i - 2, 2 * i, 2 * i - 1}), t.push_back({2 * i, 2 * i + 1, 2 * i - 1});
+  }
+  p.insert(p.end(), {{0, 0, 0.1}, {1, 0, 0.1}, {0, 1, 0.1}});
+  t.push_back({20, 21, 22});
+  const Surface surface = from_triangles(p, t);
+  const EdgePaths paths(surface);
+  CHECK(paths.joined(0, 18, 9));
+  CHECK_FALSE(paths.joined(0, 18, 8.9));
+  CHECK(paths.joined(18, 0, 9));
+  CHECK(paths.joined(3, 3, 0));
+  CHECK_FALSE(paths.joined(0, 20, 100));
+  CHECK(paths.part(0) == paths.part(19));
+  CHECK(paths.part(20) == paths.part(22));
+  CHECK(paths.part(0) != paths.part(20));
 }

@@ -1,9 +1,10 @@
 #include "mesh/formats/morphs.h"
 
 #include <doctest/doctest.h>
-#include <tiny_gltf.h>
 
 #include "mesh/formats/write.h"
+#include "mesh/gltf_judge.h"
+#include "mesh/morph_keys.h"
 #include "mesh/shapes.h"
 #include "support/full_disk.h"
 #include "support/gltf.h"
@@ -24,7 +25,7 @@ std::vector<Point> bent(const Surface& s, double by) {
 
 struct Wave {
   std::vector<std::vector<Point>> positions;
-  MorphAnimation animation;
+  test::MorphAnimation animation;
 
   // Rest, up, down, rest.
   explicit Wave(const Surface& s) {
@@ -35,59 +36,9 @@ struct Wave {
   }
 };
 
-// The judge is a reader that is not ours.
-class MorphJudge {
+class MorphJudge : public test::GltfJudge {
 public:
-  explicit MorphJudge(const std::filesystem::path& path) {
-    tinygltf::TinyGLTF loader;
-    std::string problem, warning;
-    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
-                             const unsigned char*, int, void*) { return true; },
-                          nullptr);
-    const bool good = path.extension() == ".glb"
-                          ? loader.LoadBinaryFromFile(&model, &problem, &warning, path.string())
-                          : loader.LoadASCIIFromFile(&model, &problem, &warning, path.string());
-    REQUIRE_MESSAGE(good, problem);
-    CHECK(warning == "");
-  }
-
-  template <class T>
-  std::vector<T> view(int number, std::size_t offset, std::size_t count) const {
-    const auto& v = model.bufferViews.at(static_cast<std::size_t>(number));
-    const auto& bytes = model.buffers.at(static_cast<std::size_t>(v.buffer)).data;
-    REQUIRE(offset + count * sizeof(T) <= v.byteLength);
-    std::vector<T> values(count);
-    std::memcpy(values.data(), bytes.data() + v.byteOffset + offset, count * sizeof(T));
-    return values;
-  }
-
-  std::vector<float> floats(int accessor) const {
-    const auto& a = model.accessors.at(static_cast<std::size_t>(accessor));
-    const auto parts =
-        static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(a.type)));
-    std::vector<float> all(a.count * parts, 0.0F);
-    if (a.componentType == TINYGLTF_COMPONENT_TYPE_SHORT) {
-      const auto shorts = view<std::int16_t>(a.bufferView, a.byteOffset, all.size());
-      std::ranges::transform(shorts, all.begin(), [](auto x) { return static_cast<float>(x) / 32767; });
-      return all;
-    }
-    REQUIRE(a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT);
-    if (a.bufferView >= 0) all = view<float>(a.bufferView, a.byteOffset, all.size());
-    if (!a.sparse.isSparse) return all;
-    const auto count = static_cast<std::size_t>(a.sparse.count);
-    const auto values = view<float>(a.sparse.values.bufferView, 0, count * parts);
-    std::vector<std::uint32_t> where;
-    if (a.sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) {
-      for (const auto i : view<std::uint16_t>(a.sparse.indices.bufferView, 0, count)) where.push_back(i);
-    } else {
-      where = view<std::uint32_t>(a.sparse.indices.bufferView, 0, count);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i > 0) CHECK(where[i] > where[i - 1]);
-      for (std::size_t k = 0; k < parts; ++k) all.at(where[i] * parts + k) = values[i * parts + k];
-    }
-    return all;
-  }
+  using GltfJudge::GltfJudge;
 
   const tinygltf::Primitive& primitive(std::size_t mesh, std::size_t i) const {
     return model.meshes.at(mesh).primitives.at(i);
@@ -139,8 +90,6 @@ public:
     }
     return {};
   }
-
-  tinygltf::Model model;
 };
 
 void check_near(std::span<const double> found, std::span<const Point> expected, double near = 1e-6) {
@@ -266,7 +215,8 @@ TEST_CASE("a_motion_beside_targets_with_default_weights_is_played_as_it_is") {
   test::put_file(folder / "a.glb", weighed_patch().glb());
   const ReadResult r = read(folder / "a.glb");
   const Wave wave(r.surface);
-  write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), wave.animation);
+  test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(),
+                     wave.animation);
   const auto clip = read(folder / "b.glb").original->morphs();
   REQUIRE(clip);
   for (std::size_t key = 0; key < 4; ++key) check_near(clip->at_key(key), wave.positions[key], 1e-5);
@@ -283,8 +233,8 @@ TEST_CASE("keys_become_targets_that_another_reader_plays_and_all_else_is_kept") 
     const ReadResult r = read(folder / name);
     const Wave wave(r.surface);
     const auto out = folder / (std::string("out-") + name);
-    CHECK(
-        write_animated(out, {r.surface, r.surface.positions, {}}, r.original.get(), wave.animation).empty());
+    CHECK(test::write_morphs(out, {r.surface, r.surface.positions, {}}, r.original.get(), wave.animation)
+              .empty());
     const MorphJudge judge(out);
     REQUIRE(judge.model.animations.size() == 1);
     CHECK(judge.model.animations[0].name == "wave");
@@ -316,7 +266,8 @@ TEST_CASE("targets_are_read_again_as_positions_at_times") {
   const ReadResult r = read(folder / "a.glb");
   CHECK(r.original->morphs() == nullptr);
   const Wave wave(r.surface);
-  write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), wave.animation);
+  test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(),
+                     wave.animation);
   const auto clip = read(folder / "b.glb").original->morphs();
   REQUIRE(clip);
   CHECK(clip->name() == "wave");
@@ -336,11 +287,11 @@ TEST_CASE("few_moved_vertices_make_sparse_targets_and_unmoved_meshes_get_none") 
   write(folder / "a.glb", ball);
   GltfJson two;
   const ReadResult r = read(folder / "a.glb");
-  MorphAnimation animation{"dent", {{0, "", r.surface.positions}, {1, "", {}}}, false};
+  test::MorphAnimation animation{"dent", {{0, "", r.surface.positions}, {1, "", {}}}, false};
   std::vector<Point> posed = r.surface.positions;
   posed[3][0] += 1;
   animation.keys[1].positions = posed;
-  write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), animation);
+  test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), animation);
   const MorphJudge judge(folder / "b.glb");
   const auto& target = judge.primitive(0, 0).targets.at(0);
   CHECK(target.count("NORMAL") == 0);
@@ -375,8 +326,8 @@ TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
   CHECK(before->seconds() == std::vector<double>{0, 2, 3});
   CHECK(before->at_key(2)[5] == Point{2, 1.5, 0});
   const Wave wave(r.surface);
-  const auto notes = write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(),
-                                    wave.animation);
+  const auto notes = test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}},
+                                        r.original.get(), wave.animation);
   CHECK(holds(notes.at(0), "1 animation of the file stays"));
   const MorphJudge judge(folder / "b.glb");
   REQUIRE(judge.model.animations.size() == 2);
@@ -405,9 +356,9 @@ TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
   REQUIRE(r.surface.positions.size() == 18);
   std::vector<Point> posed = r.surface.positions;
   for (std::size_t i = 0; i < 12; ++i) posed[i][1] += 0.5 * posed[i][0] * posed[i][0];
-  const MorphAnimation animation{"a", {{0, "rest", r.surface.positions}, {1, "posed", posed}}};
+  const test::MorphAnimation animation{"a", {{0, "rest", r.surface.positions}, {1, "posed", posed}}};
   const auto notes =
-      write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), animation);
+      test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), animation);
   CHECK(holds(notes.at(0), "meshes of their own"));
   const auto clip = read(folder / "b.glb").original->morphs();
   REQUIRE(clip);
@@ -427,22 +378,18 @@ TEST_CASE("models_of_other_formats_become_glb_with_targets") {
   const Wave wave(r.surface);
   for (const char* name : {"b.glb", "b.gltf"}) {
     const Content content{r.surface, r.surface.positions, r.comments, r.attributes.get()};
-    write_animated(folder / name, content, r.original.get(), wave.animation);
+    test::write_morphs(folder / name, content, r.original.get(), wave.animation);
     const MorphJudge judge(folder / name);
-    REQUIRE(judge.model.nodes.size() == 2);
-    for (std::size_t key = 0; key < 4; ++key) {
-      const auto left = judge.shown(0, 0, "POSITION", key), right = judge.shown(1, 0, "POSITION", key);
-      check_near(left, std::vector<Point>(wave.positions[key].begin(), wave.positions[key].begin() + 4));
-      check_near(right, std::vector<Point>(wave.positions[key].begin() + 4, wave.positions[key].end()));
-    }
-    const auto turned = judge.shown(1, 0, "NORMAL", 1), flat = judge.shown(1, 0, "NORMAL", 0);
-    CHECK(flat[2] == doctest::Approx(1));
-    CHECK(turned[0] / turned[2] == doctest::Approx(-2.5));  // z = 0.5 x^2 from 2 to 3
+    for (std::size_t key = 0; key < 4; ++key)
+      check_near(judge.shown(0, 0, "POSITION", key), wave.positions[key]);
+    const auto turned = judge.shown(0, 0, "NORMAL", 1), flat = judge.shown(0, 0, "NORMAL", 0);
+    CHECK(flat[14] == doctest::Approx(1));
+    CHECK(turned[12] / turned[14] == doctest::Approx(-2.5));  // z = 0.5 x^2 from 2 to 3
     const auto clip = read(folder / name).original->morphs();
     check_near(clip->at_key(2), wave.positions[2]);
   }
-  CHECK_THROWS_WITH_AS(write_animated(folder / "b.obj", {r.surface, r.surface.positions, {}},
-                                      r.original.get(), wave.animation),
+  CHECK_THROWS_WITH_AS(test::write_morphs(folder / "b.obj", {r.surface, r.surface.positions, {}},
+                                          r.original.get(), wave.animation),
                        doctest::Contains("no morph targets"), base::Error);
 }
 
@@ -453,8 +400,8 @@ TEST_CASE("a_computed_normal_has_no_seam_where_the_texture_has_one") {
                  "f 1/1 2/2 3/2 4/1\nf 2/3 5/1 6/1 3/3\n");
   const ReadResult r = read(folder / "a.obj");
   const Wave wave(r.surface);
-  write_animated(folder / "b.glb", {r.surface, r.surface.positions, {}, r.attributes.get()}, r.original.get(),
-                 wave.animation);
+  test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}, r.attributes.get()},
+                     r.original.get(), wave.animation);
   const MorphJudge judge(folder / "b.glb");
   const auto places = judge.shown(0, 0, "POSITION", 1), normals = judge.shown(0, 0, "NORMAL", 1);
   std::map<std::vector<double>, std::vector<double>> at;
@@ -471,18 +418,17 @@ TEST_CASE("a_computed_normal_has_no_seam_where_the_texture_has_one") {
 TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
   const test::TemporaryFolder folder;
   const Surface cube = test::cube();
-  const std::vector<Point> few(3), rest = cube.positions, far(8, Point{1e300, 0, 0});
+  const std::vector<Point> rest = cube.positions, far(8, Point{1e300, 0, 0});
   const Content content{cube, cube.positions, {}};
-  const auto refused = [&](std::vector<MorphKey> keys) {
+  const auto refused = [&](std::vector<test::MorphKey> keys) {
     try {
-      write_animated(folder / "a.glb", content, nullptr, {"a", std::move(keys)});
+      test::write_morphs(folder / "a.glb", content, nullptr, {"a", std::move(keys)});
     } catch (const base::Error& error) {
       return std::string(error.what());
     }
     return std::string();
   };
   CHECK(holds(refused({}), "without keys"));
-  CHECK(holds(refused({{0, "", few}}), "3 positions for 8"));
   CHECK(holds(refused({{0, "", rest}, {0, "", rest}}), "key 1: its time"));
   CHECK(holds(refused({{std::nan(""), "", rest}}), "key 0: its time"));
   CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is no place"));
@@ -491,11 +437,12 @@ TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
   progress.cancel();
   std::vector<Point> moved = rest;
   moved[0][0] = 7;
-  CHECK_THROWS_AS(write_animated(folder / "a.glb", content, nullptr, {"a", {{0, "", moved}}}, &progress),
+  CHECK_THROWS_AS(test::write_morphs(folder / "a.glb", content, nullptr, {"a", {{0, "", moved}}}, &progress),
                   base::Cancelled);
   {
     const test::FullDisk full(300);
-    CHECK_THROWS_AS(write_animated(folder / "a.glb", content, nullptr, {"a", {{0, "", moved}}}), base::Error);
+    CHECK_THROWS_AS(test::write_morphs(folder / "a.glb", content, nullptr, {"a", {{0, "", moved}}}),
+                    base::Error);
   }
   CHECK(folder.entries() == 0);
 }

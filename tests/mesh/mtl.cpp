@@ -27,10 +27,10 @@ TEST_CASE("mtl_colours_opacity_and_images_are_read") {
   CHECK(all[0].material.name == "red one");
   CHECK(all[0].material.base_color == Color{1, 0.5F, 0, 0.25F});
   CHECK(all[0].image == "/models/red.png");
-  CHECK(all[0].repeats);
+  CHECK(all[0].material.repeats);
   CHECK(all[1].material.base_color == Color{0.5F, 0.5F, 0.5F, 0.75F});
   CHECK(all[1].image == "/models/sub/my picture.jpg");
-  CHECK(!all[1].repeats);
+  CHECK(!all[1].material.repeats);
   CHECK(all[2].material.base_color == Color{1, 0, 0.5F, 1});
   CHECK(all[2].image.empty());
 }

@@ -66,10 +66,6 @@ TEST_CASE("obj_dialects_read_the_same") {
   }
 }
 
-TEST_CASE("obj_a_comment_that_ends_with_a_backslash_does_not_swallow_the_next_line") {
-  CHECK(surface_of("# C:\\models\\\n" + four).positions.size() == 4);
-}
-
 TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
   CHECK(test::refusal(four + "f 1 2 5\n", "obj") ==
         "given.obj:5: face refers to vertex 5, the file has 4; export the model again");
@@ -106,10 +102,6 @@ TEST_CASE("obj_a_file_of_something_else_names_its_first_odd_line") {
         "model "
         "again");
   CHECK(holds(test::refusal("g a\nusemtl x\n", "obj"), "no vertices found"));
-}
-
-TEST_CASE("obj_the_line_of_an_error_counts_continued_lines") {
-  CHECK(holds(test::refusal("v 0 \\\n0 \\\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
 }
 
 TEST_CASE("obj_lines_are_continued_however_the_backslash_stands") {

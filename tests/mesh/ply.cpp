@@ -29,9 +29,7 @@ struct Bytes {
 
   template <class T>
   Bytes& put(T value) {
-    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-    if (big != (std::endian::native == std::endian::big)) std::reverse(raw.begin(), raw.end());
-    text.append(raw.data(), raw.size());
+    test::append(text, value, big ? std::endian::big : std::endian::little);
     return *this;
   }
 };

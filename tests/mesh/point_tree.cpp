@@ -2,11 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <map>
 #include <numeric>
 #include <random>
 
+#include "mesh/point_index.h"
 #include "mesh/triangle.h"
 
+using namespace viete;
 using namespace viete::mesh;
 
 namespace {
@@ -71,4 +74,21 @@ TEST_CASE("of_points_that_are_equally_near_the_lowest_is_taken") {
   for (int i = 0; i < 400; ++i) points.push_back({i & 1 ? 1.0 : -1, i & 2 ? 1.0 : -1, i & 4 ? 1.0 : -1});
   CHECK(PointTree(points, every(points.size(), 1)).nearest({0, 0, 0}) == 0);
   CHECK(PointTree(points, every(points.size(), 1)).nearest({0, 0, 1}, {0, 0, 2}, {0, 0, 2}) == 4);
+}
+
+TEST_CASE("equal_points_share_an_index_and_others_do_not") {
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> few(0, 19);
+  PointIndex index;
+  std::vector<Point> positions;
+  std::map<Point, std::uint32_t> reference;
+  for (int i = 0; i < 20000; ++i) {
+    const Point p = {few(random) / 7.0, few(random) * 1e30, few(random) * 1e-30};
+    const auto expected = reference.try_emplace(p, static_cast<std::uint32_t>(positions.size()));
+    const std::uint32_t found = index.find_or_add(p, positions);
+    REQUIRE(found == expected.first->second);
+    if (found == positions.size()) positions.push_back(p);
+  }
+  CHECK(positions.size() == reference.size());
+  CHECK(positions.size() > 5000);
 }

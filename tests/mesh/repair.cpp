@@ -71,13 +71,6 @@ TEST_CASE("one_side_of_everything_is_kept_and_parts_agree_with_each_other") {
     for (auto& t : s.triangles) std::swap(t[1], t[2]);
     return from_triangles(s.positions, s.triangles);
   };
-  const auto both = [](const Surface& a, const Surface& b) {
-    Surface s = a;
-    const auto n = static_cast<std::uint32_t>(a.positions.size());
-    s.positions.insert(s.positions.end(), b.positions.begin(), b.positions.end());
-    for (const auto& t : b.triangles) s.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
-    return from_triangles(s.positions, s.triangles);
-  };
   const auto volume_of = [](const Surface& s) {
     const OneSided one = one_sided(s);
     CHECK(one.closed);
@@ -87,10 +80,10 @@ TEST_CASE("one_side_of_everything_is_kept_and_parts_agree_with_each_other") {
   const double v = summarize(ball).volume;
   CHECK(one_sided(ball).triangles == ball.triangles);
   CHECK(one_sided(turned(ball)).triangles == turned(ball).triangles);
-  const Surface hollow = both(ball, turned(moved(ball, 0, 0.5)));
+  const Surface hollow = test::both(ball, turned(moved(ball, 0, 0.5)));
   CHECK(one_sided(hollow).triangles == hollow.triangles);
-  CHECK(volume_of(both(ball, moved(ball, 0, 0.5))) == doctest::Approx(v * (1 - 0.125)));
-  CHECK(volume_of(both(ball, moved(turned(ball), 5, 1))) == doctest::Approx(2 * v));
+  CHECK(volume_of(test::both(ball, moved(ball, 0, 0.5))) == doctest::Approx(v * (1 - 0.125)));
+  CHECK(volume_of(test::both(ball, moved(turned(ball), 5, 1))) == doctest::Approx(2 * v));
 
   Surface two_sided = ball;
   const Surface back = turned(ball);

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -12,11 +13,13 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "mesh/formats/byte_order.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_writer.h"
 #include "mesh/surface.h"
@@ -99,6 +102,55 @@ inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = fal
   }
   mesh::triangulate(s);
   return s;
+}
+
+/// Places and directions at random.
+class Random {
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  Point vector(double size) {
+    std::uniform_real_distribution<double> number(-size, size);
+    return {number(engine_), number(engine_), number(engine_)};
+  }
+  std::vector<Point> vectors(std::size_t count, double size) {
+    std::vector<Point> all(count);
+    for (Point& p : all) p = vector(size);
+    return all;
+  }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+/// The triangles of both.
+inline Surface both(Surface a, const Surface& b) {
+  const auto shift = static_cast<std::uint32_t>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (const auto& [i, j, k] : b.triangles) a.triangles.push_back({i + shift, j + shift, k + shift});
+  return mesh::from_triangles(a.positions, a.triangles);
+}
+
+/// Puts the bytes of a number behind others.
+template <class T>
+void append(std::string& bytes, T value, std::endian order = std::endian::little) {
+  const auto raw = mesh::bytes_of_number(value, order);
+  bytes.append(raw.data(), raw.size());
+}
+
+/// A binary STL; of_facet gives the two bytes behind each.
+template <class OfFacet>
+std::string binary_stl(const Surface& s, std::string head, const OfFacet& of_facet) {
+  head.resize(80, ' ');
+  append(head, static_cast<std::uint32_t>(s.triangles.size()));
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    head.append(12, '\0');
+    for (const auto v : s.triangles[t]) {
+      for (const double x : s.positions[v]) append(head, static_cast<float>(x));
+    }
+    append(head, static_cast<std::uint16_t>(of_facet(t)));
+  }
+  return head;
 }
 
 /// Every position times scale, plus offset in all three directions.

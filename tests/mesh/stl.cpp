@@ -13,23 +13,8 @@ using viete::test::holds;
 
 namespace {
 
-void put_word(std::string& out, std::uint32_t value) {
-  for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> 8 * i & 255);
-}
-
 std::string binary_stl(const Surface& s, const std::string& title) {
-  std::string out = title;
-  out.resize(80);
-  put_word(out, static_cast<std::uint32_t>(s.triangles.size()));
-  for (const Triangle& t : s.triangles) {
-    out.append(12, '\0');
-    for (const auto v : t) {
-      for (const double x : s.positions[v])
-        put_word(out, std::bit_cast<std::uint32_t>(static_cast<float>(x)));
-    }
-    out.append(2, '\x7f');
-  }
-  return out;
+  return test::binary_stl(s, title, [](std::size_t) { return 0x7f7f; });
 }
 
 const std::string facet =
@@ -107,8 +92,7 @@ std::string with_attributes(const Surface& s, const std::vector<std::uint16_t>& 
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const std::uint16_t size = sizes[t % sizes.size()];
     out += plain.substr(84 + 50 * t, 48);
-    out += static_cast<char>(size & 255);
-    out += static_cast<char>(size >> 8);
+    test::append(out, size);
     out.append(size, '\x5a');
   }
   return out;
@@ -154,13 +138,13 @@ TEST_CASE("stl_a_normal_that_is_no_direction_becomes_the_triangles_where_it_move
   for (const float bad : {-INFINITY, INFINITY, NAN}) {
     std::string bytes = binary_stl(from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}), "a");
     std::string number;
-    put_word(number, std::bit_cast<std::uint32_t>(bad));
+    test::append(number, bad);
     bytes.replace(92, 4, number);
     const ReadResult r = test::read_kept(bytes, "stl");
     CHECK(test::written_again(r, r.surface.positions) == bytes);
     const std::string written = test::written_again(r, moved);
-    CHECK(stl_float(&written[84]) == 0);
-    CHECK(stl_float(&written[88]) == -1);
-    CHECK(stl_float(&written[92]) == 0);
+    CHECK(number_of_bytes<float>(&written[84]) == 0);
+    CHECK(number_of_bytes<float>(&written[88]) == -1);
+    CHECK(number_of_bytes<float>(&written[92]) == 0);
   }
 }

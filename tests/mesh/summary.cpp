@@ -94,11 +94,7 @@ TEST_CASE("a_fin_makes_its_edge_nonmanifold") {
 }
 
 TEST_CASE("parts_are_counted_and_unused_vertices_are_none") {
-  Surface a = test::sphere(1);
-  const Surface b = test::moved(test::cube(), 0.1, 10);
-  const auto shift = static_cast<std::uint32_t>(a.positions.size());
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  Surface a = test::both(test::sphere(1), test::moved(test::cube(), 0.1, 10));
   a.positions.push_back({5, 5, 5});
   const Summary f = summarize(a);
   CHECK(f.parts == 2);

@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <random>
+
 #include "mesh/shapes.h"
 #include "mesh/triangulation.h"
+#include "mesh/vector.h"
 
 using namespace viete;
 using namespace viete::mesh;
@@ -73,4 +76,26 @@ TEST_CASE("the_size_of_a_surface_is_a_box_s_diagonal_and_turns_with_it") {
   points.polygon_starts = {0, 3};
   triangulate(points);
   CHECK(used_size(points) == doctest::Approx(2e100 * std::sqrt(10.0) / 3).epsilon(1e-14));
+}
+
+TEST_CASE("cross_products_of_swapped_vectors_are_opposite_to_the_last_bit") {
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int n = 0; n < 1000; ++n) {
+    const Vec3 a{number(engine), number(engine), number(engine)};
+    const Vec3 b{number(engine), number(engine), number(engine)};
+    CHECK(cross(a, b) == -1.0 * cross(b, a));
+  }
+}
+
+TEST_CASE("cross_product_is_right_handed") {
+  CHECK(cross({1, 0, 0}, {0, 1, 0}) == Vec3{0, 0, 1});
+}
+
+TEST_CASE("lengths_of_any_scale_are_measured") {
+  for (const double scale : {1e-300, 1.0, 1e300}) {
+    CHECK(stable_norm({2 * scale, -3 * scale, 6 * scale}) == doctest::Approx(7 * scale));
+    CHECK(largest_abs({2 * scale, -3 * scale, 1 * scale}) == 3 * scale);
+  }
+  CHECK(norm({2, -3, 6}) == 7);
 }

@@ -2,24 +2,16 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
+#include "mesh/shapes.h"
+
+using namespace viete;
 using namespace viete::mesh;
 
 namespace {
-
-class Random {
-public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-
-  Vec3 vector(double size) {
-    std::uniform_real_distribution<double> number(-size, size);
-    return {number(engine_), number(engine_), number(engine_)};
-  }
-
-private:
-  std::mt19937_64 engine_;
-};
 
 Vec3 point(const Closest& c, const Vec3& a, const Vec3& b, const Vec3& d) {
   return c.barycentric[0] * a + c.barycentric[1] * b + c.barycentric[2] * d;
@@ -41,7 +33,7 @@ double sampled(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 TEST_CASE("distance_agrees_with_a_sampled_triangle_on_both_sides") {
-  Random random(2);
+  test::Random random(2);
   for (int n = 0; n < 200; ++n) {
     const Vec3 a = random.vector(1), b = random.vector(1), c = random.vector(1), p = random.vector(2);
     const Closest closest = closest_on_triangle(p, a, b, c);
@@ -53,7 +45,7 @@ TEST_CASE("distance_agrees_with_a_sampled_triangle_on_both_sides") {
 }
 
 TEST_CASE("barycentric_coordinates_are_inside_and_sum_to_one") {
-  Random random(3);
+  test::Random random(3);
   for (int n = 0; n < 1000; ++n) {
     const auto w = closest_on_triangle(random.vector(2), random.vector(1), random.vector(1), random.vector(1))
                        .barycentric;
@@ -91,7 +83,7 @@ TEST_CASE("a_triangle_without_area_is_a_segment_or_a_point") {
 }
 
 TEST_CASE("distance_scales_with_the_scene_from_1e-30_to_1e30") {
-  Random random(4);
+  test::Random random(4);
   for (const double s : {1e-30, 1e-10, 1e10, 1e30}) {
     for (int n = 0; n < 50; ++n) {
       const Vec3 a = random.vector(1), b = random.vector(1), c = random.vector(1), p = random.vector(2);
@@ -112,4 +104,172 @@ TEST_CASE("a_triangle_has_area_unless_rounding_is_all_it_has_at_every_scale") {
     CHECK_FALSE(has_area(a, b, b));
     CHECK_FALSE(has_area(b, b, b));
   }
+}
+
+namespace {
+
+// Six times the volume, of whole numbers below 2^20.
+__int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
+  __int128 m[3][3];
+  for (int k = 0; k < 3; ++k) {
+    m[0][k] = static_cast<__int128>(b[k]) - static_cast<__int128>(a[k]);
+    m[1][k] = static_cast<__int128>(c[k]) - static_cast<__int128>(a[k]);
+    m[2][k] = static_cast<__int128>(d[k]) - static_cast<__int128>(a[k]);
+  }
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+}  // namespace
+
+TEST_CASE("a_point_is_above_below_or_in_the_plane_of_a_triangle") {
+  const Point a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
+  CHECK(orientation(a, b, c, {0.2, 0.2, 1e-60}) == 1);
+  CHECK(orientation(a, b, c, {0.2, 0.2, -1e-60}) == -1);
+  CHECK(orientation(a, b, c, {7, -3, 0}) == 0);
+  CHECK(orientation(b, a, c, {0, 0, 1}) == -1);
+}
+
+TEST_CASE("the_sign_is_exact_for_almost_coplanar_points") {
+  std::mt19937_64 random(3);
+  std::uniform_int_distribution<int> small(-3, 3), large(-(1 << 19), 1 << 19);
+  int zeros = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // Points of a plane spanned by two large directions, one of them off by at most one unit.
+    Point a, u, v, b, c, d;
+    const int s = small(random), t = small(random);
+    for (int k = 0; k < 3; ++k) {
+      a[k] = large(random) / 16;
+      u[k] = large(random) / 16;
+      v[k] = large(random) / 16;
+      b[k] = a[k] + u[k];
+      c[k] = a[k] + v[k];
+      d[k] = a[k] + s * u[k] + t * v[k];
+    }
+    d[static_cast<std::size_t>(i % 3)] += small(random) / 3;
+    const auto volume = volume_of(a, b, c, d);
+    const int expected = (volume > 0) - (volume < 0);
+    zeros += expected == 0;
+    CHECK(orientation(a, b, c, d) == expected);
+    CHECK(orientation(b, a, c, d) == -expected);
+    CHECK(orientation(b, c, d, a) == -expected);
+  }
+  CHECK(zeros > 5000);
+}
+
+TEST_CASE("the_sign_is_exact_where_rounding_alone_decides") {
+  // Halfway between neighbours of 0.5: the determinant is one product of two ulps.
+  const double e = 0x1p-53;
+  for (int i = -8; i <= 8; ++i) {
+    for (int j = -8; j <= 8; ++j) {
+      const Point2 p{0.5 + i * e, 0.5 + j * e}, q{12, 12}, r{24, 24};
+      CHECK(orientation(p, q, r) == (i < j) - (i > j));
+      CHECK(orientation(Point{p[0], p[1], 0}, Point{12, 12, 0}, Point{24, 24, 0}, Point{1, 1, 1}) ==
+            (i < j) - (i > j));
+    }
+  }
+}
+
+namespace {
+
+std::mt19937_64 pair_engine(5);
+
+// On a coarse lattice, so that touching, common edges and common planes are frequent.
+Corners lattice_triangle(int size) {
+  std::uniform_int_distribution<int> number(0, size);
+  Corners t;
+  for (Point& p : t) p = {1.0 * number(pair_engine), 1.0 * number(pair_engine), 1.0 * number(pair_engine)};
+  return t;
+}
+
+// The least distance of places on both, of a fine grid.
+double sampled_distance(const Corners& s, const Corners& t) {
+  constexpr int n = 12;
+  double least = HUGE_VAL;
+  const auto place = [](const Corners& c, int i, int j) {
+    const double u = i / double(n), v = j / double(n);
+    return (1 - u - v) * c[0] + u * c[1] + v * c[2];
+  };
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; i + j <= n; ++j) {
+      for (int k = 0; k <= n; ++k) {
+        for (int l = 0; k + l <= n; ++l) least = std::min(least, norm(place(s, i, j) - place(t, k, l)));
+      }
+    }
+  }
+  return least;
+}
+
+// In whole numbers, by the definition: the interiors of the two have a point in common which is no common
+// border. Told by moving towards each other's middle: enough for what does not lie in one plane.
+bool segment_through(const Point& p, const Point& q, const Corners& t) {
+  const auto a = volume_of(t[0], t[1], t[2], p), b = volume_of(t[0], t[1], t[2], q);
+  if ((a > 0) == (b > 0) || a == 0 || b == 0) return false;
+  const auto u = volume_of(p, q, t[0], t[1]), v = volume_of(p, q, t[1], t[2]),
+             w = volume_of(p, q, t[2], t[0]);
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+bool in_one_plane(const Corners& s, const Corners& t) {
+  return std::ranges::all_of(t, [&](const Point& p) { return volume_of(s[0], s[1], s[2], p) == 0; });
+}
+
+}  // namespace
+
+TEST_CASE("triangles_on_a_lattice_cross_as_whole_numbers_say") {
+  int crossing = 0, apart = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Corners s = lattice_triangle(3), t = lattice_triangle(3);
+    if (!has_plane(s) || !has_plane(t) || in_one_plane(s, t)) continue;
+    bool expected = false;
+    for (std::size_t k = 0; k < 3; ++k)
+      expected =
+          expected || segment_through(s[k], s[(k + 1) % 3], t) || segment_through(t[k], t[(k + 1) % 3], s);
+    CHECK(intersect(s, t) == expected);
+    CHECK(intersect(t, s) == expected);
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(crosses(s[k], s[(k + 1) % 3], t) == segment_through(s[k], s[(k + 1) % 3], t));
+    ++(expected ? crossing : apart);
+  }
+  CHECK(crossing > 1000);
+  CHECK(apart > 1000);
+}
+
+TEST_CASE("triangles_in_one_plane_cross_where_they_overlap_and_not_where_they_touch") {
+  const Corners t = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}};
+  CHECK(intersect(t, {{{1, 1, 1}, {9, 1, 1}, {1, 9, 1}}}));
+  CHECK(intersect(t, {{{1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}}}));  // within
+  CHECK(intersect(t, t));
+  CHECK_FALSE(intersect(t, {{{4, 0, 1}, {0, 4, 1}, {4, 4, 1}}}));    // a common edge
+  CHECK_FALSE(intersect(t, {{{2, 0, 1}, {6, 0, 1}, {4, -4, 1}}}));   // a part of one
+  CHECK_FALSE(intersect(t, {{{0, 0, 1}, {-1, 0, 1}, {0, -1, 1}}}));  // a common corner
+  CHECK_FALSE(intersect(t, {{{1, 1, 2}, {9, 1, 2}, {1, 9, 2}}}));
+}
+
+TEST_CASE("a_triangle_without_area_has_no_plane") {
+  CHECK_FALSE(has_plane({{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}}));
+  CHECK_FALSE(has_plane({{{1, 2, 3}, {1, 2, 3}, {0, 0, 0}}}));
+  CHECK(has_plane({{{0, 0, 0}, {1, 1, 1}, {3, 3, std::nextafter(3.0, 4.0)}}}));
+}
+
+TEST_CASE("distances_between_triangles_are_those_of_their_nearest_places") {
+  for (int i = 0; i < 400; ++i) {
+    const Corners s = lattice_triangle(4);
+    Corners t = lattice_triangle(4);
+    if (i % 2) {
+      for (Point& p : t) p[0] += 5;
+    }
+    const double distance = std::sqrt(squared_distance(s, t)), sampled = sampled_distance(s, t);
+    CHECK(distance <= sampled + 1e-12);
+    CHECK(distance > sampled - 1.0);  // the grid's cells are at most that wide together
+    CHECK(squared_distance(t, s) == doctest::Approx(distance * distance).epsilon(1e-12));
+    if (has_plane(s) && has_plane(t) && intersect(s, t)) CHECK(distance == 0);
+  }
+  const Corners t = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  CHECK(squared_distance(t, {{{0.2, 0.2, 2}, {5, 5, 9}, {5, 6, 9}}}) == 4);
+  CHECK(squared_distance(t, {{{3, 0, 0}, {3, 0, 0}, {3, 0, 0}}}) == 4);               // a point
+  CHECK(squared_distance(t, {{{0.5, -1, 1}, {0.5, 2, 1}, {0.5, 0, 1}}}) == 1);        // a segment above
+  CHECK(squared_distance(t, {{{0.3, 0.3, 1}, {0.3, 0.3, -1}, {0.3, 0.3, 9}}}) == 0);  // one through it
+  CHECK(squared_distance({{{0.3, 0.3, 1}, {0.3, 0.3, -1}, {0.3, 0.3, 9}}}, t) == 0);
 }

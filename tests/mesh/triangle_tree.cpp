@@ -16,14 +16,9 @@ using namespace viete::mesh;
 
 namespace {
 
-class TreeCase {
-public:
-  explicit TreeCase(unsigned seed) : engine_(seed) {}
+struct TreeCase : test::Random {
+  using Random::Random;
 
-  Vec3 vector(double size) {
-    std::uniform_real_distribution<double> number(-size, size);
-    return {number(engine_), number(engine_), number(engine_)};
-  }
   Corners triangle(double size) {
     const Point p = vector(1);
     return {p, p + vector(size), p + vector(size)};
@@ -42,9 +37,6 @@ public:
     }
     return from_triangles(points, triangles);
   }
-
-private:
-  std::mt19937_64 engine_;
 };
 
 Corners at(const Surface& s, std::size_t t) {

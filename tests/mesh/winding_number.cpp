@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <random>
-
 #include "mesh/shapes.h"
 
 using namespace viete;
@@ -37,14 +35,6 @@ double winding_number(const Surface& s, const Point& p) {
   return number;
 }
 
-std::vector<Point> random_points(std::size_t count, double size) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> uniform(-size, size);
-  std::vector<Point> points(count);
-  for (Point& p : points) p = {uniform(random), uniform(random), uniform(random)};
-  return points;
-}
-
 }  // namespace
 
 TEST_CASE("a_closed_surface_winds_once_around_the_inside_and_not_around_the_outside") {
@@ -63,7 +53,7 @@ TEST_CASE("winding_numbers_agree_with_a_sum_of_arc_tangents") {
   for (const Triangle t : test::sphere(2).triangles) twice.triangles.push_back(t);
   for (Triangle& t : inside_out.triangles) std::swap(t[1], t[2]);
   for (const Surface& s : {test::sphere(3), test::torus(20, 10), open, twice, inside_out}) {
-    const auto points = random_points(203, 3);
+    const auto points = test::Random(7).vectors(203, 3);
     std::vector<double> numbers(points.size());
     winding_numbers(s, points, numbers);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -75,7 +65,7 @@ TEST_CASE("winding_numbers_agree_with_a_sum_of_arc_tangents") {
 
 TEST_CASE("winding_numbers_are_the_same_for_any_number_of_threads") {
   const Surface s = test::torus(20, 10);
-  const auto points = random_points(3000, 3);
+  const auto points = test::Random(7).vectors(3000, 3);
   std::vector<double> alone(points.size()), shared(points.size());
   winding_numbers(s, points, alone);
   base::WorkerPool pool(3);
@@ -85,7 +75,7 @@ TEST_CASE("winding_numbers_are_the_same_for_any_number_of_threads") {
 }
 
 TEST_CASE("points_outside_are_those_beyond_the_cage") {
-  const auto points = random_points(2000, 1.5);
+  const auto points = test::Random(7).vectors(2000, 1.5);
   Surface cage = test::cube();
   for (int orientation = 0; orientation < 2; ++orientation) {
     const auto outside = points_outside(cage, points);

@@ -88,22 +88,6 @@ TEST_CASE("nothing_is_not_written") {
   }
 }
 
-TEST_CASE("other_positions_take_the_place_of_the_surfaces_own") {
-  const test::TemporaryFolder folder;
-  const Surface s = awkward(1);
-  auto positions = s.positions;
-  for (Point& p : positions) p[1] += 1.0 / 7;
-  for (const char* name : {"a.obj", "a.ply", "a.off"}) {
-    write(folder / name, s, positions, {"a comment"});
-    const ReadResult r = read(folder / name);
-    CHECK(r.surface.positions == positions);
-    CHECK(r.surface.corners == s.corners);
-    CHECK(r.comments == std::vector<std::string>{"a comment"});
-  }
-  write(folder / "a.stl", s, positions);
-  CHECK(read(folder / "a.stl").surface.positions[0] == positions[s.corners[0]]);
-}
-
 TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them") {
   const Surface s = test::sphere(7);
   for (const auto format : {write_obj, write_ply, write_off, write_stl}) {
@@ -196,17 +180,4 @@ TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
     write(folder / name, s, largest);
     CHECK(read(folder / name).surface.positions.size() == s.positions.size());
   }
-}
-
-TEST_CASE("an_unknown_extension_is_refused_with_the_known_ones") {
-  const test::TemporaryFolder folder;
-  try {
-    write(folder / "a.fbx", test::cube());
-    FAIL("written");
-  } catch (const base::Error& error) {
-    CHECK(error.problem() == "unknown extension .fbx");
-    CHECK(error.advice() == "use .obj, .ply, .off, .stl, .glb or .gltf");
-  }
-  CHECK_THROWS_AS(write(folder / "none", test::cube()), base::Error);
-  CHECK(folder.entries() == 0);
 }

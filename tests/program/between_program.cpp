@@ -5,6 +5,7 @@
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
+#include "mesh/morph_keys.h"
 #include "program/command_line.h"
 #include "scene/document/pose_edit.h"
 #include "scene/files.h"
@@ -172,8 +173,8 @@ TEST_CASE("shapes_are_mixed_by_weights_below_0_and_beyond_1") {
 TEST_CASE("a_shape_of_a_file_that_holds_several_is_named_behind_a_colon") {
   const ShapeFiles f;
   const Points smile = f.shape(20, 0.5), frown = f.shape(-30);
-  mesh::write_animated(f / "face.glb", {f.cube, f.cube.positions, {}}, nullptr,
-                       mesh::MorphAnimation{"", {{0, "smile", smile}, {1, "a:b=c", frown}}});
+  test::write_morphs(f / "face.glb", {f.cube, f.cube.positions, {}}, nullptr,
+                     test::MorphAnimation{"", {{0, "smile", smile}, {1, "a:b=c", frown}}});
   f.done("mix rest.obj --shape face.glb:smile=1 -o m.ply");
   CHECK(distance(f.read("m.ply"), smile) < 1e-6);
   f.done("mix rest.obj --shape face.glb:a:b=c=1 -o m.ply");

@@ -162,7 +162,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
 
 namespace {
 
-// A sheet with a picture on it, in a GLB, in a box whose right end was pulled forward.
+// A sheet with a picture on it, in a box whose right end was pulled forward.
 void open_bent_sheet(Driver& d, const fs::path& folder) {
   render::Image image{64, 64, {}};
   for (int y = 0; y < 64; ++y) {
@@ -191,11 +191,11 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   }
   sheet = mesh::from_triangles(sheet.positions, triangles);
   attributes.corner_texture = sheet.corners;
-  attributes.groups = {{0, "", "", 0, true}};
-  attributes.materials = {{.name = "print", .base_color = {1, 1, 1, 1}, .base_color_image = 0}};
   render::write_png(folder / "print.png", image);
-  attributes.images = {{folder / "print.png", nullptr, ""}};
-  mesh::write(folder / "sheet.glb", mesh::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
+  mesh::write(folder / "sheet.obj", mesh::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
+  test::put_file(folder / "sheet.obj",
+                 "mtllib sheet.mtl\nusemtl print\n" + test::file_bytes(folder / "sheet.obj"));
+  test::put_file(folder / "sheet.mtl", "newmtl print\nKd 1 1 1\nmap_Kd print.png\n");
   mesh::Surface box;
   for (int i = 0; i < 12; ++i)
     box.positions.push_back({-0.2 + 1.2 * (i % 3), i < 6 ? 1.2 : -0.2, i / 3 % 2 ? 0.5 : -0.4});
@@ -206,7 +206,7 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   mesh::write(folder / "box.obj", box);
   for (const std::size_t v : {2, 5, 8, 11}) box.positions[v][0] -= 0.3, box.positions[v][2] += 0.9;
   mesh::write(folder / "bent.obj", box);
-  REQUIRE(d.open({folder / "sheet.glb", folder / "box.obj", folder / "bent.obj"}));
+  REQUIRE(d.open({folder / "sheet.obj", folder / "box.obj", folder / "bent.obj"}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "deform/pose_io.h"
 #include "mesh/formats/point_cache.h"
+#include "mesh/morph_keys.h"
 #include "scene/animated_cube.h"
 #include "scene/document/edit.h"
 #include "scene/files/animation_export.h"
@@ -25,15 +26,12 @@ struct CageMotion : test::AnimatedCube {
   void write(const fs::path& file) const {
     std::vector<std::vector<mesh::Point>> frames;
     for (int frame = 1; frame <= 17; ++frame) frames.push_back(pose(frame).cage.positions);
-    mesh::MorphAnimation animation;
+    test::MorphAnimation animation;
     for (std::size_t i = 0; i < frames.size(); ++i)
       animation.keys.push_back({static_cast<double>(i) / 24, "frame " + std::to_string(i + 1), frames[i]});
     const auto format = mesh::point_cache_format(file);
-    if (!format) {
-      mesh::write_animated(file, {document.cage->surface, document.cage->surface.positions, {}}, nullptr,
-                           animation);
-      return;
-    }
+    const mesh::Surface& cage = document.cage->surface;
+    if (!format) return void(test::write_morphs(file, {cage, cage.positions, {}}, nullptr, animation));
     mesh::PointCacheHead head{*format, 8, frames.size(), 1, 1};
     for (const auto& key : animation.keys) head.seconds.push_back(static_cast<float>(key.seconds));
     std::vector<float> numbers;

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
+#include "mesh/morph_keys.h"
 #include "scene/files.h"
 #include "scene/posed_cube.h"
 #include "support/text.h"
@@ -186,8 +187,8 @@ TEST_CASE("a_point_cache_is_a_shape_a_frame") {
 TEST_CASE("morph_targets_are_shapes_of_their_names") {
   const ShapeFiles f;
   const Points smile = f.moved(10), frown = f.moved(-20);
-  mesh::write_animated(f / "face.glb", {f.model, f.model.positions, {}}, nullptr,
-                       mesh::MorphAnimation{"", {{0, "smile", smile}, {1, "frown", frown}}});
+  test::write_morphs(f / "face.glb", {f.model, f.model.positions, {}}, nullptr,
+                     test::MorphAnimation{"", {{0, "smile", smile}, {1, "frown", frown}}});
   const ImportedShapes read = f.read("face.glb");
   CHECK(read.warnings.empty());
   REQUIRE(read.shapes.size() == 2);
@@ -195,8 +196,8 @@ TEST_CASE("morph_targets_are_shapes_of_their_names") {
   CHECK(read.shapes[1].name == "frown");
   CHECK(distance(*read.shapes[0].shape, smile) < 1e-6);
   CHECK(distance(*read.shapes[1].shape, frown) < 1e-6);
-  mesh::write_animated(f / "moved.glb", {f.model, smile, {}}, nullptr,
-                       mesh::MorphAnimation{"", {{0, "frown", frown}}});
+  test::write_morphs(f / "moved.glb", {f.model, smile, {}}, nullptr,
+                     test::MorphAnimation{"", {{0, "frown", frown}}});
   CHECK(mentions(f.problem("moved.glb"), "at rest it is not the model"));
 }
 

@@ -18,6 +18,9 @@ namespace viete::mesh {
 using Vec2 = std::array<double, 2>;
 using Color = std::array<float, 4>;  ///< red, green, blue, opacity in [0, 1], as the file has them (sRGB)
 
+/// Larger files are no images of a model, whatever it says.
+inline constexpr std::size_t most_image_bytes = std::size_t{1} << 29;
+
 /// A picture as it is stored: beside the model, or within its file. Decoded only by who shows it.
 struct ImageFile {
   std::filesystem::path path;  ///< where it lies, as the model names it made absolute; empty: within

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "mesh/formats/read_result.h"
+#include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_writer.h"
 
@@ -17,12 +17,8 @@ enum What : unsigned {
   texture_points = 1 << 2,
   colors = 1 << 3,
   polygon_colors = 1 << 4,
-  normals = 1 << 5,         ///< one of each vertex at least,
-  corner_normals = 1 << 6,  ///< and several
-  objects = 1 << 7,         ///< and groups within them:
-  groups = 1 << 8,
-  materials = 1 << 9,
-  textures = 1 << 10
+  normals = 1 << 5,        ///< one of each vertex at least,
+  corner_normals = 1 << 6  ///< and several
 };
 }  // namespace held
 
@@ -42,7 +38,6 @@ struct Format {
   bool is_sequence = false;  ///< positions alone, frame after frame
   char up = 0;               ///< the axis that files of it agree on: 'y' or 'z'; 0: none
   bool in_metres = false;
-  enum class Images { none, within, beside } images = Images::none;
   unsigned all_held = 0;  ///< of held::What
 
   constexpr bool holds(held::What what) const { return (all_held & what) != 0; }

@@ -27,9 +27,7 @@ constexpr Format gltf_as(std::string_view extension, void (*write)(const Content
           .holds_morphs = true,
           .up = 'y',
           .in_metres = true,
-          .images = Format::Images::within,
-          .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals | objects |
-                      materials | textures};
+          .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals};
 }
 
 // "a, b or c", each once.
@@ -57,9 +55,7 @@ std::span<const Format> all_formats() {
        .is_certain = is_certainly_obj,
        .write = write_obj,
        .keeps_order = true,
-       .images = Format::Images::beside,
-       .all_held = polygons | points | texture_points | colors | normals | corner_normals | objects | groups |
-                   materials | textures},
+       .all_held = polygons | points | texture_points | colors | normals | corner_normals},
       {.extension = "ply",
        .name = "PLY",
        .read = read_ply,
@@ -67,8 +63,7 @@ std::span<const Format> all_formats() {
        .is_certain = is_certainly_ply,
        .write = write_ply,
        .keeps_order = true,
-       .images = Format::Images::beside,
-       .all_held = polygons | points | texture_points | colors | polygon_colors | normals | textures},
+       .all_held = polygons | points | texture_points | colors | polygon_colors | normals},
       {.extension = "off",
        .name = "OFF",
        .read = read_off,

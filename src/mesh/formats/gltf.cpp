@@ -14,8 +14,8 @@
 #include "mesh/formats/gltf_morphs.h"
 #include "mesh/formats/gltf_original.h"
 #include "mesh/formats/gltf_scene.h"
+#include "mesh/formats/printed.h"
 #include "mesh/formats/surface_builder.h"
-#include "mesh/formats/written_positions.h"
 #include "mesh/repair.h"
 
 namespace viete::mesh {

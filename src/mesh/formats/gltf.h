@@ -1,7 +1,7 @@
 // glTF 2.0: text with its buffers, and GLB.
 #pragma once
 
-#include "mesh/formats/read_result.h"
+#include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_writer.h"
 

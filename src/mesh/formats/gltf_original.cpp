@@ -11,8 +11,6 @@
 #include "mesh/formats/gltf_beyond.h"
 #include "mesh/formats/gltf_morphs.h"
 #include "mesh/formats/gltf_output.h"
-#include "mesh/formats/gltf_rewriter.h"
-#include "mesh/formats/image_files.h"
 
 namespace viete::mesh {
 
@@ -20,18 +18,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
+template <class Is>
+bool any_primitive(const GltfJson& document, const Is& is) {
+  for (const GltfJson& mesh : list_of(document, "meshes")) {
+    const GltfJson& all = list_of(mesh, "primitives");
+    if (std::any_of(all.begin(), all.end(), is)) return true;
+  }
+  return false;
+}
+
 class GltfOriginal final : public Original {
 public:
   GltfOriginal(const Source& source, GltfFile file, GltfMap map)
-      : Original("glTF"),
-        owner_(source.owner),
-        bytes_(source.owner ? source.bytes : std::string_view()),
+      : Original("glTF", source),
         shared_file_(std::make_shared<const GltfFile>(std::move(file))),
         shared_map_(std::make_shared<const GltfMap>(std::move(map))),
         file_(*shared_file_),
         map_(*shared_map_) {}
 
-  std::vector<std::string> beyond_attributes() const override { return mesh::beyond_attributes(file_); }
+  std::vector<std::string> beyond_attributes() const override {
+    const GltfJson& document = file_.document;
+    std::vector<std::string> found;
+    for (const char* key : {"animations", "skins", "cameras"}) {
+      if (!list_of(document, key).empty()) found.emplace_back(key);
+    }
+    const auto add = [&](const char* what, const auto& is) {
+      if (any_primitive(document, is)) found.emplace_back(what);
+    };
+    add("morph targets", [](const GltfJson& p) { return !list_of(p, "targets").empty(); });
+    add("tangents", [](const GltfJson& p) { return accessor_of(p, "TANGENT") >= 0; });
+    add("second texture coordinates", [](const GltfJson& p) { return accessor_of(p, "TEXCOORD_1") >= 0; });
+    add("points and lines", [](const GltfJson& p) {
+      const auto mode = count_of(p, "mode");
+      return mode && *mode < 4;
+    });
+    return found;
+  }
 
   std::vector<fs::path> files_beside() const override {
     std::vector<fs::path> files;
@@ -143,10 +165,13 @@ private:
     for (std::size_t i = 0; i < file_.images.size(); ++i) {
       const GltfImage& image = file_.images[i];
       if (image.uri.empty() || image.file.path.empty()) continue;
-      result.document["images"][i]["uri"] = encoded_uri(way_to(image.file.path, to).generic_string());
+      const fs::path way = (folder_of(image.file.path) / image.file.path.filename()).lexically_relative(to);
+      result.document["images"][i]["uri"] = encoded_uri(way.generic_string());
       ++led;
     }
-    if (led > 0) result.notes.push_back(stayed_note(base::counted(led, "image"), path));
+    if (led > 0)
+      result.notes.push_back(base::counted(led, "image") + " stayed where the model was read from, and " +
+                             path.filename().string() + " leads there: move them together");
   }
 
   // "out.bin", or with a number where this is taken: also by another buffer of the same file.
@@ -171,8 +196,6 @@ private:
     return older.view().find('"' + encoded_uri(buffer.filename().string()) + '"') != std::string_view::npos;
   }
 
-  std::shared_ptr<const void> owner_;
-  std::string_view bytes_;
   std::shared_ptr<const GltfFile> shared_file_;
   std::shared_ptr<const GltfMap> shared_map_;
   const GltfFile& file_;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "mesh/formats/gltf_file.h"
 #include "mesh/formats/gltf_scene.h"
@@ -16,5 +19,20 @@ namespace viete::mesh {
 /// images beside stay where they are.
 /// At rest it is the bytes of `source`, as far as these outlive the reading.
 std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map);
+
+/// The file with other positions, before it is put into one form or the other.
+struct GltfRewritten {
+  GltfJson document;  ///< buffers still have the addresses and lengths of the file
+  std::vector<std::string> buffers;
+  std::vector<std::string> notes;  ///< what a person should know, one line each
+};
+
+/// Everything of the file, but for positions that differ from those of `rest`, and normals and tangents that
+/// follow them: where they lie if nothing else in the file shares them, otherwise in new accessors.
+/// motion, if there is one, comes behind the file's own, and its targets behind those of the file.
+/// progress may be null. Throws base::Error and base::Cancelled.
+GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const Surface& rest,
+                             std::span<const Point> positions, const MorphMotion* motion = nullptr,
+                             base::Progress* progress = nullptr);
 
 }  // namespace viete::mesh

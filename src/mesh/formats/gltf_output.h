@@ -9,10 +9,9 @@
 
 namespace viete::mesh {
 
-/// A node with a mesh for each object, see objects_of(), and in it a primitive for each material, positions
-/// in float; materials with their base colour and its image (if its bytes are there, and PNG or JPEG),
-/// texture points, normals, colours. A smooth group without normals gets computed ones, a flat one none,
-/// which is how glTF says so. Polygons become triangles. Throws base::Error past 4 GB, which GLB cannot hold.
+/// One node with a mesh of one primitive, positions in float; texture points, normals, colours. A surface
+/// without normals gets computed ones, one that is_flat() none, which is how glTF says so. Polygons become
+/// triangles. Throws base::Error past 4 GB, which GLB cannot hold.
 void write_glb(const Content& content, TextWriter& out);
 
 /// The same as text with all bytes in it.

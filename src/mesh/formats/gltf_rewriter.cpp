@@ -1,4 +1,3 @@
-#include "mesh/formats/gltf_rewriter.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +12,9 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/gltf_accessors.h"
-#include "mesh/formats/gltf_morph_output.h"
 #include "mesh/formats/gltf_morphs.h"
-#include "mesh/formats/gltf_sharing.h"
-#include "mesh/formats/written_positions.h"
+#include "mesh/formats/gltf_original.h"
+#include "mesh/formats/printed.h"
 #include "mesh/normals.h"
 
 namespace viete::mesh {
@@ -239,22 +237,16 @@ private:
     if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation is written"));
     const std::size_t own = list_of(document_, "animations").size();
     GltfMorphs out(document_, buffers_.front());
-    std::vector<std::size_t> nodes, before;
-    for (const MorphedPiece& p : pieces) {
-      if (!nodes.empty() && nodes.back() == p.vertices.node) continue;
-      nodes.push_back(p.vertices.node);
-      before.push_back(out.targets_before(p.vertices.node));
-    }
-    const std::size_t count = motion.targets.size();
+    std::vector<std::size_t> nodes;
     std::size_t floats = 0;
-    for (const auto& [piece, inverse, vertices] : pieces)
+    for (const auto& [piece, inverse, vertices] : pieces) {
+      if (nodes.empty() || nodes.back() != vertices.node) nodes.push_back(vertices.node);
       floats += vertices.positions.size() + vertices.normals.size() + vertices.tangents.size();
-    buffers_.front().reserve(buffers_.front().size() + count * floats * sizeof(float));
-    for (std::size_t t = 0; t < count; ++t) {
-      if (progress) progress->report(0.9 * static_cast<double>(t) / static_cast<double>(count));
-      add_target(out, pieces, motion.positions(t), motion.normals);
     }
-    out.finish(motion, nodes, before, [&](int output) { return accessors_.numbers(output, 1); });
+    out.add(
+        motion, nodes, floats, progress,
+        [&](const std::vector<Point>& now) { add_target(out, pieces, now, motion.normals); },
+        [&](int output) { return accessors_.numbers(output, 1); });
     if (own > 0)
       notes_.push_back(base::counted(own, "animation") + " of the file " + (own == 1 ? "stays" : "stay") +
                        " beside that which is new");
@@ -328,7 +320,9 @@ private:
                     components * sizeof(float));
     }
     for (Json* primitive : primitives) (*primitive)["attributes"][attribute] = to;
-    set_bounds(document_["accessors"][to], components, values, *attribute == 'P');
+    Json& json = document_["accessors"][to];  // positions must have bounds, of others they are only corrected
+    if (*attribute == 'P' || json.contains("min") || json.contains("max"))
+      set_gltf_bounds(json, values, components);
   }
 
   using Vertices = std::array<int, 4>;  // a mesh, and accessors of positions, normals and tangents
@@ -362,35 +356,16 @@ private:
   // A new accessor like the old one, over new bytes at the end of its buffer.
   std::size_t appended(std::size_t old, std::size_t components, const std::vector<float>& values) {
     const GltfPlace place = accessors_.place(static_cast<int>(old));
-    std::string& bytes = buffers_[place.buffer];
-    bytes.resize((bytes.size() + 3) / 4 * 4);
-    Json& views = document_["bufferViews"];
-    Json view = {{"buffer", place.buffer},
-                 {"byteOffset", bytes.size()},
-                 {"byteLength", values.size() * sizeof(float)},
-                 {"target", gltf_array_buffer}};
-    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+    const std::size_t view = add_gltf_view(document_, buffers_[place.buffer], values.data(),
+                                           values.size() * sizeof(float), place.buffer);
+    document_["bufferViews"][view]["target"] = gltf_array_buffer;
     Json accessor = document_["accessors"][old];
     for (const char* key : {"sparse", "byteOffset", "normalized"}) accessor.erase(key);
-    accessor["bufferView"] = views.size();
+    accessor["bufferView"] = view;
     accessor["componentType"] = gltf_float;
     accessor["type"] = components == 4 ? "VEC4" : "VEC3";
-    views.push_back(std::move(view));
     document_["accessors"].push_back(std::move(accessor));
     return document_["accessors"].size() - 1;
-  }
-
-  // Positions must have bounds; of others they are only corrected.
-  static void set_bounds(Json& accessor, std::size_t components, const std::vector<float>& values,
-                         bool must) {
-    if (!must && !accessor.contains("min") && !accessor.contains("max")) return;
-    std::vector<float> low(components, std::numeric_limits<float>::max()), high(components, -low[0]);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      low[i % components] = std::min(low[i % components], values[i]);
-      high[i % components] = std::max(high[i % components], values[i]);
-    }
-    accessor["min"] = low;
-    accessor["max"] = high;
   }
 
   const GltfFile& file_;

@@ -12,33 +12,6 @@
 
 namespace viete::mesh {
 
-/// What a model looks like at one moment.
-struct MorphKey {
-  double seconds = 0;
-  std::string name;                  ///< of the target; may be empty
-  std::span<const Point> positions;  ///< of all vertices of the surface
-};
-
-/// Between two keys every vertex goes in a straight line, which is how weights blend targets.
-struct MorphAnimation {
-  std::string name;
-  std::vector<MorphKey> keys;  ///< by time, which ascends
-  bool normals = true;         ///< with targets of normals and tangents where the model has these
-};
-
-/// Throws base::Error where positions are not as many as `vertices`.
-void check_animation(const MorphAnimation& animation, std::size_t vertices);
-
-/// The targets that an animation needs: keys of the same positions share one, and the model at rest needs
-/// none.
-struct MorphTargets {
-  std::vector<std::size_t> keys;    ///< the first one that shows it, of each target
-  std::vector<std::size_t> target;  ///< of each key; npos: rest
-
-  static constexpr std::size_t npos = static_cast<std::size_t>(-1);
-};
-MorphTargets morph_targets(const MorphAnimation& animation, std::span<const Point> rest);
-
 /// Morph targets and how they are mixed: at each moment the differences of all targets from the model at rest
 /// are added, each times its weight. Between moments weights go straight.
 struct MorphMotion {
@@ -50,9 +23,6 @@ struct MorphMotion {
   std::function<std::vector<Point>(std::size_t target)> positions;  ///< asked for once each, in order
   bool normals = true;
 };
-
-/// The same motion; borrows the animation.
-MorphMotion morph_motion(const MorphAnimation& animation, std::span<const Point> rest);
 
 /// Throws base::Error where there is no moment, times do not ascend, or numbers do not go together.
 void check_motion(const MorphMotion& motion, std::size_t vertices);

@@ -95,7 +95,7 @@ private:
       const std::string_view value = ahead.word();
       if (words == 3 && i > 0 && !number_in(value)) return;
       text_ = ahead;
-      if (option == "-clamp" && of_base_color) found_.back().repeats = value != "on";
+      if (option == "-clamp" && of_base_color) found_.back().material.repeats = value != "on";
     }
   }
 
@@ -112,14 +112,6 @@ std::vector<MtlMaterial> materials_in(const fs::path& path) {
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
-// Takes what the library at this path has. Throws base::Error.
-void add_library(const fs::path& path, Library& library) {
-  for (MtlMaterial& m : materials_in(path)) {
-    const std::string name = m.material.name;
-    library.emplace(name, std::move(m));
-  }
-}
-
 // One name with blanks, if there is such a file; or one for each word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
@@ -133,14 +125,6 @@ std::vector<fs::path> library_paths(const fs::path& folder, std::string_view nam
   return paths;
 }
 
-}  // namespace
-
-std::vector<MtlMaterial> read_mtl(const Source& source) {
-  return MtlReader(source).read();
-}
-
-namespace {
-
 // False if one of the libraries could not be read.
 bool read_libraries(const Source& source, const std::vector<std::string>& libraries, Library& library,
                     SurfaceBuilder& builder) {
@@ -150,7 +134,7 @@ bool read_libraries(const Source& source, const std::vector<std::string>& librar
     for (const fs::path& path : library_paths(source.folder, names)) {
       if (seen.size() >= 64 || !seen.insert(path).second) continue;
       try {
-        add_library(path, library);
+        for (MtlMaterial& m : materials_in(path)) library.emplace(std::string(m.material.name), std::move(m));
       } catch (const base::Error& error) {
         all_read = false;
         builder.warn(source.name + ": material library " + error.what());
@@ -161,6 +145,10 @@ bool read_libraries(const Source& source, const std::vector<std::string>& librar
 }
 
 }  // namespace
+
+std::vector<MtlMaterial> read_mtl(const Source& source) {
+  return MtlReader(source).read();
+}
 
 std::vector<fs::path> files_of_libraries(const fs::path& folder, const std::vector<std::string>& libraries) {
   std::set<fs::path> files;
@@ -191,7 +179,6 @@ void read_materials(const Source& source, const std::vector<std::string>& librar
     }
     const fs::path& image = found->second.image;
     material = found->second.material;
-    material.repeats = found->second.repeats;
     if (image.empty()) continue;
     const auto [at, added] = images.emplace(image, static_cast<std::uint32_t>(attributes.images.size()));
     if (added) attributes.images.push_back({image, nullptr, image.filename().string()});

@@ -14,7 +14,6 @@ namespace viete::mesh {
 struct MtlMaterial {
   Material material;            ///< without its image
   std::filesystem::path image;  ///< absolute; empty: none. Whether it is there, who shows it will see
-  bool repeats = true;          ///< false: map_Kd -clamp on
   std::vector<std::filesystem::path> maps;  ///< all images that it names, that one too
 };
 

@@ -1,13 +1,15 @@
 #include "mesh/formats/obj.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/foreign_content.h"
-#include "mesh/formats/obj_attributes.h"
-#include "mesh/formats/obj_original.h"
+#include "mesh/formats/mtl.h"
 #include "mesh/formats/obj_words.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
@@ -15,6 +17,196 @@
 namespace viete::mesh {
 
 namespace {
+
+constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
+constexpr Color white{1, 1, 1, 1};
+
+std::string short_name(std::string_view name) {
+  return std::string(name.substr(0, most_name_bytes));
+}
+
+// Up to `most` numbers of this line; what is no number ends them.
+template <std::size_t most>
+std::size_t numbers(TextCursor& text, std::array<double, most>& values) {
+  std::size_t count = 0;
+  while (count < most && !text.at_line_end()) {
+    const auto value = number_in(text.word());
+    if (!value) break;
+    values[count++] = *value;
+  }
+  return count;
+}
+
+// Collects what the file says besides vertices and faces. What cannot be read here is told as a warning and
+// taken as if it were not there: it never makes a file unreadable.
+class ObjAttributes {
+public:
+  explicit ObjAttributes(const Source& source) : source_(source) {}
+
+  // What stands behind x y z: a weight, a colour, or nothing.
+  void behind_position(TextCursor& text, std::size_t vertex) {
+    std::array<double, 4> values{};
+    const std::size_t count = numbers(text, values);
+    if (count < 3) return;  // a weight
+    Color color = white;
+    for (std::size_t i = 0; i < count; ++i) color[i] = static_cast<float>(std::clamp(values[i], 0.0, 255.0));
+    found_.colors.resize(vertex, white);
+    found_.colors.push_back(color);
+  }
+
+  std::size_t normal_count() const { return found_.normals.size(); }
+
+  void texture_point(TextCursor& text) {
+    std::array<double, 2> values{};
+    bad_numbers_ += numbers(text, values) == 0;
+    found_.texture_points.push_back(values);
+  }
+
+  void normal(TextCursor& text) {
+    Vec3 values{};
+    if (numbers(text, values) < 3) {
+      ++bad_numbers_;
+      values = {};
+    }
+    found_.normals.push_back(values);
+  }
+
+  // Behind the vertex index of a corner that the builder is about to be given as its number `corner`.
+  void corner(std::size_t corner, std::string_view behind_vertex) {
+    const ObjIndices indices = obj_indices(behind_vertex);
+    bad_indices_ += !indices.readable;
+    put(found_.corner_texture, corner, indices.texture_point, found_.texture_points.size());
+    put(found_.corner_normal, corner, indices.normal, found_.normals.size());
+  }
+
+  // Behind the builder's end_polygon().
+  void end_polygon(const Surface& surface) {
+    const std::size_t corners = surface.corners.size();
+    for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
+      if (indices->size() > corners) indices->resize(corners);
+    }
+    const bool made = std::exchange(polygons_, surface.polygon_count()) != surface.polygon_count();
+    if (!changed_ || !made) return;
+    state_.first_polygon = static_cast<std::uint32_t>(surface.polygon_count() - 1);
+    changed_ = false;
+    if (found_.groups.size() < most_groups) {
+      found_.groups.push_back(state_);
+    } else {
+      ++groups_left_out_;
+    }
+  }
+
+  void object(std::string_view name) {
+    state_.object = short_name(name);
+    changed_ = true;
+  }
+
+  void group(std::string_view name) {
+    state_.name = short_name(name);
+    changed_ = true;
+  }
+
+  void smoothing(std::string_view value) {
+    const bool smooth = value != "off" && value != "0";
+    changed_ |= smooth != state_.smooth;
+    state_.smooth = smooth;
+  }
+
+  void use_material(std::string_view name) {
+    auto at = materials_.find(name);
+    if (at == materials_.end()) {
+      at = materials_.emplace(name, static_cast<std::uint32_t>(found_.materials.size())).first;
+      found_.materials.emplace_back().name = name;
+    }
+    changed_ |= state_.material != at->second;
+    state_.material = at->second;
+  }
+
+  void library(std::string_view names) {
+    if (std::find(libraries_.begin(), libraries_.end(), names) != libraries_.end()) return;
+    if (!names.empty() && libraries_.size() < most_libraries) libraries_.emplace_back(names);
+  }
+
+  // Null where the file has nothing of all this. Reads the material libraries.
+  std::shared_ptr<const Attributes> finish(SurfaceBuilder& builder) {
+    check(found_.corner_texture, found_.texture_points.size());
+    check(found_.corner_normal, found_.normals.size());
+    const std::size_t corners = builder.surface().corners.size();
+    for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
+      if (!indices->empty()) indices->resize(corners, none);
+    }
+    finish_colors(builder.vertex_count());
+    finish_groups();
+    read_materials(source_, libraries_, found_, builder);
+    tell_bad(builder);
+    if (found_.empty()) return nullptr;
+    return std::make_shared<const Attributes>(std::move(found_));
+  }
+
+private:
+  // Relative ones count from here. One that runs ahead is looked at in the end.
+  void put(std::vector<std::uint32_t>& indices, std::size_t corner, std::int64_t index, std::size_t count) {
+    if (index == 0 && indices.empty()) return;
+    indices.resize(corner, none);
+    const bool is_none = index == 0;
+    if (index < 0) index += static_cast<std::int64_t>(count) + 1;
+    const bool good = index > 0 && index < none;
+    bad_indices_ += !good && !is_none;
+    indices.push_back(good ? static_cast<std::uint32_t>(index - 1) : none);
+  }
+
+  void check(std::vector<std::uint32_t>& indices, std::size_t count) {
+    for (std::uint32_t& i : indices) {
+      if (i == none || i < count) continue;
+      i = none;
+      ++bad_indices_;
+    }
+  }
+
+  // In [0, 1], or from 0 to 255 where one is larger than 1.
+  void finish_colors(std::size_t vertices) {
+    auto& colors = found_.colors;
+    if (colors.empty()) return;
+    bool bytes = false;
+    for (const Color& c : colors) bytes |= *std::max_element(c.begin(), c.end()) > 1;
+    for (Color& c : colors) {
+      if (!bytes || c == white) continue;
+      for (std::size_t i = 0; i < 4; ++i) c[i] = i == 3 && c[i] == 1 ? 1 : c[i] / 255;
+    }
+    colors.resize(vertices, white);
+  }
+
+  // A file without any is one group, and needs none.
+  void finish_groups() {
+    const auto plain = [](const Group& g) {
+      return g.object.empty() && g.name.empty() && g.material == none && g.smooth;
+    };
+    if (std::all_of(found_.groups.begin(), found_.groups.end(), plain)) found_.groups.clear();
+  }
+
+  void tell_bad(SurfaceBuilder& builder) const {
+    const std::string name = source_.name + ": ";
+    if (bad_indices_ > 0) {
+      builder.warn(name + base::counted(bad_indices_, "reference") +
+                   " to texture coordinates or normals that the file does not have: passed over");
+    }
+    if (bad_numbers_ > 0) {
+      builder.warn(name + base::counted(bad_numbers_, "line") +
+                   " of texture coordinates or normals cannot be read and count as 0");
+    }
+    if (groups_left_out_ > 0)
+      builder.warn(name + "shows " + base::counted(most_groups, "group") + " apart, those behind as one");
+  }
+
+  const Source& source_;
+  Attributes found_;
+  Group state_;  // of the faces that follow
+  bool changed_ = true;
+  std::size_t polygons_ = 0;
+  std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
+  std::map<std::string, std::uint32_t, std::less<>> materials_;
+  std::vector<std::string> libraries_;
+};
 
 class ObjReader {
 public:
@@ -34,9 +226,7 @@ public:
     end_normals();
     auto attributes = attributes_.finish(builder_);
     ReadResult result = builder_.finish("OBJ");
-    if (source_.owner)
-      result.original = std::make_shared<const ObjOriginal>(source_.bytes, source_.owner, attributes,
-                                                            std::move(normal_blocks_), source_.folder);
+    if (source_.owner) result.original = obj_original(source_, attributes, std::move(normal_blocks_));
     result.attributes = std::move(attributes);
     return result;
   }

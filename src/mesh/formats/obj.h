@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/formats/read_result.h"
+#include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_writer.h"
 
@@ -24,11 +24,17 @@ bool looks_like_obj(const Source& source);
 /// True if nine of ten lines are statements of OBJ with the numbers that they need, and one is a vertex.
 bool is_certainly_obj(const Beginning& file);
 
-/// The shortest digits that read back as the same numbers, unless other digits are asked for. Of the
-/// attributes all but materials' colours and images; materials must have names, see name_materials().
+/// The shortest digits that read back as the same numbers, unless other digits are asked for. Colours,
+/// texture points and normals; no groups and no materials.
 void write_obj(const Content& content, TextWriter& out);
 
-/// The same with a line that names the library of its materials; none if that is empty.
-void write_obj_with_library(const Content& content, const std::string& library, TextWriter& out);
+/// The file as it was, to be written again. Coordinates that moved are printed with as many decimals as the
+/// file has, and no fewer than six digits of the model's diagonal need. Normals follow; a line that serves
+/// corners whose normals now differ gets others behind its block, and indices of faces are changed
+/// accordingly. attributes may be null. normal_blocks: of each block of lines `vn` the number of such lines
+/// up to its end, ascending; the last is that of the file.
+std::shared_ptr<const Original> obj_original(const Source& source,
+                                             std::shared_ptr<const Attributes> attributes,
+                                             std::vector<std::uint32_t> normal_blocks);
 
 }  // namespace viete::mesh

@@ -1,104 +1,321 @@
-// Any surface as an OBJ file, with what a file said of it besides.
+// Writes OBJ: any surface, and a file that was read as it was.
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <optional>
 
+#include "base/text.h"
 #include "mesh/formats/conversion.h"
+#include "mesh/formats/mtl.h"
 #include "mesh/formats/obj.h"
+#include "mesh/formats/obj_words.h"
 #include "mesh/formats/printed.h"
+#include "mesh/formats/rewriter.h"
+#include "mesh/normals.h"
 
 namespace viete::mesh {
 
 namespace {
 
-class ObjOutput {
+std::string words_of(const Vec3& normal, const Printed& printed) {
+  std::array<char, 400> room;
+  std::string words;
+  for (const double x : normal) words.append(printed.print(x, room)).append(1, ' ');
+  return words;
+}
+
+// A line `vn` serves any number of corners. Once the surface is deformed, it stands for one normal at each
+// vertex that uses it, and at each polygon where the file asks for flat faces. Those that are printed
+// differently get lines of their own, behind the block of lines that theirs stands in.
+class ObjNormals {
 public:
-  ObjOutput(const Content& content, TextWriter& out)
-      : surface_(content.surface), positions_(content.positions), a_(content.attributes), out_(out) {
-    all_ = positions_.size() + surface_.polygon_count();
+  // blocks: see obj_original(). attributes has normals.
+  ObjNormals(const Surface& rest, const Attributes& attributes, std::span<const std::uint32_t> blocks,
+             std::span<const Point> positions, const Printed& printed) {
+    const SpreadNormals spread(rest, attributes);
+    std::vector<Vec3> moved = deformed_normals(rest, positions, spread.normals, spread.of_corner);
+    keep_lengths(spread.normals, moved);
+    std::vector<std::uint32_t> value_of(moved.size());
+    for (std::size_t n = 0; n < attributes.normals.size(); ++n) {
+      const auto begin = spread.first[n], end = spread.first[n + 1];
+      first_.push_back(static_cast<std::uint32_t>(values_.size()));
+      // The line keeps its words if some corners do.
+      const auto kept = std::find(moved.begin() + begin, moved.begin() + end, attributes.normals[n]);
+      values_.push_back(kept == moved.begin() + end ? moved[begin] : *kept);
+      value_of[begin] = first_[n];
+      if (end - begin == 1) continue;
+      std::map<std::string, std::uint32_t> printed_before = {{words_of(values_.back(), printed), first_[n]}};
+      for (auto i = begin; i < end; ++i) {
+        const auto next = static_cast<std::uint32_t>(values_.size());
+        const auto [at, is_new] = printed_before.emplace(words_of(moved[i], printed), next);
+        if (is_new) values_.push_back(moved[i]);
+        value_of[i] = at->second;
+      }
+    }
+    first_.push_back(static_cast<std::uint32_t>(values_.size()));
+    std::vector<std::uint32_t> value_of_corner = spread.of_corner;
+    for (std::uint32_t& v : value_of_corner) v = v == none ? none : value_of[v];
+    number(blocks, attributes, value_of_corner);
   }
 
-  void vertices() {
-    for (std::size_t v = 0; v < positions_.size(); ++v) {
-      out_.text("v ");
-      print_point(positions_[v], out_);
-      if (a_ && !a_->colors.empty()) color(a_->colors[v]);
-      out_.text("\n");
-      out_.element_done(++done_, all_);
+  // What the file's line says now; its bits are those it had if nothing moved there.
+  const Vec3& of_line(std::size_t line) const { return values_[first_[line]]; }
+  // What the lines say that are added for it.
+  std::span<const Vec3> added(std::size_t line) const {
+    return std::span(values_).subspan(first_[line] + 1, first_[line + 1] - first_[line] - 1);
+  }
+  bool adds_lines() const { return values_.size() + 1 > first_.size(); }
+
+  // Indices from 0 among all lines `vn` of the new file.
+  std::uint32_t index_of_line(std::size_t line) const { return index_[line]; }
+  std::uint32_t index_of_corner(std::size_t corner) const { return corner_index_[corner]; }
+
+private:
+  void number(std::span<const std::uint32_t> blocks, const Attributes& attributes,
+              std::span<const std::uint32_t> value_of_corner) {
+    std::vector<std::uint32_t> index_of_value(values_.size());
+    std::uint32_t next = 0, begin = 0;
+    for (const std::uint32_t end : blocks) {
+      for (auto n = begin; n < end; ++n) {
+        index_of_value[first_[n]] = next;
+        index_.push_back(next++);
+      }
+      for (auto n = begin; n < end; ++n) {
+        for (auto v = first_[n] + 1; v < first_[n + 1]; ++v) index_of_value[v] = next++;
+      }
+      begin = end;
     }
-    if (!a_) return;
-    for (const Vec2& t : a_->texture_points) {
-      out_.text("vt ").number(t[0]).text(" ").number(t[1]).text("\n");
-      out_.element_done(done_, all_);
-    }
-    for (const Vec3& n : a_->normals) {
-      out_.text("vn ").point(n).text("\n");
-      out_.element_done(done_, all_);
+    if (!adds_lines()) return;
+    corner_index_.resize(attributes.corner_normal.size(), none);
+    for (std::size_t c = 0; c < corner_index_.size(); ++c) {
+      if (value_of_corner[c] != none) corner_index_[c] = index_of_value[value_of_corner[c]];
     }
   }
 
-  void faces() {
-    std::size_t next_group = 0;
-    for (std::size_t p = 0; p < surface_.polygon_count(); ++p) {
-      if (a_ && next_group < a_->groups.size() && a_->groups[next_group].first_polygon == p)
-        group(a_->groups[next_group++]);
-      out_.text("f");
-      for (auto c = surface_.polygon_starts[p]; c < surface_.polygon_starts[p + 1]; ++c) corner(c);
-      out_.text("\n");
-      out_.element_done(++done_, all_);
+  std::vector<Vec3> values_;          // of each line, and of those added for it
+  std::vector<std::uint32_t> first_;  // of the values of each line
+  std::vector<std::uint32_t> index_;
+  std::vector<std::uint32_t> corner_index_;  // where lines are added
+};
+
+// Like the first lines of this kind.
+Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
+  constexpr std::size_t enough = 10'000;
+  Printed printed(digits);
+  TextCursor text(source, obj_rules);
+  for (std::size_t lines = 0; lines < enough && text.next_filled_line(); text.next_line()) {
+    if (obj_word(text.word()) != kind) continue;
+    for (const std::string_view word : three_words(text)) printed.learn(word);
+    ++lines;
+  }
+  return printed;
+}
+
+// The end of the line that ends before this place.
+std::string_view line_end_before(std::string_view bytes, std::size_t place) {
+  if (place > 0 && bytes[place - 1] == '\r') return "\r";
+  return place > 1 && bytes[place - 2] == '\r' ? "\r\n" : "\n";
+}
+
+class ObjRewriter {
+public:
+  ObjRewriter(const Source& source, const Surface& rest, std::span<const Point> positions, TextWriter& out)
+      : source_(source),
+        rest_(rest),
+        positions_(positions),
+        coordinates_(printed_like(source, ObjWord::vertex, out.digits())),
+        text_(source, obj_rules),
+        rewriter_(source.bytes, out),
+        out_(out) {
+    coordinates_.keep(6, bounds(rest.positions).diagonal());
+  }
+
+  void with_normals(const Attributes& attributes, std::span<const std::uint32_t> blocks) {
+    directions_ = printed_like(source_, ObjWord::normal, out_.digits());
+    directions_.keep(5, 1);
+    attributes_ = &attributes;
+    normals_.emplace(rest_, attributes, blocks, positions_, directions_);
+  }
+
+  void run() {
+    while (text_.next_filled_line()) {
+      const ObjWord kind = obj_word(text_.word());
+      if (ends_block(kind)) add_normals();
+      statement(kind);
+      text_.next_line();
+      if (kind == ObjWord::vertex || kind == ObjWord::normal) block_end_ = text_.offset();
     }
+    add_normals();
+    rewriter_.finish();
   }
 
 private:
-  void color(const Color& c) {
-    const std::size_t channels = c[3] == 1 ? 3 : 4;
-    for (std::size_t i = 0; i < channels; ++i) out_.text(" ").text(short_number(c[i]));
+  void statement(ObjWord kind) {
+    if (kind == ObjWord::vertex) {
+      const std::size_t v = vertices_++;
+      rewriter_.replace(three_words(text_), rest_.positions[v], positions_[v], coordinates_);
+    } else if (kind == ObjWord::normal && normals_) {
+      const std::size_t n = lines_++;
+      rewriter_.replace(three_words(text_), attributes_->normals[n], normals_->of_line(n), directions_);
+      written_ = std::int64_t{normals_->index_of_line(n)} + 1;
+    } else if (kind == ObjWord::face && normals_ && normals_->adds_lines()) {
+      face();
+    }
   }
 
-  void named(const char* word, const std::string& name, std::string& before) {
-    if (name == before) return;
-    out_.text(word).text(TextWriter::one_line(name)).text("\n");
-    before = name;
+  // For the lines of the block that ends here.
+  void add_normals() {
+    if (!normals_ || added_ == lines_) return;
+    const std::string_view line_end = line_end_before(source_.bytes, block_end_);
+    for (; added_ < lines_; ++added_) {
+      for (const Vec3& normal : normals_->added(added_)) {
+        rewriter_.copy_until(block_end_);
+        if (!ends_line(block_end_)) out_.text(line_end);
+        out_.text("vn");
+        for (const double x : normal) out_.text(" ").text(directions_.print(x, room_));
+        if (ends_line(block_end_)) out_.text(line_end);
+        ++written_;
+      }
+    }
   }
 
-  void group(const Group& g) {
-    named("o ", g.object, before_.object);
-    named("g ", g.name, before_.name);
-    if (g.material != before_.material && g.material != none)
-      out_.text("usemtl ").text(TextWriter::one_line(a_->materials[g.material].name)).text("\n");
-    if (g.smooth != before_.smooth) out_.text(g.smooth ? "s 1\n" : "s off\n");
-    before_.material = g.material;
-    before_.smooth = g.smooth;
+  // False only at the end of a file whose last line lacks it.
+  bool ends_line(std::size_t place) const {
+    return place > 0 && (source_.bytes[place - 1] == '\n' || source_.bytes[place - 1] == '\r');
   }
 
-  void corner(std::size_t c) {
-    out_.text(" ").number(std::uint64_t{surface_.corners[c]} + 1);
-    const std::uint32_t texture = a_ && !a_->corner_texture.empty() ? a_->corner_texture[c] : none;
-    const std::uint32_t normal = a_ && !a_->corner_normal.empty() ? a_->corner_normal[c] : none;
-    if (texture == none && normal == none) return;
-    out_.text("/");
-    if (texture != none) out_.number(std::uint64_t{texture} + 1);
-    if (normal != none) out_.text("/").number(std::uint64_t{normal} + 1);
+  void face() {
+    indices_.clear();
+    while (!text_.at_line_end()) {
+      text_.leading_integer("vertex index");
+      indices_.push_back(obj_indices(text_.rest_of_word()));
+    }
+    const bool is_polygon = indices_.size() >= 3;  // others are none of the surface's
+    for (const ObjIndices& corner : indices_) {
+      const std::uint32_t index =
+          is_polygon ? normals_->index_of_corner(corner_++) : index_of_line(corner.normal);
+      if (corner.normal == 0 || index == none) continue;
+      const std::int64_t now = corner.normal < 0 ? std::int64_t{index} - written_ : std::int64_t{index} + 1;
+      if (now == corner.normal) continue;
+      const char* const end = std::to_chars(room_.data(), room_.data() + room_.size(), now).ptr;
+      rewriter_.replace(corner.normal_word, {room_.data(), static_cast<std::size_t>(end - room_.data())});
+    }
   }
 
-  const Surface& surface_;
+  std::uint32_t index_of_line(std::int64_t as_written) const {
+    const std::int64_t line = as_written < 0 ? as_written + std::int64_t(lines_) : as_written - 1;
+    const bool is_there = line >= 0 && line < std::int64_t(attributes_->normals.size());
+    return is_there ? normals_->index_of_line(static_cast<std::size_t>(line)) : none;
+  }
+
+  const Source& source_;
+  const Surface& rest_;
   std::span<const Point> positions_;
-  const Attributes* a_;
+  Printed coordinates_, directions_;
+  TextCursor text_;
+  Rewriter rewriter_;
   TextWriter& out_;
-  Group before_;
-  std::size_t done_ = 0, all_ = 0;
+  const Attributes* attributes_ = nullptr;
+  std::optional<ObjNormals> normals_;
+  std::size_t vertices_ = 0, corner_ = 0;
+  std::size_t lines_ = 0, added_ = 0;  // vn of the file so far, and up to which lines were added for them
+  std::int64_t written_ = 0;           // vn of the new file so far
+  std::size_t block_end_ = 0;
+  std::vector<ObjIndices> indices_;
+  std::array<char, 400> room_;
+};
+
+class ObjOriginal final : public Original {
+public:
+  ObjOriginal(const Source& source, std::shared_ptr<const Attributes> attributes,
+              std::vector<std::uint32_t> normal_blocks)
+      : Original("OBJ", source),
+        attributes_(std::move(attributes)),
+        normal_blocks_(std::move(normal_blocks)),
+        folder_(source.folder) {}
+
+  std::vector<std::string> beyond_attributes() const override {
+    const Source source = this->source();
+    TextCursor text(source, obj_rules);
+    std::size_t lines = 0, points = 0, others = 0;
+    for (; text.next_filled_line(); text.next_line()) {
+      const std::string_view word = text.word();
+      const ObjWord kind = obj_word(word);
+      if (kind != ObjWord::other && kind != ObjWord::free_form) continue;
+      ++(word == "l" || word == "L" ? lines : word == "p" || word == "P" ? points : others);
+    }
+    std::vector<std::string> found;
+    if (lines > 0) found.push_back(base::counted(lines, "line"));
+    if (points > 0) found.push_back(base::counted(points, "point"));
+    if (others > 0) found.push_back(base::counted(others, "statement") + " of curves, surfaces and display");
+    return found;
+  }
+
+  Companions companions() const override {
+    if (folder_.empty()) return {};
+    const Source source = this->source();
+    TextCursor text(source, obj_rules);
+    std::vector<std::string> libraries;
+    for (; text.next_filled_line() && libraries.size() < 64; text.next_line()) {
+      if (obj_word(text.word()) == ObjWord::material_library) libraries.emplace_back(text.rest_of_line());
+    }
+    return {folder_, files_of_libraries(folder_, libraries)};
+  }
+
+  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
+                                 TextWriter& out) const override {
+    const Source source = this->source();
+    ObjRewriter rewriter(source, rest, positions, out);
+    if (attributes_ && !attributes_->corner_normal.empty())
+      rewriter.with_normals(*attributes_, normal_blocks_);
+    rewriter.run();
+    return {};
+  }
+
+private:
+  std::shared_ptr<const Attributes> attributes_;
+  std::vector<std::uint32_t> normal_blocks_;
+  std::filesystem::path folder_;
 };
 
 }  // namespace
 
-void write_obj_with_library(const Content& content, const std::string& library, TextWriter& out) {
+void write_obj(const Content& content, TextWriter& out) {
+  const Surface& surface = content.surface;
+  const Attributes& a = content.given();
+  const std::size_t all = content.positions.size() + surface.polygon_count();
+  std::size_t done = 0;
   out.comments("# ", content.comments);
-  if (!library.empty()) out.text("mtllib ").text(library).text("\n");
-  ObjOutput output(content, out);
-  output.vertices();
-  output.faces();
+  for (std::size_t v = 0; v < content.positions.size(); ++v) {
+    out.text("v ");
+    print_point(content.positions[v], out);
+    for (std::size_t i = 0; !a.colors.empty() && i < (a.colors[v][3] == 1 ? 3U : 4U); ++i)
+      out.text(" ").number(a.colors[v][i]);
+    out.text("\n").element_done(++done, all);
+  }
+  for (const Vec2& t : a.texture_points)
+    out.text("vt ").number(t[0]).text(" ").number(t[1]).text("\n").element_done(done, all);
+  for (const Vec3& n : a.normals) out.text("vn ").point(n).text("\n").element_done(done, all);
+  if (is_flat(a)) out.text("s off\n");
+  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
+    out.text("f");
+    for (auto c = surface.polygon_starts[p]; c < surface.polygon_starts[p + 1]; ++c) {
+      const std::uint32_t texture = a.corner_texture.empty() ? none : a.corner_texture[c];
+      const std::uint32_t normal = a.corner_normal.empty() ? none : a.corner_normal[c];
+      out.text(" ").number(std::uint64_t{surface.corners[c]} + 1);
+      if (texture != none || normal != none) out.text("/");
+      if (texture != none) out.number(std::uint64_t{texture} + 1);
+      if (normal != none) out.text("/").number(std::uint64_t{normal} + 1);
+    }
+    out.text("\n").element_done(++done, all);
+  }
 }
 
-void write_obj(const Content& content, TextWriter& out) {
-  write_obj_with_library(content, "", out);
+std::shared_ptr<const Original> obj_original(const Source& source,
+                                             std::shared_ptr<const Attributes> attributes,
+                                             std::vector<std::uint32_t> normal_blocks) {
+  return std::make_shared<const ObjOriginal>(source, std::move(attributes), std::move(normal_blocks));
 }
 
 }  // namespace viete::mesh

@@ -1,8 +1,8 @@
 #include "mesh/formats/obj_words.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -12,51 +12,22 @@ namespace {
 
 using enum ObjWord;
 
-// Sorted.
-constexpr auto rarer_words = std::to_array<std::pair<std::string_view, ObjWord>>({
-    {"bevel", other},
-    {"bmat", other},
-    {"bsp", other},
-    {"bzp", other},
-    {"c_interp", other},
-    {"call", other},
-    {"cdc", other},
-    {"cdp", other},
-    {"con", other},
-    {"csh", other},
-    {"cstype", other},
-    {"ctech", other},
-    {"curv", free_form},
-    {"curv2", other},
-    {"d_interp", other},
-    {"deg", other},
-    {"end", other},
-    {"fo", face},  // how faces were called before version 3.0
+constexpr std::pair<std::string_view, ObjWord> rarer_words[] = {
     {"g", group},
-    {"hole", other},
-    {"l", other},
-    {"lod", other},
-    {"maplib", other},
-    {"mg", other},
-    {"mtllib", material_library},
     {"o", object},
-    {"p", other},
-    {"parm", other},
-    {"res", other},
     {"s", smoothing},
-    {"scrv", other},
-    {"shadow_obj", other},
-    {"sp", other},
-    {"stech", other},
-    {"step", other},
-    {"surf", free_form},
-    {"trace_obj", other},
-    {"trim", other},
-    {"usemap", other},
     {"usemtl", use_material},
-    {"vp", other},
-});
-static_assert(std::is_sorted(rarer_words.begin(), rarer_words.end()));
+    {"mtllib", material_library},
+    {"curv", free_form},
+    {"surf", free_form},
+    {"fo", face}};  // how faces were called before version 3.0
+
+// With nothing that a surface has.
+constexpr std::string_view other_words[] = {
+    "bevel", "bmat",   "bsp",       "bzp",   "c_interp", "call", "cdc",  "cdp",        "con",
+    "csh",   "cstype", "ctech",     "curv2", "d_interp", "deg",  "end",  "hole",       "l",
+    "lod",   "maplib", "mg",        "p",     "parm",     "res",  "scrv", "shadow_obj", "sp",
+    "stech", "step",   "trace_obj", "trim",  "usemap",   "vp"};
 
 // Behind a slash; an empty one is 0.
 bool take_index(std::string_view& rest, std::int64_t& index) {
@@ -74,9 +45,10 @@ ObjWord small_obj_word(std::string_view word) {
   if (word == "f") return face;
   if (word == "vt") return texture_point;
   if (word == "vn") return normal;
-  const auto found = std::lower_bound(rarer_words.begin(), rarer_words.end(), word,
-                                      [](const auto& entry, std::string_view w) { return entry.first < w; });
-  return found != rarer_words.end() && found->first == word ? found->second : unknown;
+  for (const auto& [rarer, kind] : rarer_words) {
+    if (word == rarer) return kind;
+  }
+  return std::ranges::find(other_words, word) == std::end(other_words) ? unknown : other;
 }
 
 ObjWord obj_word(std::string_view word) {

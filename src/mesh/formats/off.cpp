@@ -11,15 +11,27 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/conversion.h"
-#include "mesh/formats/off_original.h"
 #include "mesh/formats/printed.h"
 #include "mesh/formats/rewriter.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
+#include "mesh/normals.h"
 
 namespace viete::mesh {
 
 namespace {
+
+constexpr TextRules off_rules{.comment = '#'};
+
+// What the rows of vertices hold behind positions, and where.
+struct OffForm {
+  bool normals = false, colors = false, texture = false;
+  bool more_axes = false;     //< 4OFF, nOFF
+  bool colors_first = false;  //< of four numbers before the normals, as MeshLab writes them
+  bool wrapped = false;       //< rows end with their last number, not with the line
+
+  std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
+};
 
 // OFF, behind ST (texture), C (colours), N (normals), 4, n (dimension): in this order by the manual.
 std::optional<OffForm> off_form(std::string_view word) {
@@ -75,6 +87,50 @@ void to_unit_range(std::span<OffColor> colors) {
   for (OffColor& c : colors) c.color[3] /= c.color[3] > 1 ? 255.0F : 1.0F;
 }
 
+// Everything stays but coordinates that moved and the normals of NOFF that follow; they are printed with as
+// many decimals as the file has, and no fewer than six digits of the model's diagonal need.
+class OffOriginal final : public Original {
+public:
+  // body: where the first vertex is looked for.
+  OffOriginal(const Source& source, std::size_t body, const OffForm& form)
+      : Original("OFF", source), body_(body), form_(form) {}
+
+  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
+                                 TextWriter& out) const override {
+    const std::size_t count = rest.positions.size(), enough = form_.normals ? count : 10'000;
+    rewrite_vectors(
+        bytes_, out, rest, positions, enough, [](std::size_t row) { return static_cast<std::uint32_t>(row); },
+        form_.normals ? count : 0, rest.corners, every_vertex(rest),
+        [&](const auto& position, const auto& normal) { walk(count, position, normal); });
+    return {};
+  }
+
+private:
+  template <class Position, class Normal>
+  void walk(std::size_t vertices, const Position& position, const Normal& normal) const {
+    const Source body{"", "off", bytes_.substr(body_)};
+    TextCursor text(body, off_rules);
+    for (std::size_t v = 0; v < vertices && text.next_filled_line(); ++v) {
+      if (!position(v, next_three(text))) return;
+      if (form_.colors_first) next_three(text), text.word();
+      if (form_.normals) normal(v, next_three(text));
+      if (!form_.wrapped) text.next_line();
+      for (std::size_t i = form_.normals ? 3 : 0; form_.wrapped && i < form_.numbers(); ++i) next_word(text);
+    }
+  }
+
+  std::string_view next_word(TextCursor& text) const {
+    if (form_.wrapped) text.next_filled_line();
+    return text.word();
+  }
+  ThreeWords next_three(TextCursor& text) const {
+    return {next_word(text), next_word(text), next_word(text)};
+  }
+
+  std::size_t body_;
+  OffForm form_;
+};
+
 class OffReader {
 public:
   // Where line ends are blanks.
@@ -106,8 +162,7 @@ public:
       text_.fail("the file goes on behind its last face", "export the model again");
     auto attributes = finished_attributes();
     ReadResult result = builder_.finish("OFF");
-    if (source_.owner)
-      result.original = std::make_shared<const OffOriginal>(source_.bytes, source_.owner, body, form_);
+    if (source_.owner) result.original = std::make_shared<const OffOriginal>(source_, body, form_);
     result.attributes = std::move(attributes);
     return result;
   }
@@ -188,10 +243,10 @@ private:
   }
 
   // Up to so many; what is no number ends them.
-  std::span<const OffNumber> numbers(std::size_t most) {
+  std::span<const OffNumber> numbers(std::size_t most, bool wrapped) {
     numbers_.clear();
-    while (numbers_.size() < most && (form_.wrapped || !text_.at_line_end())) {
-      if (form_.wrapped) text_.need_word("the last vertex");
+    while (numbers_.size() < most && (wrapped || !text_.at_line_end())) {
+      if (wrapped) text_.need_word("the last vertex");
       const auto n = number(text_.word());
       if (!n) break;
       numbers_.push_back(*n);
@@ -202,7 +257,7 @@ private:
   // A normal, a colour of three or four numbers, and a texture point, as far as they are there.
   void behind_position() {
     if (form_.numbers() == 0) return unnamed();
-    std::span<const OffNumber> left = numbers(form_.numbers());
+    std::span<const OffNumber> left = numbers(form_.numbers(), form_.wrapped);
     const auto take = [&](std::size_t n) {
       const auto taken = left.first(std::min(n, left.size()));
       left = left.subspan(taken.size());
@@ -228,7 +283,7 @@ private:
   // What the head does not name: three numbers or four that are not negative are a colour.
   void unnamed() {
     if (form_.wrapped || text_.at_line_end()) return;
-    const auto behind = numbers(5);
+    const auto behind = numbers(5, false);
     const bool is_color = (behind.size() == 3 || behind.size() == 4) &&
                           std::ranges::all_of(behind, [](const OffNumber& n) { return n.value >= 0; });
     if (!is_color) ++unknown_rows_;
@@ -281,14 +336,8 @@ private:
 
   // Three or four numbers behind the corners; a single one is the index of a list that is in no file.
   void face_color(std::size_t polygon) {
-    std::array<OffNumber, 4> behind;
-    std::size_t n = 0;
-    for (; n < behind.size() && !text_.at_line_end(); ++n) {
-      const auto found = number(text_.word());
-      if (!found) break;
-      behind[n] = *found;
-    }
-    if (n >= 3) face_colors_.emplace_back(polygon, OffColor(std::span(behind).first(n)));
+    const auto behind = numbers(4, false);
+    if (behind.size() >= 3) face_colors_.emplace_back(polygon, OffColor(behind));
   }
 
   const Source& source_;
@@ -347,28 +396,25 @@ void write_off(const Content& content, TextWriter& out) {
   const Surface& surface = content.surface;
   const auto& positions = content.positions;
   const std::size_t all = positions.size() + surface.polygon_count();
-  const bool colored = content.attributes && !content.attributes->colors.empty();
-  const bool faces_colored = content.attributes && !content.attributes->polygon_colors.empty();
+  const auto &colors = content.given().colors, &face_colors = content.given().polygon_colors;
   const auto color = [&](const Color& c) {
     for (const float x : c) out.text(" ").number(std::uint64_t{color_byte(x)});
   };
   std::size_t done = 0;
-  out.text(colored ? "COFF\n" : "OFF\n").comments("# ", content.comments);
+  out.text(colors.empty() ? "OFF\n" : "COFF\n").comments("# ", content.comments);
   out.number(std::uint64_t{positions.size()}).text(" ");
   out.number(std::uint64_t{surface.polygon_count()}).text(" 0\n");
   for (std::size_t v = 0; v < positions.size(); ++v) {
     print_point(positions[v], out);
-    if (colored) color(content.attributes->colors[v]);
-    out.text("\n");
-    out.element_done(++done, all);
+    if (!colors.empty()) color(colors[v]);
+    out.text("\n").element_done(++done, all);
   }
   for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
     const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
     out.number(std::uint64_t{end - begin});
     for (auto c = begin; c < end; ++c) out.text(" ").number(std::uint64_t{surface.corners[c]});
-    if (faces_colored) color(content.attributes->polygon_colors[p]);
-    out.text("\n");
-    out.element_done(++done, all);
+    if (!face_colors.empty()) color(face_colors[p]);
+    out.text("\n").element_done(++done, all);
   }
 }
 

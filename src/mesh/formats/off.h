@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/formats/off_form.h"
-#include "mesh/formats/read_result.h"
+#include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/formats/text_writer.h"

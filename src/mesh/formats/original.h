@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "mesh/formats/attributes.h"
 #include "mesh/formats/morphs.h"
+#include "mesh/formats/source.h"
 #include "mesh/formats/text_writer.h"
 #include "mesh/surface.h"
 
@@ -25,8 +27,12 @@ struct Companions {
 /// Immutable; one for each format. Thread-safe.
 class Original {
 public:
-  /// The name of its format in the table.
-  explicit Original(std::string_view format) : format_(format) {}
+  /// format: the name in the table. The bytes, which were read without an error, live as long as their owner.
+  Original(std::string_view format, const Source& source)
+      : name_(source.name),
+        bytes_(source.owner ? source.bytes : std::string_view()),
+        owner_(source.owner),
+        format_(format) {}
   virtual ~Original() = default;
 
   std::string_view format() const { return format_; }
@@ -61,8 +67,25 @@ public:
   /// How its meshes morph; null where they do not. Throws base::Error where that is not sound.
   virtual std::shared_ptr<const MorphClip> morphs() const { return nullptr; }
 
+protected:
+  Source source() const { return {name_, "", bytes_}; }
+
+  std::string name_;
+  std::string_view bytes_;  // of the file; empty without an owner
+
 private:
+  std::shared_ptr<const void> owner_;
   std::string_view format_;
+};
+
+/// What reading a file gives.
+struct ReadResult {
+  Surface surface;
+  std::string format;                 ///< "OBJ", "PLY ascii", "PLY binary little-endian", "STL binary", ...
+  std::vector<std::string> warnings;  ///< one line each, harmless oddities worth a word, with their place
+  std::shared_ptr<const Attributes> attributes;  ///< null: nothing but positions and polygons
+  std::shared_ptr<const Original> original;      ///< null: it cannot be written again as it was
+  std::vector<std::string> comments;  ///< of the file's head, without their mark: at most 64, of 200 bytes
 };
 
 }  // namespace viete::mesh

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -11,15 +12,215 @@
 #include "base/text.h"
 #include "mesh/formats/ply_attributes.h"
 #include "mesh/formats/ply_face_attributes.h"
+#include "mesh/formats/ply_file.h"
 #include "mesh/formats/ply_header.h"
 #include "mesh/formats/ply_original.h"
 #include "mesh/formats/ply_values.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
+#include "mesh/point_index.h"
 
 namespace viete::mesh {
 
 namespace {
+
+// What a colour of this type is multiplied by. Integers of more than two bytes hold bytes, as some programs
+// declare them in text.
+double part_of_largest(PlyType type) {
+  return with_type(type, [](auto number) {
+    using Number = decltype(number);
+    if (!std::is_integral_v<Number>) return 1.0;
+    return 1.0 / (sizeof number > 2 ? 255.0 : static_cast<double>(std::numeric_limits<Number>::max()));
+  });
+}
+
+// Single values of a row that somebody wants, by their names. Colours in whole numbers are parts of their
+// type's largest.
+class PlyRow {
+public:
+  // The properties of the rows that follow.
+  void begin(const PlyElement& element) {
+    element_ = &element;
+    places_.assign(element.properties.size(), most);
+    factors_.assign(element.properties.size(), 1);
+  }
+
+  // True if there are values of all these names: they go to the places from this one on.
+  bool find(std::size_t place, std::initializer_list<const char*> names, bool colors = false) {
+    const auto& properties = element_->properties;
+    for (const char* name : names) {
+      const std::size_t p = element_->find(name);
+      if (p == properties.size() || properties[p].list_size) return false;
+    }
+    for (const char* name : names) {
+      const std::size_t p = element_->find(name);
+      if (colors) factors_[p] = part_of_largest(properties[p].type);
+      places_[p] = place++;
+    }
+    return true;
+  }
+
+  bool wants(std::size_t property) const { return places_[property] != most; }
+  void take(std::size_t property, double value) { values[places_[property]] = value * factors_[property]; }
+
+  Color color(std::size_t place) const {
+    Color c;
+    for (std::size_t i = 0; i < 4; ++i) c[i] = static_cast<float>(std::clamp(values[place + i], 0.0, 1.0));
+    return c;
+  }
+
+  static constexpr std::size_t most = 9;
+  std::array<double, most> values{};
+
+private:
+  const PlyElement* element_ = nullptr;
+  std::vector<std::size_t> places_;  // of each property
+  std::vector<double> factors_;
+};
+
+// Collects normals, colours and texture coordinates of vertices. Known are nx ny nz; red green blue alpha,
+// with diffuse_ before them too; s t, u v, and texture_ before these.
+class PlyAttributes {
+public:
+  PlyRow& begin(const PlyElement& vertices) {
+    row_.begin(vertices);
+    row_.values[color + 3] = 1;
+    has_normals_ = row_.find(normal, {"nx", "ny", "nz"});
+    has_colors_ = row_.find(color, {"red", "green", "blue"}, true) ||
+                  row_.find(color, {"diffuse_red", "diffuse_green", "diffuse_blue"}, true);
+    if (has_colors_) row_.find(color + 3, {"alpha"}, true);
+    for (const auto& [u, v] :
+         {std::array{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}) {
+      if (!has_texture_) has_texture_ = row_.find(texture, {u, v});
+    }
+    return row_;
+  }
+
+  void end_row() {
+    const auto& v = row_.values;
+    if (has_normals_) found_.normals.push_back({v[normal], v[normal + 1], v[normal + 2]});
+    if (has_texture_) found_.texture_points.push_back({v[texture], v[texture + 1]});
+    if (has_colors_) found_.colors.push_back(row_.color(color));
+  }
+
+  Attributes finish(const Surface& surface) {
+    if (has_normals_) found_.corner_normal = surface.corners;
+    if (has_texture_) found_.corner_texture = surface.corners;
+    return std::move(found_);
+  }
+
+private:
+  static constexpr std::size_t normal = 0, color = 3, texture = 7;
+
+  PlyRow row_;
+  bool has_normals_ = false, has_colors_ = false, has_texture_ = false;
+  Attributes found_;
+};
+
+// Collects colours and texture coordinates of faces. Known are red green blue alpha, a list texcoord (u v of
+// each corner) and texnumber, as MeshLab writes them.
+class PlyFaceAttributes {
+public:
+  // The rows that follow become polygons of this surface.
+  PlyRow& begin(const PlyElement& faces, const Surface& surface) {
+    surface_ = &surface;
+    row_.begin(faces);
+    row_.values = {0, 0, 0, 1, 0};
+    has_colors_ = row_.find(color, {"red", "green", "blue"}, true);
+    row_.find(color + 3, {"alpha"}, true);
+    has_number_ = row_.find(number, {"texnumber"});
+    const std::size_t none_such = faces.properties.size();
+    texture_list_ = faces.find("texcoord");
+    if (texture_list_ < none_such && !faces.properties[texture_list_].list_size) texture_list_ = none_such;
+    return row_;
+  }
+
+  bool wants_list(std::size_t property) const { return property == texture_list_; }
+  void take_texture(double value) { row_texture_.push_back(value); }
+
+  // The polygons that the surface has got since the last row have what was taken.
+  void end_row() {
+    const std::size_t polygons = surface_->polygon_count();
+    if (has_colors_ && polygons > polygons_) {
+      colors_.resize(polygons_, Material{}.base_color);
+      colors_.resize(polygons, row_.color(color));
+    }
+    end_texture();
+    end_material();
+    polygons_ = polygons;
+    corners_ = surface_->corners.size();
+    row_texture_.clear();
+  }
+
+  // Puts all that was found to what the vertices have. Images, by number, lie in this folder.
+  void finish(const Surface& surface, const std::vector<std::string>& images,
+              const std::filesystem::path& folder, Attributes& attributes) {
+    if (!colors_.empty()) {
+      colors_.resize(surface.polygon_count(), Material{}.base_color);
+      attributes.polygon_colors = std::move(colors_);
+    }
+    if (!texture_points_.empty()) {
+      attributes.texture_points.clear();
+      for (const Point& p : texture_points_) attributes.texture_points.push_back({p[0], p[1]});
+      corner_texture_.resize(surface.corners.size(), none);
+      attributes.corner_texture = std::move(corner_texture_);
+    }
+    for (const std::string& image : images) {
+      if (folder.empty()) break;
+      const auto path = path_beside(folder, image);
+      Material material{path.stem().string(), {1, 1, 1, 1}};
+      material.base_color_image = static_cast<std::uint32_t>(attributes.images.size());
+      attributes.images.push_back({path, nullptr, path.filename().string()});
+      attributes.materials.push_back(std::move(material));
+    }
+    if (!attributes.materials.empty()) finish_groups(surface, attributes);
+  }
+
+private:
+  static constexpr std::size_t color = 0, number = 4;
+
+  // A list of another length than the polygon's says nothing.
+  void end_texture() {
+    const std::size_t corners = surface_->corners.size() - corners_;
+    if (corners == 0 || row_texture_.size() != 2 * corners) return;
+    corner_texture_.resize(corners_, none);
+    for (std::size_t i = 0; i < row_texture_.size(); i += 2) {
+      const Point p{row_texture_[i] + 0.0, row_texture_[i + 1] + 0.0, 0};  // -0 becomes 0
+      corner_texture_.push_back(texture_index_.find_or_add(p, texture_points_));
+      if (corner_texture_.back() == texture_points_.size()) texture_points_.push_back(p);
+    }
+  }
+
+  void end_material() {
+    if (!has_number_ || surface_->polygon_count() == polygons_) return;
+    const double n = row_.values[number];
+    const std::uint32_t material = n >= 0 && n < 65536 ? static_cast<std::uint32_t>(n) : none;
+    if (!groups_.empty() && groups_.back().material == material) return;
+    if (groups_.empty() && polygons_ > 0) groups_.emplace_back();
+    groups_.push_back({static_cast<std::uint32_t>(polygons_), "", "", material});
+  }
+
+  void finish_groups(const Surface& surface, Attributes& attributes) {
+    if (surface.polygon_count() == 0) return;
+    if (groups_.empty()) groups_.push_back({0, "", "", 0});
+    for (Group& g : groups_) {
+      if (g.material >= attributes.materials.size()) g.material = none;
+    }
+    attributes.groups = std::move(groups_);
+  }
+
+  const Surface* surface_ = nullptr;
+  PlyRow row_;
+  std::size_t texture_list_ = 0;
+  std::vector<double> row_texture_;
+  bool has_colors_ = false, has_number_ = false;
+  std::size_t polygons_ = 0, corners_ = 0;  // up to the row before
+  std::vector<Color> colors_;
+  std::vector<Point> texture_points_;  // (u, v, 0)
+  PointIndex texture_index_;
+  std::vector<std::uint32_t> corner_texture_;
+  std::vector<Group> groups_;  // of one texnumber each, which stands for the material
+};
 
 template <class Values>
 class PlyBody {
@@ -74,20 +275,20 @@ private:
       }
     }
     builder_.surface().positions.reserve(element.count);
-    PlyAttributes& attributes = attributes_.begin(element);
+    PlyRow& wanted = attributes_.begin(element);
     Point point{};
     rows(element, [&](const PlyProperty& property, std::size_t p) {
       const auto axis = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), p) - axes.begin());
       if (axis < 3) {
         point[axis] = values_.coordinate(property.type);
-      } else if (property.list_size || !attributes.wants(p)) {
+      } else if (property.list_size || !wanted.wants(p)) {
         skip(property);
       } else {
-        attributes.take(p, value(property));
+        wanted.take(p, value(property));
       }
       if (p + 1 != element.properties.size()) return;
       builder_.position(point);
-      attributes.end_row();
+      attributes_.end_row();
     });
   }
 
@@ -97,7 +298,7 @@ private:
       throw base::Error(source_.name, "element " + element.name + " has no list vertex_indices",
                         "export the model again");
     }
-    face_attributes_.begin(element, builder_.surface());
+    PlyRow& row = face_attributes_.begin(element, builder_.surface());
     rows(element, [&](const PlyProperty& property, std::size_t p) {
       if (p == wanted) {
         const std::size_t length = list_length(property);
@@ -105,8 +306,8 @@ private:
         take(length);
       } else if (face_attributes_.wants_list(p)) {
         for (std::size_t i = list_length(property); i-- > 0;) face_attributes_.take_texture(value(property));
-      } else if (face_attributes_.wants(p)) {
-        face_attributes_.take(p, value(property));
+      } else if (row.wants(p)) {
+        row.take(p, value(property));
       } else {
         skip(property);
       }
@@ -213,8 +414,7 @@ ReadResult read_ply(const Source& source) {
     if (result.attributes) {
       for (const ImageFile& image : result.attributes->images) companions.files.push_back(image.path);
     }
-    result.original = std::make_shared<const PlyOriginal>(source.name, source.bytes, source.owner,
-                                                          std::move(header), body, std::move(companions));
+    result.original = ply_original(source, std::move(header), body, std::move(companions));
   }
   return result;
 }

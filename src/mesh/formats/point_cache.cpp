@@ -15,9 +15,10 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "mesh/formats/byte_order.h"
 #include "mesh/formats/foreign_content.h"
+#include "mesh/formats/printed.h"
 #include "mesh/formats/source.h"
-#include "mesh/formats/written_positions.h"
 
 namespace viete::mesh {
 
@@ -29,52 +30,26 @@ constexpr std::string_view pc2_magic{"POINTCACHE2\0", 12};
 constexpr std::size_t pc2_head_size = 32, mdd_head_size = 8;
 constexpr std::size_t most_of_cache = std::numeric_limits<std::int32_t>::max();
 
-constexpr std::uint32_t swapped_bytes(std::uint32_t x) {
-  return x << 24 | (x << 8 & 0xFF0000U) | (x >> 8 & 0xFF00U) | x >> 24;
+std::endian order_of(PointCacheFormat format) {
+  return format == PointCacheFormat::pc2 ? std::endian::little : std::endian::big;
 }
-
-// Of the file's order to that of the machine, and back.
-std::uint32_t word_in_order(std::uint32_t word, PointCacheFormat format) {
-  const std::endian order = format == PointCacheFormat::pc2 ? std::endian::little : std::endian::big;
-  return order == std::endian::native ? word : swapped_bytes(word);
-}
-
-class CacheHeadWriter {
-public:
-  explicit CacheHeadWriter(PointCacheFormat format) : format_(format) {}
-
-  void word(std::size_t value) { put(static_cast<std::uint32_t>(value)); }
-  void number(float value) { put(std::bit_cast<std::uint32_t>(value)); }
-  void text(std::string_view bytes) { all_ += bytes; }
-  std::string take() && { return std::move(all_); }
-
-private:
-  void put(std::uint32_t word) {
-    word = word_in_order(word, format_);
-    char bytes[4];
-    std::memcpy(bytes, &word, 4);
-    all_.append(bytes, 4);
-  }
-
-  PointCacheFormat format_;
-  std::string all_;
-};
 
 std::string bytes_of(const PointCacheHead& head) {
-  CacheHeadWriter out(head.format);
+  std::string all;
+  const auto put = [&](auto number) {
+    const auto raw = bytes_of_number(number, order_of(head.format));
+    all.append(raw.data(), raw.size());
+  };
+  const auto points = static_cast<std::uint32_t>(head.points),
+             frames = static_cast<std::uint32_t>(head.frames);
   if (head.format == PointCacheFormat::pc2) {
-    out.text(pc2_magic);
-    out.word(1);
-    out.word(head.points);
-    out.number(head.start);
-    out.number(head.rate);
-    out.word(head.frames);
+    all = pc2_magic;
+    put(std::uint32_t{1}), put(points), put(head.start), put(head.rate), put(frames);
   } else {
-    out.word(head.frames);
-    out.word(head.points);
-    for (const float s : head.seconds) out.number(s);
+    put(frames), put(points);
+    for (const float s : head.seconds) put(s);
   }
-  return std::move(out).take();
+  return all;
 }
 
 const PointCacheHead& writable(const fs::path& path, const PointCacheHead& head) {
@@ -109,7 +84,7 @@ std::optional<PointCacheFormat> point_cache_format(const fs::path& path) {
 void write_point_cache(const fs::path& path, const PointCacheHead& wished,
                        const std::function<std::span<const float>(std::size_t)>& frame) {
   const PointCacheHead head = writable(path, wished);
-  std::vector<std::uint32_t> swapped;
+  std::vector<std::array<char, 4>> ordered(3 * head.points);
   base::replace_file(path, [&](const base::ByteSink& sink) {
     sink(bytes_of(head));
     for (std::size_t number = 0; number < head.frames; ++number) {
@@ -122,14 +97,9 @@ void write_point_cache(const fs::path& path, const PointCacheHead& wished,
                           "give each frame a position of every vertex");
       for (std::size_t i = 0; i < positions.size(); i += 3)
         check_written(place, i / 3, {positions[i], positions[i + 1], positions[i + 2]}, largest_float);
-      const auto* bytes = reinterpret_cast<const char*>(positions.data());
-      if (word_in_order(1, head.format) != 1) {
-        swapped.resize(positions.size());
-        for (std::size_t i = 0; i < positions.size(); ++i)
-          swapped[i] = swapped_bytes(std::bit_cast<std::uint32_t>(positions[i]));
-        bytes = reinterpret_cast<const char*>(swapped.data());
-      }
-      sink({bytes, positions.size_bytes()});
+      std::ranges::transform(positions, ordered.begin(),
+                             [&](float x) { return bytes_of_number(x, order_of(head.format)); });
+      sink({reinterpret_cast<const char*>(ordered.data()), positions.size_bytes()});
     }
   });
 }
@@ -174,13 +144,11 @@ void PointCache::read_head(std::uint64_t size) {
 namespace {
 
 std::int32_t count_at(std::span<const char> bytes, std::size_t at, PointCacheFormat format) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, bytes.data() + at, 4);
-  return static_cast<std::int32_t>(word_in_order(word, format));
+  return number_of_bytes<std::int32_t>(bytes.data() + at, order_of(format));
 }
 
 float float_at(std::span<const char> bytes, std::size_t at, PointCacheFormat format) {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(count_at(bytes, at, format)));
+  return number_of_bytes<float>(bytes.data() + at, order_of(format));
 }
 
 std::string cache_size_text(std::int64_t points, std::int64_t frames) {

@@ -4,6 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+
+#include "base/error.h"
 
 namespace viete::mesh {
 
@@ -116,6 +119,31 @@ void print_point(const Point& p, TextWriter& out) {
   const Printed printed(out.digits());
   std::array<char, 400> room;
   for (std::size_t i = 0; i < 3; ++i) out.text(i > 0 ? " " : "").text(printed.print(p[i], room));
+}
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& place, std::size_t vertex, const Point& p, double largest) {
+  std::array<char, 160> text;
+  std::snprintf(text.data(), text.size(), "the position of vertex %zu is no place (%.3g %.3g %.3g)", vertex,
+                p[0], p[1], p[2]);
+  if (!is_place(p))
+    throw base::Error(place, text.data(), "use other weights or another blend, or a pose nearer to rest");
+  std::snprintf(text.data(), text.size(), "the position of vertex %zu is beyond %.3g (%.3g %.3g %.3g)",
+                vertex, largest, p[0], p[1], p[2]);
+  throw base::Error(place, text.data(), "scale the model, or write .obj or .ply, which hold larger numbers");
+}
+
+}  // namespace
+
+void check_written(const std::string& place, std::size_t vertex, const Point& p, double largest) {
+  if (!is_place(p, largest)) refuse(place, vertex, p, largest);
+}
+
+void check_written(const std::string& place, std::span<const Point> positions, double largest) {
+  if (positions.empty())
+    throw base::Error(place, "there are no vertices to write", "name a mesh that has some");
+  for (std::size_t v = 0; v < positions.size(); ++v) check_written(place, v, positions[v], largest);
 }
 
 }  // namespace viete::mesh

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "mesh/formats/read_result.h"
+#include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
+#include "mesh/surface.h"
 
 namespace viete::mesh {
 

@@ -5,12 +5,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "mesh/formats/printed.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/formats/text_writer.h"
 #include "mesh/normals.h"
+#include "mesh/surface.h"
 #include "mesh/vector.h"
 
 namespace viete::mesh {
@@ -27,6 +31,16 @@ inline Vec3 vector_in(const ThreeWords& words) {
   Vec3 v{};
   for (std::size_t i = 0; i < 3; ++i) v[i] = number_in(words[i]).value_or(std::nan(""));
   return v;
+}
+
+/// A direction, whose words are learned. One that is missing is taken as 0 0 0, and stays so.
+inline Vec3 learned_direction(const ThreeWords& words, Printed& printed) {
+  if (words[2].empty()) return {0, 0, 0};
+  const Vec3 direction = vector_in(words);
+  if (is_direction(direction)) {
+    for (const std::string_view word : words) printed.learn(word);
+  }
+  return direction;
 }
 
 /// Replacements come in the order of the file; what lies between them is copied as it is.
@@ -72,5 +86,42 @@ private:
   TextWriter& out_;
   std::size_t copied_ = 0;
 };
+
+/// Text with rows of positions and of normals (or none of these): what moved is printed anew.
+/// walk(position, normal) calls position(row, words), which says whether to go on, and normal(row, words) in
+/// the order of the file; vertex_of(row): the vertex of a position. The first `enough` of these are learned
+/// from.
+template <class Walk, class VertexOf>
+void rewrite_vectors(std::string_view bytes, TextWriter& out, const Surface& rest,
+                     std::span<const Point> positions, std::size_t enough, const VertexOf& vertex_of,
+                     std::size_t normals, std::span<const std::uint32_t> normal_of_corner,
+                     std::span<const std::uint32_t> vertex_of_normal, const Walk& walk) {
+  Printed coordinates(out.digits()), directions(out.digits());
+  std::vector<Vec3> before(normals);
+  walk(
+      [&](std::size_t row, const ThreeWords& words) {
+        for (const std::string_view word : words) {
+          if (row < enough) coordinates.learn(word);
+        }
+        return normals > 0 || row < enough;
+      },
+      [&](std::size_t row, const ThreeWords& words) { before[row] = learned_direction(words, directions); });
+  coordinates.keep(6, bounds(rest.positions).diagonal());
+  directions.keep(5, 1);
+  std::vector<Vec3> now = before;
+  if (normals > 0) now = deformed_normals(rest, positions, before, normal_of_corner, vertex_of_normal);
+  keep_lengths(before, now);
+  Rewriter rewriter(bytes, out);
+  walk(
+      [&](std::size_t row, const ThreeWords& words) {
+        const std::uint32_t v = vertex_of(row);
+        rewriter.replace(words, rest.positions[v], positions[v], coordinates);
+        return true;
+      },
+      [&](std::size_t row, const ThreeWords& words) {
+        rewriter.replace(words, before[row], now[row], directions);
+      });
+  rewriter.finish();
+}
 
 }  // namespace viete::mesh

@@ -101,6 +101,10 @@ std::string extension_of(const fs::path& path) {
   return extension;
 }
 
+fs::path folder_of(const fs::path& file) {
+  return fs::weakly_canonical(fs::absolute(file).parent_path());
+}
+
 std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name) {
   std::string slashed(name);
   std::replace(slashed.begin(), slashed.end(), '\\', '/');

@@ -68,6 +68,9 @@ private:
 /// The extension of a path in lower case, without the dot.
 std::string extension_of(const std::filesystem::path& path);
 
+/// A folder as the system knows it, without links and dots; of a file, the one that it lies in.
+std::filesystem::path folder_of(const std::filesystem::path& file);
+
 /// A file as one in this folder names it: programs on Windows write backslashes.
 std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name);
 

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "base/error.h"
 #include "mesh/formats/attributes.h"
-#include "mesh/formats/printed.h"
-#include "mesh/formats/stl_layout.h"
-#include "mesh/formats/stl_original.h"
+#include "mesh/formats/byte_order.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/point_index.h"
@@ -19,8 +15,73 @@ namespace viete::mesh {
 
 namespace {
 
+[[noreturn]] void refuse_length(const Source& source, const std::string& problem) {
+  throw base::Error(source.name, problem, "it seems to be cut short or damaged: export or copy it again");
+}
+
+// Read from a wrong place, bytes give numbers of no size that a model, or a normal, has.
+bool makes_sense(const char* triangle) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    const double size = std::abs(number_of_bytes<float>(triangle + 4 * i));
+    if (size != 0 && !(size > 1e-37 && size < (i < 3 ? 1e6 : 1e30))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+StlTriangles::StlTriangles(const Source& source) {
+  const std::string_view bytes = source.bytes;
+  if (bytes.size() < stl_head_bytes)
+    refuse_length(source, "a binary STL has 84 bytes at least, this file " + std::to_string(bytes.size()));
+  count_ = number_of_bytes<std::uint32_t>(bytes.data() + 80);
+  const std::size_t room = bytes.size() - stl_head_bytes;
+  const std::string announced = "the header announces " + std::to_string(count_) + " triangles";
+  if (count_ > room / stl_triangle_bytes)
+    refuse_length(source, announced + ", the file has room for " + std::to_string(room / stl_triangle_bytes));
+  if (count_ == 0 && room > 0)
+    refuse_length(source, announced + ", and " + std::to_string(room) + " bytes follow");
+  end_ = stl_head_bytes + count_ * stl_triangle_bytes;
+  if (end_ == bytes.size() || follow_attributes(bytes) || make_sense(bytes)) return;
+  refuse_length(source, announced + ", and neither they alone nor they and the attributes that they count " +
+                            "behind them are what follows");
+}
+
+// True where there are any and they lie within the file.
+bool StlTriangles::follow_attributes(std::string_view bytes) {
+  std::vector<std::size_t> starts;
+  std::size_t at = stl_head_bytes;
+  for (std::size_t t = 0; t < count_; ++t) {
+    if (bytes.size() - at < stl_triangle_bytes) return false;
+    starts.push_back(at);
+    at += stl_triangle_bytes;
+    const std::uint16_t more = number_of_bytes<std::uint16_t>(bytes.data() + at - 2);
+    if (bytes.size() - at < more) return false;
+    at += more;
+  }
+  if (at == end_) return false;
+  end_ = at;
+  starts_ = std::move(starts);
+  return true;
+}
+
+bool StlTriangles::make_sense(std::string_view bytes) const {
+  for (std::size_t t = 0; t < count_; ++t)
+    if (!makes_sense(bytes.data() + offset(t))) return false;
+  return true;
+}
+
+std::string lower_stl_word(std::string_view word) {
+  std::string text(word.substr(0, 16));
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return text;
+}
+
+namespace {
+
 std::uint64_t announced_bytes(const Source& source) {
-  return stl_head_bytes + stl_triangle_bytes * std::uint64_t{stl_word(source.bytes.data() + 80)};
+  return stl_head_bytes +
+         stl_triangle_bytes * std::uint64_t{number_of_bytes<std::uint32_t>(source.bytes.data() + 80)};
 }
 
 bool is_exact_binary(const Source& source) {
@@ -34,6 +95,22 @@ bool starts_solid(const Source& source) {
 
 bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+}
+
+// True if the size of the file is what the count asks for, or if the first triangles make sense with the
+// attributes that they count.
+bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
+  if (beginning.size() < stl_head_bytes) return false;
+  const std::uint32_t count = number_of_bytes<std::uint32_t>(beginning.data() + 80);
+  const std::uint64_t least = stl_head_bytes + std::uint64_t{stl_triangle_bytes} * count;
+  if (count == 0 || least >= file_size) return least == file_size;
+  std::size_t at = stl_head_bytes;
+  for (std::uint32_t t = 0; t < count && at + stl_triangle_bytes <= beginning.size(); ++t) {
+    if (!makes_sense(beginning.data() + at)) return false;
+    at += stl_triangle_bytes;
+    at += number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
+  }
+  return true;
 }
 
 // Joins equal corners.
@@ -54,11 +131,6 @@ private:
   PointIndex index_;
 };
 
-void keep_original(const Source& source, bool binary, ReadResult& result) {
-  if (!source.owner) return;
-  result.original = std::make_shared<const StlOriginal>(source.name, source.bytes, source.owner, binary);
-}
-
 std::string head_text(std::string_view head) {
   std::string text = TextWriter::one_line(std::string(head.substr(0, head.find('\0'))));
   return text;
@@ -78,7 +150,7 @@ public:
       of_all_[i] = static_cast<float>(static_cast<unsigned char>(head[at + mark.size() + i])) / 255;
   }
 
-  void take(const char* bytes) { words_.push_back(stl_short(bytes)); }
+  void take(const char* bytes) { words_.push_back(number_of_bytes<std::uint16_t>(bytes)); }
 
   /// Null where the file has none.
   std::shared_ptr<const Attributes> finish() const {
@@ -117,7 +189,7 @@ ReadResult read_binary(const Source& source) {
     const char* const at = source.bytes.data() + triangles.offset(t) + 12;
     for (int c = 0; c < 3; ++c) {
       Point p{};
-      for (int i = 0; i < 3; ++i) p[i] = stl_float(at + 12 * c + 4 * i);
+      for (int i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(at + 12 * c + 4 * i);
       if (!std::isfinite(p[0] + p[1] + p[2])) {
         throw base::Error(source.place("triangle", t), "a coordinate is not a finite number",
                           "repair the triangle");
@@ -137,7 +209,7 @@ ReadResult read_binary(const Source& source) {
   }
   ReadResult result = builder.finish("STL binary");
   if (!triangles.have_attributes()) result.attributes = colors.finish();
-  keep_original(source, true, result);
+  if (source.owner) result.original = stl_original(source, true);
   return result;
 }
 
@@ -156,7 +228,7 @@ public:
       text_.fail("the file ends within a facet", "it seems to be cut short: export or copy it again");
     if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
     ReadResult result = builder_.finish("STL ascii");
-    keep_original(source_, false, result);
+    if (source_.owner) result.original = stl_original(source_, false);
     return result;
   }
 
@@ -201,22 +273,6 @@ private:
   bool in_facet_ = false, ended_ = false;
 };
 
-// For the normal that STL wants; zero if there is no area.
-Point unit_normal(const Point& a, const Point& b, const Point& c) {
-  Point u = b - a, v = c - a;
-  const double scale = std::max(largest_abs(u), largest_abs(v));
-  if (scale == 0) return {0, 0, 0};
-  for (int i = 0; i < 3; ++i) {
-    u[i] /= scale;
-    v[i] /= scale;
-  }
-  Point n = cross(u, v);
-  const double size = stable_norm(n);
-  if (size == 0) return {0, 0, 0};
-  for (double& x : n) x /= size;
-  return n;
-}
-
 }  // namespace
 
 ReadResult read_stl(const Source& source) {
@@ -240,26 +296,6 @@ bool is_certainly_stl(const Beginning& file) {
     if (std::ranges::find(words, word) == words.end()) return false;
   }
   return word != "solid";
-}
-
-void write_stl(const Content& content, TextWriter& out) {
-  const Surface& surface = content.surface;
-  const auto& positions = content.positions;
-  const auto& comments = content.comments;
-  std::size_t done = 0;
-  out.text("solid ").text(comments.empty() ? "surface" : TextWriter::one_line(comments.front())).text("\n");
-  for (const Triangle& t : surface.triangles) {
-    const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
-    out.text(" facet normal ").point(unit_normal(a, b, c)).text("\n  outer loop\n");
-    for (const Point& p : {a, b, c}) {
-      out.text("   vertex ");
-      print_point(p, out);
-      out.text("\n");
-    }
-    out.text("  endloop\n endfacet\n");
-    out.element_done(++done, surface.triangles.size());
-  }
-  out.text("endsolid\n");
 }
 
 }  // namespace viete::mesh

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "mesh/formats/read_result.h"
+#include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
-#include "mesh/formats/stl_layout.h"
 #include "mesh/formats/text_writer.h"
 
 namespace viete::mesh {
@@ -31,5 +32,39 @@ bool is_certainly_stl(const Beginning& file);
 /// Text, because binary STL would round the positions to float. Keeps triangles only: unused vertices are
 /// lost.
 void write_stl(const Content& content, TextWriter& out);
+
+/// The file as it was, to be written again. Binary: header, attributes and what stands behind the triangles
+/// stay. Text: solids and their names stay, numbers are printed as in the file. Normals of facets that moved
+/// follow; those that are 0 0 0 stay so. It throws base::Error too where a position does not fit into the
+/// float of a binary file.
+std::shared_ptr<const Original> stl_original(const Source& source, bool binary);
+
+/// Of a binary STL: what stands before the triangles, and each of these without attributes behind it.
+inline constexpr std::size_t stl_head_bytes = 84, stl_triangle_bytes = 50;
+
+/// Where the triangles of a binary STL stand.
+class StlTriangles {
+public:
+  /// Throws base::Error where the length of the file does not fit what it says of itself.
+  explicit StlTriangles(const Source& source);
+
+  std::size_t count() const { return count_; }
+  std::size_t offset(std::size_t triangle) const {
+    return starts_.empty() ? stl_head_bytes + stl_triangle_bytes * triangle : starts_[triangle];
+  }
+  /// Behind the last one and its attributes.
+  std::size_t end() const { return end_; }
+  bool have_attributes() const { return !starts_.empty(); }
+
+private:
+  bool follow_attributes(std::string_view bytes);
+  bool make_sense(std::string_view bytes) const;
+
+  std::size_t count_ = 0, end_ = 0;
+  std::vector<std::size_t> starts_;  // where attributes follow
+};
+
+/// A word of a text STL in small letters, at most 16 of them.
+std::string lower_stl_word(std::string_view word);
 
 }  // namespace viete::mesh

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/formats/read_result.h"
+#include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
 
 namespace viete::mesh {

@@ -13,6 +13,7 @@
 #include "base/atomic_file.h"
 #include "base/progress.h"
 #include "mesh/formats/attributes.h"
+#include "mesh/formats/byte_order.h"
 #include "mesh/surface.h"
 
 namespace viete::mesh {
@@ -34,6 +35,12 @@ struct Content {
   std::span<const Point> positions;  ///< of its vertices, instead of its own
   const std::vector<std::string>& comments;
   const Attributes* attributes = nullptr;  ///< of the surface; null: none
+
+  /// The attributes, or what has none.
+  const Attributes& given() const {
+    static const Attributes nothing;
+    return attributes ? *attributes : nothing;
+  }
 };
 
 /// Hands bytes on whenever a portion of them has come together, so that large files are never in memory as a
@@ -50,9 +57,16 @@ public:
     return *this;
   }
 
-  /// The shortest digits (17 at most) that read back as the same double.
+  /// The shortest digits (17 at most) that read back as the same number.
   TextWriter& number(double value) { return shortest(value); }
+  TextWriter& number(float value) { return shortest(value); }
   TextWriter& number(std::uint64_t value) { return shortest(value); }
+
+  template <class Number>
+  TextWriter& little_endian(Number value) {
+    const auto raw = bytes_of_number(value);
+    return text({raw.data(), raw.size()});
+  }
 
   TextWriter& point(const Point& p) { return number(p[0]).text(" ").number(p[1]).text(" ").number(p[2]); }
 

@@ -1,20 +1,22 @@
 #include "mesh/formats/write.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <set>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/gltf_output.h"
-#include "mesh/formats/image_files.h"
-#include "mesh/formats/obj.h"
-#include "mesh/formats/written_positions.h"
+#include "mesh/formats/printed.h"
 
 namespace viete::mesh {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 template <class Fill>
 void write_as(const std::filesystem::path& path, Digits digits, base::Progress* progress, const Fill& fill) {
@@ -25,26 +27,86 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
   });
 }
 
-void append(std::vector<std::string>& notes, std::vector<std::string> more) {
-  std::ranges::move(more, std::back_inserter(notes));
-}
-
-// What the format can hold of the attributes as they are now; what it cannot is told.
+// What the attributes are now; what the result lacks is told.
 Attributes converted(const Format& format, const Content& content, const Original* original,
                      std::vector<std::string>& notes) {
-  if (original) notes = left_out(format, *original);
-  append(notes, triangles_notes(format, content.surface));
-  if (!content.attributes) return {};
-  Attributes now = deformed_attributes(content.surface, content.positions, *content.attributes);
-  if (format.holds(held::materials) && !format.holds(held::polygon_colors)) colors_to_materials(now);
-  if (format.write == write_obj) {
-    fill_in_materials(now);
-    name_materials(now);
-  }
-  append(notes, left_out(format, content.surface, *content.attributes, now));
-  if (format.images == Format::Images::within) append(notes, take_images_within(now));
+  Attributes now;
+  if (content.attributes) now = deformed_attributes(content.surface, content.positions, *content.attributes);
+  notes = left_out(format, content, now, original);
   return now;
 }
+
+std::string list_of_names(const std::set<std::string>& names) {
+  std::string list;
+  std::size_t left = 8;
+  for (const std::string& name : names) {
+    if (left-- == 0) return list + " ...";
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
+}
+
+// Copies what a file leads to beside the one that is being written again, so that this finds it too. What is
+// outside of the old folder stays, and none takes the place of another. Without keep() those that are new go
+// again.
+class CompanionCopies {
+public:
+  explicit CompanionCopies(const fs::path& model) : model_(model) {}
+  ~CompanionCopies() {
+    std::error_code ignored;
+    for (const fs::path& path : written_) fs::remove(path, ignored);
+  }
+  CompanionCopies(const CompanionCopies&) = delete;
+  CompanionCopies& operator=(const CompanionCopies&) = delete;
+
+  void take(const Companions& companions) {
+    if (fs::weakly_canonical(companions.folder) == folder_of(model_)) return;
+    std::set<std::string> copied, others, stayed;
+    for (const fs::path& file : companions.files) {
+      const fs::path name = file.lexically_relative(companions.folder);
+      std::error_code code;
+      if (!fs::is_regular_file(file, code)) continue;  // who shows it has said so
+      if (name.empty() || *name.begin() == "..") {
+        stayed.insert(file.string());
+      } else {
+        (copy(file, name) ? copied : others).insert(name.string());
+      }
+    }
+    tell("copied beside it, where it looks for them: ", copied);
+    tell("other files of these names are beside it already, and stayed: ", others);
+    tell("stayed where they are, and it may not find them: ", stayed);
+  }
+
+  // With what a person should know of them and of the result.
+  std::vector<std::string> keep(std::vector<std::string> notes) {
+    written_.clear();
+    std::ranges::move(notes, std::back_inserter(notes_));
+    return std::move(notes_);
+  }
+
+private:
+  // False where another file has that name.
+  bool copy(const fs::path& file, const fs::path& name) {
+    const FileBytes bytes(file, nullptr);
+    const fs::path path = model_.parent_path() / name;
+    std::error_code code;
+    if (fs::exists(fs::symlink_status(path, code)))
+      return fs::file_size(path, code) == bytes.view().size() && !code &&
+             FileBytes(path, nullptr).view() == bytes.view();
+    fs::create_directories(path.parent_path(), code);  // or writing says what is wrong
+    base::replace_file(path, bytes.view());
+    written_.push_back(path);
+    return true;
+  }
+
+  void tell(const char* what, const std::set<std::string>& names) {
+    if (!names.empty()) notes_.push_back(what + list_of_names(names));
+  }
+
+  fs::path model_;
+  std::vector<fs::path> written_;
+  std::vector<std::string> notes_;
+};
 
 }  // namespace
 
@@ -61,38 +123,20 @@ void write(const std::filesystem::path& path, const Surface& surface, std::span<
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress) {
   check_written(path.string(), content.positions);
-  FilesBeside beside(path);
   if (writes_itself(original, path)) {
-    std::vector<std::string> notes = copy_companions(original->companions(), beside);
-    append(notes, original->write_file(path, content.surface, content.positions, digits, progress));
-    beside.keep();
-    return notes;
+    CompanionCopies copies(path);
+    copies.take(original->companions());
+    return copies.keep(original->write_file(path, content.surface, content.positions, digits, progress));
   }
   const Format& format = surface_format(path);
   if (!format.holds(held::points) && content.surface.triangles.empty())
     throw base::Error(path.string(), std::string(format.name) + " holds triangles alone, and there are none",
                       "write " + format_extensions([](const Format& f) { return f.holds(held::points); }));
   std::vector<std::string> notes;
-  Attributes now = converted(format, content, original, notes);
-  std::string library;
-  if (format.images == Format::Images::beside) append(notes, put_images_beside(beside, now));
-  if (format.write == write_obj && !now.materials.empty()) {
-    library = beside.put(path.stem().string() + ".mtl", mesh::material_library(now));
-    notes.push_back("the materials are in " + (path.parent_path() / library).string());
-  }
-  const Content what{content.surface, content.positions, content.comments,
-                     content.attributes ? &now : nullptr};
-  write_as(path, digits, progress, [&](TextWriter& out) {
-    library.empty() ? format.write(what, out) : write_obj_with_library(what, library, out);
-  });
-  beside.keep();
+  const Attributes now = converted(format, content, original, notes);
+  const Content what{content.surface, content.positions, content.comments, &now};
+  write_as(path, digits, progress, [&](TextWriter& out) { format.write(what, out); });
   return notes;
-}
-
-std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
-                                        const Original* original, const MorphAnimation& animation,
-                                        base::Progress* progress) {
-  return write_animated(path, content, original, morph_motion(animation, content.positions), progress);
 }
 
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
@@ -106,11 +150,9 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
   check_written(path.string(), content.positions);
   std::vector<std::string> notes;
   if (writes_itself(original, path)) {
-    FilesBeside beside(path);
-    notes = copy_companions(original->companions(), beside);
-    append(notes, original->write_animated(path, content.surface, content.positions, motion, progress));
-    beside.keep();
-    return notes;
+    CompanionCopies copies(path);
+    copies.take(original->companions());
+    return copies.keep(original->write_animated(path, content.surface, content.positions, motion, progress));
   }
   const Attributes now = converted(format, content, original, notes);
   const Content what{content.surface, content.positions, content.comments, &now};
@@ -125,6 +167,37 @@ void check_keeps_vertices(const std::filesystem::path& path) {
   if (!format || !format->write || format->keeps_order) return;
   throw base::Error(path.string(), std::string(format->name) + " does not keep the order of the vertices",
                     "save it as " + format_extensions(keeps_order));
+}
+
+std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Surface& rest,
+                                              std::span<const Point> positions, Digits digits,
+                                              base::Progress* progress) const {
+  std::vector<std::string> notes;
+  base::replace_file(path, [&](const base::ByteSink& sink) {
+    TextWriter out(sink, progress, digits);
+    notes = write(rest, positions, out);
+    out.finish();
+  });
+  return notes;
+}
+
+std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const Surface&,
+                                                  std::span<const Point>, const MorphMotion&,
+                                                  base::Progress*) const {
+  throw base::Error(path.string(), "this format has no morph targets", "write one that has them");
+}
+
+void check_motion(const MorphMotion& motion, std::size_t vertices) {
+  const auto& seconds = motion.seconds;
+  if (seconds.empty()) throw base::Error("", "an animation without keys", "give it at least one");
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    const bool ascends = i == 0 || static_cast<float>(seconds[i]) > static_cast<float>(seconds[i - 1]);
+    if (!std::isfinite(seconds[i]) || !ascends)
+      throw base::Error("key " + std::to_string(i), "its time does not come after that of the key before it",
+                        "give each key its own time");
+  }
+  if (motion.moves.size() != vertices || motion.weights.size() != seconds.size() * motion.targets.size())
+    throw base::Error("", "an animation of another model, or of other targets", "make it of this model");
 }
 
 }  // namespace viete::mesh

@@ -28,10 +28,9 @@ void write(const std::filesystem::path& path, const Surface& surface, std::span<
            const std::vector<std::string>& comments = {}, base::Progress* progress = nullptr);
 
 /// The same; where there is an original that can write itself under this name, it does: all that was in the
-/// file is in it again, and in another folder the libraries and images that it names come along. Otherwise
-/// the attributes are converted as far as the format holds them; materials of an OBJ go into a library beside
-/// it (.mtl, or the next free name), and images that lay within the file beside it too; of what stands
-/// beside, a failure leaves nothing new. Returns what a person should know of the result, one line each.
+/// file is in it again, and in another folder the libraries and images that it names come along, of which a
+/// failure leaves nothing new. Another format gets normals, texture points and colours as far as it holds
+/// them, but no groups and no materials. Returns what a person should know of the result, one line each.
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress = nullptr);
 
@@ -41,9 +40,6 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
 /// none, see check_motion(), and for other formats.
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                         const Original* original, const MorphMotion& motion,
-                                        base::Progress* progress = nullptr);
-std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
-                                        const Original* original, const MorphAnimation& animation,
                                         base::Progress* progress = nullptr);
 
 /// Throws base::Error where this name's format would read back other vertices, or in another order, than were

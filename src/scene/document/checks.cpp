@@ -11,7 +11,6 @@
 #include "cages/enclose.h"
 #include "mesh/defects.h"
 #include "mesh/repair.h"
-#include "mesh/self_intersection.h"
 #include "mesh/winding_number.h"
 #include "scene/document/cage_editing.h"
 

@@ -15,6 +15,7 @@
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/repair.h"
+#include "mesh/surface.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
 #include "scene/document/range.h"

@@ -10,7 +10,7 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
-#include "mesh/content_key.h"
+#include "mesh/surface.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/triangulation.h"

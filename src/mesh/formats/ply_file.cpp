@@ -1,4 +1,4 @@
-#include "mesh/formats/ply_header.h"
+#include "mesh/formats/ply_file.h"
 
 #include <algorithm>
 #include <map>
@@ -108,11 +108,6 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
 }
 
 }  // namespace
-
-std::size_t size_of(PlyType type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
 
 std::size_t PlyElement::find(const std::string& wanted, const std::string& other) const {
   std::size_t i = 0;

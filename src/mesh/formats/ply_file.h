@@ -1,24 +1,91 @@
-// The values of a PLY file's body one after the other, from text or from bytes: same interface, no common
-// base.
+// A PLY file taken apart: its header, and behind it the values, from text or from bytes.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.h"
-#include "mesh/formats/ply_header.h"
+#include "mesh/formats/byte_order.h"
 #include "mesh/formats/source.h"
+#include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
 
 namespace viete::mesh {
 
-/// Values are words; a row ends with its line.
+enum class PlyType : std::uint8_t {
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64
+};
+
+/// use(number) with a number of this type.
+template <class Use>
+auto with_type(PlyType type, const Use& use) {
+  switch (type) {
+    case PlyType::int8: return use(std::int8_t{});
+    case PlyType::uint8: return use(std::uint8_t{});
+    case PlyType::int16: return use(std::int16_t{});
+    case PlyType::uint16: return use(std::uint16_t{});
+    case PlyType::int32: return use(std::int32_t{});
+    case PlyType::uint32: return use(std::uint32_t{});
+    case PlyType::int64: return use(std::int64_t{});
+    case PlyType::uint64: return use(std::uint64_t{});
+    case PlyType::float32: return use(float{});
+    case PlyType::float64: break;
+  }
+  return use(double{});
+}
+
+/// Bytes of one value in a binary file.
+inline std::size_t size_of(PlyType type) {
+  return with_type(type, [](auto number) { return sizeof number; });
+}
+
+struct PlyProperty {
+  std::string name;
+  PlyType type = PlyType::float32;   ///< of the value, or of each item of a list
+  std::optional<PlyType> list_size;  ///< the type of the list's length; empty for a single value
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  /// Index of the first property with one of these names, properties.size() if there is none.
+  std::size_t find(const std::string& name, const std::string& other = "") const;
+};
+
+struct PlyHeader {
+  enum class Format { ascii, little_endian, big_endian };
+
+  Format format = Format::ascii;
+  std::vector<PlyElement> elements;
+  std::vector<std::string> texture_files;  ///< of `comment TextureFile`, as MeshLab writes them
+  std::size_t unknown_lines = 0;           ///< that were passed over
+
+  const PlyElement* find(const std::string& name) const;
+};
+
+/// Leaves the cursor behind the header. Comments go to the builder; lines that start with no word of a header
+/// are passed over, with a warning. Throws base::Error also when the elements
+/// announced cannot fit into what is left of the file.
+PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder);
+
+/// Values of the body one after the other: words, and a row ends with its line.
 class PlyTextValues {
 public:
   explicit PlyTextValues(const TextCursor& text) : text_(text) {}
@@ -56,11 +123,11 @@ private:
   std::size_t longer_rows_ = 0, first_longer_ = 0;
 };
 
-/// Values are bytes; a place is the element's name and number.
+/// The same interface over bytes; a place is the element's name and number.
 class PlyBinaryValues {
 public:
   PlyBinaryValues(const Source& source, std::size_t start, std::endian order)
-      : source_(&source), at_(source.bytes.substr(start)), swap_(order != std::endian::native) {}
+      : source_(&source), at_(source.bytes.substr(start)), order_(order) {}
 
   void start_row(std::string_view element, std::size_t index) {
     element_ = element;
@@ -102,34 +169,16 @@ private:
     return from;
   }
 
-  template <class T>
-  double as(const char* from) const {
-    std::array<char, sizeof(T)> raw;
-    std::memcpy(raw.data(), from, sizeof(T));
-    if (swap_) std::reverse(raw.begin(), raw.end());
-    return static_cast<double>(std::bit_cast<T>(raw));
-  }
-
   double take(PlyType type) { return take(type, bytes(size_of(type))); }
   double take(PlyType type, const char* from) const {
-    switch (type) {
-      case PlyType::int8: return as<std::int8_t>(from);
-      case PlyType::uint8: return as<std::uint8_t>(from);
-      case PlyType::int16: return as<std::int16_t>(from);
-      case PlyType::uint16: return as<std::uint16_t>(from);
-      case PlyType::int32: return as<std::int32_t>(from);
-      case PlyType::uint32: return as<std::uint32_t>(from);
-      case PlyType::int64: return as<std::int64_t>(from);
-      case PlyType::uint64: return as<std::uint64_t>(from);
-      case PlyType::float32: return as<float>(from);
-      case PlyType::float64: return as<double>(from);
-    }
-    return 0;
+    return with_type(type, [&](auto number) {
+      return static_cast<double>(number_of_bytes<decltype(number)>(from, order_));
+    });
   }
 
   const Source* source_;
   std::string_view at_;
-  bool swap_;
+  std::endian order_;
   std::string_view element_;
   std::size_t index_ = 0;
 };
