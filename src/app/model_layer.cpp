@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "mesh/cavity.h"
-#include "mesh/formats/image_files.h"
 #include "mesh/formats/source.h"
 #include "mesh/normals.h"
 #include "render/palette.h"

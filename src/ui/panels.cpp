@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/workspace/command.h"
-#include "scene/workspace/layout.h"
+#include "scene/workspace/remembered.h"
 #include "ui/overlay_painter.h"
 #include "ui/widgets.h"
 

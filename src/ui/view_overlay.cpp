@@ -1,4 +1,4 @@
-#include "scene/document/pose_notes.h"
+#include "scene/document/checks.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/picking.h"
 #include "scene/workspace/command.h"

@@ -7,7 +7,6 @@
 #include "cages/soundness.h"
 #include "cages/subject.h"
 #include "mesh/defects.h"
-#include "mesh/self_intersection.h"
 #include "mesh/topology.h"
 
 using namespace viete;

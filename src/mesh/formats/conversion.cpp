@@ -4,7 +4,6 @@
 
 #include "base/text.h"
 #include "mesh/adjacency.h"
-#include "mesh/formats/spread_normals.h"
 #include "mesh/normals.h"
 
 namespace viete::mesh {

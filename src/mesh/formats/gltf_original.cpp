@@ -8,7 +8,6 @@
 #include "base/encoding.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "mesh/formats/gltf_beyond.h"
 #include "mesh/formats/gltf_morphs.h"
 #include "mesh/formats/gltf_output.h"
 

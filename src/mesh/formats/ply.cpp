@@ -10,12 +10,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "mesh/formats/ply_attributes.h"
-#include "mesh/formats/ply_face_attributes.h"
 #include "mesh/formats/ply_file.h"
-#include "mesh/formats/ply_header.h"
-#include "mesh/formats/ply_original.h"
-#include "mesh/formats/ply_values.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/point_index.h"

@@ -11,7 +11,6 @@
 #include "cages/edit.h"
 #include "deform/branches.h"
 #include "deform/maps.h"
-#include "mesh/content_key.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/repair.h"

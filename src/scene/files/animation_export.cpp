@@ -17,9 +17,9 @@
 #include "base/worker_pool.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
+#include "mesh/formats/printed.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
-#include "mesh/formats/written_positions.h"
 #include "scene/files/animated_model.h"
 
 namespace viete::scene {
