@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <random>
 #include <span>
 #include <vector>
 
 #include "deform/cage.h"
+#include "support/random.h"
 #include "sym3/rotation.h"
 
 namespace viete::test {
@@ -150,18 +150,5 @@ inline bool all_finite(std::span<const mesh::Point> points) {
   }
   return true;
 }
-
-class Random {
-public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-
-  double operator()(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  Vec3 vector(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
-
-private:
-  std::mt19937_64 engine_;
-};
 
 }  // namespace viete::test

@@ -13,7 +13,6 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +24,7 @@
 #include "mesh/surface.h"
 #include "mesh/triangulation.h"
 #include "support/folder.h"
+#include "support/random.h"
 
 namespace viete::test {
 
@@ -103,25 +103,6 @@ inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = fal
   mesh::triangulate(s);
   return s;
 }
-
-/// Places and directions at random.
-class Random {
-public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-
-  Point vector(double size) {
-    std::uniform_real_distribution<double> number(-size, size);
-    return {number(engine_), number(engine_), number(engine_)};
-  }
-  std::vector<Point> vectors(std::size_t count, double size) {
-    std::vector<Point> all(count);
-    for (Point& p : all) p = vector(size);
-    return all;
-  }
-
-private:
-  std::mt19937_64 engine_;
-};
 
 /// The triangles of both.
 inline Surface both(Surface a, const Surface& b) {
