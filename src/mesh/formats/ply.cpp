@@ -19,7 +19,7 @@ namespace viete::mesh {
 
 namespace {
 
-// What a colour of this type is multiplied by. Integers of more than two bytes hold bytes, as some programs
+// The factor of colours of this type. Integers of more than two bytes hold bytes, as some programs
 // declare them in text.
 double part_of_largest(PlyType type) {
   return with_type(type, [](auto number) {
