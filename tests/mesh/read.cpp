@@ -7,11 +7,7 @@
 #include <random>
 
 #include "mesh/formats/foreign_content.h"
-#include "mesh/formats/obj.h"
-#include "mesh/formats/off.h"
-#include "mesh/formats/ply.h"
 #include "mesh/formats/point_cache.h"
-#include "mesh/formats/stl.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "support/data.h"
@@ -37,11 +33,10 @@ std::string refusal_of(const fs::path& path) {
 
 TEST_CASE("content_decides_the_format_and_not_the_extension") {
   const Surface s = test::sphere(1);
-  const std::pair<std::string, std::string> files[] = {
-      {"OBJ", test::bytes_by(write_obj, s)},
-      {"PLY binary little-endian", test::bytes_by(write_ply, s)},
-      {"OFF", test::bytes_by(write_off, s)},
-      {"STL ascii", test::bytes_by(write_stl, s)}};
+  const std::pair<std::string, std::string> files[] = {{"OBJ", test::bytes_by("obj", s)},
+                                                       {"PLY binary little-endian", test::bytes_by("ply", s)},
+                                                       {"OFF", test::bytes_by("off", s)},
+                                                       {"STL ascii", test::bytes_by("stl", s)}};
   for (const auto& [format, bytes] : files) {
     for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"}) {
       if (format == "OBJ" && std::string(extension) == "stl") continue;  // binary STL has no mark of its own
@@ -80,7 +75,7 @@ TEST_CASE("files_that_cannot_be_read_say_why") {
 
 TEST_CASE("file_names_may_hold_anything") {
   const test::TemporaryFolder folder;
-  const std::string text = test::bytes_by(write_obj, test::cube());
+  const std::string text = test::bytes_by("obj", test::cube());
   for (const std::string name : {"-dash.obj", "it's \"odd\" & $HOME;.OBJ", "\xE5\x90\x8D\xE5\x89\x8D.obj",
                                  "a.b.c", "none", " ", "new\nline.obj"}) {
     test::put_file(folder / name, text);
@@ -110,11 +105,11 @@ TEST_CASE("damaged_files_are_read_or_refused_and_never_break_an_invariant") {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   const std::pair<std::string, std::string> seeds[] = {
-      {"obj", test::bytes_by(write_obj, test::cube(), {"a comment"})},
-      {"ply", test::bytes_by(write_ply, s, {"a comment"})},
+      {"obj", test::bytes_by("obj", test::cube(), {"a comment"})},
+      {"ply", test::bytes_by("ply", s, {"a comment"})},
       {"ply", ascii_ply},
-      {"off", test::bytes_by(write_off, s, {"a comment"})},
-      {"stl", test::bytes_by(write_stl, s)}};
+      {"off", test::bytes_by("off", s, {"a comment"})},
+      {"stl", test::bytes_by("stl", s)}};
   std::mt19937 random(11);
   const std::string alphabet = std::string("0123456789.-+eE/\\#\r\n \t\0\x7f\xffvf", 28);
   int loaded = 0, refused = 0;
