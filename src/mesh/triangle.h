@@ -1,4 +1,4 @@
-// What is asked of single triangles and of a few points: sides, areas, distances, intersections.
+// Questions about single triangles and a few points: sides, areas, distances, intersections.
 #pragma once
 
 #include <array>

@@ -228,5 +228,5 @@ TEST_CASE("ply_written_polygons_of_more_than_255_corners_come_back") {
     s.corners.push_back(i);
   }
   triangulate(s);
-  CHECK(test::read_text(test::bytes_by(write_ply, s), "ply").surface.corners == s.corners);
+  CHECK(test::read_text(test::bytes_by("ply", s), "ply").surface.corners == s.corners);
 }

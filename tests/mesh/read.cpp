@@ -6,10 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "mesh/formats/obj.h"
-#include "mesh/formats/off.h"
-#include "mesh/formats/ply.h"
-#include "mesh/formats/stl.h"
+#include "mesh/formats/foreign_content.h"
+#include "mesh/formats/point_cache.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "support/data.h"
@@ -17,6 +15,7 @@
 namespace fs = std::filesystem;
 using namespace viete;
 using namespace viete::mesh;
+using viete::test::holds;
 
 namespace {
 
@@ -34,11 +33,10 @@ std::string refusal_of(const fs::path& path) {
 
 TEST_CASE("content_decides_the_format_and_not_the_extension") {
   const Surface s = test::sphere(1);
-  const std::pair<std::string, std::string> files[] = {
-      {"OBJ", test::bytes_by(write_obj, s)},
-      {"PLY binary little-endian", test::bytes_by(write_ply, s)},
-      {"OFF", test::bytes_by(write_off, s)},
-      {"STL ascii", test::bytes_by(write_stl, s)}};
+  const std::pair<std::string, std::string> files[] = {{"OBJ", test::bytes_by("obj", s)},
+                                                       {"PLY binary little-endian", test::bytes_by("ply", s)},
+                                                       {"OFF", test::bytes_by("off", s)},
+                                                       {"STL ascii", test::bytes_by("stl", s)}};
   for (const auto& [format, bytes] : files) {
     for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"}) {
       if (format == "OBJ" && std::string(extension) == "stl") continue;  // binary STL has no mark of its own
@@ -77,7 +75,7 @@ TEST_CASE("files_that_cannot_be_read_say_why") {
 
 TEST_CASE("file_names_may_hold_anything") {
   const test::TemporaryFolder folder;
-  const std::string text = test::bytes_by(write_obj, test::cube());
+  const std::string text = test::bytes_by("obj", test::cube());
   for (const std::string name : {"-dash.obj", "it's \"odd\" & $HOME;.OBJ", "\xE5\x90\x8D\xE5\x89\x8D.obj",
                                  "a.b.c", "none", " ", "new\nline.obj"}) {
     test::put_file(folder / name, text);
@@ -107,11 +105,11 @@ TEST_CASE("damaged_files_are_read_or_refused_and_never_break_an_invariant") {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   const std::pair<std::string, std::string> seeds[] = {
-      {"obj", test::bytes_by(write_obj, test::cube(), {"a comment"})},
-      {"ply", test::bytes_by(write_ply, s, {"a comment"})},
+      {"obj", test::bytes_by("obj", test::cube(), {"a comment"})},
+      {"ply", test::bytes_by("ply", s, {"a comment"})},
       {"ply", ascii_ply},
-      {"off", test::bytes_by(write_off, s, {"a comment"})},
-      {"stl", test::bytes_by(write_stl, s)}};
+      {"off", test::bytes_by("off", s, {"a comment"})},
+      {"stl", test::bytes_by("stl", s)}};
   std::mt19937 random(11);
   const std::string alphabet = std::string("0123456789.-+eE/\\#\r\n \t\0\x7f\xffvf", 28);
   int loaded = 0, refused = 0;
@@ -162,4 +160,45 @@ TEST_CASE("every_odd_file_of_the_shared_data_does_what_its_manifest_expects" *
     }
   }
   CHECK(entries > 100);
+}
+
+TEST_CASE("files_of_other_kinds_are_refused_with_what_they_are") {
+  const std::string lfs = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n";
+  const std::pair<std::string, const char*> files[] = {
+      {lfs, "Git LFS pointer, which stands for the file; fetch the file itself with `git lfs pull`"},
+      {"/annex/objects/SHA256E-s1--a.obj\n", "git annex get"},
+      {std::string("\x1F\x8B\x08\0\0", 5), "gzip"},
+      {"PK\3\4....", "zip"},
+      {std::string("\xFF\xFEv\0 \0", 6), "UTF-16"},
+      {std::string("\xFE\xFF\0v\0 ", 6), "UTF-16"},
+      {std::string("v\0 \0001\0 \0002\0", 10), "UTF-16"},
+      {std::string("\0v\0 \0001\0 \0002", 10), "UTF-16"},
+      {"<!doctype HTML>\n<html><body>Not found", "a web page; download the file itself"},
+      {"\xEF\xBB\xBF\n  <HTML>", "a web page"},
+      {"<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"\">", "a COLLADA file"},
+      {"<?xml version=\"1.0\"?>\n<something>", "XML"},
+      {"Kaydara FBX Binary  ", "an FBX file"},
+      {"; FBX 7.3.0 project file\n", "an FBX file"},
+      {"#usda 1.0\n", "a USD file"},
+      {"PXR-USDC", "a USD file"},
+      {"BLENDER-v300", "a Blender file"},
+      {"\x28\xB5\x2F\xFD....", "zstd"},
+      {"\x89PNG\r\n", "a picture"},
+      {std::string("POINTCACHE2\0", 12), "a point cache"},
+      {std::string(3000, '\0'), "nothing but zeros"},
+      {"", "the file is empty"}};
+  for (const auto& [bytes, what] : files) {
+    for (const char* extension : {"obj", "ply", "off", "stl", "glb", "gltf", ""}) {
+      const std::string said = test::refusal(bytes, extension);
+      CHECK_MESSAGE(holds(said, what), extension << ": " << said);
+    }
+  }
+  for (const char* bytes :
+       {"v 1 2 3\n", "# version https://git-lfs.github.com/spec/v1\n", "{\"a\": 1}", "solid a\n"})
+    CHECK_NOTHROW(refuse_foreign("given", bytes));
+}
+
+TEST_CASE("a_pointer_in_the_place_of_a_point_cache_is_named") {
+  const std::string lfs = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n";
+  CHECK_THROWS_WITH_AS(PointCache("given.mdd", lfs), doctest::Contains("Git LFS pointer"), base::Error);
 }

@@ -19,6 +19,7 @@
 
 #include "base/error.h"
 #include "mesh/formats/byte_order.h"
+#include "mesh/formats/format_table.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_writer.h"
 #include "mesh/surface.h"
@@ -142,12 +143,12 @@ inline Surface moved(Surface s, double scale, double offset = 0) {
   return s;
 }
 
-/// What write_obj() and its like write.
-inline std::string bytes_by(void (*format)(const mesh::Content&, mesh::TextWriter&), const Surface& s,
+/// A surface as the bytes of a format.
+inline std::string bytes_by(std::string_view extension, const Surface& s,
                             const std::vector<std::string>& comments = {}) {
   std::string all;
   mesh::TextWriter out([&](std::string_view portion) { all += portion; });
-  format({s, s.positions, comments}, out);
+  mesh::format_by_extension(extension)->write({s, s.positions, comments}, out);
   out.finish();
   return all;
 }

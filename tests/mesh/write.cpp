@@ -5,10 +5,6 @@
 #include <random>
 
 #include "base/error.h"
-#include "mesh/formats/obj.h"
-#include "mesh/formats/off.h"
-#include "mesh/formats/ply.h"
-#include "mesh/formats/stl.h"
 #include "mesh/shapes.h"
 #include "mesh/triangulation.h"
 
@@ -90,8 +86,8 @@ TEST_CASE("nothing_is_not_written") {
 
 TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them") {
   const Surface s = test::sphere(7);
-  for (const auto format : {write_obj, write_ply, write_off, write_stl}) {
-    const std::string whole = test::bytes_by(format, s);
+  for (const char* extension : {"obj", "ply", "off", "stl"}) {
+    const std::string whole = test::bytes_by(extension, s);
     base::Progress progress;
     std::string all;
     double before = -1;
@@ -103,7 +99,7 @@ TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them")
           all += portion;
         },
         &progress);
-    format({s, s.positions, {}}, out);
+    format_by_extension(extension)->write({s, s.positions, {}}, out);
     out.finish();
     CHECK(all == whole);
     CHECK(progress.done() > 0.5);
@@ -160,12 +156,8 @@ TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
                            doctest::Contains("the position of vertex 7 is no place"), base::Error);
       CHECK(folder.entries() == 0);
     }
-    for (const auto format : {write_obj, write_ply, write_off, write_stl}) {
-      const std::string extension = format == write_obj   ? "obj"
-                                    : format == write_ply ? "ply"
-                                    : format == write_off ? "off"
-                                                          : "stl";
-      const ReadResult kept = test::read_kept(test::bytes_by(format, s), extension);
+    for (const std::string extension : {"obj", "ply", "off", "stl"}) {
+      const ReadResult kept = test::read_kept(test::bytes_by(extension, s), extension);
       positions = kept.surface.positions;
       positions[3][1] = bad;
       CHECK_THROWS_WITH_AS(

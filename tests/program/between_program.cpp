@@ -4,7 +4,6 @@
 #include "base/numbered_files.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
 #include "mesh/morph_keys.h"
 #include "program/command_line.h"
 #include "scene/document/pose_edit.h"

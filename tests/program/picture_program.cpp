@@ -162,7 +162,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
 
 namespace {
 
-// A sheet with a picture on it, in a box whose right end was pulled forward.
+// A sheet with a picture on it, in a glTF, in a box whose right end was pulled forward.
 void open_bent_sheet(Driver& d, const fs::path& folder) {
   render::Image image{64, 64, {}};
   for (int y = 0; y < 64; ++y) {
@@ -192,10 +192,13 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   sheet = mesh::from_triangles(sheet.positions, triangles);
   attributes.corner_texture = sheet.corners;
   render::write_png(folder / "print.png", image);
-  mesh::write(folder / "sheet.obj", mesh::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
-  test::put_file(folder / "sheet.obj",
-                 "mtllib sheet.mtl\nusemtl print\n" + test::file_bytes(folder / "sheet.obj"));
-  test::put_file(folder / "sheet.mtl", "newmtl print\nKd 1 1 1\nmap_Kd print.png\n");
+  const fs::path file = folder / "sheet.gltf";
+  mesh::write(file, mesh::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
+  std::string text = test::file_bytes(file);
+  text.insert(text.find("\"attributes\""), "\"material\": 0, ");
+  text.insert(1, R"("images": [{"uri": "print.png"}], "textures": [{"source": 0}], )"
+                 R"("materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],)");
+  test::put_file(file, text);
   mesh::Surface box;
   for (int i = 0; i < 12; ++i)
     box.positions.push_back({-0.2 + 1.2 * (i % 3), i < 6 ? 1.2 : -0.2, i / 3 % 2 ? 0.5 : -0.4});
@@ -206,7 +209,7 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   mesh::write(folder / "box.obj", box);
   for (const std::size_t v : {2, 5, 8, 11}) box.positions[v][0] -= 0.3, box.positions[v][2] += 0.9;
   mesh::write(folder / "bent.obj", box);
-  REQUIRE(d.open({folder / "sheet.obj", folder / "box.obj", folder / "bent.obj"}));
+  REQUIRE(d.open({file, folder / "box.obj", folder / "bent.obj"}));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace viete::mesh {
 
 namespace {
 
-// What the corners that share a normal must have in common: their polygon where faces are flat, else their
+// Corners that share a normal must have this in common: their polygon where faces are flat, else their
 // vertex.
 std::vector<std::uint64_t> common_to_corners(const Surface& surface, const Attributes& attributes) {
   std::vector<std::uint64_t> common(surface.corners.begin(), surface.corners.end());
@@ -27,7 +27,7 @@ std::vector<std::uint64_t> common_to_corners(const Surface& surface, const Attri
   return common;
 }
 
-// What the format cannot hold, in the order in which it is told.
+// Names of all that the format cannot hold, in the order in which they are told.
 std::vector<std::string> names_of_left_out(const Format& format, const Surface& surface, const Attributes& a,
                                            const Attributes& deformed) {
   const bool is_named =
@@ -53,7 +53,7 @@ std::vector<std::string> names_of_left_out(const Format& format, const Surface& 
   return names;
 }
 
-// Where a format holds triangles alone, what became of all else.
+// For a format that holds triangles alone: what became of all else.
 void tell_triangles(const Surface& surface, std::vector<std::string>& notes) {
   const auto& starts = surface.polygon_starts;
   std::size_t larger = 0;

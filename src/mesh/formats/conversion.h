@@ -40,8 +40,8 @@ bool is_flat(const Attributes& attributes);
 /// From 0 to 255.
 std::uint8_t color_byte(float value);
 
-/// What the result lacks of the content and of the file that it was read from (null: none), one line each:
-/// "PLY does not get what else was in the file: groups, materials", "2 faces of more than three corners
+/// All that the result lacks of the content and of the file that it was read from (null: none), one line
+/// each: "PLY does not get what else was in the file: groups, materials", "2 faces of more than three corners
 /// became triangles". deformed: see deformed_attributes().
 std::vector<std::string> left_out(const Format& format, const Content& content, const Attributes& deformed,
                                   const Original* original);

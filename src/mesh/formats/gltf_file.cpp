@@ -173,7 +173,8 @@ private:
   }
 
   void check_primitive(const std::string& at, const GltfJson& primitive) const {
-    accessors(at, primitive, "attributes");
+    for (const auto& [attribute, value] : object(at, primitive, "attributes").items())
+      accessor(at, attribute, value);
     accessor(at, "indices", member_of(primitive, "indices"));
     whole_number(at, primitive, "material");
     whole_number(at, primitive, "mode");
@@ -198,10 +199,6 @@ private:
     const auto view = count_of(of, "bufferView");
     if (view && *view >= list_of(document_, "bufferViews").size())
       fail(at, "refers to buffer view " + std::to_string(*view) + ", which is not there");
-  }
-
-  void accessors(const std::string& at, const GltfJson& of, const char* key) const {
-    for (const auto& [attribute, value] : object(at, of, key).items()) accessor(at, attribute, value);
   }
 
   void accessor(const std::string& at, const std::string& key, const GltfJson& value) const {

@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  // Those of the file, and behind them computed ones of all vertices for corners without.
+  // Normals of the file, and behind them computed ones of all vertices for corners without.
   void list_normals() {
     normals_ = given_.normals;
     corner_normal_ = given_.corner_normal;
@@ -111,7 +111,7 @@ private:
     for (std::uint32_t v = 0; v < positions_.size(); ++v) vertices_.push_back({v, none, none, none});
   }
 
-  // What is where it is at rest has no difference, not even of rounding.
+  // A vertex that is where it is at rest has no difference, not even of rounding.
   void add_target(GltfMorphs& out, const Surface& base, std::span<const Point> now, bool with_normals) const {
     const bool turns = with_normals && !written_.normals.empty();
     std::vector<Vec3> normals;
@@ -169,7 +169,7 @@ private:
     return made;
   }
 
-  // Of all vertices; the attribute becomes the number of their accessor.
+  // Values of all vertices; the attribute becomes the number of their accessor.
   template <class Fill>
   std::vector<float> add_vectors(GltfJson& attribute, std::size_t components, const Fill& fill) {
     std::vector<float> values(vertices_.size() * components);

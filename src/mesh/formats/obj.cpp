@@ -21,10 +21,6 @@ namespace {
 constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
 constexpr Color white{1, 1, 1, 1};
 
-std::string short_name(std::string_view name) {
-  return std::string(name.substr(0, most_name_bytes));
-}
-
 // Up to `most` numbers of this line; what is no number ends them.
 template <std::size_t most>
 std::size_t numbers(TextCursor& text, std::array<double, most>& values) {
@@ -55,6 +51,7 @@ public:
   }
 
   std::size_t normal_count() const { return found_.normals.size(); }
+  const std::vector<std::string>& libraries() const { return libraries_; }
 
   void texture_point(TextCursor& text) {
     std::array<double, 2> values{};
@@ -96,13 +93,8 @@ public:
     }
   }
 
-  void object(std::string_view name) {
-    state_.object = short_name(name);
-    changed_ = true;
-  }
-
-  void group(std::string_view name) {
-    state_.name = short_name(name);
+  void name(std::string Group::*part, std::string_view name) {
+    state_.*part = name.substr(0, most_name_bytes);
     changed_ = true;
   }
 
@@ -226,7 +218,8 @@ public:
     end_normals();
     auto attributes = attributes_.finish(builder_);
     ReadResult result = builder_.finish("OBJ");
-    if (source_.owner) result.original = obj_original(source_, attributes, std::move(normal_blocks_));
+    if (source_.owner)
+      result.original = obj_original(source_, attributes, std::move(normal_blocks_), attributes_.libraries());
     result.attributes = std::move(attributes);
     return result;
   }
@@ -247,8 +240,8 @@ private:
       case ObjWord::face: return face();
       case ObjWord::texture_point: return attributes_.texture_point(text_);
       case ObjWord::normal: return attributes_.normal(text_);
-      case ObjWord::group: return attributes_.group(text_.rest_of_line());
-      case ObjWord::object: return attributes_.object(text_.rest_of_line());
+      case ObjWord::group: return attributes_.name(&Group::name, text_.rest_of_line());
+      case ObjWord::object: return attributes_.name(&Group::object, text_.rest_of_line());
       case ObjWord::smoothing: return attributes_.smoothing(text_.word());
       case ObjWord::use_material: return attributes_.use_material(text_.rest_of_line());
       case ObjWord::material_library: return attributes_.library(text_.rest_of_line());

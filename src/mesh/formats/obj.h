@@ -1,6 +1,8 @@
 // Wavefront OBJ, text: vertices and polygons, texture coordinates, normals, colours, groups and materials.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,9 +34,10 @@ void write_obj(const Content& content, TextWriter& out);
 /// file has, and no fewer than six digits of the model's diagonal need. Normals follow; a line that serves
 /// corners whose normals now differ gets others behind its block, and indices of faces are changed
 /// accordingly. attributes may be null. normal_blocks: of each block of lines `vn` the number of such lines
-/// up to its end, ascending; the last is that of the file.
+/// up to its end, ascending; the last is that of the file. libraries: behind `mtllib`, see read_materials().
 std::shared_ptr<const Original> obj_original(const Source& source,
                                              std::shared_ptr<const Attributes> attributes,
-                                             std::vector<std::uint32_t> normal_blocks);
+                                             std::vector<std::uint32_t> normal_blocks,
+                                             std::vector<std::string> libraries);
 
 }  // namespace viete::mesh

@@ -229,10 +229,11 @@ private:
 class ObjOriginal final : public Original {
 public:
   ObjOriginal(const Source& source, std::shared_ptr<const Attributes> attributes,
-              std::vector<std::uint32_t> normal_blocks)
+              std::vector<std::uint32_t> normal_blocks, std::vector<std::string> libraries)
       : Original("OBJ", source),
         attributes_(std::move(attributes)),
         normal_blocks_(std::move(normal_blocks)),
+        libraries_(std::move(libraries)),
         folder_(source.folder) {}
 
   std::vector<std::string> beyond_attributes() const override {
@@ -254,13 +255,7 @@ public:
 
   Companions companions() const override {
     if (folder_.empty()) return {};
-    const Source source = this->source();
-    TextCursor text(source, obj_rules);
-    std::vector<std::string> libraries;
-    for (; text.next_filled_line() && libraries.size() < 64; text.next_line()) {
-      if (obj_word(text.word()) == ObjWord::material_library) libraries.emplace_back(text.rest_of_line());
-    }
-    return {folder_, files_of_libraries(folder_, libraries)};
+    return {folder_, files_of_libraries(folder_, libraries_)};
   }
 
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
@@ -276,6 +271,7 @@ public:
 private:
   std::shared_ptr<const Attributes> attributes_;
   std::vector<std::uint32_t> normal_blocks_;
+  std::vector<std::string> libraries_;
   std::filesystem::path folder_;
 };
 
@@ -314,8 +310,10 @@ void write_obj(const Content& content, TextWriter& out) {
 
 std::shared_ptr<const Original> obj_original(const Source& source,
                                              std::shared_ptr<const Attributes> attributes,
-                                             std::vector<std::uint32_t> normal_blocks) {
-  return std::make_shared<const ObjOriginal>(source, std::move(attributes), std::move(normal_blocks));
+                                             std::vector<std::uint32_t> normal_blocks,
+                                             std::vector<std::string> libraries) {
+  return std::make_shared<const ObjOriginal>(source, std::move(attributes), std::move(normal_blocks),
+                                             std::move(libraries));
 }
 
 }  // namespace viete::mesh

@@ -22,7 +22,7 @@ constexpr std::pair<std::string_view, ObjWord> rarer_words[] = {
     {"surf", free_form},
     {"fo", face}};  // how faces were called before version 3.0
 
-// With nothing that a surface has.
+// Words of statements that say nothing of a surface.
 constexpr std::string_view other_words[] = {
     "bevel", "bmat",   "bsp",       "bzp",   "c_interp", "call", "cdc",  "cdp",        "con",
     "csh",   "cstype", "ctech",     "curv2", "d_interp", "deg",  "end",  "hole",       "l",

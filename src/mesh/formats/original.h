@@ -78,7 +78,7 @@ private:
   std::string_view format_;
 };
 
-/// What reading a file gives.
+/// The result of reading a file.
 struct ReadResult {
   Surface surface;
   std::string format;                 ///< "OBJ", "PLY ascii", "PLY binary little-endian", "STL binary", ...

@@ -19,7 +19,7 @@ namespace viete::mesh {
 
 namespace {
 
-// What a colour of this type is multiplied by. Integers of more than two bytes hold bytes, as some programs
+// The factor of colours of this type. Integers of more than two bytes hold bytes, as some programs
 // declare them in text.
 double part_of_largest(PlyType type) {
   return with_type(type, [](auto number) {
@@ -220,19 +220,13 @@ private:
 template <class Values>
 class PlyBody {
 public:
-  PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, PlyAttributes& attributes,
-          PlyFaceAttributes& face_attributes, Values values)
-      : header_(header),
-        source_(source),
-        builder_(builder),
-        attributes_(attributes),
-        face_attributes_(face_attributes),
-        values_(values) {
+  PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, Values values)
+      : header_(header), source_(source), builder_(builder), values_(values) {
     const PlyElement* vertices = header.find("vertex");
     vertex_count_ = vertices ? vertices->count : 0;
   }
 
-  void read() {
+  Attributes read() {
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex" && builder_.vertex_count() == 0) {
         vertices(element);
@@ -248,6 +242,9 @@ public:
       builder_.warn(values_.place_of_longer() +
                     ": passed over what stands behind the header's properties in " +
                     base::counted(values_.longer_rows(), "row"));
+    Attributes found = attributes_.finish(builder_.surface());
+    face_attributes_.finish(builder_.surface(), header_.texture_files, source_.folder, found);
+    return found;
   }
 
 private:
@@ -372,8 +369,8 @@ private:
   const PlyHeader& header_;
   const Source& source_;
   SurfaceBuilder& builder_;
-  PlyAttributes& attributes_;
-  PlyFaceAttributes& face_attributes_;
+  PlyAttributes attributes_;
+  PlyFaceAttributes face_attributes_;
   Values values_;
   std::size_t vertex_count_ = 0;
   PlyType index_type_ = PlyType::int32;
@@ -388,21 +385,17 @@ ReadResult read_ply(const Source& source) {
   TextCursor text(source, {});
   PlyHeader header = read_ply_header(text, source, builder);
   const std::size_t body = text.offset();
-  PlyAttributes attributes;
-  PlyFaceAttributes face_attributes;
+  Attributes found;
   std::string format = "PLY ascii";
   if (header.format == PlyHeader::Format::ascii) {
-    PlyBody(header, source, builder, attributes, face_attributes, PlyTextValues(text)).read();
+    found = PlyBody(header, source, builder, PlyTextValues(text)).read();
   } else {
     const bool little = header.format == PlyHeader::Format::little_endian;
     const auto order = little ? std::endian::little : std::endian::big;
-    PlyBody(header, source, builder, attributes, face_attributes, PlyBinaryValues(source, body, order))
-        .read();
+    found = PlyBody(header, source, builder, PlyBinaryValues(source, body, order)).read();
     format = little ? "PLY binary little-endian" : "PLY binary big-endian";
   }
   ReadResult result = builder.finish(std::move(format));
-  Attributes found = attributes.finish(result.surface);
-  face_attributes.finish(result.surface, header.texture_files, source.folder, found);
   if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
   if (source.owner) {
     Companions companions{source.folder, {}};

@@ -131,11 +131,6 @@ private:
   PointIndex index_;
 };
 
-std::string head_text(std::string_view head) {
-  std::string text = TextWriter::one_line(std::string(head.substr(0, head.find('\0'))));
-  return text;
-}
-
 // The two bytes behind each facet as a colour, five bits a channel. VisCAM and SolidView set the highest bit
 // where there is one, red in the upper bits. Magics says in the head that there are colours, and one for all;
 // it sets the bit where a facet has none of its own, red in the lower bits.
@@ -182,9 +177,10 @@ private:
 ReadResult read_binary(const Source& source) {
   const StlTriangles triangles(source);
   SurfaceBuilder builder(source);
-  builder.comment(head_text(source.bytes.substr(0, 80)));
+  const std::string_view head = source.bytes.substr(0, 80);
+  builder.comment(TextWriter::one_line(std::string(head.substr(0, head.find('\0')))));
   CornerJoiner corners(builder);
-  StlColors colors(source.bytes.substr(0, 80));
+  StlColors colors(head);
   for (std::size_t t = 0; t < triangles.count(); ++t) {
     const char* const at = source.bytes.data() + triangles.offset(t) + 12;
     for (int c = 0; c < 3; ++c) {

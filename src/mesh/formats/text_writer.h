@@ -36,7 +36,7 @@ struct Content {
   const std::vector<std::string>& comments;
   const Attributes* attributes = nullptr;  ///< of the surface; null: none
 
-  /// The attributes, or what has none.
+  /// The attributes, empty ones where there are none.
   const Attributes& given() const {
     static const Attributes nothing;
     return attributes ? *attributes : nothing;

@@ -27,7 +27,7 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
   });
 }
 
-// What the attributes are now; what the result lacks is told.
+// The attributes as they are now; all that the result lacks is told.
 Attributes converted(const Format& format, const Content& content, const Original* original,
                      std::vector<std::string>& notes) {
   Attributes now;
@@ -46,8 +46,8 @@ std::string list_of_names(const std::set<std::string>& names) {
   return list;
 }
 
-// Copies what a file leads to beside the one that is being written again, so that this finds it too. What is
-// outside of the old folder stays, and none takes the place of another. Without keep() those that are new go
+// Copies what a file leads to beside the one that is being written again, so that this finds it too. Files
+// outside of the old folder stay, and none takes the place of another. Without keep() those that are new go
 // again.
 class CompanionCopies {
 public:
