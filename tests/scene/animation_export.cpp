@@ -109,12 +109,7 @@ private:
 };
 
 std::string problem_of(const AnimationExport& what) {
-  try {
-    write_animation(what);
-  } catch (const base::Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::problem_of([&] { write_animation(what); });
 }
 
 }  // namespace
