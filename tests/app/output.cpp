@@ -9,8 +9,8 @@
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/write.h"
 #include "scene/cube.h"
+#include "scene/files.h"
 #include "support/folder.h"
-#include "support/text.h"
 
 using namespace viete;
 using app::check_output;

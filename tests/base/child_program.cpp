@@ -15,7 +15,12 @@ using base::ChildProgram;
 namespace {
 
 std::string problem_of(const std::vector<std::string>& words) {
-  return test::problem_of([&] { ChildProgram(words, "install it").finish(); });
+  try {
+    ChildProgram(words, "install it").finish();
+  } catch (const base::Error& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "base/error.h"
+#include "scene/files.h"
 #include "support/folder.h"
-#include "support/text.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -20,7 +20,6 @@
 #include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"
 #include "support/longer.h"
-#include "support/open.h"
 #include "support/text.h"
 
 using namespace viete;
