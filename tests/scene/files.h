@@ -49,7 +49,7 @@ inline scene::Workspace opened(std::vector<std::filesystem::path> files) {
   return workspace;
 }
 
-// What is said where a step is refused; empty: it is not.
+// The message of a step that is refused; empty: it is not.
 std::string problem_of(const auto& step) {
   try {
     step();

@@ -1,4 +1,4 @@
-// What is selected: a set of cage elements of one kind. It can be hidden and kept by name: each such change
+// The selection: a set of cage elements of one kind. It can be hidden and kept by name: each such change
 // is an edit that can be undone.
 #pragma once
 

@@ -1,4 +1,5 @@
-// The handles around the selection's centre: where they are on screen, and which one is under the cursor.
+// The handles around the selection's centre: where they are on screen, and which one is under the cursor; and
+// the lines that a drag by them follows.
 #pragma once
 
 #include <array>

@@ -1,3 +1,4 @@
+// Commands of the cage, and of how it moves the model.
 #include <cmath>
 #include <string>
 #include <type_traits>

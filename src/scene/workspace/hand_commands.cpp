@@ -1,3 +1,4 @@
+// Commands of the tools, and of how the hand moves.
 #include <algorithm>
 
 #include "scene/document/edit.h"

@@ -1,3 +1,4 @@
+// Commands of what is seen: panels, shading, maps and several views.
 #include <algorithm>
 #include <utility>
 
