@@ -20,8 +20,8 @@ struct PictureRun {
 };
 
 /// Writes pictures of the viewer's document, following its timeline and camera keys. Every file is
-/// written as a whole or not at all. Returns notes for the user, one line each. Throws base::Error
-/// and base::Cancelled.
+/// written as a whole or not at all. Returns notes for the user, one line each: the
+/// last one is ffmpeg_command(). Throws base::Error and base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 
