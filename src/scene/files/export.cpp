@@ -35,7 +35,6 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
              document.mask,
              document.probes,
              document.shape,
-             document.model.path,
              guessed_up(document.model),
              {}};
   if (document.has_cage()) return all;
