@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/document/cage_making.h"
-#include "scene/workspace/check_state.h"
+#include "scene/workspace/check_view.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

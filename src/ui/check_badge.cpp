@@ -1,6 +1,6 @@
 // At the bottom of the view: what is wrong with cage or model, and the one thing that helps, for who does not
 // see the section of the checks.
-#include "scene/workspace/check_state.h"
+#include "scene/workspace/check_view.h"
 #include "scene/workspace/command.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

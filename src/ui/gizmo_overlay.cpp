@@ -1,7 +1,7 @@
 // The gizmo, and what a drag tells while it lasts.
 #include <algorithm>
 
-#include "scene/hand/gizmo.h"
+#include "scene/hand/drag_guides.h"
 #include "scene/workspace/pointer.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

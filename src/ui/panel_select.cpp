@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 #include "scene/workspace/command_conditions.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

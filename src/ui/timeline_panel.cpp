@@ -8,7 +8,7 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/time_view.h"
+#include "scene/workspace/time_gestures.h"
 #include "ui/choice_list.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"

@@ -6,6 +6,7 @@
 #include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_view.h"
+#include "scene/workspace/time_gestures.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "scene/document/edit.h"
+#include "scene/document/record.h"
 #include "scene/document/probes.h"
 #include "scene/files.h"
 #include "scene/files/open.h"

@@ -1,5 +1,6 @@
 // The selection as an edit; what is hidden; sets by name, through edits of the cage and sessions.
 #include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 
 #include <doctest/doctest.h>
 

@@ -16,8 +16,8 @@
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "scene/document/cage_editing.h"
-#include "scene/document/camera.h"
 #include "scene/document/checks.h"
+#include "scene/document/up_axis.h"
 #include "scene/files/session.h"
 #include "scene/files/session_parts.h"
 

@@ -8,9 +8,9 @@
 #include "deform/branches.h"
 #include "deform/cage_state.h"
 #include "deform/linear_map.h"
-#include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
+#include "scene/document/record.h"
 #include "scene/document/space.h"
 #include "sym3/affine.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "scene/document/edit.h"
 #include "scene/document/elements.h"
+#include "scene/document/record.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/placing.h"
 

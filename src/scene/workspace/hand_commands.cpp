@@ -3,7 +3,7 @@
 
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
