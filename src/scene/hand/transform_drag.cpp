@@ -8,6 +8,7 @@
 #include "scene/document/record.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/placing.h"
+#include "scene/hand/shaping.h"
 
 namespace viete::scene {
 
