@@ -103,7 +103,7 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
   }
   progress.report(1);
   std::vector<std::string> notes = scene::other_files_note(name, run.frames);
-  notes.push_back("a film of them: " + ffmpeg_command(run));
+  notes.push_back(ffmpeg_command(run));
   return notes;
 }
 

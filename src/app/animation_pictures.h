@@ -19,13 +19,13 @@ struct PictureRun {
   scene::Force force = scene::Force::none;  ///< replace pictures that are there
 };
 
-/// Writes pictures of the viewer's document, following its timeline and camera keys. Every file is
-/// written as a whole or not at all. Returns notes for the user, one line each. Throws base::Error
-/// and base::Cancelled.
+/// Writes pictures of the viewer's document, following its timeline and camera keys. Every file is written as
+/// a whole or not at all. Returns notes for the user, one line each: the last one is ffmpeg_command(). Throws
+/// base::Error and base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 
-/// Makes a film of the pictures: one line for a shell. A film is played at the rate that the timeline has.
+/// The command that makes a film of the pictures, one line for a shell, at the rate that the timeline has.
 std::string ffmpeg_command(const PictureRun& run);
 
 }  // namespace viete::app

@@ -29,7 +29,9 @@ Said said_by(const base::ChildProgram& child) {
     if (problem == std::errc() && std::string_view(end) == " %") {
       said.done = 0.01 * percent;
     } else if (!line.empty()) {
-      said.sentences.push_back(line.starts_with("viete: ") ? line.substr(7) : line);
+      for (const std::string_view head : {"viete: ", "note: "})
+        if (line.starts_with(head)) line.erase(0, head.size());
+      said.sentences.push_back(line);
     }
   }
   return said;

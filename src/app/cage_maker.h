@@ -24,8 +24,6 @@ public:
 
   bool running() const { return job_.running(); }
   /// True if follow() would do something now.
-  /// True if a finer one will be made once the hand has rested.
-  bool will_refine() const { return wants_full_; }
   bool is_due(const scene::Workspace& workspace) const;
   /// What binds the cage that was taken last; once.
   Bound take_bound() { return std::exchange(bound_, {}); }

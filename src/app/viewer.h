@@ -88,8 +88,6 @@ public:
   bool working() const {
     return loading() || exporting() || model_.binding() || sides_.binding(workspace_) || cages_.running();
   }
-  /// True if a cage that is being made will be made once more, with all care.
-  bool will_refine_cage() const { return cages_.will_refine(); }
   /// Waits for the files that are being read.
   void finish_loading() { files_.finish_loading(workspace_); }
   /// Waits for the deformed models that are being written.

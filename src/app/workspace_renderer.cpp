@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "scene/document/elements.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 #include "scene/workspace/pointer.h"
-#include "scene/workspace/split.h"
+#include "scene/workspace/splitting.h"
 
 namespace viete::app {
 

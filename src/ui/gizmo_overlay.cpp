@@ -4,6 +4,7 @@
 
 #include "scene/document/selection.h"
 #include "scene/hand/cursor_projection.h"
+#include "scene/hand/drag_guides.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/transform.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/document/edit.h"
+#include "scene/document/record.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/menus.h"
 #include "ui/panels.h"

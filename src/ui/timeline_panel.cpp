@@ -8,6 +8,7 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
+#include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"
 #include "ui/choice_picture.h"
 #include "ui/input.h"

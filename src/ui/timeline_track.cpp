@@ -5,6 +5,7 @@
 
 #include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
+#include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"
 #include "ui/input.h"
 #include "ui/overlay_painter.h"

@@ -6,6 +6,7 @@
 
 #include "deform/pose_io.h"
 #include "scene/document/edit.h"
+#include "scene/document/record.h"
 #include "scene/files/open.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"

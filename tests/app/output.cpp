@@ -9,6 +9,7 @@
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/write.h"
 #include "scene/cube.h"
+#include "scene/files.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -71,13 +72,8 @@ TEST_CASE("files_of_others_are_kept_whatever_their_name_is") {
       {R"({"format": "viete session", "version": 1, "model": "a.obj"})", "a session"},
       {std::string("\0\1\2\3\4\5\6\7", 8), "binary data"},
       {"<!DOCTYPE html><svg></svg>", "a web page"}};
-  const auto refused = [&](const fs::path& file, Content content) -> std::string {
-    try {
-      check_output(file, content, {}, scene::Force::none);
-    } catch (const base::Error& error) {
-      return error.what();
-    }
-    return "";
+  const auto refused = [&](const fs::path& file, Content content) {
+    return test::problem_of([&] { check_output(file, content, {}, scene::Force::none); });
   };
   for (const auto& [bytes, name] : contents) {
     const auto check = [&](const std::string& ending, Content content) {
@@ -142,13 +138,8 @@ TEST_CASE("who_is_refused_is_told_what_the_file_is_and_another_name") {
   fs::create_hard_link(files / "a.obj", files / "second.obj");
   scene::FilesInUse in_use;
   in_use.add(files / "second.obj", scene::the_model);
-  const auto refused = [&](const char* name, scene::Force force) -> std::string {
-    try {
-      check_output(files / name, Content::surface, in_use, force);
-    } catch (const base::Error& error) {
-      return error.what();
-    }
-    return "";
+  const auto refused = [&](const char* name, scene::Force force) {
+    return test::problem_of([&] { check_output(files / name, Content::surface, in_use, force); });
   };
   CHECK(refused("a.obj", scene::Force::offered) ==
         (files / "a.obj").string() +

@@ -66,7 +66,8 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
 TEST_CASE("an_old_file_that_is_not_among_the_shapes_between_is_told_of") {
   const ShapeFiles f;
   CHECK_FALSE(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 3"), "there before"));
-  CHECK(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 2 --force"), "f_3.ply was there before"));
+  CHECK(
+      mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 2 --force"), "f_3.ply was there before"));
 }
 
 TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
@@ -101,7 +102,8 @@ TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes
     f.done("between --rest rest.obj " + name + " -o 'n_#.obj' --frames 9 --force");
     CHECK(distance(f.read("n_9.obj"), f.shape(170, 1)) < 1e-6);
   }
-  CHECK(mentions(f.done("between rest.obj a.obj b.obj -o c.glb"), "poses with straight lines between them"));
+  CHECK(mentions(f.done("between rest.obj a.obj b.obj -o c.glb"),
+                 "morph targets with straight lines between them"));
   f.done("between rest.obj c.glb -o m.obj --at 1");
   CHECK(distance(f.read("m.obj"), f.cube.positions) > 0.1);
   f.done("between s_#.obj -o smooth.pc2 --frames 9");

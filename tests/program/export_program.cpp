@@ -145,6 +145,8 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(d.workspace().exporting.what == "Exporting f_##.png");
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK_MESSAGE(d.last_message().starts_with("Saved f_##.png"), d.last_message());
+  const auto& messages = d.workspace().messages.all();
+  CHECK(messages[messages.size() - 2].text.starts_with("ffmpeg -framerate 24 -start_number 1 -i '"));
   const auto first = test::read_png(folder / "f_01.png"), last = test::read_png(folder / "f_03.png");
   CHECK(first.width == 640);
   CHECK(first.height == 400);

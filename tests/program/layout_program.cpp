@@ -7,7 +7,7 @@
 #include "mesh/formats/write.h"
 #include "program/driver.h"
 #include "render/image.h"
-#include "scene/document/edit.h"
+#include "scene/document/record.h"
 #include "scene/workspace/menus.h"
 #include "scene/workspace/remembered.h"
 #include "scene/workspace/saving.h"

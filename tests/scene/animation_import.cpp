@@ -50,12 +50,7 @@ struct CageMotion : test::AnimatedCube {
     return read_keys(file, *document.cage, {document.timeline.first, document.timeline.rate}).keys;
   }
   std::string problem(const fs::path& file) const {
-    try {
-      keys(file);
-    } catch (const base::Error& error) {
-      return error.what();
-    }
-    return "";
+    return test::problem_of([&] { keys(file); });
   }
 };
 

@@ -1,4 +1,5 @@
 #include "scene/document/camera.h"
+#include "scene/document/up_axis.h"
 
 #include <doctest/doctest.h>
 

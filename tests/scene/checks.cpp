@@ -8,7 +8,7 @@
 #include "deform/cage_state.h"
 #include "mesh/triangulation.h"
 #include "scene/cube.h"
-#include "scene/workspace/check_state.h"
+#include "scene/workspace/check_view.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -1,11 +1,16 @@
-// Cubes as files: a model, a cage around it and a pose of that.
+// Cubes as files: a model, a cage around it and a pose of that; and what becomes of files.
 #pragma once
+
+#include <doctest/doctest.h>
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
+#include "base/error.h"
 #include "mesh/formats/write.h"
 #include "scene/cube.h"
+#include "scene/workspace/taking.h"
 #include "support/folder.h"
 
 namespace viete::test {
@@ -36,5 +41,22 @@ struct CubeFiles : TemporaryFolder {
     return mesh::from_triangles(std::move(surface.positions), triangles);
   }
 };
+
+// A session, or a model with its cage.
+inline scene::Workspace opened(std::vector<std::filesystem::path> files) {
+  scene::Workspace workspace;
+  REQUIRE(scene::open_now(workspace, {scene::OpenRequest::What::model, std::move(files)}));
+  return workspace;
+}
+
+// The message of a step that is refused; empty: it is not.
+std::string problem_of(const auto& step) {
+  try {
+    step();
+  } catch (const base::Error& error) {
+    return error.what();
+  }
+  return "";
+}
 
 }  // namespace viete::test

@@ -1,4 +1,5 @@
 #include "scene/hand/gizmo.h"
+#include "scene/hand/drag_guides.h"
 
 #include <doctest/doctest.h>
 

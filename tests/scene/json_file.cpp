@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "scene/files.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -13,18 +14,7 @@ using namespace viete::scene;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-namespace {
-
-std::string message_of(const auto& step) {
-  try {
-    step();
-  } catch (const base::Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("json_is_laid_out_one_key_or_point_a_line") {
   const ordered_json value = {
@@ -50,9 +40,9 @@ TEST_CASE("numbers_come_back_with_the_same_bits") {
 TEST_CASE("a_mistake_is_named_with_its_line_and_a_missing_file_as_such") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "broken", "{\n  \"a\": 1,\n  \"b\" 2\n}");
-  CHECK(message_of([&] { read_json(folder / "broken"); }).find("broken:3: this is not valid JSON") !=
+  CHECK(test::problem_of([&] { read_json(folder / "broken"); }).find("broken:3: this is not valid JSON") !=
         std::string::npos);
-  CHECK(message_of([&] { read_json(folder / "none"); }).find("no such file") != std::string::npos);
+  CHECK(test::problem_of([&] { read_json(folder / "none"); }).find("no such file") != std::string::npos);
   CHECK_THROWS_AS(readable({{"a", "\xff"}}, "f"), base::Error);
 }
 
@@ -68,7 +58,7 @@ TEST_CASE("a_number_that_no_double_holds_costs_nothing_but_itself") {
   std::string many = "[0";
   for (int i = 0; i < 100; ++i) many += ",\n1e999";
   test::put_file(folder / "many", many + "]");
-  CHECK(message_of([&] {
+  CHECK(test::problem_of([&] {
           read_json(folder / "many");
         }).find("many:18: this and other numbers are too large") != std::string::npos);
 }
@@ -77,7 +67,7 @@ TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
   const test::TemporaryFolder folder;
   const auto said = [&](const std::string& text) {
     test::put_file(folder / "bomb", text);
-    return message_of([&] {
+    return test::problem_of([&] {
       const json whole = read_json(folder / "bomb");
       (void)JsonReader(whole, "bomb").at("model").text();
     });
@@ -94,10 +84,10 @@ TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
         "in the file");
   test::put_file(folder / "long", "");
   std::filesystem::resize_file(folder / "long", most_json_bytes + 1);  // of zeros that take no disk
-  CHECK(message_of([&] {
+  CHECK(test::problem_of([&] {
           read_json(folder / "long");
         }).find("134217729 bytes are more than this program reads") != std::string::npos);
-  CHECK_MESSAGE(message_of([&] {
+  CHECK_MESSAGE(test::problem_of([&] {
                   readable({{"a", std::string(most_json_bytes, 'x')}}, "f");
                 }).find("more than this program reads") != std::string::npos,
                 "nor is it written");
@@ -116,16 +106,16 @@ TEST_CASE("a_wrong_type_names_file_and_key_and_both_types") {
   const json whole = {
       {"camera", {{"distance", "far"}, {"target", {1, 2}}}}, {"list", {1, -2, 3.5}}, {"null", nullptr}};
   const JsonReader json(whole, "s.viete");
-  CHECK(message_of([&] { json.at("camera").at("distance").number(); }) ==
+  CHECK(test::problem_of([&] { json.at("camera").at("distance").number(); }) ==
         "s.viete: camera.distance: found a text where a number belongs; correct it in the file");
-  CHECK(message_of([&] {
+  CHECK(test::problem_of([&] {
           json.at("camera").at("target").numbers<3>();
         }).find("camera.target: found a list of 2") != std::string::npos);
-  CHECK(message_of([&] { json.at("list").item(1).index(); }).find("list[1]") != std::string::npos);
-  CHECK(message_of([&] { json.at("list").item(2).index(); }).find("whole number") != std::string::npos);
-  CHECK(message_of([&] { json.at("list").boolean(); }).find("true or false") != std::string::npos);
-  CHECK(message_of([&] { json.at("gone"); }).find("\"gone\" is missing") != std::string::npos);
-  CHECK(message_of([&] { json.at("list").find("x"); }).find("an object") != std::string::npos);
+  CHECK(test::problem_of([&] { json.at("list").item(1).index(); }).find("list[1]") != std::string::npos);
+  CHECK(test::problem_of([&] { json.at("list").item(2).index(); }).find("whole number") != std::string::npos);
+  CHECK(test::problem_of([&] { json.at("list").boolean(); }).find("true or false") != std::string::npos);
+  CHECK(test::problem_of([&] { json.at("gone"); }).find("\"gone\" is missing") != std::string::npos);
+  CHECK(test::problem_of([&] { json.at("list").find("x"); }).find("an object") != std::string::npos);
   CHECK_FALSE(json.find("null").has_value());
   CHECK_FALSE(json.find("gone").has_value());
 }

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 #include "scene/files.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"

@@ -5,7 +5,7 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/hand/picking.h"
-#include "scene/hand/cursor_projection.h"
+#include "scene/mouse.h"
 #include "support/edits.h"
 
 using namespace viete;
@@ -13,28 +13,8 @@ using namespace viete::scene;
 
 namespace {
 
-struct Mouse {
-  Workspace w = test::cube_workspace();
-  Pointer pointer;
-  PointerInput input;
-
-  glm::vec2 vertex(std::uint32_t i) const {
-    return glm::vec2(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[i]));
-  }
-  void step() {
-    pointer.frame(w, input);
-    input.escape = false;
-    input.wheel = 0;
-  }
-  void move(glm::vec2 to) { input.position = to, step(); }
-  void press(int b = left_button) { input.down[b] = true, step(); }
-  void release(int b = left_button) { input.down[b] = false, step(); }
-  void click(glm::vec2 at) { move(at), press(), release(); }
-  void drag(glm::vec2 from, glm::vec2 to, int b = left_button) {
-    move(from), press(b);
-    for (int i = 1; i <= 8; ++i) move(from + (to - from) * (static_cast<float>(i) / 8));
-    release(b);
-  }
+struct Mouse : test::Mouse {
+  Mouse() : test::Mouse(test::cube_workspace()) {}
   std::vector<std::uint32_t> selected() const { return w.document.selection.indices(); }
 };
 

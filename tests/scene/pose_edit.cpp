@@ -9,6 +9,7 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/cage_making.h"
 #include "scene/document/edit.h"
+#include "scene/document/record.h"
 #include "scene/document/probes.h"
 #include "scene/posed_cube.h"
 #include "support/edits.h"

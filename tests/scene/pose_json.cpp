@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "scene/document/edit.h"
+#include "scene/document/record.h"
 #include "scene/document/probes.h"
 #include "scene/files.h"
 #include "scene/files/open.h"
@@ -20,7 +21,6 @@
 #include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"
 #include "support/longer.h"
-#include "support/open.h"
 #include "support/text.h"
 
 using namespace viete;

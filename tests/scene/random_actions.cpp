@@ -8,7 +8,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 #include "scene/document/time_edit.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/workspace/command.h"

@@ -14,7 +14,6 @@
 #include "scene/workspace/saving.h"
 #include "scene/workspace/taking.h"
 #include "support/grips.h"
-#include "support/open.h"
 #include "support/zombie.h"
 
 using namespace viete;

@@ -11,8 +11,7 @@
 #include "scene/cube.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/hand/cursor_projection.h"
-#include "scene/workspace/pointer.h"
+#include "scene/mouse.h"
 #include "scene/workspace/sight_keeper.h"
 #include "support/commands.h"
 
@@ -21,17 +20,9 @@ using namespace viete::scene;
 
 namespace {
 
-struct Hand {
-  explicit Hand(Workspace workspace) : w(std::move(workspace)) {}
+struct Hand : test::Mouse {
+  using test::Mouse::Mouse;
 
-  Workspace w;
-  Pointer pointer;
-  PointerInput input;
-
-  glm::vec3 seen(std::uint32_t v) const {
-    return *Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[v]);
-  }
-  glm::vec2 vertex(std::uint32_t v) const { return glm::vec2(seen(v)); }
   // The one that is nearest to the eye.
   std::uint32_t front() const {
     std::uint32_t best = 0;
@@ -39,23 +30,6 @@ struct Hand {
       if (seen(v).z < seen(best).z) best = v;
     }
     return best;
-  }
-  void step() {
-    pointer.frame(w, input);
-    input.escape = false;
-    input.wheel = 0;
-  }
-  void move(glm::vec2 to) { input.position = to, step(); }
-  void press() { input.down[left_button] = true, step(); }
-  void release() { input.down[left_button] = false, step(); }
-  void click(glm::vec2 at) { move(at), press(), release(); }
-  void drag(glm::vec2 from, glm::vec2 to) {
-    begin(from, to);
-    release();
-  }
-  void begin(glm::vec2 from, glm::vec2 to) {
-    move(from), press();
-    for (int i = 1; i <= 8; ++i) move(from + (to - from) * (static_cast<float>(i) / 8));
   }
   std::size_t selected() const { return w.document.selection.size(); }
 };

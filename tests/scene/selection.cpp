@@ -1,5 +1,6 @@
 // The selection as an edit; what is hidden; sets by name, through edits of the cage and sessions.
 #include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 
 #include <doctest/doctest.h>
 
@@ -8,11 +9,10 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/files/session.h"
-#include "scene/hand/cursor_projection.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/placing.h"
-#include "scene/workspace/pointer.h"
+#include "scene/mouse.h"
 #include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
@@ -73,21 +73,12 @@ TEST_CASE("choosing_a_kind_while_nothing_is_selected_leaves_nothing_to_undo_and_
 }
 
 TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
-  Workspace w = saved_cube();
+  test::Mouse mouse(saved_cube());
+  Workspace& w = mouse.w;
   set_selection(w.document, vertices({1}));
-  Pointer pointer;
-  PointerInput input;
-  const auto at = [&](std::uint32_t v) {
-    return glm::vec2(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[v]));
-  };
   w.tool = Tool::select;
-  const auto step = [&](glm::vec2 to, bool down) {
-    input.position = to;
-    input.down[left_button] = down;
-    pointer.frame(w, input);
-  };
-  const glm::vec2 from = at(7);
-  step(from, false), step(from, true), step(from + 30.0f, true), step(from + 30.0f, false);
+  const glm::vec2 from = mouse.vertex(7);
+  mouse.drag(from, from + 30.0f);
   CHECK(w.document.selection == vertices({7}));
   CHECK(differs_from_rest(w.document));
   undo(w.document);
@@ -97,7 +88,7 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   CHECK(w.document.selection == vertices({7}));
   undo(w.document);
   // Pulled out and put back: it is selected, no more.
-  step(from, false), step(from, true), step(from + 30.0f, true), step(from, true), step(from, false);
+  mouse.begin(from, from + 30.0f), mouse.move(from), mouse.release();
   CHECK(w.document.selection == vertices({7}));
   CHECK(w.document.history.undo_label() == "select");
   undo(w.document);

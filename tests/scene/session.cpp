@@ -17,7 +17,7 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/split.h"
+#include "scene/workspace/splitting.h"
 #include "scene/workspace/taking.h"
 #include "support/grips.h"
 #include "support/open.h"

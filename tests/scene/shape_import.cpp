@@ -45,12 +45,7 @@ struct ShapeFiles : test::TemporaryFolder {
     return read_shapes({&file, 1}, model);
   }
   std::string problem(const std::string& name) const {
-    try {
-      read(name);
-    } catch (const base::Error& error) {
-      return error.what();
-    }
-    return "";
+    return test::problem_of([&] { read(name); });
   }
   void write_cache(const std::string& name, const std::vector<Points>& frames) const {
     mesh::PointCacheHead head{*mesh::point_cache_format(name), frames.front().size(), frames.size(), 1, 1};

@@ -6,6 +6,7 @@
 
 #include "mesh/formats/write.h"
 #include "scene/document/edit.h"
+#include "scene/document/record.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
 #include "scene/document/time_edit.h"

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "scene/document/edit.h"
+#include "scene/document/record.h"
 #include "scene/posed_cube.h"
 #include "support/edits.h"
 

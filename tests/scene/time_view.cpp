@@ -1,4 +1,5 @@
 #include "scene/workspace/time_view.h"
+#include "scene/workspace/time_gestures.h"
 
 #include <doctest/doctest.h>
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "scene/document/edit.h"
+#include "scene/document/record.h"
 
 namespace viete::scene {
 

@@ -13,7 +13,7 @@
 #include "scene/document/elements.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 
 namespace viete::scene {
 

@@ -7,8 +7,6 @@
 
 namespace viete::scene {
 
-struct OpenedSurface;
-
 /// The part of the window that is not covered by panels, in logical pixels from the top left.
 struct Viewport {
   glm::vec2 window{1, 1};  ///< size of the whole window
@@ -98,9 +96,5 @@ private:
   CameraPose current_, start_, goal_;
   float remaining_ = 0;
 };
-
-/// Y, but Z of STL files, which come from machines and printers, and of a model that stands upright on its
-/// lowest points along Z and, along Y, would fall over or stand on much less. glTF says that Y is up.
-UpAxis guessed_up(const OpenedSurface& model);
 
 }  // namespace viete::scene

@@ -1,5 +1,5 @@
-// What edits change of a document: held whole by the document, its history, and what is known to be saved.
-// Surfaces, and poses with names.
+// The state that edits change of a document: held whole by the document, its history, and what is known to be
+// saved. Surfaces, and poses with names.
 #pragma once
 
 #include <cstdint>

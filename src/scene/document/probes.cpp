@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "mesh/point_tree.h"
-#include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/range.h"
+#include "scene/document/record.h"
 
 namespace viete::scene {
 

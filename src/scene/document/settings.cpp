@@ -1,6 +1,6 @@
 #include "scene/document/settings.h"
 
-#include "scene/document/edit.h"
+#include "scene/document/record.h"
 
 namespace viete::scene {
 

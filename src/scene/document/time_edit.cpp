@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "scene/document/edit.h"
+#include "scene/document/record.h"
 
 namespace viete::scene {
 

@@ -1,4 +1,4 @@
-// What of a document the view shows, and how; and what views beside the first one show.
+// The view of a document: what it shows, and how; and what views beside the first one show.
 #pragma once
 
 #include <vector>

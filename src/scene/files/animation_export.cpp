@@ -158,14 +158,16 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// Poses of the model between which it goes straight, a target each.
+// Poses of the model between which it goes straight, a target each where it is not at rest.
 struct MorphPlan {
   std::vector<double> frames;
-  std::vector<char> moves;  // vertices that do not stay at rest
+  std::vector<std::size_t> targets;  // the poses that they show
+  std::vector<char> moves;           // vertices that do not stay at rest
 
   double bytes(double of_vertex) const {
-    const auto count = static_cast<double>(frames.size());
-    return count * (of_vertex * static_cast<double>(std::ranges::count(moves, 1)) + 4 * (count + 1));
+    const auto moving = static_cast<double>(std::ranges::count(moves, 1)),
+               moments = static_cast<double>(frames.size());
+    return static_cast<double>(targets.size()) * (of_vertex * moving + 4 * moments) + 4 * moments;
   }
 };
 
@@ -208,9 +210,13 @@ public:
   MorphPlan plan(std::size_t step, base::Progress* progress) {
     if (progress) progress->section(0.05, 0.7);
     const auto rest = some(what_.model.model->positions, step);
-    MorphPlan plan{{}, std::vector<char>(rest.size(), 0)};
+    MorphPlan plan{{}, {}, std::vector<char>(rest.size(), 0)};
     StraightLines lines(tolerance_);
+    const auto is_still = [&](const mesh::Point& p, const mesh::Point& q) {
+      return mesh::norm(p - q) <= tolerance_;
+    };
     const auto take = [&](double frame, std::span<const mesh::Point> pose) {
+      if (!std::ranges::equal(pose, rest, is_still)) plan.targets.push_back(plan.frames.size());
       plan.frames.push_back(frame);
       check_size(plan, step);
       lines.start(frame, pose);
@@ -221,8 +227,7 @@ public:
       const double frame = samples[i].frame;
       auto pose = some(at(frame), step);
       check_floats(pose, frame);
-      for (std::size_t v = 0; v < pose.size(); ++v)
-        plan.moves[v] |= mesh::norm(pose[v] - rest[v]) > tolerance_;
+      for (std::size_t v = 0; v < pose.size(); ++v) plan.moves[v] |= !is_still(pose[v], rest[v]);
       if (!plan.frames.empty() && !lines.lead_to(frame, pose)) {
         take(samples[i - 1].frame, before);
         lines.lead_to(frame, pose);
@@ -243,16 +248,16 @@ public:
     mesh::MorphMotion motion;
     motion.name = what_.model.file.stem().string();
     motion.normals = what_.normals;
-    const std::size_t count = plan.frames.size();
-    motion.weights.assign(count * count, 0);
+    for (const double frame : plan.frames) motion.seconds.push_back((frame - what_.first) / what_.rate);
+    const std::size_t count = plan.targets.size();
+    motion.weights.assign(plan.frames.size() * count, 0);
     for (std::size_t i = 0; i < count; ++i) {
-      motion.seconds.push_back((plan.frames[i] - what_.first) / what_.rate);
-      motion.targets.push_back(frame_name(plan.frames[i]));
-      motion.weights[i * count + i] = 1;
+      motion.targets.push_back(frame_name(plan.frames[plan.targets[i]]));
+      motion.weights[plan.targets[i] * count + i] = 1;
     }
     motion.moves = plan.moves;
     motion.positions = [&](std::size_t target) {
-      auto pose = at(plan.frames[target]);
+      auto pose = at(plan.frames[plan.targets[target]]);
       for (std::size_t v = 0; v < pose.size(); ++v)
         if (!plan.moves[v]) pose[v] = what_.model.model->positions[v];
       return pose;
@@ -263,7 +268,7 @@ public:
   AnimationReport report(const MorphPlan& plan) {
     AnimationReport report{.frames = plan.frames.size()};
     report.notes = notes_.take();
-    report.summary = base::counted(report.frames, "morph target") +
+    report.summary = base::counted(plan.targets.size(), "morph target") +
                      " with straight lines between them, off by up to " +
                      plain(std::max(what_.tolerance, least_tolerance)) +
                      " of the model's diagonal at any frame; " + engine_text(*model_);
@@ -293,7 +298,7 @@ private:
     if (size <= most) return;
     throw base::Error(
         "",
-        "the motion needs more than " + base::counted(plan.frames.size(), "morph target") + ": " +
+        "the motion needs more than " + base::counted(plan.targets.size(), "morph target") + ": " +
             base::memory_size(size) + ", and no more than " + base::memory_size(most) + " are allowed",
         "allow a larger tolerance, " + (what_.to_allow_more.empty() ? "" : what_.to_allow_more + ", ") +
             "or write a point cache (.pc2)");
@@ -311,7 +316,7 @@ AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool
   // Text holds the bytes as letters, and is put together in memory.
   const double copies = mesh::extension_of(what.model.file) == "glb" ? 1 : 4;
   base::require_memory({copies * model.bytes(plan, 1),
-                        base::counted(plan.frames.size(), "morph target") + " take",
+                        base::counted(plan.targets.size(), "morph target") + " take",
                         "allow a larger tolerance, export fewer frames, or write a point cache (.pc2)",
                         what.model.file.string()});
   if (progress) progress->section(0.7, 1);
@@ -399,7 +404,7 @@ MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progr
   constexpr std::size_t enough = 2000;
   const std::size_t step = std::max<std::size_t>(1, what.model.model->positions.size() / enough);
   const MorphPlan plan = model.plan(step, progress);
-  return {plan.frames.size(), model.bytes(plan, step)};
+  return {plan.targets.size(), model.bytes(plan, step)};
 }
 
 AnimationReport write_animation(const AnimationExport& what, base::Progress* progress) {

@@ -44,7 +44,7 @@ struct AnimationExport {
 AnimationExport animation_export_of(const Document& document, const std::filesystem::path& file);
 
 struct AnimationReport {
-  std::size_t frames = 0;            ///< that are in the files now, or morph targets
+  std::size_t frames = 0;            ///< that are in the files now, or poses of morph targets
   std::string summary{};             ///< one line: what was written, by which engine, and how exact it is
   std::vector<std::string> notes{};  ///< what a person should know of the result, one line each
 };

@@ -15,8 +15,8 @@
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "scene/document/cage_editing.h"
-#include "scene/document/camera.h"
 #include "scene/document/checks.h"
+#include "scene/document/up_axis.h"
 #include "scene/files/session.h"
 #include "scene/files/session_parts.h"
 
@@ -34,7 +34,6 @@ Export export_of(const Document& document, const std::filesystem::path& file) {
              document.mask,
              document.probes,
              document.shape,
-             document.model.path,
              guessed_up(document.model),
              {}};
   if (document.has_cage()) return all;

@@ -28,9 +28,8 @@ struct Export {
   sym3::Method method;
   deform::Mask mask;
   deform::Probes probes;
-  SharedShape shape;                 ///< of the model; null: at rest
-  std::filesystem::path model_file;  ///< that the original is of; empty: none
-  UpAxis up = UpAxis::y;             ///< which of its axes is taken as up
+  SharedShape shape;      ///< of the model; null: at rest
+  UpAxis up = UpAxis::y;  ///< which of its axes is taken as up
   mesh::Digits digits = {};
 };
 

@@ -13,7 +13,7 @@
 #include "scene/document/probes.h"
 #include "scene/document/range.h"
 #include "scene/document/time_edit.h"
-#include "scene/files/session_parts.h"
+#include "scene/files/camera_json.h"
 
 namespace viete::scene {
 

@@ -55,7 +55,7 @@ nlohmann::ordered_json library_json(const PoseLibrary& library, ShapeTable& shap
 ///            ...] that it was made of, and a pose as above}, ...],
 ///  "unkeyed": [{"frame", and a pose as above}, ...], those that undo leads back to, oldest first; missing:
 ///             none,
-///  "cameras": [{"frame", and a camera as in session_parts.h}, ...]}
+///  "cameras": [{"frame", and a camera as in camera_json.h}, ...]}
 nlohmann::ordered_json timeline_json(const Timeline& timeline, double frame, ShapeTable& shapes);
 
 /// A pose that is damaged is left out, and a warning says so; so is what does not fit in size: see

@@ -18,6 +18,7 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
+#include "scene/files/camera_json.h"
 #include "scene/files/json_file.h"
 #include "scene/files/pose_json.h"
 #include "scene/files/session_parts.h"

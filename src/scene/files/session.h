@@ -41,7 +41,7 @@ struct MaskRun {
 ///   "mask"                painted shares of the model's vertices in their order, in 255ths: [share, for how
 ///                         many vertices, share, ...]; missing: every vertex follows the cage
 ///   "probes"              see session_parts.h; missing: there are none
-///   "camera"              see session_parts.h
+///   "camera"              see camera_json.h
 ///   "view"                flags, see ViewOptions
 ///   "views"               those beside the first: [{"method", what says a scheme, "field": the map,
 ///                         "other_lines": straight where the first has logs}], 3 at most; missing: none

@@ -1,4 +1,4 @@
-// Parts of a session: where one looks from, how the hand moves, probes, and the scheme.
+// Parts of a session: how the hand moves, probes, and the scheme.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,16 +12,6 @@
 #include "scene/files/json_file.h"
 
 namespace viete::scene {
-
-/// "target" [x, y, z] and "distance" in view units (model diagonal = 2), "yaw" and "pitch" in radians,
-/// "orthographic", "up": "y" (also if missing) or "z".
-nlohmann::ordered_json camera_json(const CameraPose& camera);
-
-/// Ranges are those of scene/document/range.h. With turns, the yaw keeps its whole turns, up to a thousand.
-CameraPose camera_of(const JsonReader& json, bool turns = false);
-
-/// 0.3f as 0.3, not as 0.30000001192092896, where that gives the same float back.
-double tidy(float value);
 
 /// "pivot", "axes", "mirror", "curve", "distance": words of scene/document/handling.h; "point": [x, y, z] in
 /// the file's coordinates; "soft": true or missing; "radius": percent of the model's diagonal. What is as in

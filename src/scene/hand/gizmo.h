@@ -12,8 +12,6 @@
 
 namespace viete::scene {
 
-class TransformDrag;
-
 /// Sizes in logical pixels: the same at every distance.
 inline constexpr float gizmo_radius = 84;      ///< of the rings; where the heads of the arms begin
 inline constexpr float gizmo_head = 14;        ///< length of an arrow's head
@@ -59,19 +57,5 @@ std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& curso
 
 /// "Move along X".
 std::string handle_name(Tool tool, const Constraint& handle);
-
-struct DragGuides {
-  glm::vec2 start{0, 0};                   ///< where the centre of the selection was at the press
-  std::vector<int> axes;                   ///< along which the drag goes
-  std::vector<glm::vec2> axis_directions;  ///< theirs on screen, of length 1
-  /// The arc that the turn has swept beyond its whole turns, from the press on; with `start` it is a sector.
-  /// Empty if it is not a turn, or one that is seen edge-on.
-  std::vector<glm::vec2> arc;
-  int whole_turns = 0;
-  std::vector<glm::vec2> circle;  ///< the line of a whole turn, if there was one
-};
-
-DragGuides drag_guides(const TransformDrag& drag, const Space& space, const Camera& camera,
-                       const Viewport& viewport);
 
 }  // namespace viete::scene

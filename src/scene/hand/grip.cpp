@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "mesh/point_tree.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 
 namespace viete::scene {
 

@@ -9,7 +9,7 @@
 #include "deform/cage.h"
 #include "scene/document/handling.h"
 #include "scene/hand/anchor.h"
-#include "scene/hand/shaping.h"
+#include "scene/hand/shape.h"
 #include "scene/hand/transform.h"
 
 namespace viete::scene {

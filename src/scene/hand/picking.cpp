@@ -6,7 +6,7 @@
 
 #include "scene/document/elements.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 
 namespace viete::scene {
 

@@ -1,5 +1,5 @@
-// What of the cage can be seen, and what is under the cursor: vertices, edges and faces near a pixel, or
-// inside a rectangle, a lasso or the circle of a brush.
+// Picking: which of the cage can be seen, and which vertices, edges and faces are under the cursor, or inside
+// a rectangle, a lasso or the circle of a brush.
 #pragma once
 
 #include <cstdint>

@@ -11,6 +11,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
+#include "scene/document/record.h"
 #include "scene/document/space.h"
 #include "sym3/affine.h"
 

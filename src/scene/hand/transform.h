@@ -1,5 +1,5 @@
-// Moving, turning and scaling the selected vertices about a pivot: exact where nothing or whole turns are
-// asked for.
+// Tools, and moving, turning and scaling the selected vertices about a pivot: exact where nothing or whole
+// turns are asked for.
 #pragma once
 
 #include <cstdint>

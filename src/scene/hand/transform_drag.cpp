@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "scene/document/edit.h"
 #include "scene/document/elements.h"
+#include "scene/document/record.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/placing.h"
+#include "scene/hand/shaping.h"
 
 namespace viete::scene {
 

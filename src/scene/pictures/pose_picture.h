@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mesh/surface.h"
-#include "scene/document/camera.h"
 #include "scene/document/document.h"
+#include "scene/document/up_axis.h"
 #include "scene/pictures/picture_view.h"
 
 namespace viete::scene {

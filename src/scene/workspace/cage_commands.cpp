@@ -1,3 +1,4 @@
+// Commands of the cage, and of how it moves the model.
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -7,8 +8,8 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/document/selection.h"
-#include "scene/workspace/check_state.h"
+#include "scene/document/selection_sets.h"
+#include "scene/workspace/check_view.h"
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"

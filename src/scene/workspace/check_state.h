@@ -12,8 +12,6 @@
 
 namespace viete::scene {
 
-struct Workspace;
-
 /// One kind of defect, whose elements may be looked for anew.
 struct FoundKind {
   Defect defect;
@@ -67,15 +65,5 @@ void take_findings(CheckState& checks, std::vector<Finding> findings);
 
 /// The elements that are shown, as numbers of the finding's elements: at most so many, evenly spread.
 std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most);
-
-/// Highlights a finding and asks the program to frame it; the one that is shown is hidden again.
-void toggle_finding(Workspace& workspace, std::size_t index);
-
-/// The next (1) or previous (-1) element of the finding that is shown, alone; round and round.
-void step_element(Workspace& workspace, int step);
-
-/// Moves the camera to what is shown. `positions` are those of the finding's surface as it is seen now, in
-/// the file's units.
-void frame_finding(Workspace& workspace, std::span<const mesh::Point> positions);
 
 }  // namespace viete::scene

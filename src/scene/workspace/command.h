@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/workspace/keymap.h"
+#include "scene/workspace/shortcut.h"
 
 namespace viete::scene {
 

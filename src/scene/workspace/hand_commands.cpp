@@ -1,8 +1,9 @@
+// Commands of the tools, and of how the hand moves.
 #include <algorithm>
 
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"

@@ -10,7 +10,6 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
 #include "scene/workspace/command_conditions.h"
-#include "scene/workspace/workspace.h"
 
 namespace viete::scene {
 

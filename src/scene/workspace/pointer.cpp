@@ -7,7 +7,8 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
+#include "scene/hand/shaping.h"
 #include "scene/workspace/pivot_place.h"
 
 namespace viete::scene {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "scene/document/selection.h"
+#include "scene/document/selection_sets.h"
 #include "scene/hand/cursor_projection.h"
 
 namespace viete::scene {

@@ -1,7 +1,6 @@
 // The view split in several: one document, each view blended, computed and coloured in a way of its own.
 #pragma once
 
-#include <cstddef>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -13,8 +12,6 @@
 #include "scene/workspace/frame_stats.h"
 
 namespace viete::scene {
-
-struct Workspace;
 
 /// A view beside the first one.
 struct SideView : SideWay {
@@ -56,18 +53,5 @@ std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& 
 
 /// The same with these, and the hand in the first one.
 void put_ways(Split& split, const SideWays& ways);
-
-/// So many views, 1 to 4. New ones are blended in ways that are not shown yet.
-void split_view(Workspace& workspace, std::size_t count);
-/// The hand works in that view from now on: the camera is its own.
-void enter_view(Workspace& workspace, std::size_t view);
-/// That of a view.
-CameraPose camera_of(const Workspace& workspace, std::size_t view);
-/// The same where it comes to rest, if it is on its way.
-CameraPose last_camera_of(const Workspace& workspace, std::size_t view);
-/// What a session keeps of the split.
-SideWays ways_of(const Workspace& workspace);
-/// What a side view shows as colours on the mesh, or none.
-lab::Field shown_field(const Workspace& workspace, const SideView& side);
 
 }  // namespace viete::scene

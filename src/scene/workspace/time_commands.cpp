@@ -9,7 +9,7 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/file_commands.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/time_view.h"
+#include "scene/workspace/time_gestures.h"
 
 namespace viete::scene {
 

@@ -1,3 +1,4 @@
+// Commands of what is seen: panels, shading, maps and several views.
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +8,7 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/pointer.h"
-#include "scene/workspace/split.h"
+#include "scene/workspace/splitting.h"
 
 namespace viete::scene {
 

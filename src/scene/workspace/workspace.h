@@ -35,7 +35,7 @@
 #include "scene/workspace/file_browser.h"
 #include "scene/workspace/frame_stats.h"
 #include "scene/workspace/messages.h"
-#include "scene/workspace/playing.h"
+#include "scene/workspace/playback.h"
 #include "scene/workspace/question.h"
 #include "scene/workspace/remembered.h"
 #include "scene/workspace/split.h"
