@@ -6,7 +6,7 @@
 #include <string>
 
 #include "scene/files/recovery.h"
-#include "scene/workspace/check_state.h"
+#include "scene/workspace/check_view.h"
 #include "scene/workspace/command.h"
 #include "ui/input.h"
 #include "ui/overlay_painter.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "scene/document/cage_making.h"
-#include "scene/workspace/check_state.h"
+#include "scene/workspace/check_view.h"
 #include "ui/choice_picture.h"
 #include "ui/format.h"
 #include "ui/panels.h"
