@@ -38,7 +38,7 @@ std::string element_name(ElementKind kind);
 std::string counted(ElementKind kind, std::size_t count);
 
 /// With the rings that the selected edges are of; of vertices the edges between them. Two triangles that make
-/// a good quad together (cages/quads.h) count as one, so that rings run through cages that once were quads.
+/// a good quad together (cages/extraction.h) count as one, so that rings run through cages that once were quads.
 /// Faces and probes are as they were. O(n log n).
 Selection ringed(const deform::Cage& cage, const Selection& selection);
 
