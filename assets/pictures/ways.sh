@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the row of pictures in the README: one pose of the dragon, moved in three ways. ways.sh [VIETE]
+# Makes the pictures of the manual's chapter on deformers: one pose of the dragon by each deformer. ways.sh [VIETE]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 viete=${1:-$here/../../build/viete}
@@ -15,3 +15,6 @@ picture() {  # NAME OPTION...
 picture mean_value --way mean-value
 picture published --way paper
 picture default
+picture rigid --way rigid
+picture arap --way arap
+picture local --way local
