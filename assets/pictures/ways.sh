@@ -12,9 +12,9 @@ picture() {  # NAME OPTION...
     --look front --size 420x400 --no-grid --force -o "$here/way_$name.png" 2>/dev/null
 }
 
-picture mean_value --way mean-value
-picture published --way paper
+picture mean_value --deformer mean-value
+picture published --deformer paper
 picture default
-picture rigid --way rigid
-picture arap --way arap
-picture local --way local
+picture rigid --deformer rigid
+picture arap --deformer arap
+picture local --deformer local
