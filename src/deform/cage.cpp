@@ -12,7 +12,7 @@ namespace viete::deform {
 
 namespace {
 
-// N / sqrt|N|, N = u x v, formed at unit size so that it neither over- nor underflows; 0 without area.
+// N / sqrt|N|, N = u x v, formed at unit size to avoid over- and underflow; 0 without area.
 Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   const double size = std::max(largest_abs(u), largest_abs(v));
   if (!(size > 0)) return {0, 0, 0};
@@ -122,7 +122,7 @@ void add_elements(Cage& cage) {
                           " cage triangles have no area and no influence: " + listed(found));
 }
 
-// How far the surface reaches out of the plane of one of its triangles, in units of its diagonal.
+// Largest distance of the surface from the plane of one of its triangles, in units of its diagonal.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
   const Corners t = corners(cage.surface, static_cast<std::size_t>(e));
@@ -139,8 +139,8 @@ double thickness(const Cage& cage) {
   return most - least;
 }
 
-// A flat sheet has an edge all around and moves what is near it; a box that is squashed flat has neither an
-// edge nor an inside.
+// A flat sheet has a boundary and deforms its surroundings; a squashed box has neither a boundary nor an
+// inside.
 void refuse_squashed(const Cage& cage, const DualGraph& graph) {
   if (graph.open > 0 || thickness(cage) > flat_shape) return;
   throw base::Error("", "the cage is squashed flat: it closes around no volume",
@@ -199,7 +199,7 @@ Cage no_cage(const mesh::Bounds& box) {
   cage.surface.positions = {box.low, box.high};
   cage.unused = {1, 1};
   cage.diagonal = box.diagonal();
-  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // of one point
+  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // a single point
   cage.size = cage.diagonal;
   return cage;
 }

@@ -104,13 +104,14 @@ private:
 
   std::vector<PosingPin> pins_;
   std::vector<std::vector<double>> columns_;  // columns of the inverse Laplacian, one per pin, [vertex]
-  base::AlignedVector<double> gradients_;  // of columns_, by area, along u and v: [block][pin][2][triangle]
+  base::AlignedVector<double>
+      gradients_;  // gradients of columns_, by area, along u and v: [block][pin][2][triangle]
   std::vector<std::uint32_t> part_of_pin_;
   std::vector<std::uint32_t> pinned_parts_;  // ascending
   std::vector<double> forces_;  // [pin, then pinned part][pin]: from distances of pins to forces at them, and
                                 // displacements of parts
 
-  std::vector<double> weights_, usual_weights_;  // of the pose, and the values that it is kept near to
+  std::vector<double> weights_, usual_weights_;  // current, and the values that they are kept near to
   Vec3 turn_{0, 0, 0};
   std::vector<double> last_weights_;
   Vec3 last_turn_{0, 0, 0};

@@ -95,7 +95,7 @@ private:
   base::AlignedVector<float> positions_;       // slots and ghosts (see Rings), x y z x in units
   base::AlignedVector<FrameVertex> vertices_;
   base::AlignedVector<float> shares_;          // [slot]; empty: all 1
-  base::AlignedVector<float> rest_, offsets_;  // of the shape, laid out as in the binding; empty: at rest
+  base::AlignedVector<float> rest_, offsets_;  // the shape, laid out as in the binding; empty: at rest
   std::vector<std::uint8_t> leaf_moved_;       // [leaf] true if its slots moved in this frame
   std::vector<std::uint32_t> slots_;           // slot of each vertex, if there are probes
   ProbeTiles probes_;                          // tiles of the layer

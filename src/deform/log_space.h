@@ -75,7 +75,7 @@ public:
     std::vector<Vec3> pulls, right, ways, straight;
     std::vector<Vec3> wholes;                // whole turns of the sum
     std::vector<sym3::Mat3<double>> turned;  // by them, per part; empty: no rotation
-    std::vector<double> doubts;              // of the sum, per triangle
+    std::vector<double> doubts;              // doubts of the sum, per triangle
     std::vector<std::uint32_t> doubtful;     // triangles with nonzero doubt
     std::vector<std::uint32_t> doubted;      // the places of their corners
     SparseCholesky::Workspace solve;

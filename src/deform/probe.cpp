@@ -45,7 +45,7 @@ constexpr ProbeMixEntry mixes[] = {
 
 constexpr std::array parts = {&ProbeWeights::turn, &ProbeWeights::stretch, &ProbeWeights::move};
 
-// Over their sum: always, or only where that is above 1.
+// Divides by the sum: always, or only if that is above 1.
 void share_out(std::span<ProbeWeights> weights, double ProbeWeights::*part, bool always) {
   double sum = 0;
   for (const auto& w : weights) sum += w.*part;
@@ -93,7 +93,7 @@ sym3::Mat3<double> linear_part(const ProbePose& pose) {
   return times(sym3::exp_rotation(pose.turn), full(sym3::exp(pose.stretch)));
 }
 
-// In steps: which branch of the log a long turn leads to, small ones say.
+// In small steps, so that the branch of the log follows long turns.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians) {
   constexpr double largest_step = 1.5;
   ProbePose result = pose;
@@ -136,7 +136,7 @@ void probe_weights(const Probes& probes, const mesh::Point& point, std::span<Pro
   share_out(weights, &ProbeWeights::pivot, true);
 }
 
-// The reflection F maps R to F R F: the axis of a turn is reflected and its sense changes.
+// A reflection F maps R to F R F: the rotation axis is reflected and its direction reversed.
 Probe mirrored(const Probe& probe, int axis, double at) {
   const auto a = static_cast<std::size_t>(axis);
   Probe result = probe;

@@ -64,7 +64,7 @@ public:
   std::span<const Vec3> carried() const { return places_; }
 
 private:
-  struct Block {  // of vertices
+  struct Block {  // a range of vertices
     std::vector<std::uint32_t> starts;
     std::vector<Share> shares;
   };

@@ -104,7 +104,7 @@ std::string text(const Scheme& s) {
 
 std::string text_of_percent(double fraction) {
   char text[32];
-  const double percent = std::round(1e8 * fraction) / 1e6;  // as it was typed
+  const double percent = std::round(1e8 * fraction) / 1e6;  // as typed
   return std::string(text, std::to_chars(text, text + sizeof text, percent).ptr) + " %";
 }
 

@@ -56,7 +56,7 @@ private:
   struct Splits {
     std::vector<sym3::Mat3<double>> rotations;
     std::vector<double> least, largest;  ///< stretches
-    sym3::Mat3<double> sum{};            ///< of the maps, by area
+    sym3::Mat3<double> sum{};            ///< area-weighted sum of the maps
   };
   class Folds;
 

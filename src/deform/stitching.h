@@ -17,9 +17,9 @@ namespace viete::deform {
 /// between neighbours, see stiffness_matrix().
 struct StitchingSettings {
   double pin = 0.03;       ///< pull of the corners of a handle's nearest triangle to the handle's map
-  double radius = 0;       ///< in sizes of the cage : vertices so near to a handle are pinned too, by
+  double radius = 0;       ///< in sizes of the cage: nearer vertices are pinned to the handle too, by
                            ///< pin ((radius - distance) / radius)^2
-  double translation = 0;  ///< of every vertex, to its blended position
+  double translation = 0;  ///< pull of every vertex to its blended position
 
   friend bool operator==(const StitchingSettings&, const StitchingSettings&) = default;
 };

@@ -58,7 +58,7 @@ private:
   Vec3 origin_;
   double scale_;  // a power of two: the cage's diagonal times it is near 1
   std::vector<Vec3> handles_;
-  std::vector<Vec3> corners_;  // of the cage, relative to the origin and scaled, as all members below
+  std::vector<Vec3> corners_;  // the cage's corners, relative to the origin and scaled, as all members below
   // For distances: the handles as triangles, and the origins of their axes.
   std::vector<DistanceTriangle<double>> triangles_;
   std::vector<DistanceTriangle<float>> float_triangles_;

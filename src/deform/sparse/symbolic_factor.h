@@ -34,7 +34,7 @@ struct SymbolicFactor {
   std::vector<std::uint32_t> rows;     // per supernode: rows below its own columns, ascending
   std::vector<std::uint32_t> parents;  // parent of each supernode, or no_parent
   mesh::Adjacency children;
-  std::size_t entries = 0;  // of all supernodes
+  std::size_t entries = 0;  // total number
 };
 
 /// The position of each unknown in an order.
