@@ -1,4 +1,4 @@
-// What was measured of all ways of blending, as tables and as JSON.
+// The results of all schemes, as tables and as JSON.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace viete::bench {
 
-/// What the columns are.
+/// Explains the columns.
 inline constexpr const char* modes_legend =
     R"(  moved, rigid, similar, affine: the cage is posed as a whole by a map of that kind, and this is how far
     the model is from that map, in diagonals; exact: below 1e-9
@@ -26,13 +26,13 @@ inline constexpr const char* modes_legend =
     within 0.1 % and joined by no short path of edges, in diagonals
 )";
 
-/// Of those poses that have a number; NaN where none has.
+/// Over the poses with a number; NaN if there are none.
 struct OverPoses {
   double least, middle, most;
 };
 OverPoses over_poses(const Mode& mode, const std::function<double(const ShapeQuality&)>& value);
 
-/// A table of the modes by themselves, one a pose, and one over all poses where there are several.
+/// One table of the schemes, one per pose, and a summary if there are several poses.
 void print(const ModeComparison& compared, std::span<const NamedPose> poses);
 nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses);
 

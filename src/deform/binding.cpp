@@ -65,9 +65,8 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
         "stretches exactly");
   }
   if (const std::size_t other = seen_otherwise(cage); other > 0) {
-    warnings.push_back("mean value coordinates turn, or leave out, " + std::to_string(other) + " of " +
-                       std::to_string(cage.element_count()) +
-                       " cage triangles, so that all show one side outwards");
+    warnings.push_back("mean value coordinates flip, or leave out, " + std::to_string(other) + " of " +
+                       std::to_string(cage.element_count()) + " cage triangles, so that all face outwards");
   }
   if (failed > 0) {
     warnings.push_back(std::to_string(failed) + " of " + std::to_string(vertices) +
@@ -167,9 +166,10 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
              const Binding* known, base::WorkerPool& pool, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   if (weighting.weights == Weights::mean_value && cage.sides.triangles.empty())
-    throw base::Error(
-        "", "mean value coordinates need a cage with an outside, and faces of this one cannot agree on it",
-        "turn or remove the faces that disagree, or use other weights");
+    throw base::Error("",
+                      "mean value coordinates need a cage with an outside; faces of this cage are not "
+                      "consistently oriented",
+                      "flip or remove the faces that disagree, or use other weights");
   Binding binding;
   binding.weighting = weighting;
   binding.vertices = model.positions.size();

@@ -42,7 +42,7 @@ void check_pose(const Cage& cage, const Pose& pose) {
   const std::size_t expected = cage.surface.positions.size();
   if (pose.positions.size() == expected) return;
   throw base::Error("",
-                    "the pose has " + std::to_string(pose.positions.size()) + " vertices, the cage " +
+                    "the pose has " + std::to_string(pose.positions.size()) + " vertices, the cage has " +
                         std::to_string(expected),
                     "use a pose of this cage");
 }

@@ -14,32 +14,31 @@ namespace viete::deform {
 namespace {
 
 constexpr FalloffEntry falloffs[] = {
-    {{"smooth", "Smooth", "Full near the probe, and smoothly less to the end of the radius"},
-     Falloff::smooth},
-    {{"round", "Round", "Like a ball: much of it nearly up to the radius"}, Falloff::round},
-    {{"linear", "Linear", "Evenly less to the end of the radius"}, Falloff::linear},
-    {{"sharp", "Sharp", "A peak: most of it close to the probe"}, Falloff::sharp},
-    {{"even", "Even", "All of it, up to the radius, where it ends at once"}, Falloff::even},
-    {{"endless", "Endless", "A half at the radius, and less without end"}, Falloff::endless},
-    {{"none", "Off", "Nothing of it"}, Falloff::none},
+    {{"smooth", "Smooth", "Full near the probe, decreasing smoothly to 0 at the radius"}, Falloff::smooth},
+    {{"round", "Round", "Like a ball: strong nearly up to the radius"}, Falloff::round},
+    {{"linear", "Linear", "Decreases linearly to 0 at the radius"}, Falloff::linear},
+    {{"sharp", "Sharp", "A peak: strong only close to the probe"}, Falloff::sharp},
+    {{"even", "Even", "Full up to the radius, 0 beyond"}, Falloff::even},
+    {{"endless", "Endless", "Half at the radius, decreasing without end"}, Falloff::endless},
+    {{"none", "Off", "No influence"}, Falloff::none},
 };
 
 constexpr ProbeMixEntry mixes[] = {
     {{"added", "Added",
-      "Each adds what it does: one that was not moved changes nothing, and two that move together move twice "
-      "as far"},
+      "Adds the motions: a probe at rest changes nothing, and two that move together move vertices twice as "
+      "far"},
      ProbeMix::added},
     {{"partial", "Divided",
-      "Where the weights of several probes sum to more than one they are divided by their sum: two that move "
-      "together move once"},
+      "Divides weights by their sum where that exceeds one: two probes that move together move vertices "
+      "once"},
      ProbeMix::partial},
     {{"whole", "Whole",
-      "Weights sum to one where any probe reaches, and end at once where none does: one that was not moved "
-      "holds what is near it"},
+      "Weights sum to one within reach of any probe and end abruptly: a probe at rest keeps its "
+      "surroundings at rest"},
      ProbeMix::whole},
     {{"softmax", "Nearest",
-      "The softmax of the weights, which end at once where no probe reaches: the one that is nearest has "
-      "nearly all of it"},
+      "Softmax of the weights, ending abruptly out of reach: the nearest probe has nearly all of the "
+      "influence"},
      ProbeMix::softmax},
 };
 

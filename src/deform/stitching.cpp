@@ -278,7 +278,7 @@ Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool&
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
                               "stitching " + std::to_string(model.positions.size()) + " vertices takes",
-                              "use a coarser model, or leave stitching off", ""};
+                              "use a coarser model, or turn stitching off", ""};
   base::require_memory(need);
   try {
     return StitchMaker(model, cage, settings, pool, progress).make();

@@ -52,7 +52,7 @@ TEST_CASE("a_child_that_is_not_there_or_fails_is_said_with_its_own_words") {
         "viete-no-such-program: this program is not installed; install it");
   CHECK(test::mentions(problem_of({"sh", "-c", "echo so bad >&2; exit 3"}), "so bad"));
   CHECK(test::mentions(problem_of({"sh", "-c", "printf 'one\\n\\ntwo\\r\\nthree\\n' >&2; exit 1"}),
-                       "it says: one; two; three; check"));
+                       "it reported: one; two; three; check"));
 }
 
 TEST_CASE("a_child_that_is_given_up_ends_with_its_own_children") {
