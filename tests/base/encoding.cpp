@@ -45,7 +45,7 @@ TEST_CASE("swapped_words_change_the_checksum") {
   CHECK(checksum("qrstuvwx" + words) != checksum(words + "qrstuvwx"));
 }
 
-TEST_CASE("where_one_portion_ends_and_the_next_begins_counts") {
+TEST_CASE("the_checksum_depends_on_portions") {
   Checksum a, b;
   a.add("abc", 3);
   a.add("d", 1);

@@ -34,7 +34,7 @@ TEST_CASE("a_pattern_without_one_place_for_the_number_is_refused_with_an_example
   CHECK_FALSE(NumberedName::is_pattern("a_#/b.obj"));
 }
 
-TEST_CASE("a_number_is_read_back_from_the_names_that_are_given_and_from_no_others") {
+TEST_CASE("numbers_are_read_back_only_from_generated_names") {
   const NumberedName name("frame_###.obj");
   for (const std::int64_t n : {0L, 1L, 999L, 1000L, 123456789012L, -1L, -12345L})
     CHECK(name.number(name.file(n).string()) == n);

@@ -10,7 +10,7 @@
 
 using namespace viete;
 
-TEST_CASE("a_picture_comes_back_with_its_channels_or_those_asked_for") {
+TEST_CASE("pictures_keep_their_channels_or_get_the_requested_ones") {
   const std::vector<std::uint8_t> grey = {0, 50, 100, 150, 200, 250};
   const std::string png = base::encode_png("grey", 3, 2, 1, grey);
   const base::Picture same = base::decode_picture("grey", png);

@@ -58,7 +58,7 @@ TEST_CASE("an_exception_reaches_the_caller_and_the_pool_lives_on") {
   CHECK(visited_by(pool) == 100);
 }
 
-TEST_CASE("in_a_child_of_fork_the_caller_does_all_of_it") {
+TEST_CASE("in_a_child_of_fork_the_caller_runs_all_blocks") {
   auto pool = std::make_unique<WorkerPool>(3);
   const pid_t child = fork();
   if (child == 0) {

@@ -23,7 +23,7 @@ TEST_CASE("subdividing_cuts_each_triangle_into_four_and_keeps_the_surface") {
   CHECK(mesh::summarize(finer).area == doctest::Approx(24));
 }
 
-TEST_CASE("a_star_cage_has_so_many_faces_and_encloses_the_model") {
+TEST_CASE("a_star_cage_has_the_requested_faces_and_encloses_the_model") {
   const auto model = test::moved(test::torus(40, 20), 3, 100);
   for (const std::size_t faces : {8, 50, 300}) {
     const auto cage = bench::star_cage(model, faces);
@@ -64,7 +64,7 @@ TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
   }
 }
 
-TEST_CASE("reference_frame_is_the_staged_frame_by_other_means") {
+TEST_CASE("reference_frame_equals_the_staged_frame") {
   const auto model = test::sphere(2);
   const auto cage = std::make_shared<const deform::Cage>(deform::make_cage(bench::star_cage(model, 50)));
   base::WorkerPool pool(1);
@@ -171,7 +171,7 @@ TEST_CASE("a_fold_bends_by_the_square_of_its_angle") {
   CHECK(RestModel(creased).bending(folded(-3.0)) == doctest::Approx(6 * turned * turned));
 }
 
-TEST_CASE("bending_stays_where_it_is_smooth_and_grows_at_kinks_when_triangles_become_smaller") {
+TEST_CASE("refinement_keeps_smooth_bending_and_increases_bending_at_kinks") {
   const auto bending = [](int levels, const auto& map) {
     const RestModel model(test::sphere(levels));
     return model.bending(mapped(model, map));

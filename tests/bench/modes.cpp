@@ -38,11 +38,11 @@ std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
 
 }  // namespace
 
-TEST_CASE("what_moves_with_the_cage_reproduces_every_pose_of_the_whole") {
+TEST_CASE("models_that_move_with_the_cage_reproduce_every_whole_pose") {
   for (const auto& pose : whole_poses()) CHECK(deviation(pose, cage, model, with_the_box) < 1e-14);
 }
 
-TEST_CASE("what_only_follows_the_mean_reproduces_translations_alone") {
+TEST_CASE("following_only_the_mean_reproduces_only_translations") {
   CHECK(deviation(whole_poses()[0], cage, model, by_the_mean) < 1e-14);
   for (const auto& pose : whole_poses().subspan(1)) CHECK(deviation(pose, cage, model, by_the_mean) > 0.01);
 }
@@ -63,7 +63,7 @@ TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
   CHECK(std::isnan(deviation(whole_poses()[0], cage, model, lost)));
 }
 
-TEST_CASE("each_pose_of_the_whole_is_of_its_kind_and_no_simpler") {
+TEST_CASE("each_whole_pose_is_of_its_kind_and_no_simpler") {
   const auto stretches = [](const WholePose& pose) {
     double least = HUGE_VAL, most = 0;
     for (const mesh::Point& axis : {mesh::Point{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0.8, 0}}) {
@@ -82,7 +82,7 @@ TEST_CASE("each_pose_of_the_whole_is_of_its_kind_and_no_simpler") {
   CHECK(stretches(whole_poses()[3]).second > 1.1 * stretches(whole_poses()[3]).first);
 }
 
-TEST_CASE("leak_is_the_motion_of_what_is_far_from_the_vertex_that_moves") {
+TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
   // One of eight vertices moves by a tenth of the diagonal, and all of the model by an eighth of that.
   CHECK(leak(cage, model, by_the_mean) == doctest::Approx(0.1 / 8));
   const Deform near_alone = [](const deform::Pose& pose) {
@@ -101,7 +101,7 @@ TEST_CASE("leak_is_the_motion_of_what_is_far_from_the_vertex_that_moves") {
   CHECK(std::isnan(leak(cage, none, [&](const deform::Pose&) { return none; })));
 }
 
-TEST_CASE("the_gap_is_the_mean_distance_from_where_the_nearest_points_have_gone") {
+TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
   base::WorkerPool pool(1);
   const std::vector<mesh::Point> points = {{4.9, 5.1, 6.2}, {4, 4.3, 6}};  // 0.1 and 0.3 from a face
   const auto nearest = nearest_on_cage(cage, points, pool);
@@ -115,7 +115,7 @@ TEST_CASE("the_gap_is_the_mean_distance_from_where_the_nearest_points_have_gone"
         doctest::Approx((0.75 * 0.6 + 0.25 * std::hypot(0.5, 0.3)) / cage.diagonal));
 }
 
-TEST_CASE("what_is_torn_is_the_largest_change_of_distance_of_near_vertices_that_nothing_joins") {
+TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
   // Two squares 0.005 apart, of a model whose diagonal is nearly 1.
   const double side = std::sqrt(0.5);
   const std::vector<mesh::Point> rest = {{0, 0, 0},           {side, 0, 0},    {side, side, 0},
@@ -151,7 +151,7 @@ ModeComparison compare(const mesh::Surface& model, const ModeSettings& settings 
 
 }  // namespace
 
-TEST_CASE("every_way_of_blending_is_measured_and_none_distorts_a_cage_at_rest") {
+TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
   const ModeSettings settings{.rounds = 1, .radius = deform::largest_radius};
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
@@ -188,7 +188,7 @@ TEST_CASE("every_way_of_blending_is_measured_and_none_distorts_a_cage_at_rest") 
   }
 }
 
-TEST_CASE("an_open_model_has_no_volume_to_compare_and_all_else") {
+TEST_CASE("an_open_model_has_all_measures_but_volume") {
   auto sphere = test::sphere(2);
   auto triangles = sphere.triangles;
   triangles.pop_back();

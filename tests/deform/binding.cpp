@@ -10,7 +10,7 @@
 
 using namespace viete::test;
 
-TEST_CASE("rows_of_low_rank_are_factors_of_a_few_of_them_on_every_instruction_set") {
+TEST_CASE("low_rank_rows_are_factored_by_a_few_rows_on_every_instruction_set") {
   // 64 rows of 40 columns, of rank 5 and some noise.
   constexpr std::size_t tiles = 4, columns = 40, lanes = 16;
   Random random(23);

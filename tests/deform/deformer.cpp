@@ -186,7 +186,7 @@ TEST_CASE("a_frame_does_not_depend_on_the_frames_before") {
   CHECK(largest_distance(a.deform(pose), b.deform(pose)) == 0);
 }
 
-TEST_CASE("mean_values_hand_the_turns_on") {
+TEST_CASE("mean_values_pass_turns_on") {
   Bound b(tube(4, 12, 0.3, 1.5), box(), mean_values);
   b.deform(b.pose(shear(), {{1, 2, 3}}));
   CHECK(b.report().turns == std::vector<Vec3>{{1, 2, 3}});

@@ -79,7 +79,7 @@ TEST_CASE("affine_poses_are_exact_where_weights_or_blend_promise_it") {
   CHECK(exact > 1);
 }
 
-TEST_CASE("moving_the_posed_cage_moves_the_model_as_it_is") {
+TEST_CASE("moving_the_posed_cage_moves_the_model_unchanged") {
   const Twist twist{2, {0.1, 0, 0}, -1.1, 1.1, -60 * degree, 70 * degree};
   const Vec3 way{100, -50, 25};
   for (const Scheme& scheme : whole_schemes()) {
@@ -131,7 +131,7 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
   }
 }
 
-TEST_CASE("a_drag_gives_what_a_whole_frame_gives") {
+TEST_CASE("a_drag_equals_a_full_frame") {
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     Both b(model(), tube(20, 12, 0.6, 3), scheme);
@@ -147,7 +147,7 @@ TEST_CASE("a_drag_gives_what_a_whole_frame_gives") {
   }
 }
 
-TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_moves_by_centres_alone") {
+TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") {
   const auto turned = similarity({1, -2, 3}, 70 * degree, 1.3, {1, 2, 3});
   const auto half_and_twice = similarity({1, -2, 3}, 35 * degree, 1.3 * 1.3, {0, 0, 0});
   for (Scheme scheme : whole_schemes()) {
@@ -198,7 +198,7 @@ mesh::Surface turned(mesh::Surface surface, const Affine& map) {
 
 }  // namespace
 
-TEST_CASE("model_cage_and_pose_that_are_turned_together_give_the_turned_result") {
+TEST_CASE("rotating_model_cage_and_pose_rotates_the_result") {
   const auto map = similarity({1, -2, 3}, 37 * degree, 1, {0.5, 2, -1});
   const auto small = shaken(model(), 0.02), cage = shaken(cage_of_a_part(), 0.05);
   const auto pose = shaken(cage, 0.15).positions;

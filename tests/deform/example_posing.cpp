@@ -77,7 +77,7 @@ std::vector<std::uint32_t> some_pins() {
 
 }  // namespace
 
-TEST_CASE("an_example_is_found_by_its_own_vertices") {
+TEST_CASE("an_example_is_recovered_from_its_own_vertices") {
   const mesh::Surface model = straight_tube();
   const Points bend = bent(model, 120);
   Points stretched = model.positions;
@@ -99,7 +99,7 @@ TEST_CASE("an_example_is_found_by_its_own_vertices") {
   CHECK(p.posing->weights()[1] == doctest::Approx(0.5).epsilon(1e-3));
 }
 
-TEST_CASE("examples_turn_with_the_pins") {
+TEST_CASE("examples_rotate_with_the_pins") {
   const mesh::Surface model = straight_tube();
   const Points bend = bent(model, 120);
   Posing p(model, {bend}, some_pins());
@@ -108,7 +108,7 @@ TEST_CASE("examples_turn_with_the_pins") {
   CHECK(p.error(p.solved(turned, {.restraint = 1e-12, .freedom = 0}), turned) < 1e-5);
 }
 
-TEST_CASE("pins_that_hold_are_where_they_are_held_and_others_are_between") {
+TEST_CASE("hard_pins_reach_their_targets_and_soft_pins_stay_between") {
   const mesh::Surface model = straight_tube();
   Points targets = bent(model, 60);
   targets[0] = targets[0] + Vec3{0.3, 0.2, 0};
@@ -168,7 +168,7 @@ TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
   }
 }
 
-TEST_CASE("pins_at_one_place_that_are_held_at_two_are_between_them") {
+TEST_CASE("coincident_pins_with_two_targets_end_between_them") {
   mesh::Surface model = straight_tube();
   // A seam: the triangles of the first vertex take turns with a copy of it.
   const auto copy = std::uint32_t(model.positions.size());
@@ -187,13 +187,13 @@ TEST_CASE("pins_at_one_place_that_are_held_at_two_are_between_them") {
   CHECK(posed[40] == posed[copy]);
 }
 
-TEST_CASE("a_vertex_of_no_triangle_is_no_pin") {
+TEST_CASE("vertices_without_triangles_cannot_be_pinned") {
   mesh::Surface model = straight_tube();
   model.positions.push_back({7, 7, 7});
   const auto loose = std::uint32_t(model.positions.size() - 1);
   CHECK_THROWS_WITH_AS(Posing(model, {}, {0, loose}), doctest::Contains("no triangle"), base::Error);
   CHECK_THROWS_WITH_AS(Posing(model, {}, std::vector<std::uint32_t>(most_pins + 1)),
-                       doctest::Contains("1,001 pins are more than the 1,000"), base::Error);
+                       doctest::Contains("1,001 pins exceed the limit of 1,000"), base::Error);
 }
 
 // The bars of the published gallop: seven vertices and six of its frames give the others.

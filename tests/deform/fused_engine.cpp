@@ -123,7 +123,7 @@ TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set")
   }
 }
 
-TEST_CASE("fused_normals_are_those_of_any_triangles") {
+TEST_CASE("fused_normals_are_right_for_any_triangles") {
   // An open strip, a fan that 200 triangles share, two cones that touch in their tips, a stray vertex, a
   // triangle that repeats a corner, an edge with three triangles.
   auto p = tube(4, 200, 0.4, 1).positions;
@@ -165,7 +165,7 @@ TEST_CASE("compressed_weights_move_vertices_by_less_than_their_tolerance") {
   }
 }
 
-TEST_CASE("weights_that_factors_do_not_pay_for_stay_dense") {
+TEST_CASE("weights_stay_dense_if_factors_do_not_pay") {
   const Bound small_cage(tube(120, 60, 0.3, 1.5), box());
   CHECK_FALSE(Fused(small_cage, 1, viete::sym3::kernel(), 1e-4).binding->compressed());
   const Bound few_vertices(tube(4, 12, 0.3, 1.5), tube(7, 12, 0.6, 2));
@@ -201,7 +201,7 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
   }
 }
 
-TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_normals") {
+TEST_CASE("a_drag_keeps_unweighted_leaves_and_updates_border_normals") {
   constexpr std::size_t lanes = tile_lanes<float>;
   constexpr std::uint32_t vertex = 40;
   Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
@@ -250,7 +250,7 @@ TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_
   }
 }
 
-TEST_CASE("a_drag_that_turns_the_logs_of_others_is_a_full_frame") {
+TEST_CASE("a_drag_that_changes_logs_of_others_is_a_full_frame") {
   // One element is turned over until its neighbours take other branches, or are raised with the pose's mean
   // stretch.
   Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
@@ -290,7 +290,7 @@ Fused listed(const Bound& staged, int threads = 1) {
 
 }  // namespace
 
-TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_radius_however_weights_are_kept") {
+TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_radius_and_storage") {
   for (const double radius : leaf_radii) {
     CAPTURE(radius);
     Bound staged = with_radius(radius);
@@ -329,14 +329,14 @@ TEST_CASE("lists_give_the_same_bits_on_every_instruction_set") {
   }
 }
 
-TEST_CASE("how_weights_are_kept_is_chosen_by_cost") {
+TEST_CASE("weight_storage_is_chosen_by_cost") {
   Bound near = with_radius(0.1), far(near.model, near.cage->surface);
   CHECK(Fused(near).binding->storage() == Storage::lists);
   CHECK(Fused(far).binding->storage() == Storage::dense);
   CHECK(Fused(far, 1, viete::sym3::kernel(), usual_tolerance).binding->storage() == Storage::factors);
 }
 
-TEST_CASE("what_a_dragged_vertex_does_not_reach_keeps_every_bit") {
+TEST_CASE("vertices_out_of_reach_of_a_dragged_vertex_keep_every_bit") {
   for (const double radius : {0.15, 0.2, 0.25}) {
     CAPTURE(radius);
     Bound staged = with_radius(radius);

@@ -84,7 +84,7 @@ TEST_CASE("the_stiffness_matrix_gives_the_dirichlet_energy_of_linear_functions")
   CHECK(z.dot(stiffness(box) * z) == doctest::Approx(2 * 24 + 2 * 12).epsilon(1e-14));  // of the four sides
 }
 
-TEST_CASE("linear_functions_are_harmonic_inside_a_plane_however_it_is_cut") {
+TEST_CASE("linear_functions_are_harmonic_inside_a_plane_for_any_triangulation") {
   const mesh::Surface grid = rough_grid(12);
   const Eigen::VectorXd f = sampled(grid, [](const auto& p) { return 3 * p[0] - 2 * p[1] + 7; });
   const Eigen::VectorXd residual = stiffness(grid) * f;
@@ -152,7 +152,7 @@ TEST_CASE("a_triangle_that_is_one_point_adds_nothing") {
   CHECK(half_cotangents({0, 0, 0}, tiny, {0, 0, 0}) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("grounded_unknowns_are_what_their_right_hand_sides_say") {
+TEST_CASE("grounded_unknowns_equal_their_right_hand_sides") {
   const std::vector<MatrixEntry> entries = {{0, 0, 4}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1},
                                             {1, 1, 2}, {2, 1, 7}, {1, 2, 7}, {2, 2, 9}};
   const SparseMatrix matrix = sparse_matrix(4, entries);
@@ -277,7 +277,7 @@ TEST_CASE("triangles_that_are_delaunay_keep_their_cotangents_and_areas") {
   }
 }
 
-TEST_CASE("how_a_plane_is_cut_into_triangles_does_not_matter") {
+TEST_CASE("the_triangulation_of_a_plane_does_not_matter") {
   const auto first = intrinsic_laplacian(cut_grid(12, 0.3, 1));
   for (unsigned seed = 2; seed < 8; ++seed) {
     const auto other = intrinsic_laplacian(cut_grid(12, 0.3, seed));
@@ -305,7 +305,7 @@ TEST_CASE("linear_functions_of_a_plane_are_harmonic_on_it") {
   }
 }
 
-TEST_CASE("no_weight_is_negative_whatever_the_triangles_are") {
+TEST_CASE("no_weight_is_negative_for_any_triangles") {
   for (const double moved : {0.0, 0.3, 0.49}) check_laplacian(cut_grid(15, moved, 3));
   auto stretched = cut_grid(15, 0.4, 5);
   for (auto& p : stretched.positions) p[0] *= 1000, p[2] = std::sin(20 * p[1]);
@@ -320,7 +320,7 @@ TEST_CASE("no_weight_is_negative_whatever_the_triangles_are") {
       mesh::from_triangles(std::vector<mesh::Point>(4, {1, 2, 3}), {{0, 1, 2}, {2, 1, 3}}));  // a point
 }
 
-TEST_CASE("lengths_have_no_scale") {
+TEST_CASE("laplacian_weights_do_not_depend_on_scale") {
   const auto surface = soup(4, 40, 100);
   const auto here = intrinsic_laplacian(surface);
   for (const double scale : {1e-90, 1e90}) {

@@ -85,7 +85,7 @@ double longest_edge(const mesh::Surface& model, const std::vector<mesh::Point>& 
 
 }  // namespace
 
-TEST_CASE("maps_fitted_to_points_keep_what_they_promise_far_from_the_origin") {
+TEST_CASE("maps_fitted_to_points_are_exact_far_from_the_origin") {
   const Vec3 far{3e4, -2e4, 1e4};
   const auto moved = [&](const mesh::Surface& s) {
     auto there = s;
@@ -107,7 +107,7 @@ TEST_CASE("maps_fitted_to_points_keep_what_they_promise_far_from_the_origin") {
   });
 }
 
-TEST_CASE("a_flat_cage_leaves_no_direction_open") {
+TEST_CASE("a_flat_cage_determines_all_directions") {
   for_schemes([&](const Scheme& scheme) {
     Engines e(together(tube(14, 24, 0.1, 0.6), sheet(20)), sheet(4), scheme);
     const auto motion = similarity({1, -2, 3}, 130 * degree, 1, {1, 2, 3});
@@ -119,7 +119,7 @@ TEST_CASE("a_flat_cage_leaves_no_direction_open") {
   });
 }
 
-TEST_CASE("a_thin_cage_does_not_throw_the_model_about") {
+TEST_CASE("a_thin_cage_keeps_the_model_near") {
   for_schemes([&](const Scheme& scheme) {
     const double thickness = 1e-5;
     Engines e(limb(), box({0.5, 0.5, thickness}), scheme);
@@ -155,7 +155,7 @@ TEST_CASE("fitted_maps_of_collapsed_and_mirrored_cages_are_finite_in_both_engine
 }
 
 // Where one point of the cage has all of the weight nothing tells how to turn but what is about that point.
-TEST_CASE("vertices_that_belong_to_one_point_turn_with_those_around_them") {
+TEST_CASE("vertices_of_a_single_point_rotate_with_its_surroundings") {
   const Twist twist{2, {0, 0, 0}, -1.7, 1.7, -80 * degree, 80 * degree};
   for_schemes([&](const Scheme& scheme) {
     Engines e(limb(), limb_cage(), scheme);
@@ -185,7 +185,7 @@ TEST_CASE("fitted_maps_follow_a_vertex_without_jumps") {
   });
 }
 
-TEST_CASE("fitted_maps_are_exported_as_they_are_shown_and_take_no_amounts") {
+TEST_CASE("fitted_maps_are_exported_as_shown_and_ignore_amounts") {
   const Twist twist{2, {0, 0, 0}, -1.7, 1.7, -80 * degree, 80 * degree};
   for_schemes([&](const Scheme& scheme) {
     Engines e(limb(), limb_cage(), scheme);
@@ -202,7 +202,7 @@ TEST_CASE("fitted_maps_are_exported_as_they_are_shown_and_take_no_amounts") {
   });
 }
 
-TEST_CASE("fitted_maps_have_the_same_bits_on_every_instruction_set_and_however_weights_are_kept") {
+TEST_CASE("fitted_maps_have_the_same_bits_for_every_instruction_set_and_storage") {
   for (const Blend fit : fitted_blends) {
     const Scheme scheme{{Elements::point, Weights::cut_off, 0.4}, fit};
     CAPTURE(text(scheme));

@@ -234,7 +234,7 @@ TEST_CASE("a_coarse_part_is_coupled_to_the_nearest_points_and_not_to_the_nearest
   }
 }
 
-TEST_CASE("a_soup_of_triangles_has_the_weights_of_the_surface_that_it_was") {
+TEST_CASE("a_triangle_soup_has_the_weights_of_its_surface") {
   const auto whole = tube(24, 18, 0.5, 3);
   const Cage cage = make_cage(tube(5, 6, 0.7, 3.4));
   const Binding expected = bound(whole, cage, plates);

@@ -88,7 +88,7 @@ TEST_CASE("shares_of_a_stretch_are_its_powers_and_a_negative_one_undoes_it") {
   }
 }
 
-TEST_CASE("a_turn_and_a_stretch_in_one_are_shared_each_for_itself") {
+TEST_CASE("rotation_and_stretch_are_interpolated_independently") {
   const Posed p(box());
   const Pose pose = p.by(similarity({1, 1, 0}, 100 * degree, 4));
   CHECK(p.error(p.share(pose, 0.5), mapped(p.rest(), similarity({1, 1, 0}, 50 * degree, 2))) < 1e-12);
@@ -106,7 +106,7 @@ TEST_CASE("540_degrees_are_three_half_turns") {
   }
 }
 
-TEST_CASE("a_pose_that_says_nothing_of_whole_turns_takes_those_nearest_to_the_pose_before") {
+TEST_CASE("a_pose_without_whole_turns_takes_those_nearest_to_the_preceding_pose") {
   const Posed p(box());
   LogVector before = p.space.vector(p.by({}));
   for (double angle = 0; angle <= 720; angle += 90) {
@@ -119,7 +119,7 @@ TEST_CASE("a_pose_that_says_nothing_of_whole_turns_takes_those_nearest_to_the_po
   }
 }
 
-TEST_CASE("what_stands_still_stands_and_the_limb_turns_about_where_it_hangs") {
+TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
   const Posed p(tube(9, 8, 0.3, 4));
   // The upper half turns about y by 90 degrees, at the middle of the tube.
   Pose pose{p.rest(), {}};
@@ -141,7 +141,7 @@ TEST_CASE("what_stands_still_stands_and_the_limb_turns_about_where_it_hangs") {
   CHECK(norm(p.space.straight(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
 }
 
-TEST_CASE("parts_and_loose_vertices_each_go_their_way") {
+TEST_CASE("parts_and_loose_vertices_move_independently") {
   mesh::Surface surface = together(box(), box({1, 1, 1}, {5, 0, 0}));
   surface.positions.push_back({9, 9, 9});
   const Posed p(surface);
@@ -157,7 +157,7 @@ TEST_CASE("parts_and_loose_vertices_each_go_their_way") {
   CHECK(half.positions[16] == mesh::Point{9, 9, 10});
 }
 
-TEST_CASE("vertices_at_the_same_place_stay_together_where_both_poses_have_them_so") {
+TEST_CASE("coincident_vertices_stay_together_between_poses") {
   mesh::Surface surface = tube(5, 6, 0.5, 2);
   // Every triangle has corners of its own.
   mesh::Surface cut;
@@ -179,7 +179,7 @@ TEST_CASE("vertices_at_the_same_place_stay_together_where_both_poses_have_them_s
       CHECK(norm(half.positions[3 * e + k] - expected.positions[surface.triangles[e][k]]) < 0.01);
 }
 
-TEST_CASE("poses_far_from_rest_lose_nothing_but_what_their_numbers_cannot_hold") {
+TEST_CASE("poses_far_from_rest_lose_only_rounding") {
   const Posed p(tube(9, 7, 0.3, 2));
   const Vec3 far{1e6, -3e5, 7e5};
   const LogVector a = p.space.vector(p.by({.shift = far}));
@@ -192,7 +192,7 @@ TEST_CASE("a_pose_of_another_number_of_vertices_is_refused") {
   CHECK_THROWS(p.space.vector({{{0, 0, 0}}, {}}));
 }
 
-TEST_CASE("a_posed_cage_goes_round_by_the_whole_turns_that_it_has_about_any_axis") {
+TEST_CASE("a_posed_cage_makes_its_whole_turns_about_any_axis") {
   const Posed p(tube(9, 7, 0.3, 2));
   const auto posed = shaken(p, 0.02);
   const Vec3 middle = deform::middle(posed);

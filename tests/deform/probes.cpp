@@ -75,7 +75,7 @@ Probes some_probes() {
 
 }  // namespace
 
-TEST_CASE("a_model_that_a_probe_holds_whole_follows_its_map") {
+TEST_CASE("a_model_with_full_weight_follows_the_map_of_its_probe") {
   for (const ProbeMix mix : {ProbeMix::partial, ProbeMix::whole, ProbeMix::softmax}) {
     Probes probes{{probe_at({0.2, -0.3, 0.5}, within(100, Falloff::even))}, mix};
     probes.all[0].pose = strong();
@@ -85,7 +85,7 @@ TEST_CASE("a_model_that_a_probe_holds_whole_follows_its_map") {
   }
 }
 
-TEST_CASE("what_a_probe_does_is_what_its_weights_say") {
+TEST_CASE("probes_act_by_their_weights") {
   Probe p = probe_at({0.1, 0, 0.2}, within(1));
   p.turn = within(1.3, Falloff::linear), p.stretch = within(0.8, Falloff::sharp), p.move = within(0.6);
   p.pose = strong();
@@ -116,7 +116,7 @@ TEST_CASE("a_turn_alone_keeps_every_distance_to_the_probe_whatever_its_falloff")
   }
 }
 
-TEST_CASE("what_no_probe_reaches_and_what_did_nothing_keeps_every_bit") {
+TEST_CASE("vertices_out_of_reach_and_resting_probes_change_no_bit") {
   Probes probes{{probe_at({0, 0, -0.7}, within(0.6)), probe_at({0, 0, 1}, within(1))}};
   CHECK(moved_by(probes) == probed_tube().positions);
   probes.all[0].pose = strong();
@@ -153,7 +153,7 @@ TEST_CASE("falloffs_begin_at_one_never_rise_and_end_at_the_radius") {
   CHECK(weight_at(Falloff::smooth, 0.5) == 0.5);
 }
 
-TEST_CASE("probes_share_a_vertex_as_their_mix_says") {
+TEST_CASE("probes_share_a_vertex_by_their_mix") {
   const auto sum = [](const std::vector<ProbeWeights>& all, double ProbeWeights::*part) {
     return std::accumulate(all.begin(), all.end(), 0.0, [&](double s, const auto& w) { return s + w.*part; });
   };
@@ -187,7 +187,7 @@ TEST_CASE("probes_share_a_vertex_as_their_mix_says") {
     CHECK(find_by_name(all_probe_mixes(), entry.name) == entry.value);
 }
 
-TEST_CASE("probes_do_not_depend_on_where_the_scene_stands_nor_on_its_unit") {
+TEST_CASE("probes_do_not_depend_on_position_or_unit_of_the_scene") {
   const Probes probes = some_probes();
   const auto here = moved_by(probes);
   const Vec3 away{1000, -300, 50};
@@ -225,7 +225,7 @@ TEST_CASE("mirrored_probes_move_a_mirrored_model_as_its_mirror_image") {
   }
 }
 
-TEST_CASE("turning_goes_on_smoothly_through_360_and_540_degrees") {
+TEST_CASE("turning_is_smooth_through_360_and_540_degrees") {
   Probe p = probe_at({0, 0, 1.2}, within(1.5));
   const Vec3 axis = (1 / std::sqrt(14.0)) * Vec3{1, 2, 3};
   constexpr double step = pi / 60;
@@ -241,7 +241,7 @@ TEST_CASE("turning_goes_on_smoothly_through_360_and_540_degrees") {
   CHECK(norm(turned({}, axis, 4 * pi).turn - p.pose.turn) < 1e-11);
 }
 
-TEST_CASE("turns_and_scales_follow_each_other_as_matrices_do") {
+TEST_CASE("turns_and_scales_compose_like_matrices") {
   const Vec3 axis{0, 0.6, -0.8};
   const ProbePose one = turned(strong(), axis, 2.2);
   const auto expected = times(sym3::exp_rotation(2.2 * axis), linear_part(strong()));
@@ -274,7 +274,7 @@ TEST_CASE("a_mask_counts_for_probes_and_results_do_not_depend_on_threads") {
   CHECK(moved_by(some_probes(), probed_tube().positions, nullptr, 1) == whole);
 }
 
-TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
+TEST_CASE("probes_follow_the_cage_in_every_engine") {
   const auto cage_shape = box();
   const Twist twist{2, {0, 0, 0}, -1, 1, 0, 100 * degree};
   struct Case {
@@ -340,7 +340,7 @@ TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
   }
 }
 
-TEST_CASE("a_probe_is_where_the_other_ones_have_moved_its_place_on_the_model") {
+TEST_CASE("places_of_probes_are_moved_by_the_other_probes") {
   viete::base::WorkerPool pool(2);
   const auto& rest = probed_tube().positions;
   for (const ProbeMix mix : {ProbeMix::partial, ProbeMix::added, ProbeMix::whole}) {

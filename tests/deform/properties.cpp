@@ -73,7 +73,7 @@ TEST_CASE("averaged_maps_keep_rest_and_follow_similarities_of_every_cage") {
   }
 }
 
-TEST_CASE("halfway_between_opposite_turns_logs_keep_the_girth_that_averaged_maps_lose") {
+TEST_CASE("halfway_between_opposite_turns_logs_keep_the_thickness_that_averaged_maps_lose") {
   // Two boxes, turned by 80 degrees one way and the other; a thin tube between them.
   auto cage = together(box({0.5, 0.5, 0.5}), box({0.5, 0.5, 0.5}));
   for (std::size_t v = 0; v < 16; ++v) cage.positions[v][2] += v < 8 ? 1.5 : -1.5;

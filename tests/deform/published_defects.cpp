@@ -3,22 +3,22 @@
 //
 //  1 The log of a motion without a turn loses its translation. No case: no blend takes logs of motions.
 //  2 Translations are blended about the origin of the world, so that its place matters.
-//    where_the_scene_stands_matters_to_no_scheme;
-//    maps_fitted_to_points_keep_what_they_promise_far_from_the_origin
+//    no_scheme_depends_on_the_position_of_the_scene;
+//    maps_fitted_to_points_are_exact_far_from_the_origin
 //  3 Distances to triangles are multiplied by areas, so that units matter.
 //    weights_are_the_same_at_every_length_scale_and_finite_everywhere (and of cut-off ones)
 //  4 Barycentric coordinates are taken about a wrong axis, so that distances depend on the place.
-//    where_the_scene_stands_matters_to_no_scheme; weights_are_inverse_squared_distances_normalised
+//    no_scheme_depends_on_the_position_of_the_scene; weights_are_inverse_squared_distances_normalised
 //  5 Distances are infinite on one side of a face.
-//    weights_are_on_both_sides_of_every_face_and_do_not_jump_across_its_plane;
-//    cut_off_weights_know_no_length_scale_and_both_sides_of_a_face
+//    weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_plane;
+//    cut_off_weights_do_not_depend_on_scale_or_side_of_a_face
 //  6 On a face, an edge or a vertex of the cage weights are not numbers.
 //    vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme
 //  7 Moving least squares turn points about the origin instead of their mean, and weigh moments otherwise
 //    than means.
-//    maps_fitted_to_points_keep_what_they_promise_far_from_the_origin; against_quad.cpp
+//    maps_fitted_to_points_are_exact_far_from_the_origin; against_quad.cpp
 //  8 A log at a whole turn is scaled by an axis that is not a unit vector, and stays so.
-//    winding_with_turns_handed_on_counts_to_720_degrees_and_back_to_nothing;
+//    winding_with_turns_passed_on_counts_to_720_degrees_and_back_to_zero;
 //    a_zero_rotation_near_a_full_turn_takes_the_axis_of_the_reference
 //  9 Branches of rotations depend on the frames before and not on neighbours: 179 and 181 degrees blend to 0.
 //    neighbours_turned_by_179_and_181_degrees_blend_to_180;
@@ -39,21 +39,21 @@
 //    sym3: guarded_spectral_forms_err_by_at_most_one_percent_on_clusters_and_are_never_nan,
 //    spectral_forms_agree_with_the_truth_on_the_papers_ensemble, all_three_cases_of_the_switch_are_right
 // 16 Rest is the pose of the first frame, and known by its number of vertices.
-//    rest_is_the_cage_that_was_bound_whatever_frame_comes_first;
+//    rest_is_the_bound_cage_for_any_first_frame;
 //    a_binding_of_something_else_is_stale_and_says_of_what
 // 17 As-rigid-as-possible surfaces: lists that do not fit, threads that share, thresholds in units, vertices
 //    without an equation, factorisations that fail unheard.
-//    every_vertex_has_its_place_in_parts_holes_needles_and_without_triangles,
+//    every_vertex_is_determined_in_parts_holes_needles_and_without_triangles,
 //    stitched_models_have_the_same_bits_on_any_number_of_threads,
-//    stitching_does_not_depend_on_where_the_scene_is_or_how_large,
-//    a_matrix_that_is_not_positive_definite_is_refused_by_the_row_that_is_not_determined
+//    stitching_does_not_depend_on_position_or_scale_of_the_scene,
+//    an_indefinite_matrix_is_rejected_with_the_undetermined_row
 // 18 Weights called harmonic are not, and leave [0, 1]; the strength of a constraint is its value too; one
 //    that has no place is put on the first vertex.
-//    harmonic_weights_are_between_0_and_1_whatever_the_triangles_are,
+//    harmonic_weights_are_between_0_and_1_for_any_triangles,
 //    plates_take_the_shape_of_least_bending_and_springs_part_by_part,
 //    handles_without_area_and_vertices_without_triangles_own_nothing_and_are_not_owned
 // 19 What is painted does not count for rotations.
-//    about_the_centre_of_its_handles_a_vertex_makes_its_share_of_turn_stretch_and_way
+//    shares_scale_rotation_stretch_and_translation_about_the_centre_of_the_handles
 // 20 Distances and weights are kept, 16 bytes a pair.
 //    a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights_in_double;
 //    weights_of_all_vertices_are_never_in_memory_at_once
@@ -220,7 +220,7 @@ double off_karcher(const TurningTriangles& t, double amount) {
 
 }  // namespace
 
-TEST_CASE("where_the_scene_stands_matters_to_no_scheme") {
+TEST_CASE("no_scheme_depends_on_the_position_of_the_scene") {
   const Vec3 way{100, -200, 300};
   const Twist twist{2, {0.1, 0, 0}, -0.9, 0.9, -60 * degree, 70 * degree};
   const auto there = [&](const Vec3& x) { return twist(x - way) + way; };
@@ -234,7 +234,7 @@ TEST_CASE("where_the_scene_stands_matters_to_no_scheme") {
   }
 }
 
-TEST_CASE("blending_translations_about_the_origin_would_depend_on_where_the_scene_stands") {
+TEST_CASE("blending_translations_about_the_origin_would_depend_on_the_position_of_the_scene") {
   const TurningTriangles t(3);
   Bound b(t.model, t.cage, faces, 1, Blend::srl);
   // exp(sum w Y) x + sum w (c' - R c), the place of the scene being x = 0.
@@ -255,7 +255,7 @@ TEST_CASE("blending_translations_about_the_origin_would_depend_on_where_the_scen
   CHECK(most > 1);
 }
 
-TEST_CASE("weights_are_on_both_sides_of_every_face_and_do_not_jump_across_its_plane") {
+TEST_CASE("weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_plane") {
   const auto surface = box({1, 1.1, 1.2});
   const Cage cage = make_cage(surface);
   Random random(6);
@@ -374,7 +374,7 @@ TEST_CASE("about_one_axis_blended_turns_are_the_mean_of_rotations") {
   CHECK(turn_of(karcher_mean(rotations, all)).norm() == doctest::Approx(1));
 }
 
-TEST_CASE("rest_is_the_cage_that_was_bound_whatever_frame_comes_first") {
+TEST_CASE("rest_is_the_bound_cage_for_any_first_frame") {
   auto other = stump_cage();  // as many vertices, elsewhere
   for (auto& p : other.positions) p = {1.2 * p[0], 0.9 * p[1], p[2] + 0.1 * p[0]};
   const auto posed = similarity({1, 2, 3}, 1, 1.3, {1, 0, 0});

@@ -108,7 +108,7 @@ Points halfway(const Points& a, const Points& b) {
 
 }  // namespace
 
-TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part_for_itself") {
+TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part") {
   const mesh::Surface limb = tube(9, 7, 0.3, 2);
   const std::size_t n = limb.positions.size();
   mesh::Surface far = limb;
@@ -125,7 +125,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part_for_itself") {
   }
 }
 
-TEST_CASE("what_turns_as_a_whole_turns_about_its_axis_by_any_share") {
+TEST_CASE("rigid_rotations_interpolate_about_their_axis") {
   Shapes s(tube(9, 7, 0.3, 2));
   const auto at = [&](double share) {
     return mapped(s.rest.positions, similarity({1, 1, 0}, share * 100 * degree, std::pow(4, share)));
@@ -134,7 +134,7 @@ TEST_CASE("what_turns_as_a_whole_turns_about_its_axis_by_any_share") {
     CHECK(s.error(s.share(at(1), share), at(share)) < 1e-12);
 }
 
-TEST_CASE("shapes_come_back_and_rest_is_rest") {
+TEST_CASE("vectors_reproduce_shapes_and_rest") {
   Shapes s(tube(9, 7, 0.3, 2));
   for (const double degrees : {20.0, 285.0}) {
     const Points shape = twisted(s.rest, degrees);
@@ -156,7 +156,7 @@ TEST_CASE("limbs_that_turn_by_more_than_half_a_turn_are_coherent") {
   }
 }
 
-TEST_CASE("a_triangle_that_was_turned_over_turns_no_others") {
+TEST_CASE("a_flipped_triangle_rotates_no_others") {
   Shapes s(tube(60, 12, 0.3, 6));
   Points shape = twisted(s.rest, 285);
   const Points sound = s.share(shape, 0.5);
@@ -194,7 +194,7 @@ TEST_CASE("flat_models_stay_flat_to_the_bit") {
     for (const auto& p : s.share(bent, share)) REQUIRE(p[2] == 0.1);
 }
 
-TEST_CASE("how_far_and_how_large_things_are_does_not_matter") {
+TEST_CASE("position_and_scale_of_a_shape_do_not_matter") {
   const mesh::Surface limb = tube(30, 9, 0.3, 4);
   Shapes here(limb);
   const Points half = here.share(twisted(limb, 285), 0.5);
@@ -209,7 +209,7 @@ TEST_CASE("how_far_and_how_large_things_are_does_not_matter") {
   CHECK(same({.shift = {1e5, -1e5, 1e5}}, 1e-8));
 }
 
-TEST_CASE("the_same_bits_on_any_number_of_threads") {
+TEST_CASE("shapes_have_the_same_bits_on_any_number_of_threads") {
   const mesh::Surface limb = tube(60, 12, 0.3, 6);
   Points first;
   for (const int threads : {1, 2, 3}) {
@@ -222,7 +222,7 @@ TEST_CASE("the_same_bits_on_any_number_of_threads") {
   }
 }
 
-TEST_CASE("branches_go_on_from_the_shape_before") {
+TEST_CASE("branches_continue_those_of_the_preceding_shape") {
   Shapes s(tube(9, 7, 0.3, 2));
   const auto turned = [&](double degrees) {
     return mapped(s.rest.positions, similarity({0, 0, 1}, degrees * degree));

@@ -83,7 +83,7 @@ TEST_CASE("a_mask_of_ones_changes_nothing_and_one_of_zeros_leaves_the_model_at_r
   }
 }
 
-TEST_CASE("part_of_a_way_is_that_part_of_it_and_of_a_linear_turn_too") {
+TEST_CASE("shares_scale_translations_and_linearly_blended_rotations") {
   const Vec3 axis = (1 / norm(Vec3{1, -2, 3})) * Vec3{1, -2, 3}, way{3, -1, 2};
   const auto moved = [&](const Vec3& x) { return x + way; };
   const auto turned = similarity(axis, 80 * degree);
@@ -102,7 +102,7 @@ TEST_CASE("part_of_a_way_is_that_part_of_it_and_of_a_linear_turn_too") {
   }
 }
 
-TEST_CASE("about_the_centre_of_its_handles_a_vertex_makes_its_share_of_turn_stretch_and_way") {
+TEST_CASE("shares_scale_rotation_stretch_and_translation_about_the_centre_of_the_handles") {
   const auto turned = similarity({1, -2, 3}, 80 * degree, 1.5, {1, 0.5, -2});
   SharedFrames f({faces});
   f.set_mask(ramp(f.staged.model));
@@ -116,7 +116,7 @@ TEST_CASE("about_the_centre_of_its_handles_a_vertex_makes_its_share_of_turn_stre
   }
 }
 
-TEST_CASE("shares_do_not_depend_on_where_the_scene_stands") {
+TEST_CASE("shares_do_not_depend_on_the_position_of_the_scene") {
   const Vec3 way{1000, -2000, 500};
   for (const Weighting& weighting : {test::cut_off(0.1), faces}) {
     SharedFrames here({weighting});
@@ -133,7 +133,7 @@ TEST_CASE("shares_do_not_depend_on_where_the_scene_stands") {
   }
 }
 
-TEST_CASE("what_cut_off_weights_do_not_reach_stays_to_the_last_bit_and_what_they_do_follows") {
+TEST_CASE("vertices_follow_within_the_cut_off_radius_and_keep_every_bit_beyond") {
   for (Scheme scheme : valid_schemes()) {
     if (!scheme.weighting.partial()) continue;
     CAPTURE(text(scheme));
@@ -165,7 +165,7 @@ TEST_CASE("the_share_of_cut_off_weights_has_no_jump") {
   CHECK(largest_edge_stretch(model, posed) < 5);
 }
 
-TEST_CASE("a_drag_under_a_mask_gives_what_a_whole_frame_gives_also_when_the_mask_changes_meanwhile") {
+TEST_CASE("a_masked_drag_equals_a_full_frame_even_when_the_mask_changes") {
   for (const Weighting& weighting : {faces, test::cut_off(0.15)}) {
     SharedFrames f({weighting}, tube(20, 12, 0.6, 3));
     Pose pose = f.staged.pose(shared_twist);
@@ -183,7 +183,7 @@ TEST_CASE("a_drag_under_a_mask_gives_what_a_whole_frame_gives_also_when_the_mask
   }
 }
 
-TEST_CASE("stitched_frames_keep_what_a_mask_keeps") {
+TEST_CASE("stitched_frames_respect_masks") {
   for (const int iterations : {1, 3}) {
     Scheme scheme{faces};
     scheme.iterations = iterations;
@@ -204,7 +204,7 @@ TEST_CASE("stitched_frames_keep_what_a_mask_keeps") {
   }
 }
 
-TEST_CASE("what_is_exponentiated_under_a_mask_is_what_is_sampled_for_the_error_map") {
+TEST_CASE("the_error_map_samples_the_matrices_exponentiated_under_a_mask") {
   Bound b(shared_model(), tube(7, 12, 0.6, 2));
   b.deformer.set_mask(ramp(b.model));
   b.deform(b.pose(shear()), sym3::Method::diag);

@@ -142,14 +142,14 @@ TEST_CASE("laplacians_are_factored_connected_or_not") {
   check_product(matrix);
 }
 
-TEST_CASE("nothing_is_factored_of_nothing") {
+TEST_CASE("an_empty_matrix_has_an_empty_factor") {
   base::WorkerPool pool(2);
   const SparseFactor none = factor(SparseMatrix{}, pool);
   CHECK(none.size() == 0);
   CHECK(none.values.empty());
 }
 
-TEST_CASE("solutions_are_eigens") {
+TEST_CASE("solutions_equal_those_of_eigen") {
   base::WorkerPool pool(2);
   Random random(6);
   for (const SparseMatrix& matrix :
@@ -187,7 +187,7 @@ TEST_CASE("factors_are_the_same_for_any_number_of_threads") {
   }
 }
 
-TEST_CASE("what_is_not_positive_definite_has_a_pivot_that_is_not_positive") {
+TEST_CASE("indefinite_matrices_have_a_nonpositive_pivot") {
   base::WorkerPool pool(1);
   Random random(8);
   const auto fails = [&](SparseMatrix matrix, std::uint32_t row, double diagonal) {
@@ -206,7 +206,7 @@ TEST_CASE("what_is_not_positive_definite_has_a_pivot_that_is_not_positive") {
   }
 }
 
-TEST_CASE("a_factorisation_says_often_how_far_it_is") {
+TEST_CASE("a_factorisation_reports_progress_often") {
   base::WorkerPool pool(1);
   Random random(9);
   for (const SparseMatrix& matrix : {firm_laplacian(tube(200, 101, 0.7, 9)), dense_definite(900, random)}) {
@@ -225,7 +225,7 @@ TEST_CASE("a_factorisation_says_often_how_far_it_is") {
   }
 }
 
-TEST_CASE("a_factorisation_that_is_cancelled_goes_no_further") {
+TEST_CASE("a_cancelled_factorisation_stops") {
   const SparseMatrix matrix = firm_laplacian(tube(120, 101, 0.7, 9));
   int all = 0;
   base::WorkerPool one(1), two(2);
@@ -286,7 +286,7 @@ Columns as_eigen_columns(std::span<const Vec3> rows) {
 
 }  // namespace
 
-TEST_CASE("three_columns_at_once_are_eigens_one_by_one") {
+TEST_CASE("three_columns_at_once_equal_single_solutions_of_eigen") {
   base::WorkerPool pool(1);
   for (const double firmness : {1.0, 1e-3}) {
     const SparseMatrix k = firm_stiffness(test::tube(40, 31, 0.7, 5), firmness, 7);
@@ -309,7 +309,7 @@ TEST_CASE("three_columns_at_once_are_eigens_one_by_one") {
   }
 }
 
-TEST_CASE("systems_of_no_row_of_one_and_of_parts_are_solved") {
+TEST_CASE("empty_single_row_and_disconnected_systems_are_solved") {
   base::WorkerPool pool(1);
   SparseCholesky::Workspace work;
   SparseCholesky(SparseMatrix{}, pool).solve({}, {}, work);
@@ -327,7 +327,7 @@ TEST_CASE("systems_of_no_row_of_one_and_of_parts_are_solved") {
   for (const Vec3& row : all) CHECK(norm(row - Vec3{4, 8, 12}) < 1e-13);  // K 1 = 0
 }
 
-TEST_CASE("a_matrix_that_is_not_positive_definite_is_refused_by_the_row_that_is_not_determined") {
+TEST_CASE("an_indefinite_matrix_is_rejected_with_the_undetermined_row") {
   base::WorkerPool pool(1);
   mesh::Surface parts = test::together(test::box(), test::box({1, 1, 1}, {5, 0, 0}));
   SparseMatrix k = stiffness_matrix(parts.positions, parts.triangles);

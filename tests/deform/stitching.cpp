@@ -108,7 +108,7 @@ double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std
 
 }  // namespace
 
-TEST_CASE("stitching_keeps_rest_and_follows_similarities_whatever_is_blended") {
+TEST_CASE("stitching_keeps_rest_and_follows_similarities_for_every_blend") {
   const StitchScene s(pipe());
   for (const int iterations : {1, 3}) {
     for (const Scheme& scheme : all_stitched(iterations)) {
@@ -123,7 +123,7 @@ TEST_CASE("stitching_keeps_rest_and_follows_similarities_whatever_is_blended") {
   }
 }
 
-TEST_CASE("stitching_does_not_depend_on_where_the_scene_is_or_how_large") {
+TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
   const StitchScene here(rough_pipe());  // in an even one several triangles are nearest
   const auto posed = here.deform(here.pose(pipe_twist));
   for (const auto& [scale, way] :
@@ -198,7 +198,7 @@ TEST_CASE("refitting_rotations_lowers_the_energy_each_time") {
   }
 }
 
-TEST_CASE("every_vertex_has_its_place_in_parts_holes_needles_and_without_triangles") {
+TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangles") {
   mesh::Surface model = together(pipe(), tube(6, 5, 0.1, 0.5));  // the inner one is nearest to no handle
   for (int i = 0; i < 3; ++i) model.triangles.erase(model.triangles.begin() + 5 * i);
   const auto stray = std::uint32_t(model.positions.size());
@@ -234,7 +234,7 @@ TEST_CASE("every_vertex_has_its_place_in_parts_holes_needles_and_without_triangl
   CHECK(held);
 }
 
-TEST_CASE("models_of_one_vertex_of_one_line_and_without_triangles_are_stitched_as_they_are_blended") {
+TEST_CASE("models_without_firm_triangles_are_stitched_to_their_blended_positions") {
   for (const std::vector<mesh::Triangle>& triangles :
        {std::vector<mesh::Triangle>{}, {{0, 1, 2}}, {{0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}}}) {
     const StitchScene s(mesh::from_triangles({{0, 0, 0.1}, {0, 0, 0.2}, {0, 0, 0.4}}, triangles));
@@ -284,7 +284,7 @@ TEST_CASE("methods_agree_on_stitched_models") {
   CHECK(largest_distance(s.deform(s.pose(bent_pipe), stitched(), 2, sym3::Method::diag), fast) < 1e-12);
 }
 
-TEST_CASE("pins_within_a_radius_hold_more_firmly_and_translation_holds_everything") {
+TEST_CASE("pins_within_a_radius_pull_more_and_translation_pulls_everything") {
   const StitchScene s(pipe());
   base::WorkerPool pool(2);
   const Stitching usual = stitch(s.model, *s.cage, pool);

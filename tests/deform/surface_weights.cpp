@@ -153,7 +153,7 @@ TEST_CASE("handles_share_a_vertex_that_is_nearest_to_several") {
   }
 }
 
-TEST_CASE("harmonic_weights_are_between_0_and_1_whatever_the_triangles_are") {
+TEST_CASE("harmonic_weights_are_between_0_and_1_for_any_triangles") {
   Random random(11);
   auto bad = wavy_sphere(25, 30);
   for (auto& p : bad.positions) p = p + random.vector(0.1);  // folds, needles
@@ -276,7 +276,7 @@ TEST_CASE("rows_that_are_bound_sum_to_1_to_the_last_bits") {
   }
 }
 
-TEST_CASE("what_tiles_keep_of_surface_weights_and_their_sample_are_those_of_the_staged_engine") {
+TEST_CASE("tiles_and_samples_have_the_surface_weights_of_the_staged_engine") {
   for (const auto& weighting : {harmonics, biharmonics}) {
     Bound b(wavy_sphere(60, 50), tube(6, 8, 1.5, 3), weighting);
     const auto& all = *b.binding;
@@ -335,7 +335,7 @@ TEST_CASE("on_real_models_harmonic_weights_have_their_bounds_and_rows_sum_to_1" 
   }
 }
 
-TEST_CASE("seams_and_soups_of_triangles_have_the_weights_of_the_surface_that_they_make") {
+TEST_CASE("seams_and_triangle_soups_have_the_weights_of_their_surface") {
   auto whole = tube(30, 12, 0.5, 3);
   Random random(3);
   for (auto& p : whole.positions) p = p + random.vector(0.01);  // no two are equally near to a handle
@@ -365,7 +365,7 @@ TEST_CASE("seams_and_soups_of_triangles_have_the_weights_of_the_surface_that_the
   }
 }
 
-TEST_CASE("plates_are_not_below_0_once_they_are_clamped_and_sum_to_1") {
+TEST_CASE("clamped_plates_are_not_negative_and_sum_to_1") {
   const auto model = tube(40, 16, 0.5, 3);
   const Cage cage = make_cage(tube(7, 6, 0.8, 4));
   base::WorkerPool pool(2);

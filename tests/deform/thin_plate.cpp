@@ -94,7 +94,7 @@ TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
   }
 }
 
-TEST_CASE("plates_report_how_far_they_are_and_can_be_cancelled") {
+TEST_CASE("plates_report_progress_and_can_be_cancelled") {
   const auto model = tube(8, 9, 0.5, 2);
   std::vector<bool> has_spring(model.positions.size(), true);
   const auto laplacian = intrinsic_laplacian(model);
@@ -105,5 +105,6 @@ TEST_CASE("plates_report_how_far_they_are_and_can_be_cancelled") {
   ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress, 0.5);
   CHECK(progress.done() == 0.5);
   progress.cancel();
-  CHECK_THROWS_AS(ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress), base::Cancelled);
+  CHECK_THROWS_AS(ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress),
+                  base::Cancelled);
 }

@@ -52,7 +52,7 @@ TEST_CASE("a_tube_twisted_from_one_end_does_not_tear_up_to_280_degrees") {
   }
 }
 
-TEST_CASE("a_twist_beyond_what_logs_can_tell_is_reported") {
+TEST_CASE("a_twist_beyond_the_range_of_logs_is_reported") {
   Bound b(tube(60, 24, 0.18, 1.96), tube(17, 8, 0.3, 2));
   std::vector<Vec3> none;
   CHECK(twisted(b, {2, {0, 0, 0}, -1, 1, -350 * degree, 350 * degree}, none).torn > 0);

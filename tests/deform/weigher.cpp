@@ -111,7 +111,7 @@ TEST_CASE("mean_values_of_eight_points_are_those_of_one_and_reproduce_the_points
   }
 }
 
-TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
+TEST_CASE("missing_mean_values_are_reported_per_lane") {
   const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   std::array<viete::mesh::Point, bind_lanes> points;
   points.fill({0.2, 0.2, 0.5});
@@ -126,7 +126,7 @@ TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
   }
 }
 
-TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
+TEST_CASE("float_tiles_equal_weights_in_double_at_any_points") {
   auto surface = tube(5, 7, 0.8, 2);
   surface = together(surface,
                      viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}));  // a line

@@ -144,7 +144,7 @@ TEST_CASE("linear_maps_stay_linear") {
   CHECK(sym3::mean(maps, weights).map.translation == zero);
 }
 
-TEST_CASE("the_mean_goes_along_with_what_is_done_before_and_after_and_with_inverses") {
+TEST_CASE("the_mean_commutes_with_composition_and_inversion") {
   Random random(25);
   for (int i = 0; i < 60; ++i) {
     const auto maps = some_maps(random, 4, 1);
@@ -166,7 +166,7 @@ TEST_CASE("the_mean_goes_along_with_what_is_done_before_and_after_and_with_inver
   }
 }
 
-TEST_CASE("a_mean_of_two_is_between_them_and_one_that_does_not_end_says_so") {
+TEST_CASE("a_mean_of_two_is_between_them_and_divergence_is_reported") {
   Random random(26);
   for (int i = 0; i < 60; ++i) {
     const Affine a = any_map(random, 1, 2), b = any_map(random, 1, 2);
@@ -179,7 +179,7 @@ TEST_CASE("a_mean_of_two_is_between_them_and_one_that_does_not_end_says_so") {
   CHECK(!sym3::mean(std::vector{Affine{}}, std::vector{0.0}).converged);
 }
 
-TEST_CASE("a_mean_takes_weights_of_any_size_by_their_share") {
+TEST_CASE("a_mean_normalises_weights_of_any_size") {
   Random random(27);
   const auto maps = some_maps(random, 4, 1);
   const Affine expected = sym3::mean(maps, weights).map;

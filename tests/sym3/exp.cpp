@@ -325,7 +325,7 @@ TEST_CASE("overflow_gives_signed_infinities_and_never_nan") {
   }
 }
 
-TEST_CASE("entries_near_the_largest_number_overflow_no_step_on_the_way") {
+TEST_CASE("entries_near_the_largest_number_overflow_no_intermediate_step") {
   const double d = std::numeric_limits<double>::max();
   const float f = std::numeric_limits<float>::max();
   for (const auto& kernel : sym3::kernels()) {

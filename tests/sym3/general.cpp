@@ -212,7 +212,7 @@ TEST_CASE("exp_of_a_long_log_is_as_exact_too") {
 }
 
 // One in 20,000 once had none: of what rounding leaves below the eigenvalue, a step more may leave more.
-TEST_CASE("what_is_an_exponential_has_a_logarithm") {
+TEST_CASE("every_exponential_has_a_logarithm") {
   CHECK(has_log({1.0686076570091338, 1.4855289131697111, -0.8290871979372267, 0.3883423827946375,
                  1.6512376532597528, -0.9656765334150027, -0.5479660687323898, -1.1674576718875822,
                  1.3975545537482001}));
@@ -268,7 +268,7 @@ TEST_CASE("logs_of_similarities_are_sums_also_at_180_degrees_and_at_rest") {
   CHECK(exp_general({}) == one);
 }
 
-TEST_CASE("where_there_is_no_logarithm_it_is_bounded_and_continuous") {
+TEST_CASE("logs_are_bounded_and_continuous_at_matrices_without_logarithm") {
   // Turned about z by an angle around 180 degrees, stretched along x: two negative eigenvalues in the middle.
   Mat3<double> before{};
   int without = 0;
@@ -288,7 +288,7 @@ TEST_CASE("where_there_is_no_logarithm_it_is_bounded_and_continuous") {
   CHECK(without > 1000);
 }
 
-TEST_CASE("of_mirrored_and_flat_matrices_it_is_the_sum_of_the_logs_of_the_nearest_rotation_and_stretch") {
+TEST_CASE("logs_of_mirrored_and_flat_matrices_are_sums_of_logs_of_rotation_and_stretch") {
   const Mat3<double> mirrored{-1, 0.1, 0, 0.2, 1, 0.3, 0, 0.1, 1.2}, spun{0, -1, 0.1, 1, 0, 0, 0.2, 0, -1.5},
       flat{1, 0, 0, 0, 1, 0, 0, 0, 0};
   for (const auto& m : {mirrored, spun, flat}) {
@@ -309,7 +309,7 @@ TEST_CASE("of_mirrored_and_flat_matrices_it_is_the_sum_of_the_logs_of_the_neares
   CHECK(about.stretch.xx + about.stretch.yy + about.stretch.zz == doctest::Approx(std::log(24.0)));
 }
 
-TEST_CASE("what_is_no_number_and_no_map_has_no_log_and_nan_for_it") {
+TEST_CASE("logs_and_exponentials_of_nan_and_infinity_are_nan") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = HUGE_VAL;
   for (const double bad : {nan, infinite, -infinite}) {
     for (int i = 0; i < 9; ++i) {
@@ -358,7 +358,7 @@ TEST_CASE("every_finite_matrix_has_a_bounded_log_which_is_finite_on_every_branch
   CHECK(largest_of(exp_general(log_general({}))) < 1e-300);
 }
 
-TEST_CASE("the_angle_of_a_log_is_what_it_turns_by") {
+TEST_CASE("the_angle_of_a_log_is_its_rotation_angle") {
   Random random(14);
   for (int i = 0; i < 100; ++i) {
     const double angle = uniform(random, 0.1, 20);

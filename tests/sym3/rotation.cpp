@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("exp_rotation_keeps_its_bound_at_every_angle", T, double, flo
   }
 }
 
-TEST_CASE_TEMPLATE("zero_vector_and_identity_belong_together_exactly", T, double, float) {
+TEST_CASE_TEMPLATE("zero_vector_and_identity_map_to_each_other_exactly", T, double, float) {
   CHECK(sym3::exp_rotation(Vec3<T>{}) == Mat3<T>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   CHECK(sym3::log_rotation(Mat3<T>{1, 0, 0, 0, 1, 0, 0, 0, 1}) == Vec3<T>{});
 }
@@ -136,7 +136,7 @@ TEST_CASE_TEMPLATE("at_exactly_half_a_turn_the_first_component_is_positive", T, 
   }
 }
 
-TEST_CASE_TEMPLATE("a_little_to_either_side_of_half_a_turn_the_axis_turns_round", T, double, float) {
+TEST_CASE_TEMPLATE("the_axis_flips_across_half_a_turn", T, double, float) {
   const T less = 64 * std::numeric_limits<T>::epsilon();
   for (const auto& kernel : sym3::kernels()) {
     const auto below = log_with(kernel, sym3::exp_rotation(Vec3<T>{0, -(T(pi) - less), 0}));
@@ -146,7 +146,7 @@ TEST_CASE_TEMPLATE("a_little_to_either_side_of_half_a_turn_the_axis_turns_round"
   }
 }
 
-TEST_CASE_TEMPLATE("nearly_a_rotation_has_nearly_its_logarithm", T, double, float) {
+TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
   Random random(66);
   for (const double size : {0.03, 1e-3, 1e-5}) {
     for (int i = 0; i < 1000; ++i) {

@@ -89,7 +89,7 @@ TEST_CASE("the_even_part_is_bounded_and_continuous_through_two_whole_turns") {
   }
 }
 
-TEST_CASE("of_no_log_the_even_part_is_the_identity_and_near_none_it_is_next_to_it") {
+TEST_CASE("the_even_part_is_the_identity_at_zero_and_close_to_it_nearby") {
   CHECK(full(even_part(Vector{0, 0, 0})) == Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   CHECK(even_part(Mat3<double>{}, Vector{0, 0, 0}) == Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   for (const double tiny : {1e-300, 1e-160, 1e-20, 1e-8}) {
