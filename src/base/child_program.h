@@ -23,7 +23,7 @@ public:
 
   /// The first 4 KB of its standard error, so far.
   std::string said() const;
-  /// False once it has ended: finish() says how.
+  /// False once it has ended; finish() reports how.
   bool running();
   /// Asks it to end by SIGTERM.
   void stop();

@@ -72,7 +72,7 @@ std::string percent(double value);
 const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces);
 /// The frame by links, with exp by this method.
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method);
-/// Over all gaps of two and of three eigenvalues; by the method of this label.
+/// Largest error over all gaps of two and three eigenvalues, of the method with this label.
 double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method);
 /// Volume loss of a deformer in a row of measure_halfway(): "27 %", "nothing".
 std::string lost_volume(const nlohmann::json& way);

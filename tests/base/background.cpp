@@ -54,7 +54,7 @@ using viete::base::Progress;
 
 namespace {
 
-// Reports until it is cancelled.
+// Reports progress until it is cancelled.
 int endless(Progress& progress, std::promise<void>& begun) {
   begun.set_value();
   for (;;) progress.report(0.5);

@@ -15,8 +15,8 @@ TEST_CASE("a_pattern_names_the_files_of_a_sequence") {
   CHECK(NumberedName("frame_%d.obj").file(7) == "frame_7.obj");
   CHECK(NumberedName("#.ply").file(12345) == "12345.ply");
   CHECK(NumberedName("a_####.ply").file(-7) == "a_-007.ply");
-  CHECK(NumberedName("100%_##.ply").file(3) == "100%_03.ply");  // a sign of its own
-  CHECK(NumberedName("a#b/c%d.ply").file(3) == "a#b/c3.ply");   // a place in the folder is none
+  CHECK(NumberedName("100%_##.ply").file(3) == "100%_03.ply");  // a literal percent sign
+  CHECK(NumberedName("a#b/c%d.ply").file(3) == "a#b/c3.ply");   // marks in the folder do not count
   CHECK(NumberedName("x/a_%03d.obj").pattern() == "x/a_###.obj");
 }
 

@@ -50,7 +50,7 @@ TEST_CASE("fork_waits_for_other_threads_and_not_for_its_own") {
     const ForkDelay own, nested;
     const pid_t child = fork();
     if (child == 0) {
-      alarm(60);  // only against a hang
+      alarm(60);  // limits the time of a hang
       const ForkDelay inside_child;
       _exit(half % 2);
     }

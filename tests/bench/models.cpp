@@ -42,7 +42,7 @@ TEST_CASE("the_moderate_pose_moves_every_vertex_and_is_the_same_each_time") {
     CHECK(pose.positions[v] != cage.surface.positions[v]);
 }
 
-// What binding is compared with is right, by distances that were written apart from it.
+// The distances of the binding benchmark's reference, checked by an independent implementation.
 TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
   const auto model = test::sphere(2);
   const auto cage = deform::make_cage(test::moved(test::cube(), 1.7));
@@ -90,7 +90,7 @@ mesh::Surface square() {
   return mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}});
 }
 
-// Its corner (1, 1) turned about the diagonal.
+// Its corner (1, 1) rotated about the diagonal.
 std::vector<mesh::Point> folded(double angle) {
   auto positions = square().positions;
   const double out = std::cos(angle) / 2;  // from the middle of the diagonal
@@ -164,7 +164,7 @@ TEST_CASE("a_fold_bends_by_the_square_of_its_angle") {
     CHECK(model.bending(folded(angle)) == doctest::Approx(6 * angle * angle));
     CHECK(std::abs(model.distortion(folded(angle)).energy) < 1e-12);
   }
-  // From folded one way to folded the other way, through the sheet: the shorter way round.
+  // From folded one way to folded the other way, the shorter way through the flat sheet.
   auto creased = square();
   creased.positions = folded(3.0);
   const double turned = 2 * std::numbers::pi - 6;

@@ -18,7 +18,7 @@ namespace {
 const deform::Cage cage = deform::make_cage(box({1, 1, 1}, {4, 5, 6}));
 const std::vector<mesh::Point> model = test::moved(test::sphere(1), 0.5, 5).positions;
 
-// The affine map that takes three corners of the box and a fourth where they are posed.
+// The affine map that takes three corners of the box and a fourth to their posed positions.
 std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
   const auto& p = pose.positions;
   std::vector<mesh::Point> moved;
@@ -29,7 +29,7 @@ std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
   return moved;
 }
 
-// All of it by the mean motion of the box's vertices.
+// Moves everything by the mean motion of the box's vertices.
 std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
   mesh::Point mean{0, 0, 0};
   for (std::size_t v = 0; v < 8; ++v) mean = mean + 0.125 * (pose.positions[v] - cage.surface.positions[v]);
@@ -83,7 +83,7 @@ TEST_CASE("each_whole_pose_is_of_its_kind_and_no_simpler") {
 }
 
 TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
-  // One of eight vertices moves by a tenth of the diagonal, and all of the model by an eighth of that.
+  // One of eight vertices moves by a tenth of the diagonal, and the whole model by an eighth of that.
   CHECK(leak(cage, model, by_the_mean) == doctest::Approx(0.1 / 8));
   const Deform near_alone = [](const deform::Pose& pose) {
     auto moved = model;
@@ -109,14 +109,14 @@ TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
   const auto& rest = cage.surface.positions;
   CHECK(gap(cage, nearest, shares, rest, points) ==
         doctest::Approx((0.75 * 0.1 + 0.25 * 0.3) / cage.diagonal));
-  // The cage goes along x: away from the first by 0.5 more, from the second sideways.
+  // The cage moves along x: 0.5 further from the first point, sideways to the second.
   const auto away = test::mapped(rest, [](const mesh::Point& p) { return p + mesh::Point{0.5, 0, 0}; });
   CHECK(gap(cage, nearest, shares, away, points) ==
         doctest::Approx((0.75 * 0.6 + 0.25 * std::hypot(0.5, 0.3)) / cage.diagonal));
 }
 
 TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
-  // Two squares 0.005 apart, of a model whose diagonal is nearly 1.
+  // Two squares 0.005 apart, in a model whose diagonal is nearly 1.
   const double side = std::sqrt(0.5);
   const std::vector<mesh::Point> rest = {{0, 0, 0},           {side, 0, 0},    {side, side, 0},
                                          {0, side, 0},        {0, 0, 0.005},   {side, 0, 0.005},
@@ -124,7 +124,7 @@ TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
   const mesh::Surface model = mesh::from_triangles(rest, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
   base::WorkerPool pool(2);
   auto pairs = bench::near_pairs(model, pool);
-  CHECK(pairs.size() == 8);  // from either side
+  CHECK(pairs.size() == 8);  // in both directions
   std::vector<mesh::Point> posed = rest;
   for (auto& p : posed) p = {p[1] + 3, -p[0], p[2]};
   CHECK(bench::torn(pairs, rest, posed) < 1e-12);
@@ -164,15 +164,15 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
     REQUIRE_MESSAGE(found != compared.modes.end(), deform::text(scheme));
     INFO(deform::text(scheme));
     CHECK(found->problem.empty());
-    CHECK(found->deviations[0] < exactly);  // whatever does not move with its cage is of no use
+    CHECK(found->deviations[0] < exactly);  // a minimum requirement for every scheme
     CHECK(std::isfinite(found->leak));
     REQUIRE(found->qualities.size() == 2);
     const ShapeQuality &rest = found->qualities[0], &posed = found->qualities[1];
     CHECK(rest.distortion.energy < 1e-9);
     CHECK(rest.volume == doctest::Approx(1));
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
-    CHECK(std::isnan(rest.energy_ratio));  // of nothing over nothing
-    // Rotations alone hardly distort.
+    CHECK(std::isnan(rest.energy_ratio));  // 0 / 0
+    // Rotations alone cause little distortion.
     CHECK(posed.distortion.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);

@@ -28,7 +28,7 @@ using namespace viete::bench;
 
 namespace {
 
-/// Of a ball in a box, next to nothing of each.
+/// Figures for a ball in a box, with minimal sizes.
 Figures small_figures() {
   const test::TemporaryFolder scratch;
   mesh::Surface ball = test::sphere(2);
@@ -121,7 +121,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-// The cells of each row, without what makes them bold.
+// The cells of each row, without bold marks.
 std::vector<Cells> rows_of(const char* file) {
   std::ifstream in(test::source_dir() / file);
   REQUIRE(in);
@@ -142,8 +142,7 @@ nlohmann::json recorded_report() {
   return nlohmann::json::parse(in);
 }
 
-// Two digits are written of errors, and mostly three of times: what is left out is the noise that they may
-// have.
+// Errors are written with two digits and times mostly with three: the omitted digits are within the noise.
 constexpr double of_errors = 0.05, of_times = 0.015;
 
 void check_number(const std::string& written, double recorded, double noise) {
@@ -192,7 +191,7 @@ void check_frames(Cells cells, const nlohmann::json& report, std::size_t faces) 
 
 }  // namespace
 
-// Of the dragon's poses, beside mean value coordinates: the median and the worst.
+// Median and worst value over the dragon's poses, relative to mean value coordinates.
 std::pair<double, double> distortion(const nlohmann::json& report, const char* way) {
   for (const auto& result : report["ways"]["results"]) {
     if (result["way"] != way) continue;

@@ -52,7 +52,7 @@ TEST_CASE("three_triangles_on_an_edge_are_joined_in_a_chain") {
 
 TEST_CASE("a_collapsed_triangle_joins_its_neighbours") {
   auto closed = box();
-  closed.positions.push_back(closed.positions[2]);  // 8, where 2 is
+  closed.positions.push_back(closed.positions[2]);  // coincides with vertex 2
   closed.triangles.push_back({0, 2, 8});
   const auto surface = viete::mesh::from_triangles(closed.positions, closed.triangles);
   std::vector<std::uint8_t> skip(surface.triangles.size(), 0);
@@ -158,7 +158,7 @@ TEST_CASE("reference_turns_select_the_number_of_whole_turns") {
 
 namespace {
 
-// As by a bend: about x, from one end of the tube to the other, and then about z.
+// A bend about x, linear from one end of the tube to the other, followed by a rotation about z.
 Rotations bent(const Cage& cage, double degrees, double about_z) {
   Rotations rotations;
   for (const Vec3& center : cage.centers)
@@ -185,7 +185,7 @@ TEST_CASE("whole_turns_about_another_axis_are_kept_and_logs_are_coherent") {
       }
     }
   }
-  // On the way round and on.
+  // Continues through full turns.
   std::vector<Vec3> turns{{0, 0, 360 * degree}};
   for (int a = 0; a <= 720; a += 10) turns = branches_of(cage, bent(cage, 20, a), turns).turns;
   CHECK(norm(turns[0] - Vec3{0, 0, 3 * 360 * degree}) < 1e-6);

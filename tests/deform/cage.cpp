@@ -127,7 +127,7 @@ std::vector<double> values(const CageState& state) {
   return {v.begin(), v.end()};
 }
 
-// Whatever the weights are.
+// All row forms, independent of weights.
 std::vector<std::pair<Elements, Blend>> schemes() {
   std::vector<std::pair<Elements, Blend>> all;
   for (const Scheme& s : valid_schemes()) {
@@ -148,7 +148,7 @@ TEST_CASE("rows_at_rest_are_identities") {
     CHECK(rows.count() == handle_count(*cage, elements));
     CHECK(rows.columns() == shape(rows.form).columns);
     const auto centers = handle_centers(*cage, elements);
-    if (has_moments(rows.form)) continue;  // they hold points, of which nothing is 0
+    if (has_moments(rows.form)) continue;  // they hold points, which are not 0
     for (std::size_t h = 0; h < rows.count(); ++h) {
       const auto row = rows.values.subspan(h * rows.columns(), rows.columns());
       for (std::size_t c = 0; c < rows.columns(); ++c) {

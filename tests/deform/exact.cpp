@@ -17,7 +17,7 @@ namespace {
 
 constexpr Method all_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
-// So many points without faces.
+// `count` points without faces.
 mesh::Surface cloud(std::size_t count) {
   Random random(7);
   mesh::Surface surface;
@@ -25,7 +25,7 @@ mesh::Surface cloud(std::size_t count) {
   return surface;
 }
 
-// Eigenvalues of its stretch lie apart, so that every method is exact.
+// Eigenvalues of its stretch are well separated, so that every method is exact.
 Vec3 bent_and_stretched(const Vec3& p) {
   return {0.6 * p[0] + 0.1 * p[1] * p[1], 1.4 * p[1], 2.2 * p[2] - 0.2 * p[0]};
 }
@@ -40,7 +40,7 @@ double diagonals_from_staged(Bound& b, const Pose& pose, Method method) {
   return largest_distance(exact.positions, b.deform(pose, method)) / b.cage->diagonal;
 }
 
-// Of /proc/self/status, in bytes; nothing where the system does not say.
+// A value of /proc/self/status, in bytes; nothing if it is not available.
 std::optional<double> memory(const std::string& key) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);) {
@@ -64,7 +64,7 @@ TEST_CASE("block_by_block_equals_the_staged_frame_for_every_method_and_weighting
   }
 }
 
-// A cage of 12 elements has blocks of 4096 vertices, one of 7200 blocks of 16; lanes are eight.
+// A cage of 12 elements has blocks of 4096 vertices, one of 7200 has blocks of 16; there are eight lanes.
 TEST_CASE("vertex_counts_at_block_and_lane_limits_are_exact") {
   for (const std::size_t n : {1, 7, 8, 9, 4095, 4096, 4097, 8200}) {
     CAPTURE(n);
@@ -101,7 +101,7 @@ TEST_CASE("each_pose_has_the_same_bits_alone_and_in_sequence") {
   using Kept = ExactDeformer::Weights;
   for (const bool stitched : {false, true}) {
     for (const Weighting weighting : {faces, mean_values}) {
-      if (stitched && weighting == mean_values) continue;  // moves points alone
+      if (stitched && weighting == mean_values) continue;  // only moves points
       const Bound b(stitched ? tube(8, 14, 0.9, 3) : cloud(700), tube(9, 12, 1.4, 4), weighting);
       Scheme scheme{weighting, Blend::srl};
       if (stitched) scheme.iterations = 2;
@@ -169,7 +169,7 @@ TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once" * doctest::test_
   const auto model = cloud(16'000);
   const auto cage = std::make_shared<const Cage>(make_cage(tube(50, 60, 1.4, 4)));
   const double matrix = 8.0 * static_cast<double>(model.positions.size() * cage->element_count());
-  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+  std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak
   const auto before = memory("VmHWM");
   const auto now = memory("VmRSS");
   if (!before || !now || *before > 1.1 * *now) {

@@ -55,7 +55,7 @@ struct Posing {
   int steps = 0;
 };
 
-// The tube bent about the x axis, by so many degrees from end to end, its length kept.
+// The tube bent about the x axis by this angle from end to end, with constant length.
 Points bent(const mesh::Surface& tube, double degrees) {
   const auto box = mesh::bounds(tube.positions);
   const double k = degrees * degree / (box.high[2] - box.low[2]);
@@ -70,7 +70,7 @@ Points bent(const mesh::Surface& tube, double degrees) {
 mesh::Surface straight_tube() {
   return tube(30, 8, 0.3, 4);
 }
-// Both ends and the middle.
+// Pins at both ends and in the middle.
 std::vector<std::uint32_t> some_pins() {
   return {0, 4, 14 * 8, 14 * 8 + 4, 29 * 8, 29 * 8 + 4};
 }
@@ -88,7 +88,7 @@ TEST_CASE("an_example_is_recovered_from_its_own_vertices") {
   CHECK(p.posing->weights()[0] == doctest::Approx(1).epsilon(1e-4));
   CHECK(std::abs(p.posing->weights()[1]) < 1e-4);
   CHECK(p.steps < 25);
-  // Between both, and beyond one: what is blended in log space.
+  // Between both and beyond one: blends in log space.
   p.posing->restart();
   const std::array terms{LogTerm{&p.vectors[0], 1.4}, LogTerm{&p.vectors[1], 0.5}};
   Points blend(model.positions.size());
@@ -170,7 +170,7 @@ TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
 
 TEST_CASE("coincident_pins_with_two_targets_end_between_them") {
   mesh::Surface model = straight_tube();
-  // A seam: the triangles of the first vertex take turns with a copy of it.
+  // A seam: the triangles of the first vertex alternate between it and a copy.
   const auto copy = std::uint32_t(model.positions.size());
   model.positions.push_back(model.positions[40]);
   auto triangles = model.triangles;
@@ -196,7 +196,7 @@ TEST_CASE("vertices_without_triangles_cannot_be_pinned") {
                        doctest::Contains("1,001 pins exceed the limit of 1,000"), base::Error);
 }
 
-// The bars of the published gallop: seven vertices and six of its frames give the others.
+// Limits for the published gallop: seven vertices and six of its frames determine the others.
 TEST_CASE("a_gallop_is_posed_by_six_of_its_frames" * doctest::test_suite(if_present)) {
   const auto folder = shared_data("shapes/horse");
   if (folder.empty()) return;

@@ -16,7 +16,7 @@ using viete::sym3::Method;
 
 namespace {
 
-// The fused frame beside the staged one.
+// The fused frame with the staged one as reference.
 struct Fused {
   explicit Fused(const Bound& staged, int threads = 1,
                  const viete::sym3::Kernel& kernel = viete::sym3::kernel(), double tolerance = 0,
@@ -45,7 +45,7 @@ struct Fused {
 
 constexpr Weighting both[] = {faces, mean_values};
 
-// 1,802 vertices: three full leaves and one that is not.
+// 1,802 vertices: three full leaves and a partial one.
 viete::mesh::Surface fine_tube() {
   return tube(60, 30, 0.3, 1.5);
 }
@@ -124,7 +124,7 @@ TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set")
 }
 
 TEST_CASE("fused_normals_are_right_for_any_triangles") {
-  // An open strip, a fan that 200 triangles share, two cones that touch in their tips, a stray vertex, a
+  // An open strip, a fan shared by 200 triangles, two cones that touch at their tips, a stray vertex, a
   // triangle that repeats a corner, an edge with three triangles.
   auto p = tube(4, 200, 0.4, 1).positions;
   auto t = tube(4, 200, 0.4, 1).triangles;
@@ -251,8 +251,7 @@ TEST_CASE("a_drag_keeps_unweighted_leaves_and_updates_border_normals") {
 }
 
 TEST_CASE("a_drag_that_changes_logs_of_others_is_a_full_frame") {
-  // One element is turned over until its neighbours take other branches, or are raised with the pose's mean
-  // stretch.
+  // Rotates one element until its neighbours change branches, or are raised with the pose's mean stretch.
   Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   Fused dragged(staged);
   dragged.frame.state.begin_drag(std::array{30u});
@@ -345,7 +344,7 @@ TEST_CASE("vertices_out_of_reach_of_a_dragged_vertex_keep_every_bit") {
     fused.frame.deform(before);
     const auto from = fused.positions(), from_normals = fused.normals();
     const std::uint32_t dragged = 40;
-    // Beyond the radius, and somewhat more: float and double part at its end.
+    // Beyond the radius plus a margin: float and double differ at its end.
     std::vector<bool> beyond(staged.model.positions.size(), true);
     std::vector<double> w(staged.cage->element_count());
     for (std::size_t i = 0; i < beyond.size(); ++i) {

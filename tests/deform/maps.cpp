@@ -87,7 +87,7 @@ TEST_CASE("elements_without_area_have_defined_maps") {
 
 namespace {
 
-// Rotations by up to 180 degrees of stretches between 0.5 and 2.
+// Rotations by up to 180 degrees times stretches between 0.5 and 2.
 std::vector<AffineMap> maps(std::size_t count) {
   Random random(3);
   std::vector<AffineMap> all(count);

@@ -1,4 +1,4 @@
-// Maps that are fitted to points.
+// Maps fitted to points.
 #include "deform/moments.h"
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ mesh::Surface limb_cage() {
   return tube(6, 9, 0.5, 3.4);
 }
 
-// A square in a plane that is none of the axes'.
+// A square in an oblique plane.
 mesh::Surface sheet(int cells) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -47,7 +47,7 @@ struct Engines {
                   bind(model, *staged.cage, scheme.weighting, EngineKind::fused, nullptr, staged.pool)),
               scheme, staged.pool) {}
 
-  // Of the fused frame from the mapped model, in diagonals of the posed cage.
+  // Deviation of the fused frame from the mapped model, in diagonals of the posed cage.
   template <class Map>
   double fused_error(const Map& map) {
     const Pose pose = staged.pose(map);
@@ -144,7 +144,7 @@ TEST_CASE("fitted_maps_of_collapsed_and_mirrored_cages_are_finite_in_both_engine
       e.fused.deform(pose, sym3::Method::fast);
       const auto fused = e.fused.positions();
       CHECK(all_finite(fused));
-      // A rotation is as long as what it turns, whichever of several it is.
+      // A rotation preserves lengths, whichever of several is chosen.
       const double limit = 2 * mesh::bounds(e.staged.model.positions).diagonal() + 10;
       CHECK(mesh::bounds(staged).diagonal() < limit);
       CHECK(mesh::bounds(fused).diagonal() < limit);
@@ -154,7 +154,7 @@ TEST_CASE("fitted_maps_of_collapsed_and_mirrored_cages_are_finite_in_both_engine
   });
 }
 
-// Where one point of the cage has all of the weight nothing tells how to turn but what is about that point.
+// If one cage point has all the weight, only its surroundings determine the rotation.
 TEST_CASE("vertices_of_a_single_point_rotate_with_its_surroundings") {
   const Twist twist{2, {0, 0, 0}, -1.7, 1.7, -80 * degree, 80 * degree};
   for_schemes([&](const Scheme& scheme) {

@@ -24,7 +24,7 @@ long double long_dot(const Long3& a, const Long3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// To the plane where the foot lies inside, else to the nearest edge.
+// Squared distance to the plane if the foot lies inside, else to the nearest edge.
 long double squared_distance(const Cage& cage, std::size_t e, const Vec3& point) {
   const auto difference = [](const auto& a, const auto& b) {
     return Long3{(long double)a[0] - b[0], (long double)a[1] - b[1], (long double)a[2] - b[2]};
@@ -340,7 +340,7 @@ TEST_CASE("an_open_cage_has_finite_weights_that_sum_to_one") {
 }
 
 TEST_CASE("a_vanishing_sum_uses_the_closest_cage_point_and_reports_it") {
-  // One triangle: in its plane outside of it every weight is 0.
+  // One triangle: in its plane, outside of it, every weight is 0.
   const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   const Answer a = at(cage, {0.25, -1, 0});
   CHECK_FALSE(a.exists);

@@ -21,7 +21,7 @@ struct Posed {
 
   const std::vector<mesh::Point>& rest() const { return cage->surface.positions; }
   Pose by(const Affine& map) const { return {mapped(rest(), map), {}}; }
-  // A share of one pose, and the way between two.
+  // A fraction of one pose, and interpolation between two.
   Pose share(const Pose& pose, double factor) const {
     const LogVector v = space.vector(pose);
     const std::array terms{LogTerm{&v, factor}};
@@ -52,7 +52,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
     for (const double angle : {180.0, 179.999, 90.0, 20.0, -150.0}) {
       const Pose half = p.share(p.by(similarity(axis, angle * degree)), 0.5);
       const auto quarter = mapped(p.rest(), similarity(axis, angle * degree / 2));
-      // At 180 degrees a turn to either side is half of it.
+      // At 180 degrees a rotation to either side is valid.
       const auto other = mapped(p.rest(), similarity(axis, -angle * degree / 2));
       const double error = p.error(half, quarter);
       CHECK((angle == 180 ? std::min(error, p.error(half, other)) : error) < 1e-12);
@@ -121,7 +121,7 @@ TEST_CASE("a_pose_without_whole_turns_takes_those_nearest_to_the_preceding_pose"
 
 TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
   const Posed p(tube(9, 8, 0.3, 4));
-  // The upper half turns about y by 90 degrees, at the middle of the tube.
+  // The upper half rotates about y by 90 degrees, at the middle of the tube.
   Pose pose{p.rest(), {}};
   const Affine turn = similarity({0, 1, 0}, 90 * degree);
   for (auto& x : pose.positions)
@@ -135,7 +135,7 @@ TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
     tip = norm(part.positions.back());
     least = std::min(least, tip);
   }
-  // In a straight line it would come to 1.41.
+  // On straight lines it would shrink to 1.41.
   CHECK(least > 1.9);
   const std::array half{LogTerm{&rest, 0.5}, LogTerm{&posed, 0.5}};
   CHECK(norm(p.space.straight(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
@@ -159,7 +159,7 @@ TEST_CASE("parts_and_loose_vertices_move_independently") {
 
 TEST_CASE("coincident_vertices_stay_together_between_poses") {
   mesh::Surface surface = tube(5, 6, 0.5, 2);
-  // Every triangle has corners of its own.
+  // Every triangle gets corners of its own.
   mesh::Surface cut;
   std::vector<mesh::Point> positions;
   std::vector<mesh::Triangle> triangles;
@@ -204,7 +204,7 @@ TEST_CASE("a_posed_cage_makes_its_whole_turns_about_any_axis") {
         auto expected = posed;
         const Affine turn = similarity(axis, share * count * 360 * degree);
         for (Vec3& x : expected) x = middle + turn(x - middle);
-        // What logs do not tell of a shaken cage, 2 % of it, does not turn on the way.
+        // The 2 % of a shaken cage that logs do not represent do not rotate between keys.
         const bool is_key = share == 0 || share == 1;
         CHECK(p.error(p.between(from, to, share), expected) < (is_key ? 1e-12 : 0.04));
       }

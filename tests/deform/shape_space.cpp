@@ -42,7 +42,7 @@ struct Shapes {
   }
 };
 
-// Each part about its own place.
+// Centres each part.
 Points centered(Points points, std::size_t part_size) {
   for (std::size_t first = 0; first < points.size(); first += part_size) {
     Vec3 mean{0, 0, 0};
@@ -58,7 +58,7 @@ Points joined(Points a, const Points& b) {
   return a;
 }
 
-// The tube's rings turned about its axis, x, by an angle that grows along it.
+// The tube's rings rotated about its axis, x, by an angle that grows along it.
 Points twisted(const mesh::Surface& tube, double degrees) {
   const auto box = mesh::bounds(tube.positions);
   int axis = 0;
@@ -75,7 +75,7 @@ Points twisted(const mesh::Surface& tube, double degrees) {
   return points;
 }
 
-// Root mean square of the logs of edges against the geometric mean of both ends, and the share of 99 %.
+// Root mean square and 99th percentile of the logs of edges relative to the geometric mean of both ends.
 struct EdgeErrors {
   double mean, most;
 };
@@ -160,7 +160,7 @@ TEST_CASE("a_flipped_triangle_rotates_no_others") {
   Shapes s(tube(60, 12, 0.3, 6));
   Points shape = twisted(s.rest, 285);
   const Points sound = s.share(shape, 0.5);
-  // A vertex goes through its neighbours to the other side.
+  // Moves a vertex through its neighbours to the other side.
   const auto& t = s.rest.triangles[s.rest.triangles.size() / 2];
   const std::uint32_t moved = t[0];
   shape[moved] = shape[t[1]] + shape[t[2]] - shape[moved];
@@ -239,7 +239,7 @@ TEST_CASE("branches_continue_those_of_the_preceding_shape") {
 
 TEST_CASE("collapsed_shapes_and_loose_vertices_are_finite_and_come_back") {
   mesh::Surface surface = tube(9, 7, 0.3, 2);
-  surface.positions.push_back({7, 7, 7});  // of no triangle
+  surface.positions.push_back({7, 7, 7});  // belongs to no triangle
   Shapes s(surface);
   for (const Vec3& scale : {Vec3{1, 1, 0}, Vec3{-1, 1, 1}, Vec3{0, 0, 0}, Vec3{1, 1e-9, 1}}) {
     const Points shape =
@@ -260,7 +260,7 @@ TEST_CASE("shapes_of_other_models_are_refused") {
   CHECK_THROWS_AS(Shapes(mesh::from_triangles(needle.positions, {{0, 1, 2}})), base::Error);
 }
 
-// The bars of the published meshes: edges keep their lengths where straight lines collapse limbs.
+// Limits for the published meshes: edges keep their lengths where straight lines collapse limbs.
 TEST_CASE("halfway_to_the_lions_poses_edges_and_volume_stay" * doctest::test_suite(if_present)) {
   const auto folder = shared_data("shapes/lion");
   if (folder.empty()) return;

@@ -1,4 +1,4 @@
-// A cage that acts upon a shape of the model: every engine, and what remains where nothing has a shape.
+// Shapes deformed by a cage: every engine, and models without a shape.
 #include <doctest/doctest.h>
 
 #include "deform/binding.h"
@@ -18,7 +18,7 @@ mesh::Surface shaped_model() {
   return tube(30, 20, 0.3, 3);
 }
 
-// Bent, thicker at one end, and moved.
+// Bent, thickened at one end, and moved.
 SharedShape bent(const mesh::Surface& model) {
   std::vector<mesh::Point> shape;
   for (const auto& p : model.positions) {
@@ -49,7 +49,7 @@ struct ShapedFrames {
               scheme, staged.pool, stitching),
         exact(staged.model, staged.cage, scheme, shaped_fast, staged.pool, ExactDeformer::Weights::kept) {}
 
-  // All engines, which must agree.
+  // The result of all engines, which must agree.
   std::vector<mesh::Point> deform(const Pose& pose, const SharedShape& of) {
     const double far = std::max(staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
     const auto positions = exact.deform(pose, {}, of).positions;

@@ -1,4 +1,4 @@
-// Vertices that make only a share of their motion: by partial weights, and by a mask.
+// Vertices with a share of their motion, from partial weights and from a mask.
 #include <doctest/doctest.h>
 
 #include "deform/binding.h"
@@ -19,7 +19,7 @@ mesh::Surface shared_model() {
   return tube(40, 24, 0.3, 3);
 }
 
-// From 0 at one end to 1 at the other.
+// Shares from 0 at one end to 1 at the other.
 Mask ramp(const mesh::Surface& model) {
   std::vector<float> mask;
   for (const auto& p : model.positions)
@@ -46,7 +46,7 @@ struct SharedFrames {
     fused.set_mask(mask);
   }
 
-  // The two engines and the exact model, which must agree.
+  // The result of the two engines and the exact model, which must agree.
   std::vector<mesh::Point> deform(const Pose& pose) {
     const auto positions = staged.deform(pose);
     fused.deform(pose, shared_fast);
@@ -150,7 +150,7 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_and_keep_every_bit_beyond")
     }
     CHECK(staying > 20);
     CHECK(partly > 20);
-    // A radius that reaches everything leaves no shares, and a mask goes on top of those that there are.
+    // A radius that reaches everything gives no shares, and a mask multiplies existing ones.
     f.set_mask(everywhere(f.staged.model, 0.5f));
     f.deform(f.staged.pose(shared_twist));
     scheme.weighting.radius = largest_radius;
@@ -211,6 +211,6 @@ TEST_CASE("the_error_map_samples_the_matrices_exponentiated_under_a_mask") {
   const auto matrices = b.deformer.sample_matrices(b.model.positions.size());
   REQUIRE(matrices.size() == b.model.positions.size());
   const auto log = matrices[0];
-  CHECK(std::abs(log.xx) + std::abs(log.xy) == 0);  // of the end that stays
+  CHECK(std::abs(log.xx) + std::abs(log.xy) == 0);  // at the fixed end
   CHECK(std::abs(matrices.back().xx) > 0.01);
 }

@@ -20,7 +20,7 @@ mesh::Surface stitched_model() {
 
 const Twist stitched_twist{2, {0.1, 0, 0}, -2.2, 2.2, -60 * degree, 70 * degree};
 
-// A stitched model as the program runs it.
+// A stitched model as in the program.
 struct StitchedFrame {
   explicit StitchedFrame(const Scheme& scheme_, const mesh::Surface& model_ = stitched_model(),
                          int threads = 2)
@@ -112,7 +112,7 @@ TEST_CASE("stitched_frames_have_the_same_bits_on_any_number_of_threads_and_in_an
   const auto first = one.deform(one.pose(stitched_twist));
   CHECK(three.deform(three.pose(stitched_twist)) == first);
   one.deform(one.pose(shear()));
-  CHECK(one.deform(one.pose(stitched_twist)) == first);  // nothing is left of other poses
+  CHECK(one.deform(one.pose(stitched_twist)) == first);  // no state remains from other poses
 }
 
 TEST_CASE("vertices_with_holds_reach_their_blended_positions_in_stitched_frames") {

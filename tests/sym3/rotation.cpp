@@ -26,7 +26,7 @@ QuadVec vector_to_quad(const Vec3<T>& v) {
   return {v[0], v[1], v[2]};
 }
 
-/// A direction: along an axis, in a plane of two, or anywhere; scaled to the angle.
+/// A random vector of this length: along an axis, in a coordinate plane, or in general position.
 template <class T>
 Vec3<T> vector_of_angle(double angle, int i, Random& random) {
   const auto f = random_rotation(random);
@@ -65,7 +65,7 @@ Mat3<T> rounded_rotation(const Vec3<T>& w) {
   return rounded;
 }
 
-/// Distance to w or, for half a turn as near as rounding lets one see, to its other name w - 2 pi w / |w|.
+/// Distance to w or, near half a turn within rounding, to the equivalent w - 2 pi w / |w|.
 template <class T>
 double log_error(const Vec3<T>& computed, const Vec3<T>& w) {
   const QuadVec x = vector_to_quad(computed), y = vector_to_quad(w);
@@ -150,7 +150,7 @@ TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
   Random random(66);
   for (const double size : {0.03, 1e-3, 1e-5}) {
     for (int i = 0; i < 1000; ++i) {
-      const auto w = vector_of_angle<T>(uniform(random, 0, 3), i, random);  // not over half a turn
+      const auto w = vector_of_angle<T>(uniform(random, 0, 3), i, random);  // less than half a turn
       Mat3<T> r = rounded_rotation(w);
       double moved = 0;
       for (T& x : r) {
