@@ -72,7 +72,7 @@ TEST_CASE("what_is_wrong_with_a_report_is_said_before_it_is_measured") {
   CHECK(no_cage.code == 2);
   CHECK(mentions(no_cage, "CAGE is required"));
   CHECK(mentions(run("report -o " + quoted(scratch / "file")), "this is not a folder"));
-  CHECK(mentions(run("report -o " + quoted(scratch / "none/out")), "the folder cannot be made"));
+  CHECK(mentions(run("report -o " + quoted(scratch / "none/out")), "the folder cannot be created"));
   const auto other = run("report --quick " + model.files + " none.obj -o " + quoted(scratch / "out"));
   CHECK(other.code == 1);
   CHECK(mentions(other, "none.obj"));
