@@ -69,7 +69,7 @@ struct WholePose {
   sym3::Mat3<double> linear;
   mesh::Vec3 shift;
 };
-/// A translation, a rigid motion, a similarity and an affine pose, none of which is of a simpler kind.
+/// A translation, a rigid motion, a similarity and an affine pose, each not of a simpler kind.
 std::span<const WholePose> whole_poses();
 
 /// A deformation reproduces a pose if the deviation is at most this, the level of rounding.

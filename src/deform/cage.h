@@ -54,8 +54,7 @@ struct Cage {
   std::vector<std::uint32_t> parts;  ///< part of each element, an index of roots; without area: roots.size()
   double diagonal = 0;               ///< diagonal of the rest bounding box, the unit of tolerances
   double size = 0;                   ///< mesh::used_size(), the unit of radii
-  double contact =
-      0;  ///< a point nearer than this to an element lies on it: what rounding cannot tell from 0
+  double contact = 0;    ///< points nearer than this to an element count as on it: the level of rounding
   bool closed = false;   ///< every edge has exactly two triangles, run through in opposite directions
   mesh::OneSided sides;  ///< sides for mean value coordinates
   std::vector<std::string> warnings;  ///< one line each, naming elements (0-based)

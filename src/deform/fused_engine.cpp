@@ -249,8 +249,8 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
 }
 
 // See RowShape::with_mean: rotations of the whole cage are exact in float for any tolerance. A drag keeps the
-// mean of its sums. If the mean is 0, a value near it is used that an edit does not change, so vertices
-// outside the edit's reach keep their bits.
+// mean of its sums. Uncompressed weights take the mean rounded to halves, which edits rarely change, so that
+// vertices outside an edit's reach keep their bits.
 void FusedEngine::choose_mean() {
   for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
     double sum = 0;

@@ -177,9 +177,8 @@ Scheme scheme_of(Way way, const Scheme& now = {});
 /// The deformer of a scheme, for any amounts, radius, iterations and holding. Nothing if no deformer matches.
 std::optional<Way> way_of(const Scheme& scheme);
 
-/// The default deformer: Way::smooth, which has the lowest energy over the poses of many models and a high
-/// energy in none of them (the manual has the table). For models without triangles, weights that need no
-/// surface.
+/// The default deformer: Way::smooth, which has the lowest energy over the poses of many models and is never
+/// among the worst (the manual has the table). Models without triangles get weights that need no surface.
 Scheme default_scheme(bool has_triangles = true);
 
 inline PartialChoice only(Weights weights) {

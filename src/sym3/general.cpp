@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = std::numbers::pi, u = 0x1p-53;
 constexpr double flattest = 1e-12;               // stretch over the largest one
 constexpr double kept_up_to = 2, left_from = 4;  // in multiples of |X| + |Y|
-constexpr double least_clear = 1e-7;             // up to this size X + Y replaces log M
+constexpr double least_clear = 1e-7;             // below it X + Y replaces log M, with an error of this size
 constexpr double squared_to =
     100;  // size of a log: a squaring costs up to two digits where the condition has one
 

@@ -58,7 +58,7 @@ constexpr Kernel compiled[] = {
 #if HWY_TARGETS & HWY_NEON
     {"neon", true, HWY_NEON, &N_NEON::table},
 #endif
-#if HWY_TARGETS & HWY_SCALAR  // not where another one is what all machines have
+#if HWY_TARGETS & HWY_SCALAR  // unless all machines have a better one
     {"scalar", false, HWY_SCALAR, &N_SCALAR::table},
 #endif
 };

@@ -7,7 +7,7 @@
 #include "sym3/highway_targets.h"
 #include "sym3/kernel.h"
 
-// Null unless scalar code is a dispatched target.
+// Null if all machines of the build have a better instruction set.
 #if HWY_TARGETS & HWY_SCALAR
 #define VIETE_CHOOSE_SCALAR(name) &N_SCALAR::name
 #else

@@ -1,5 +1,4 @@
-# Files installed by `cmake --install`: the library, its public headers, and package files for CMake and
-# pkg-config.
+# Files installed by `cmake --install`: the library, its public headers, and package files for CMake and pkg-config.
 # The library needs nothing else: Eigen and Highway are headers of its own sources only.
 include(CMakePackageConfigHelpers)
 
