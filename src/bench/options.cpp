@@ -56,7 +56,7 @@ struct BenchOptions {
 constexpr std::size_t paper_count = 10'000'000;
 constexpr std::int64_t most_matrices = 1'000'000'000;
 
-// Before the system stops the program for it. A matrix comes in and goes out, as nine doubles at most.
+// Fails before the system kills the program. A matrix needs input and output, at most nine doubles each.
 void require_memory_for(std::size_t count) {
   base::require_memory({160.0 * static_cast<double>(count), base::with_thousands(count) + " matrices take",
                         "give a smaller number", "--count"});
@@ -95,15 +95,15 @@ int run_accuracy(const BenchOptions& options) {
   return exit_ok;
 }
 
-// A benchmark of a model: what it is asked and what it writes.
+// A benchmark of a model: its options and outputs.
 template <class Options>
 struct ModelBench {
   Options options{};
   BenchFiles files{};
 };
 
-// The last options, and what runs: `prepare` checks the files and takes the bundled model where none is
-// named; `check` completes what was asked, or refuses it.
+// The last options, and the run: `prepare` checks the files and takes the bundled model if none is given;
+// `check` completes the options, or rejects them.
 template <class Options, class Prepare>
 void finish(
     CLI::App& command, Action& action, const std::shared_ptr<ModelBench<Options>>& bench,
@@ -198,7 +198,7 @@ void add_modes_bench(CLI::App& command, Action& action) {
     options.settings.iterations = asked->iterations.value_or(0);
     if ((asked->pins || asked->hold) && !asked->iterations)
       throw CLI::ValidationError(asked->pins ? "--pins" : "--hold",
-                                 "only stitched models are held: add --stitched");
+                                 "only stitched models have pins and holds: add --stitched");
     options.settings.holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
     require_pose(options.model, options.cage, !options.poses.empty());
   };

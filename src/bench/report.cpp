@@ -34,15 +34,17 @@ struct ReportOptions {
   fs::path numbers() const { return folder / "report.json"; }
 };
 
-/// The folder, made where it is not there; taken away again where nothing was written to it.
+/// The output folder, created if missing; removed again if it stays empty.
 class ReportFolder {
 public:
   explicit ReportFolder(const fs::path& folder) : folder_(folder) {
     std::error_code code;
     if (fs::is_directory(folder, code)) return;
-    if (fs::exists(folder, code)) throw base::Error(folder.string(), "this is no folder", "name another one");
+    if (fs::exists(folder, code))
+      throw base::Error(folder.string(), "this is not a folder", "choose another one");
     if (!fs::create_directory(folder, code))
-      throw base::Error(folder.string(), "the folder cannot be made: " + code.message(), "name another one");
+      throw base::Error(folder.string(), "the folder cannot be created: " + code.message(),
+                        "choose another one");
     made_ = true;
   }
   ~ReportFolder() {
@@ -57,7 +59,7 @@ private:
   bool made_ = false;
 };
 
-// The bundled dragon where no model is named; its shapes always.
+// Uses the bundled dragon if no model is given; its shapes always.
 void complete(ReportFiles& files) {
   const app::BundledModel bundled = app::bundled_model();
   if (files.model.empty())

@@ -16,29 +16,28 @@ namespace {
 
 using Rotations = std::span<const sym3::Mat3<double>>;
 
-// A rotation by theta about the unit vector n has the logs (theta + 2 pi k) n for all whole k. Logs are
-// blended linearly, so that neighbours must take logs that are near each other. Along a spanning forest of
-// the pairs that turn least against each other every element takes the branch nearest to its parent's; what
-// is left is one choice a part, the branch of its root, tried at the nearest to the reference and one turn to
-// either side.
+// A rotation by theta about the unit vector n has the logs (theta + 2 pi k) n for all integers k. Logs are
+// blended linearly, so neighbours need logs near each other. Along a spanning forest of the pairs with the
+// smallest relative rotations, every element takes the branch nearest to its parent's; the remaining choice
+// per part is the branch of its root, tried at the one nearest to the reference and one turn to either side.
 
 constexpr double turn = 2 * std::numbers::pi;
-// Half a turn from the reference two branches are equally near, and rounding would decide, otherwise from
-// frame to frame and part to part. Within so many radians, half a degree, they count as equally near.
+// Half a turn from the reference two branches are equally near, and rounding would choose differently from
+// frame to frame and part to part. Within this many radians, half a degree, they count as equally near.
 constexpr double half_turn_tie = 1e-2;
-// Another branch of the root must not set neighbours farther apart: by a tenth at most, or, where they turn
-// as one and the distances are rounding, by so many radians.
+// Another branch of the root may increase the distances of neighbours by at most a tenth or, for rigid
+// rotations with distances of rounding size, by this many radians.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
-// Radians across the axis of a part's turns that are not rounding.
+// Radians off the axis of a part's turns that exceed rounding.
 constexpr double off_axis = 1e-6;
-// So many times as far from each other neighbours' logs are no longer coherent.
+// Neighbours' logs this many times farther apart are no longer coherent.
 constexpr double incoherent = 3;
-// Radians that rounding may not bridge where a comparison is to hold for certain.
+// Safety margin in radians for comparisons that must hold despite rounding.
 constexpr double to_spare = 1e-6;
 
-// The maps that hang together with a root, parents first.
+// The maps connected to a root, parents first.
 struct Tree {
-  std::vector<std::uint32_t> maps, parents;  // parents: places in maps
+  std::vector<std::uint32_t> maps, parents;  // parents: indices of maps
 };
 
 Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
@@ -54,13 +53,13 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// What the logs of a tree are compared with.
+// The reference values of a tree's logs.
 struct Anchors {
   Vec3 reference, leader;
 };
 
-// The logs of a tree for one branch of the root's log. Distances are root mean squares: unlike that of the
-// mean they cannot be small by cancelling.
+// The logs of a tree for one branch of the root's log. Distances are root mean squares, which cannot cancel
+// as means can.
 struct Branching {
   std::vector<Vec3> logs;
   double roughness = 0;  // distance from the parents
@@ -92,7 +91,7 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
   return b;
 }
 
-// Half a turn from the reference two branches are equally near: then the one nearer to the leader is better.
+// Half a turn from the reference two branches are equally near: prefers the one nearer to the leader.
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
@@ -120,22 +119,22 @@ std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs) {
     sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
     ++counts[cage.parts[e]];
   }
-  sums.pop_back();  // of elements without area
+  sums.pop_back();  // elements without area
   for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
   return sums;
 }
 
-// True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, whatever the
+// True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, regardless of
 // rounding.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// True if all logs are principal whatever the forest: every one is what its neighbours choose, and any other
-// branch of it is farther than the principal one from all that roots are compared with, the references and
-// the leader. Let r be the longest of these. The principal log v is at most |v| + r away from them, its other
-// branches, which are at least 2 pi - |v| long, at least 2 pi - |v| - r: more, if |v| + r < pi.
+// True if all logs are principal for any forest: each is its neighbours' choice, and its other branches are
+// farther than the principal one from all values that roots are compared with, the references and the leader.
+// Let r be the length of the longest of these. The principal log v is at most |v| + r away from them; its
+// other branches, at least 2 pi - |v| long, are at least 2 pi - |v| - r away: more, if |v| + r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -154,7 +153,7 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// Kruskal.
+// Kruskal's algorithm.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotations rotations) {
   std::vector<std::pair<double, std::uint32_t>> order(edges.size());
   for (std::uint32_t n = 0; n < edges.size(); ++n) {
@@ -187,7 +186,7 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
   return result;
 }
 
-// True if the mean of a part's logs is not what its turns tell, or not for certain.
+// True if the mean of a part's logs may differ from its turns.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;
@@ -195,14 +194,14 @@ bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   return norm(mean - dot(mean, axis) * axis) > off_axis || whole_turns(turn_of_part, mean) > 0;
 }
 
-// Of each part the squares of the distances between neighbours' logs.
+// Per part the sum of squared distances between neighbours' logs.
 std::vector<double> roughness(const Cage& cage, std::span<const Vec3> logs) {
   std::vector<double> rough(cage.roots.size());
   for (const auto& [a, b] : cage.dual_edges) rough[cage.parts[a]] += squared_norm(logs[a] - logs[b]);
   return rough;
 }
 
-// The logs of a part as they are in another choice of branches.
+// Copies the logs of a part from another choice of branches.
 void take_logs(const Cage& cage, std::size_t part, const Branches& from, Branches& to) {
   for (std::size_t e = 0; e < to.logs.size(); ++e)
     if (cage.parts[e] == part) to.logs[e] = from.logs[e];
@@ -245,7 +244,7 @@ namespace {
 using mesh::Vec3;
 
 constexpr int most_sweeps = 30;
-constexpr double better_by = 1e-9;  // radians, that rounding may not decide
+constexpr double better_by = 1e-9;  // radians, above rounding
 
 double distance(const Vec3& a, const Vec3& b) {
   return mesh::norm(a - b);
@@ -294,7 +293,7 @@ private:
   mesh::Adjacency tree_;
 };
 
-// Takes other logs where they differ, of each connected set of triangles all or none.
+// Takes the other logs for each connected set of differing triangles, if that is better.
 void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& others, std::vector<Vec3>& logs) {
   const auto differs = [&](std::uint32_t t) { return logs[t] != others[t]; };
   mesh::UnionFind sets(logs.size());
@@ -320,7 +319,7 @@ double cost(const WeightedPairs& neighbours, std::uint32_t t, const Vec3& log, s
   return sum;
 }
 
-// The branch of a triangle that its neighbours like best.
+// Switches a triangle to the branch nearest to its neighbours' logs.
 bool follow_neighbours(const WeightedPairs& neighbours, std::uint32_t t, std::vector<Vec3>& logs) {
   Vec3 best = logs[t];
   double least = cost(neighbours, t, best, logs);
@@ -340,7 +339,7 @@ bool is_torn(const mesh::Edge& pair, std::span<const Vec3> logs) {
   return distance(logs[pair[0]], logs[pair[1]]) > std::numbers::pi;
 }
 
-// Until no triangle beside a tear changes.
+// Repeats until no triangle at a tear changes.
 void smooth(const WeightedPairs& neighbours, std::vector<Vec3>& logs) {
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     bool changed = false;

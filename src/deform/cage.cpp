@@ -29,7 +29,7 @@ void sort_unique(std::vector<mesh::Edge>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-// Breadth first from `start` over its part: the order of visits, and how far each is.
+// Breadth-first search of the part of `start`: visiting order and distances.
 struct Sweep {
   std::vector<std::uint32_t> order, distance, parent;
 
@@ -141,7 +141,7 @@ std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const mes
 
 namespace {
 
-// N / sqrt|N|, N = u x v, formed at unit size so that it neither over- nor underflows; 0 without area.
+// N / sqrt|N|, N = u x v, formed at unit size to avoid over- and underflow; 0 without area.
 Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   const double size = std::max(largest_abs(u), largest_abs(v));
   if (!(size > 0)) return {0, 0, 0};
@@ -251,7 +251,7 @@ void add_elements(Cage& cage) {
                           " cage triangles have no area and no influence: " + listed(found));
 }
 
-// How far the surface reaches out of the plane of one of its triangles, in units of its diagonal.
+// Largest distance of the surface from the plane of one of its triangles, in units of its diagonal.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
   const Corners t = corners(cage.surface, static_cast<std::size_t>(e));
@@ -268,11 +268,11 @@ double thickness(const Cage& cage) {
   return most - least;
 }
 
-// A flat sheet has an edge all around and moves what is near it; a box that is squashed flat has neither an
-// edge nor an inside.
+// A flat sheet has a boundary and deforms its surroundings; a squashed box has neither a boundary nor an
+// inside.
 void refuse_squashed(const Cage& cage, const DualGraph& graph) {
   if (graph.open > 0 || thickness(cage) > flat_shape) return;
-  throw base::Error("", "the cage is squashed flat: it closes around no volume",
+  throw base::Error("", "the cage is squashed flat: it encloses no volume",
                     "choose a surface that encloses the model");
 }
 
@@ -283,7 +283,7 @@ void refuse_fins(const DualGraph& graph) {
   throw base::Error("",
                     "the cage has a fin: an odd number of triangles meet at edge " + std::to_string(a) + "-" +
                         std::to_string(b) + (others ? " and at " + std::to_string(others) + " more" : "") +
-                        " (vertices from 0), so that it has no inside there",
+                        " (vertices from 0), where inside and outside are undefined",
                     "remove the faces that stick out");
 }
 
@@ -328,7 +328,7 @@ Cage no_cage(const mesh::Bounds& box) {
   cage.surface.positions = {box.low, box.high};
   cage.unused = {1, 1};
   cage.diagonal = box.diagonal();
-  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // of one point
+  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // a single point
   cage.size = cage.diagonal;
   return cage;
 }

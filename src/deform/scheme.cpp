@@ -14,15 +14,14 @@ namespace {
 
 constexpr std::array weights_table = {
     WeightsEntry{{"inverse", "Inverse distance", "1/d^2, d the distance to the element"}, Weights::inverse},
-    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2, and none beyond: what no element reaches stays"},
+    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2, 0 beyond: vertices out of reach stay at rest"},
                  Weights::cut_off},
-    WeightsEntry{
-        {"harmonic", "Harmonic",
-         "1 at the model's vertex nearest to the element, and from there on harmonic along the surface"},
-        Weights::harmonic,
-        true},
+    WeightsEntry{{"harmonic", "Harmonic",
+                  "1 at the model's vertex nearest to the element, harmonic along the surface elsewhere"},
+                 Weights::harmonic,
+                 true},
     WeightsEntry{{"biharmonic", "Biharmonic",
-                  "as harmonic ones, but a thin plate on springs: smoother; below 0 they count as 0"},
+                  "like harmonic, but as a thin plate on springs: smoother; negative weights become 0"},
                  Weights::biharmonic,
                  true},
     WeightsEntry{{"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
@@ -30,20 +29,20 @@ constexpr std::array weights_table = {
 };
 
 constexpr std::array blend_table = {
-    BlendEntry{{"srl", "Log space", "logs of stretches and of rotations, about the blended centre"},
+    BlendEntry{{"srl", "Log space", "blends logs of stretches and rotations, about the blended centre"},
                Blend::srl},
-    BlendEntry{{"mls-affine", "Least squares (MLS)",
-                "the affine map that moves points as they do, by least squares"},
-               Blend::mls_affine,
-               true},
+    BlendEntry{
+        {"mls-affine", "Least squares (MLS)", "the affine map that best fits the motion of the points"},
+        Blend::mls_affine,
+        true},
     BlendEntry{{"mls-similarity", "Least squares, similar",
-                "the rotation and scale that move points most nearly as they do"},
+                "the rotation and scale that best fit the motion of the points"},
                Blend::mls_similarity,
                true},
-    BlendEntry{{"mls-rigid", "Least squares, rigid", "the rotation that moves points most nearly as they do"},
+    BlendEntry{{"mls-rigid", "Least squares, rigid", "the rotation that best fits the motion of the points"},
                Blend::mls_rigid,
                true},
-    BlendEntry{{"linear", "Linear (LBS)", "the maps themselves are averaged"}, Blend::linear},
+    BlendEntry{{"linear", "Linear (LBS)", "averages the maps themselves"}, Blend::linear},
 };
 
 template <class Table, class Value>
@@ -104,7 +103,7 @@ std::string text(const Scheme& s) {
 
 std::string text_of_percent(double fraction) {
   char text[32];
-  const double percent = std::round(1e8 * fraction) / 1e6;  // as it was typed
+  const double percent = std::round(1e8 * fraction) / 1e6;  // as typed
   return std::string(text, std::to_chars(text, text + sizeof text, percent).ptr) + " %";
 }
 
@@ -136,31 +135,33 @@ constexpr Scheme scheme(Elements elements, Weights weights, Blend blend, int ite
 
 constexpr std::array ways_table = {
     WayEntry{{"smooth", "Smooth",
-              "spreads along the model's surface, keeps shapes and holds parts together: for most models"},
+              "spreads along the model's surface, keeps shapes and connects parts: for most models"},
              Way::smooth,
              scheme(Elements::face, Weights::biharmonic, Blend::srl)},
     WayEntry{{"paper", "As published",
-              "as published: each triangle turns and stretches all of the model, by distance"},
+              "as published: each triangle rotates and stretches the whole model, weighted by distance"},
              Way::paper,
              scheme(Elements::face, Weights::inverse, Blend::srl)},
     WayEntry{
         {"mean-value", "Mean value",
-         "the cage's vertices only move (mean value coordinates): follows affine poses exactly, and caves "
-         "in where parts turn"},
+         "the cage's vertices only translate (mean value coordinates): follows affine poses exactly, and "
+         "collapses where parts rotate"},
         Way::mean_value,
         scheme(Elements::point, Weights::mean_value, Blend::linear)},
-    WayEntry{{"rigid", "Rigid",
-              "turns without stretching (rigid least squares): keeps details and sizes, also where the cage "
-              "grows"},
-             Way::rigid,
-             scheme(Elements::point, Weights::biharmonic, Blend::mls_rigid)},
+    WayEntry{
+        {"rigid", "Rigid",
+         "rotates without stretching (rigid least squares): keeps details and sizes, even where the cage "
+         "grows"},
+        Way::rigid,
+        scheme(Elements::point, Weights::biharmonic, Blend::mls_rigid)},
     WayEntry{{"arap", "As rigid as possible",
-              "solved for all at once (ARAP): details keep their shape best, and frames take longer"},
+              "solves for the whole model at once (ARAP): preserves details best; frames take longer"},
              Way::arap,
              scheme(Elements::face, Weights::biharmonic, Blend::srl, 1)},
-    WayEntry{{"local", "Local", "ends at a radius: what no triangle of the cage reaches stays at rest"},
-             Way::local,
-             scheme(Elements::face, Weights::cut_off, Blend::srl)},
+    WayEntry{
+        {"local", "Local", "ends at a radius: vertices out of reach of the cage's triangles stay at rest"},
+        Way::local,
+        scheme(Elements::face, Weights::cut_off, Blend::srl)},
 };
 
 bool same_choices(const Scheme& a, const Scheme& b) {
@@ -203,7 +204,7 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
   if (const auto reason = conflict(s))
     throw base::Error("", "these weights and this blend do not go together: " + std::string(*reason),
-                      "leave one of them out, and it is chosen to fit");
+                      "leave out one of them to have it chosen automatically");
   s.weighting.elements = elements_of(s.weighting.weights, s.blend);
   if (s.has_maps()) s.iterations = preferred.iterations;
   return s;
@@ -219,8 +220,8 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
     throw base::Error("--radius", "these weights have no radius", "leave it out, or choose --weights cutoff");
   if ((asked.turn || asked.stretch) && !scheme.has_maps()) {
     throw base::Error(asked.turn ? "--turn" : "--stretch",
-                      "points of the cage only move: they do not turn or stretch",
-                      "leave it out, or choose another way or blend");
+                      "points of the cage only translate: they do not rotate or stretch",
+                      "leave it out, or choose another deformer or blend");
   }
   scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);
   scheme.amounts.stretch = asked.stretch.value_or(scheme.amounts.stretch);
@@ -228,10 +229,11 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   scheme.holding.radius = asked.pins.value_or(scheme.holding.radius);
   scheme.holding.weight = asked.hold.value_or(scheme.holding.weight);
   if ((asked.pins || asked.hold) && !scheme.stitched())
-    throw base::Error(asked.pins ? "--pins" : "--hold", "only stitched models are held",
+    throw base::Error(asked.pins ? "--pins" : "--hold", "only stitched models have pins and holds",
                       "leave it out, or add --stitched");
   if (const auto reason = conflict(scheme))
-    throw base::Error("--stitched", std::string(*reason), "leave it out, or choose another way or blend");
+    throw base::Error("--stitched", std::string(*reason),
+                      "leave it out, or choose another deformer or blend");
   return scheme;
 }
 

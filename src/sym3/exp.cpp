@@ -31,7 +31,7 @@ Sym3<T> exp_fast(const Sym3<T>& s) {
   return out;
 }
 
-/// What computes one matrix.
+/// The function of a method for one matrix.
 template <class T>
 auto one_by(Method method) -> Sym3<T> (*)(const Sym3<T>&) {
   switch (method) {
