@@ -358,7 +358,7 @@ class Arrays(WithFolder):
         self.assertEqual(logs.shape, (12, 9))
         self.assertLess(np.abs(logs[:, :6]).max(), 1e-12)
         self.assertLess(np.abs(logs[:, 6:] - [0, 0, 2.5]).max(), 1e-12)
-        with self.assertRaisesRegex(viete.Error, "number 2"):
+        with self.assertRaisesRegex(viete.Error, "no shape 2"):
             space.vector(2)
         shapes = viete.ShapeSpace(self.model, self.faces, [turned(self.model, 1.0)])
         self.assertLess(np.abs(shapes.mix([2]) - turned(self.model, 2.0)).max(), 1e-6)
