@@ -22,7 +22,7 @@ Attributes deformed_attributes(const Surface& rest, std::span<const Point> posit
 /// a normal may need different ones after a deformation.
 struct SpreadNormals {
   std::vector<Vec3> normals;
-  std::vector<std::uint32_t> first;  ///< where each source normal's copies (at least one) start; and the end
+  std::vector<std::uint32_t> first;      ///< start of each source normal's copies (one at least), and the end
   std::vector<std::uint32_t> of_corner;  ///< index into normals, or none
 
   /// attributes must have normals and corner indices.

@@ -20,7 +20,7 @@ struct MtlMaterial {
 /// Never fails: skips unreadable lines. source.folder must be the folder of the library.
 std::vector<MtlMaterial> read_mtl(const Source& source);
 
-/// The libraries and the images that these name, as far as they can be read. See read_materials().
+/// The libraries and the images that they name, as far as readable. See read_materials().
 std::vector<std::filesystem::path> files_of_libraries(const std::filesystem::path& folder,
                                                       const std::vector<std::string>& libraries);
 
