@@ -44,7 +44,7 @@ Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* note
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh);
 
 struct CageWish {
-  std::string kind = "automatic";  ///< "automatic", or "box": a lattice of boxes
+  std::string kind = "automatic";  ///< "automatic" or "box"
   std::size_t triangles = 200;     ///< approximate number, 12 to 20000; automatic cages only
   double margin = 0.0015;          ///< distance to the model, as a fraction of its diagonal, 0.0005 to 0.2
   double gap = 0.005;             ///< closes gaps narrower than twice this fraction of the diagonal, 0 to 0.2

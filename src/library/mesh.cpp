@@ -66,14 +66,14 @@ void check_points(std::span<const mesh::Point> points, std::size_t vertices, con
   for (std::size_t v = 0; v < points.size(); ++v)
     for (const double x : points[v])
       if (!(std::abs(x) <= mesh::largest_coordinate))
-        refuse(what, "vertex " + std::to_string(v) + "  has a coordinate that is not finite, or beyond 1e100",
+        refuse(what, "vertex " + std::to_string(v) + " has a coordinate that is not finite, or beyond 1e100",
                "use finite coordinates");
 }
 
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice) {
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!mesh::is_place(points[v], std::numeric_limits<double>::max()))
-      refuse(what, "vertex " + std::to_string(v) + "  would have a coordinate that is not finite", advice);
+      refuse(what, "vertex " + std::to_string(v) + " would have a coordinate that is not finite", advice);
 }
 
 std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what) {
@@ -105,7 +105,7 @@ void check_deformable(std::span<const mesh::Point> points, double least, const c
   if (farthest > most_deformable)
     refuse(what, "it has a coordinate of size " + plain(farthest), "scale it so that it stays within 1e60");
   if (extent > 0 && extent < least)
-    refuse(what, "it is " + plain(extent) + "  in size", "scale it to 1e-60 or more");
+    refuse(what, "it is " + plain(extent) + " in size", "scale it to 1e-60 or more");
 }
 
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what) {

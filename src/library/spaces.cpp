@@ -162,7 +162,7 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
     if (v >= impl_->rest->positions.size())
       throw base::Error("vertices", "there is no vertex " + std::to_string(v), "indices start at 0");
     if (std::exchange(pinned[v], 1))
-      throw base::Error("vertices", "vertex " + std::to_string(v) + "  is given twice",
+      throw base::Error("vertices", "vertex " + std::to_string(v) + " is given twice",
                         "pass each vertex once");
     pins.push_back({v, firmness > 1e9 ? deform::holding : firmness});
   }
