@@ -49,7 +49,7 @@ struct Converted : test::TemporaryFolder {
 
 TEST_CASE("another_format_gets_texture_points_normals_and_colours_and_no_materials") {
   Converted c;
-  CHECK(c.to("out.obj") == Notes{"OBJ does not get what else was in the file: groups, materials, textures"});
+  CHECK(c.to("out.obj") == Notes{"OBJ cannot store other content of the file: groups, materials, textures"});
   CHECK(c.entries() == 3);
   const ReadResult out = mesh::read(c / "out.obj");
   CHECK(out.surface.positions == c.moved);
@@ -69,7 +69,7 @@ TEST_CASE("a_glb_becomes_an_obj_and_a_glb_again") {
   test::put_file(folder / "a.glb", test::patch().glb());
   const ReadResult before = mesh::read(folder / "a.glb");
   CHECK(convert(before, folder / "b.obj") ==
-        Notes{"OBJ does not get what else was in the file: groups, materials, textures"});
+        Notes{"OBJ cannot store other content of the file: groups, materials, textures"});
   CHECK(convert(mesh::read(folder / "b.obj"), folder / "c.glb").empty());
   CHECK(folder.entries() == 3);
   const ReadResult after = mesh::read(folder / "c.glb");
@@ -86,7 +86,7 @@ TEST_CASE("a_glb_becomes_an_obj_and_a_glb_again") {
 
 TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
   Converted c;
-  CHECK(c.to("out.ply") == Notes{"PLY does not get what else was in the file: several normals of a vertex, "
+  CHECK(c.to("out.ply") == Notes{"PLY cannot store other content of the file: several normals of a vertex, "
                                  "groups, materials, textures"});
   const ReadResult out = mesh::read(c / "out.ply");
   CHECK(out.surface.positions == c.moved);
@@ -103,12 +103,12 @@ TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_i
   Converted c;
   CHECK(c.to("out.off").size() == 1);
   CHECK(mesh::read(c / "out.off").attributes->colors == c.read.attributes->colors);
-  CHECK(c.to("out.stl") == Notes{"STL does not get what else was in the file: texture coordinates, normals, "
+  CHECK(c.to("out.stl") == Notes{"STL cannot store other content of the file: texture coordinates, normals, "
                                  "colours, groups, materials, textures"});
   CHECK(mesh::read(c / "out.stl").surface.triangles.size() == 2);
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const ReadResult obj = test::read_kept(triangle + "l 1 2\nl 2 3\np 1\nlod 3\n", "obj");
-  CHECK(convert(obj, c / "a.stl", true) == Notes{"STL does not get what else was in the file: 2 lines, 1 "
+  CHECK(convert(obj, c / "a.stl", true) == Notes{"STL cannot store other content of the file: 2 lines, 1 "
                                                  "point, 1 statement of curves, surfaces and display"});
   CHECK(convert(obj, c / "a.obj", true).empty());
   CHECK(convert(test::read_kept(triangle, "obj"), c / "b.stl", true).empty());
@@ -118,7 +118,7 @@ TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_i
       "quality\nelement edge 1\nproperty int vertex1\nend_header\n1 2 3 4\n0\n",
       "ply");
   CHECK(convert(ply, c / "a.off", true) ==
-        Notes{"OFF does not get what else was in the file: property quality of vertex, element edge"});
+        Notes{"OFF cannot store other content of the file: property quality of vertex, element edge"});
   test::GltfParts parts = test::patch();
   parts.json["animations"] = {{{"channels", test::GltfJson::array()}}};
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
@@ -134,7 +134,7 @@ TEST_CASE("gltf_gets_triangles_of_one_mesh_and_comments_that_are_not_utf8") {
   for (const char* name : {"a.glb", "a.gltf"}) {
     const Content content{square.surface, square.surface.positions, square.comments, square.attributes.get()};
     CHECK(mesh::write(folder / name, content, nullptr, {}) ==
-          Notes{"glTF does not get what else was in the file: groups",
+          Notes{"glTF cannot store other content of the file: groups",
                 "2 faces of more than three corners became triangles"});
     CHECK(mesh::read(folder / name).surface.positions.size() == 4);
   }

@@ -97,7 +97,7 @@ TEST_CASE("off_colours_that_the_head_does_not_name_are_kept") {
     const ReadResult odd =
         test::read_text("OFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 " + std::string(row) + "\n0 1 0\n3 0 1 2\n", "off");
     CHECK(odd.attributes == nullptr);
-    CHECK(holds(odd.warnings.at(0), "passed over what stands behind the positions of 1 row"));
+    CHECK(holds(odd.warnings.at(0), "ignored extra values after the positions of 1 row"));
   }
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("colours_of_faces_go_where_a_format_has_them") {
   CHECK(holds(bytes, "COLOR_0"));
   CHECK(mesh::write(folder / "b.stl", Content{stl.surface, stl.surface.positions, {}, stl.attributes.get()},
                     nullptr, {}) ==
-        std::vector<std::string>{"STL does not get what else was in the file: colours of faces"});
+        std::vector<std::string>{"STL cannot store other content of the file: colours of faces"});
 }
 
 TEST_CASE("ply_faces_have_texture_points_colours_and_images") {

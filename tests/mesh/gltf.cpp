@@ -89,7 +89,7 @@ TEST_CASE("strips_fans_sparse_and_short_numbers_are_read") {
   CHECK(lines.surface.triangles.empty());
   CHECK(lines.surface.positions.size() == 6);
   REQUIRE(lines.warnings.size() == 2);
-  CHECK(holds(lines.warnings[0], "1 primitive of points or lines: moved along"));
+  CHECK(holds(lines.warnings[0], "1 primitive of points or lines: deformed"));
   primitive["mode"] = 4;
   const std::size_t where = parts.view(std::vector<std::uint16_t>{1});
   const std::size_t what = parts.view(std::vector<float>{1, 0, 7});
@@ -175,7 +175,7 @@ TEST_CASE("positions_that_others_share_or_that_are_no_floats_are_replaced_by_new
       {{"channels", GltfJson::array()}, {"samplers", {{{"input", 0}, {"output", 0}}}}}};
   test::put_file(folder / "a.glb", parts.glb());
   const ReadResult r = read(folder / "a.glb");
-  CHECK(holds(r.warnings.at(0), "animations are not played here"));
+  CHECK(holds(r.warnings.at(0), "animations are ignored"));
   const auto posed = raised(r.surface, 0.5);
   r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr);
   const ReadResult again = read(folder / "b.glb");
@@ -322,7 +322,7 @@ TEST_CASE("instances_that_are_not_shown_are_told_and_keep_their_places") {
       {"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", 0}}}}}};
   const ReadResult r = test::read_kept(parts.glb(), "glb");
   REQUIRE(r.warnings.size() == 1);
-  CHECK(holds(r.warnings[0], "EXT_mesh_gpu_instancing is not known here"));
+  CHECK(holds(r.warnings[0], "EXT_mesh_gpu_instancing is not supported"));
   const test::TemporaryFolder folder;
   r.original->write_file(folder / "a.glb", r.surface, raised(r.surface, 1), {}, nullptr);
   CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // these are of the instances
@@ -383,19 +383,19 @@ TEST_CASE("bad_gltf_is_refused_with_its_place") {
   CHECK(holds(with("/nodes", nullptr), "\"nodes\" should be a list of objects"));
   CHECK(holds(with("/nodes/0/mesh", 9), "node 0: refers to mesh 9"));
   CHECK(holds(with("/nodes/0/children", {0}), "node 0: is placed twice"));
-  CHECK(holds(with("/nodes/0/children", {5}), "node 5: is not there"));
-  CHECK(holds(with("/scene", 4), "scene 4 is not there"));
-  CHECK(holds(with("/asset/version", "1.0"), "glTF 1.0 is not read"));
+  CHECK(holds(with("/nodes/0/children", {5}), "node 5: does not exist"));
+  CHECK(holds(with("/scene", 4), "scene 4 does not exist"));
+  CHECK(holds(with("/asset/version", "1.0"), "glTF 1.0 is not supported"));
   CHECK(holds(with("/extensionsUsed", {"KHR_draco_mesh_compression"}),
               "compressed (KHR_draco_mesh_compression)"));
   CHECK(holds(with("/extensionsRequired", {"VENDOR_magic"}), "needs the extension VENDOR_magic"));
-  CHECK(holds(with("/nodes/0/translation", {1e200, 0, 0}), "is no place"));
+  CHECK(holds(with("/nodes/0/translation", {1e200, 0, 0}), "is invalid"));
   GltfParts past = good;
   const std::size_t indices = past.accessor(std::vector<std::uint16_t>{0, 1, 8}, 5123, "SCALAR", 1);
   past.json["meshes"][0]["primitives"][0]["indices"] = indices;
   CHECK(holds(refusal_of(past), "index 8 refers past the 8 vertices"));
 
-  CHECK(holds(test::refusal(good.glb().substr(0, 400), "glb"), "the head promises"));
+  CHECK(holds(test::refusal(good.glb().substr(0, 400), "glb"), "the header announces"));
   CHECK(holds(test::refusal("{\"asset\":{\"version\":\"2.0\"", "gltf"), "not JSON at byte"));
   CHECK(holds(test::refusal("{\"asset\":" + std::string(100000, '['), "gltf"), "nested more than 64 deep"));
   CHECK(holds(test::refusal(good.beside("missing.bin"), "gltf"), "missing.bin"));

@@ -148,7 +148,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
     const GltfParts parts = weighed_patch();
     const ReadResult r = test::read_kept(binary ? parts.glb() : parts.text(), binary ? "glb" : "gltf");
     check_near(r.surface.positions, shape_of_weighed_patch());
-    CHECK(holds(r.warnings.at(0), "morph targets have their default weights and are not played"));
+    CHECK(holds(r.warnings.at(0), "morph targets keep their default weights; their animation is ignored"));
     const Vec3 n = r.attributes->normals.at(0);
     CHECK(n[0] / n[2] == doctest::Approx(0.15 / 0.9));
     CHECK(norm(n) == doctest::Approx(1));
@@ -159,7 +159,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
   still.json["nodes"][1].erase("weights");
   const ReadResult r = test::read_kept(still.glb(), "glb");
   CHECK(r.surface.positions[4] == Point{2, 0, 0});
-  CHECK(holds(r.warnings.at(0), "morph targets are not played here"));
+  CHECK(holds(r.warnings.at(0), "the animation of morph targets is ignored"));
 }
 
 TEST_CASE("vertices_that_default_weights_part_or_join_are_not_welded") {
@@ -340,7 +340,7 @@ TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
   const auto clip = read(folder / "b.glb").original->morphs();
   CHECK(clip->name() == "lift");
   CHECK(clip->targets().size() == 3);
-  CHECK(holds(clip->notes().at(0), "of 2 animations of weights the first one is taken"));
+  CHECK(holds(clip->notes().at(0), "using the first of 2 animations of weights"));
 }
 
 TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
@@ -431,7 +431,7 @@ TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
   CHECK(holds(refused({}), "without keys"));
   CHECK(holds(refused({{0, "", rest}, {0, "", rest}}), "key 1: its time"));
   CHECK(holds(refused({{std::nan(""), "", rest}}), "key 0: its time"));
-  CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is no place"));
+  CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is invalid"));
   CHECK(folder.entries() == 0);
   base::Progress progress;
   progress.cancel();

@@ -73,9 +73,9 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
   CHECK(test::refusal(four + "f -5 2 3\n", "obj") ==
         "given.obj:5: face refers to vertex -5, the file has 4 before it; export the model again");
   CHECK(holds(test::refusal(four + "f 0 1 2\n", "obj"),
-              "given.obj:5: face refers to vertex 0, OBJ counts from 1"));
+              "given.obj:5: face refers to vertex 0, OBJ indices start at 1"));
   CHECK(holds(test::refusal("v 0,5 0 0\n", "obj"),
-              "given.obj:1: \"0,5\" is not a number; write decimals with a point"));
+              "given.obj:1: \"0,5\" is not a number; use a decimal point"));
   CHECK(holds(test::refusal("v 1 2\n", "obj"), "given.obj:1: a coordinate is missing"));
   CHECK(holds(test::refusal("v 1 2 x\n", "obj"), "\"x\" is not a number"));
   CHECK(holds(test::refusal("v 1 2 nan\n", "obj"), "\"nan\" is not a finite number"));
@@ -99,7 +99,7 @@ TEST_CASE("obj_words_in_capitals_mean_the_same") {
 
 TEST_CASE("obj_a_file_of_something_else_names_its_first_odd_line") {
   CHECK(test::refusal("# made by hand\n\nVERTEX 0 0 0\nVERTEX 1 0 0\n", "obj") ==
-        "given.obj:3: OBJ has no lines that start with \"VERTEX\", and no vertices were found; export the "
+        "given.obj:3: unknown OBJ keyword \"VERTEX\", and no vertices were found; export the "
         "model "
         "again");
   CHECK(holds(test::refusal("g a\nusemtl x\n", "obj"), "no vertices found"));
@@ -139,7 +139,7 @@ TEST_CASE("obj_oddities_are_told_as_warnings") {
   REQUIRE(odd.warnings.size() == 3);
   CHECK(odd.surface.polygon_count() == 1);
   CHECK(holds(odd.warnings[0], "1 free-form element cannot be shown"));
-  CHECK(holds(odd.warnings[1], "given.obj:7: passed over 2 lines"));
+  CHECK(holds(odd.warnings[1], "given.obj:7: ignored 2 lines"));
   CHECK(holds(odd.warnings[2], "left out 1 face with fewer than three corners"));
 }
 

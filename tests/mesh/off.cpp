@@ -47,7 +47,7 @@ TEST_CASE("off_errors_name_the_line") {
   CHECK(holds(test::refusal("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2\n", "off"),
               "given.off:7: a vertex index is missing"));
   CHECK(holds(test::refusal("4OFF\n4 2 0\n" + body, "off"), "positions of four or n numbers"));
-  CHECK(holds(test::refusal("OFF BINARY\n4 2 0\n" + body, "off"), "binary OFF is not read"));
+  CHECK(holds(test::refusal("OFF BINARY\n4 2 0\n" + body, "off"), "binary OFF is not supported"));
   CHECK(holds(test::refusal("OFF\n", "off"), "the file ends before the counts"));
   CHECK(holds(test::refusal("OFF\n0 0 0\n", "off"), "no vertices"));
 }

@@ -165,7 +165,7 @@ TEST_CASE("every_odd_file_of_the_shared_data_does_what_its_manifest_expects" *
 TEST_CASE("files_of_other_kinds_are_refused_with_what_they_are") {
   const std::string lfs = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n";
   const std::pair<std::string, const char*> files[] = {
-      {lfs, "Git LFS pointer, which stands for the file; fetch the file itself with `git lfs pull`"},
+      {lfs, "Git LFS pointer, not the file itself; fetch the file itself with `git lfs pull`"},
       {"/annex/objects/SHA256E-s1--a.obj\n", "git annex get"},
       {std::string("\x1F\x8B\x08\0\0", 5), "gzip"},
       {"PK\3\4....", "zip"},

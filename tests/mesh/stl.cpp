@@ -61,7 +61,7 @@ TEST_CASE("stl_errors_name_line_or_triangle") {
   const std::string whole = binary_stl(test::sphere(1), "a");
   CHECK(holds(test::refusal(whole.substr(0, whole.size() - 10), "stl"),
               "announces 32 triangles, the file has room for 31"));
-  CHECK(holds(test::refusal(whole.substr(0, 60), "stl"), "a binary STL has 84 bytes at least"));
+  CHECK(holds(test::refusal(whole.substr(0, 60), "stl"), "a binary STL has at least 84 bytes"));
   CHECK(holds(test::refusal(binary_stl(Surface{}, "a"), "stl"), "no vertices"));
   std::string huge = whole;
   for (int i = 80; i < 84; ++i) huge[i] = '\xff';

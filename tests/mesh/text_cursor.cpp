@@ -100,7 +100,7 @@ TEST_CASE("what_stands_where_a_number_should_is_explained") {
                                                        {"3.1d+2", "Fortran"},
                                                        {"3.1+2", "sign in its middle"},
                                                        {"0.5-0.25", "sign in its middle"},
-                                                       {"1.#QNAN", "no number"},
+                                                       {"1.#QNAN", "invalid number"},
                                                        {"0x1p3", "hexadecimal"},
                                                        {"abc", "repair or export"}};
   for (const auto& [word, advice] : words) {

@@ -131,7 +131,7 @@ TEST_CASE("points_become_no_stl_and_are_not_left_out_unsaid") {
   const test::TemporaryFolder folder;
   Surface points;
   points.positions = {{1, 2, 3}, {4, 5, 6}};
-  CHECK_THROWS_WITH_AS(write(folder / "a.stl", points), doctest::Contains("STL holds triangles alone"),
+  CHECK_THROWS_WITH_AS(write(folder / "a.stl", points), doctest::Contains("STL stores only triangles"),
                        base::Error);
   CHECK(folder.entries() == 0);
   Surface some = test::sphere(0);
@@ -139,7 +139,7 @@ TEST_CASE("points_become_no_stl_and_are_not_left_out_unsaid") {
   const Content content{some, some.positions, {}};
   for (const char* name : {"a.stl", "a.glb", "a.gltf"})
     CHECK(write(folder / name, content, nullptr, {}) ==
-          std::vector<std::string>{"2 points of no face are left out"});
+          std::vector<std::string>{"2 points without a face were left out"});
   for (const char* name : {"a.obj", "a.ply", "a.off"})
     CHECK(write(folder / name, content, nullptr, {}).empty());
 }
@@ -153,7 +153,7 @@ TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
     positions[9][0] = bad;
     for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl", "a.glb", "a.gltf"}) {
       CHECK_THROWS_WITH_AS(write(folder / name, s, positions),
-                           doctest::Contains("the position of vertex 7 is no place"), base::Error);
+                           doctest::Contains("the position of vertex 7 is invalid"), base::Error);
       CHECK(folder.entries() == 0);
     }
     for (const std::string extension : {"obj", "ply", "off", "stl"}) {
@@ -162,7 +162,7 @@ TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
       positions[3][1] = bad;
       CHECK_THROWS_WITH_AS(
           write(folder / ("a." + extension), {kept.surface, positions, {}}, kept.original.get(), {}),
-          doctest::Contains("the position of vertex 3 is no place"), base::Error);
+          doctest::Contains("the position of vertex 3 is invalid"), base::Error);
       CHECK(folder.entries() == 0);
     }
   }
