@@ -84,7 +84,8 @@ inline std::vector<std::string> complaints(const cages::Made& made, const mesh::
   const double least = least_distance(cage, model);
   if (least <= 0) all.push_back("cut by the model");
   const bool keeps_margin = wish.effort == cages::Effort::full || wish.kind != cages::Kind::automatic;
-  if (keeps_margin && least < wish.margin * (1 - 1e-6) && !some_note_holds(made, "no room for the margin"))
+  if (keeps_margin && least < wish.margin * (1 - 1e-6) &&
+      !some_note_holds(made, "the margin could not be kept"))
     all.push_back("margin " + std::to_string(100 * least) + " %, nothing said");
   const auto pieces = pieces_of(model);
   std::vector<mesh::Point> firsts;

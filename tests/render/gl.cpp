@@ -62,8 +62,7 @@ TEST_CASE("shaders_that_do_not_fit_each_other_are_refused") {
 }
 
 TEST_CASE("unknown_shader_is_named") {
-  CHECK_THROWS_WITH_AS(render::shader_text("nothing.vert"),
-                       "nothing.vert: no shader of this name is embedded", base::Error);
+  CHECK_THROWS_WITH_AS(render::shader_text("nothing.vert"), "nothing.vert: unknown shader name", base::Error);
 }
 
 TEST_CASE("defines_follow_the_version_line_and_line_numbers_stay_true") {
@@ -101,5 +100,5 @@ TEST_CASE("wrong_index_is_named_with_its_element") {
   const std::vector<std::array<std::uint32_t, 2>> segments{{0, 1}, {1, 7}};
   CHECK_NOTHROW(render::require_indices<2>("segments", segments, 8));
   CHECK_THROWS_WITH_AS(render::require_indices<2>("segments", segments, 7),
-                       "segments: element 1: names vertex 7, there are 7", base::Error);
+                       "segments: element 1: refers to vertex 7, the mesh has 7", base::Error);
 }

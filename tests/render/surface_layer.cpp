@@ -190,7 +190,7 @@ TEST_CASE("wrong_sizes_and_indices_are_refused") {
   render::SurfaceLayer surface(stage.gl);
   const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 1, 3}};
   CHECK_THROWS_WITH_AS(surface.set_triangles(triangles, 3),
-                       "surface triangles: element 1: names vertex 3, there are 3", base::Error);
+                       "surface triangles: element 1: refers to vertex 3, the mesh has 3", base::Error);
   surface.set_triangles(triangles, 4);
   const std::vector<Point> three(3), four(4);
   CHECK_THROWS_AS(surface.set_positions(three, three), base::Error);
