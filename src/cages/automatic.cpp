@@ -203,8 +203,8 @@ private:
     return cage.shell();
   }
 
-  // Drawn in between, so that what is enclosed more than needed does not mislead what follows. False if not
-  // so few triangles are left. `share` of what leads up to that is done with it.
+  // Tightens between collapses, so that excess volume does not mislead later ones. False if that number of
+  // triangles was not reached. `share`: fraction of the attempt's progress.
   bool reduced(WorkingCage& cage, double share) {
     const auto until = [&](double end) { return stages_.until(0.1 + share * (end - 0.1)); };
     collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, until(0.3));

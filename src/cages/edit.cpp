@@ -355,8 +355,8 @@ std::vector<Polygon> chains_of(const Polygon& p, const std::function<bool(std::u
   return chains;
 }
 
-// The pieces of such a polygon. Along the line in which it meets the plane one goes in and out in turn: what
-// the first and the second place bound is within, and so is what the third and the fourth do.
+// Joins the chains to polygons. Inside and outside alternate along the cutting line: the intervals between
+// the first and second point, the third and fourth, and so on are inside.
 std::vector<Polygon> pieces_of(const Polygon& p, const std::function<bool(std::uint32_t)>& above,
                                const Polygons& cage) {
   const std::vector<Polygon> chains = chains_of(p, above);
