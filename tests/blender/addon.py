@@ -90,7 +90,7 @@ def it_follows_shape_keys_and_edits():
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def both_may_move_as_one():
+def moving_both_objects_deforms_nothing():
     ball, cage = new_scene()
     rest = follow.rest_of(ball)
     for obj in (ball, cage):
@@ -123,7 +123,7 @@ def an_armature_moves_the_cage_over_frames():
     assert np.abs(seen[0] - seen[2]).max() > 0.2 and np.abs(seen[1] - seen[2]).max() > 0.05
 
 
-def it_is_baked():
+def bakes_to_cache_mesh_and_keys():
     ball, cage = new_scene()
     key = bend(cage)
     for frame, value in ((1, 0), (13, 1), (25, 0.2)):
@@ -227,7 +227,7 @@ def baked_frames_are_those_of_the_program():
         assert np.abs(baked[69] - rest).max() > 0.5
 
 
-def the_blend_keeps_it():
+def blend_file_keeps_the_binding():
     ball, cage = new_scene()
     bend(cage).value = 0.7
     update()
@@ -245,7 +245,7 @@ def the_blend_keeps_it():
     assert len(follow.deformers) == made  # the binding was found by what it is of
 
 
-def several_objects_share_a_cage_and_masks_hold():
+def several_objects_share_a_cage_with_masks():
     ball, cage = new_scene()
     bpy.ops.mesh.primitive_cube_add(size=0.8)
     cube = bpy.context.object
@@ -264,7 +264,7 @@ def several_objects_share_a_cage_and_masks_hold():
     assert follow.KEY not in cube.data.shape_keys.key_blocks
 
 
-def a_binding_is_not_taken_for_one_of_other_faces():
+def binding_depends_on_faces():
     ball, cage = new_scene()
     before = follow.deformer_of(ball)
     for polygon in cage.data.polygons:
@@ -280,7 +280,7 @@ def a_binding_is_not_taken_for_one_of_other_faces():
     assert len(follow.deformers) <= 4, len(follow.deformers)
 
 
-def undo_takes_it_along():
+def undo_restores_the_deformation():
     ball, cage = new_scene()
     key = bend(cage)
     update()
@@ -301,7 +301,7 @@ def undo_takes_it_along():
     assert np.abs(key_of(ball) - expected(ball)).max() < 1e-5 and np.abs(key_of(ball) - rest).max() > 0.2
 
 
-def what_is_wrong_is_told():
+def problems_are_reported():
     ball, cage = new_scene()
     cage.modifiers.new("Subdivision", "SUBSURF")
     update()
@@ -327,7 +327,7 @@ def what_is_wrong_is_told():
         assert "no vertex group nothing" in str(error)
 
 
-def it_works_through_the_program_too():
+def works_with_the_program():
     ball, cage = new_scene()
     bend(cage).value = 0.6
     update()
@@ -360,7 +360,7 @@ def it_works_through_the_program_too():
         engine.viete = module
 
 
-def an_edit_is_quick():
+def edits_are_fast():
     """The figure of the bar: 50,000 vertices in about 100 triangles, beside Blender's Mesh Deform; printed, not judged."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.mesh.primitive_uv_sphere_add(segments=250, ring_count=201)
@@ -410,9 +410,9 @@ def an_edit_is_quick():
           % (len(cage.data.polygons), len(ball.data.vertices), nothing, again, theirs, ours, 1e3 * np.median(times)))
 
 
-TESTS = (it_follows_shape_keys_and_edits, both_may_move_as_one, an_armature_moves_the_cage_over_frames, it_is_baked,
-         baked_frames_are_those_of_the_program, the_blend_keeps_it, several_objects_share_a_cage_and_masks_hold, a_binding_is_not_taken_for_one_of_other_faces,
-         undo_takes_it_along, what_is_wrong_is_told, it_works_through_the_program_too, an_edit_is_quick)
+TESTS = (it_follows_shape_keys_and_edits, moving_both_objects_deforms_nothing, an_armature_moves_the_cage_over_frames, bakes_to_cache_mesh_and_keys,
+         baked_frames_are_those_of_the_program, blend_file_keeps_the_binding, several_objects_share_a_cage_with_masks, binding_depends_on_faces,
+         undo_restores_the_deformation, problems_are_reported, works_with_the_program, edits_are_fast)
 failed = 0
 for test in TESTS:
     try:

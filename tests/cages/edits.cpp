@@ -69,7 +69,7 @@ TEST_CASE("edits_beside_concave_polygons_leave_one_surface") {
   check(cages::extrude(u, std::vector<std::uint32_t>{1}, 0.5).surface, 1.5 * volume, "extrude");
 }
 
-TEST_CASE("a_mirror_across_a_concave_polygon_makes_a_surface_of_each_piece") {
+TEST_CASE("mirroring_across_a_concave_polygon_splits_it") {
   const Surface u = letter_u();
   check(cages::mirrored(u, {{1, 0, 0}, 1.5}).surface, volume, "along its middle");
   check(cages::mirrored(u, {{0, -1, 0}, -2}).surface, 10, "across both arms, the foot kept");

@@ -43,7 +43,7 @@ TEST_CASE("real_models_get_cages_of_every_size" * doctest::test_suite(if_present
   }
 }
 
-TEST_CASE("cages_are_no_larger_than_those_made_by_hand" * doctest::test_suite(if_present)) {
+TEST_CASE("automatic_cages_are_no_larger_than_manual_ones" * doctest::test_suite(if_present)) {
   base::WorkerPool pool(2);
   const struct {
     const char* name;

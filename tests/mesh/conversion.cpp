@@ -47,7 +47,7 @@ struct Converted : test::TemporaryFolder {
 
 }  // namespace
 
-TEST_CASE("another_format_gets_texture_points_normals_and_colours_and_no_materials") {
+TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials") {
   Converted c;
   CHECK(c.to("out.obj") == Notes{"OBJ cannot store other content of the file: groups, materials, textures"});
   CHECK(c.entries() == 3);
@@ -64,7 +64,7 @@ TEST_CASE("another_format_gets_texture_points_normals_and_colours_and_no_materia
   for (const std::uint32_t n : now.corner_normal) CHECK(norm(now.normals[n] - Vec3{0, -1, 0}) < 1e-12);
 }
 
-TEST_CASE("a_glb_becomes_an_obj_and_a_glb_again") {
+TEST_CASE("glb_to_obj_to_glb_round_trip") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.glb", test::patch().glb());
   const ReadResult before = mesh::read(folder / "a.glb");
@@ -84,7 +84,7 @@ TEST_CASE("a_glb_becomes_an_obj_and_a_glb_again") {
   CHECK(b.images.empty());
 }
 
-TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
+TEST_CASE("ply_stores_attributes_with_one_value_per_vertex") {
   Converted c;
   CHECK(c.to("out.ply") == Notes{"PLY cannot store other content of the file: several normals of a vertex, "
                                  "groups, materials, textures"});
@@ -99,7 +99,7 @@ TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
   CHECK(again.attributes->texture_points[1] == Vec2{0.5, 0.25});
 }
 
-TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_it") {
+TEST_CASE("conversion_reports_content_that_is_lost") {
   Converted c;
   CHECK(c.to("out.off").size() == 1);
   CHECK(mesh::read(c / "out.off").attributes->colors == c.read.attributes->colors);
@@ -127,7 +127,7 @@ TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_i
               "textures, animations, morph targets, second texture coordinates"));
 }
 
-TEST_CASE("gltf_gets_triangles_of_one_mesh_and_comments_that_are_not_utf8") {
+TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
   const test::TemporaryFolder folder;
   const ReadResult square = test::read_kept(
       "# caf\xE9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no one\nf 1 2 3 4\no two\nf 4 3 2 1\n", "obj");
@@ -140,7 +140,7 @@ TEST_CASE("gltf_gets_triangles_of_one_mesh_and_comments_that_are_not_utf8") {
   }
 }
 
-TEST_CASE("normals_of_an_obj_that_serve_several_vertices_are_apart_in_a_glb_that_is_deformed") {
+TEST_CASE("shared_obj_normals_are_split_in_a_deformed_glb") {
   // A strip of two quads in the plane z = 0 with one normal for all, then bent up at x = 1.
   const ReadResult flat = test::read_kept(
       "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvn 0 0 1\nf 1//1 2//1 5//1 4//1\nf 2//1 3//1 "
@@ -163,7 +163,7 @@ TEST_CASE("normals_of_an_obj_that_serve_several_vertices_are_apart_in_a_glb_that
   }
 }
 
-TEST_CASE("an_obj_or_ply_that_is_written_again_elsewhere_finds_its_materials_and_images") {
+TEST_CASE("obj_and_ply_saved_elsewhere_find_their_materials_and_images") {
   const std::string textured =
       "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3\n";
   const test::TemporaryFolder folder;

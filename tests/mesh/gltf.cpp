@@ -44,7 +44,7 @@ std::vector<Point> raised(const Surface& s, double by) {
 
 }  // namespace
 
-TEST_CASE("a_glb_and_a_gltf_are_read_the_same_and_seams_are_closed") {
+TEST_CASE("glb_and_gltf_read_the_same_and_seams_are_welded") {
   const GltfParts parts = test::patch();
   for (const ReadResult& r :
        {read_parts(parts), test::read_text(parts.text(), "gltf"), test::read_text(parts.glb(), "obj")}) {
@@ -99,7 +99,7 @@ TEST_CASE("strips_fans_sparse_and_short_numbers_are_read") {
   CHECK(read_parts(parts).surface.positions[1] == Point{1, 0, 7});
 }
 
-TEST_CASE("at_rest_every_byte_of_the_buffer_and_every_key_is_the_same") {
+TEST_CASE("unmoved_gltf_keeps_every_byte_and_key") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.glb", "a.gltf"}) {
     GltfParts parts = test::patch();
@@ -119,7 +119,7 @@ TEST_CASE("at_rest_every_byte_of_the_buffer_and_every_key_is_the_same") {
   }
 }
 
-TEST_CASE("deformed_only_positions_and_normals_differ_and_another_reader_sees_them") {
+TEST_CASE("deformed_gltf_differs_only_in_positions_and_normals") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
   test::put_file(folder / "a.glb", parts.glb());
@@ -139,7 +139,7 @@ TEST_CASE("deformed_only_positions_and_normals_differ_and_another_reader_sees_th
   CHECK(again.surface.positions == posed);
 }
 
-TEST_CASE("instances_that_deform_apart_become_meshes_of_their_own") {
+TEST_CASE("instances_that_deform_differently_become_separate_meshes") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   parts.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {5, 0, 0}}, {"scale", {2, 2, 2}}}};
@@ -156,7 +156,7 @@ TEST_CASE("instances_that_deform_apart_become_meshes_of_their_own") {
   for (std::size_t i = 0; i < 12; ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
 }
 
-TEST_CASE("positions_that_others_share_or_that_are_no_floats_are_replaced_by_new_ones") {
+TEST_CASE("shared_or_non_float_positions_get_new_accessors") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   const std::vector<std::int16_t> shorts = {0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0, 100, 100, 0, 0};
@@ -186,7 +186,7 @@ TEST_CASE("positions_that_others_share_or_that_are_no_floats_are_replaced_by_new
   CHECK(floats_by_judge(folder / "b.glb", 0) == floats_by_judge(folder / "a.glb", 0));
 }
 
-TEST_CASE("a_buffer_beside_is_written_beside_and_over_nothing_else") {
+TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "in");
   std::filesystem::create_directory(folder / "out");
@@ -217,7 +217,7 @@ TEST_CASE("a_buffer_beside_is_written_beside_and_over_nothing_else") {
   CHECK(read(folder / "out/c.glb").surface.positions == posed);
 }
 
-TEST_CASE("a_gltf_that_does_not_fit_leaves_the_buffer_of_the_older_one") {
+TEST_CASE("failed_gltf_write_keeps_the_old_buffer") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   test::put_file(folder / "in.bin", parts.bytes);
@@ -235,7 +235,7 @@ TEST_CASE("a_gltf_that_does_not_fit_leaves_the_buffer_of_the_older_one") {
   CHECK(folder.entries() == 4);
 }
 
-TEST_CASE("images_beside_the_folder_of_the_model_are_found_and_led_to") {
+TEST_CASE("images_outside_of_the_model_folder_are_found_and_referenced") {
   const test::TemporaryFolder folder;
   for (const char* name : {"models", "textures", "far", "far/out"})
     std::filesystem::create_directory(folder / name);
@@ -256,7 +256,7 @@ TEST_CASE("images_beside_the_folder_of_the_model_are_found_and_led_to") {
   }
 }
 
-TEST_CASE("many_primitives_are_replaced_where_they_lie") {
+TEST_CASE("many_primitives_are_replaced_in_place") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   GltfJson primitives = GltfJson::array();
@@ -288,7 +288,7 @@ TEST_CASE("many_primitives_are_replaced_where_they_lie") {
         accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION"));
 }
 
-TEST_CASE("chunks_of_other_kinds_and_a_file_of_two_buffers_are_kept") {
+TEST_CASE("unknown_chunks_and_second_buffers_are_kept") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
   std::string glb = parts.glb();
@@ -315,7 +315,7 @@ TEST_CASE("chunks_of_other_kinds_and_a_file_of_two_buffers_are_kept") {
   CHECK(read(folder / "c.gltf").surface.positions == raised(both.surface, 1));
 }
 
-TEST_CASE("instances_that_are_not_shown_are_told_and_keep_their_places") {
+TEST_CASE("gpu_instances_cause_a_warning_and_are_kept") {
   GltfParts parts = test::patch();
   parts.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
   parts.json["nodes"][0]["extensions"] = {
@@ -344,7 +344,7 @@ TEST_CASE("any_surface_becomes_a_glb") {
   CHECK(read(folder / "points.glb").surface.positions == points.positions);
 }
 
-TEST_CASE("a_surface_beyond_floats_becomes_no_glb") {
+TEST_CASE("surface_beyond_float_range_is_not_written_as_glb") {
   const test::TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(write(folder / "a.glb", test::moved(test::cube(), 1e39)),
                        doctest::Contains("the position of vertex 0 is beyond 3.4e+38 (-1e+39 -1e+39 -1e+39)"),
@@ -352,7 +352,7 @@ TEST_CASE("a_surface_beyond_floats_becomes_no_glb") {
   CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("bad_gltf_is_refused_with_its_place") {
+TEST_CASE("invalid_gltf_is_rejected_with_its_place") {
   const GltfParts good = test::patch();
   const auto with = [&](const char* pointer, const GltfJson& value) {
     GltfParts bad = good;
@@ -404,7 +404,7 @@ TEST_CASE("bad_gltf_is_refused_with_its_place") {
     CHECK(holds(test::refusal(good.beside(outside), "gltf"), "lies outside of the model's folder"));
 }
 
-TEST_CASE("nodes_cannot_make_more_than_memory_holds") {
+TEST_CASE("instancing_is_limited") {
   GltfParts parts = test::patch();
   std::vector<float> many(3 * 100000);
   const std::size_t positions = parts.accessor(many, 5126, "VEC3", 3);
@@ -416,7 +416,7 @@ TEST_CASE("nodes_cannot_make_more_than_memory_holds") {
   CHECK(holds(test::refusal(parts.glb(), "glb"), "more than 4 million vertices"));
 }
 
-TEST_CASE("a_node_that_flattens_its_mesh_cannot_take_a_deformation_back") {
+TEST_CASE("deformed_mesh_of_a_flattening_node_is_rejected") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   parts.json["nodes"][0]["scale"] = {1, 1, 0};

@@ -162,7 +162,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
   CHECK(holds(r.warnings.at(0), "the animation of morph targets is ignored"));
 }
 
-TEST_CASE("vertices_that_default_weights_part_or_join_are_not_welded") {
+TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
   GltfParts parts = test::patch();
   std::vector<float> open(24, 0);
   open[3] = -1, open[0] = 1;  // the left side of the seam leaves the right one, and comes to the first vertex
@@ -210,7 +210,7 @@ TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
   }
 }
 
-TEST_CASE("a_motion_beside_targets_with_default_weights_is_played_as_it_is") {
+TEST_CASE("motion_is_independent_of_targets_with_default_weights") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.glb", weighed_patch().glb());
   const ReadResult r = read(folder / "a.glb");
@@ -225,7 +225,7 @@ TEST_CASE("a_motion_beside_targets_with_default_weights_is_played_as_it_is") {
              of_patch({wave.positions[1].begin(), wave.positions[1].begin() + 6}), 1e-5);
 }
 
-TEST_CASE("keys_become_targets_that_another_reader_plays_and_all_else_is_kept") {
+TEST_CASE("keys_become_targets_and_other_content_is_kept") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
   for (const char* name : {"a.glb", "a.gltf"}) {
@@ -393,7 +393,7 @@ TEST_CASE("models_of_other_formats_become_glb_with_targets") {
                        doctest::Contains("no morph targets"), base::Error);
 }
 
-TEST_CASE("a_computed_normal_has_no_seam_where_the_texture_has_one") {
+TEST_CASE("computed_normals_are_continuous_across_texture_seams") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.obj",
                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0.5 0\n"
@@ -415,7 +415,7 @@ TEST_CASE("a_computed_normal_has_no_seam_where_the_texture_has_one") {
   CHECK(split == 2);
 }
 
-TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
+TEST_CASE("invalid_animations_are_rejected_and_nothing_is_written") {
   const test::TemporaryFolder folder;
   const Surface cube = test::cube();
   const std::vector<Point> rest = cube.positions, far(8, Point{1e300, 0, 0});
@@ -447,7 +447,7 @@ TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
   CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("weights_that_jump_or_follow_curves_are_read_and_unsound_ones_refused") {
+TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
   GltfParts parts = test::patch();
   std::vector<float> lift;
   for (int i = 0; i < 8; ++i) lift.insert(lift.end(), {0, 0, 1});

@@ -73,7 +73,7 @@ TEST_CASE("off_prefixes_are_known_in_any_order") {
                 '"' + head + "\" has positions of four or n numbers"));
 }
 
-TEST_CASE("off_colours_before_normals_are_those_of_whole_numbers") {
+TEST_CASE("off_colours_before_normals_are_integers") {
   const std::string text =
       "NCOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 1 \n1 0 0 200 0 0 255 0 0.6 0.8 \n0 1 0 0 0 255 255 0 0 1 \n3 0 1 "
       "2\n";

@@ -53,7 +53,7 @@ void put_cache_word(std::string& bytes, std::size_t at, std::initializer_list<un
 
 }  // namespace
 
-TEST_CASE("a_pc2_is_little_endian_and_has_its_head") {
+TEST_CASE("pc2_is_little_endian_with_a_header") {
   const test::TemporaryFolder folder;
   write_cache(folder / "a.pc2", cache_head(PointCacheFormat::pc2, 3));
   const std::string bytes = test::file_bytes(folder / "a.pc2");
@@ -69,7 +69,7 @@ TEST_CASE("a_pc2_is_little_endian_and_has_its_head") {
   CHECK(bytes.substr(32 + 4, 4) == std::string("\0\0\x80\x3E", 4));  // 0.25
 }
 
-TEST_CASE("an_mdd_is_big_endian_and_has_the_time_of_every_frame") {
+TEST_CASE("mdd_is_big_endian_with_the_time_of_every_frame") {
   const test::TemporaryFolder folder;
   write_cache(folder / "a.mdd", cache_head(PointCacheFormat::mdd, 3));
   const std::string bytes = test::file_bytes(folder / "a.mdd");
@@ -105,7 +105,7 @@ TEST_CASE("caches_are_read_as_they_were_written") {
   CHECK(point_cache_format("A.PC2") == PointCacheFormat::pc2);
 }
 
-TEST_CASE("truncated_and_hostile_caches_are_refused_before_memory_is_taken") {
+TEST_CASE("truncated_and_hostile_caches_are_rejected_before_allocation") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.pc2", "a.mdd"}) {
     write_cache(folder / name, cache_head(*point_cache_format(name), 3));
@@ -131,7 +131,7 @@ TEST_CASE("truncated_and_hostile_caches_are_refused_before_memory_is_taken") {
   CHECK_THROWS_AS(PointCache(folder.path()), base::Error);
 }
 
-TEST_CASE("numbers_that_are_none_are_told_by_frame_and_point") {
+TEST_CASE("non_finite_numbers_are_reported_by_frame_and_point") {
   const test::TemporaryFolder folder;
   write_cache(folder / "a.pc2", cache_head(PointCacheFormat::pc2, 3));
   std::string bytes = test::file_bytes(folder / "a.pc2");
@@ -151,7 +151,7 @@ TEST_CASE("numbers_that_are_none_are_told_by_frame_and_point") {
   CHECK(test::holds(cache_refusal(bytes), "frame 1: its time is not finite"));
 }
 
-TEST_CASE("what_a_cache_cannot_hold_is_refused_and_the_older_one_stays") {
+TEST_CASE("failed_cache_write_keeps_the_old_file") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.pc2", "older");
   const auto head = cache_head(PointCacheFormat::pc2, 2);

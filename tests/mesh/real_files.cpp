@@ -75,7 +75,7 @@ struct DoublePoints : OpenMesh::DefaultTraits {
 
 }  // namespace
 
-TEST_CASE("every_file_of_the_shared_data_comes_back_as_it_was" * doctest::test_suite(test::if_present)) {
+TEST_CASE("every_shared_file_round_trips" * doctest::test_suite(test::if_present)) {
   const auto data = test::shared_data();
   if (data.empty()) return;
   const test::TemporaryFolder scratch;

@@ -148,7 +148,7 @@ std::vector<Triangle> fan(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("a_convex_polygon_is_a_fan_also_with_corners_on_its_sides_and_repeated_ones") {
+TEST_CASE("convex_polygon_with_collinear_or_repeated_corners_is_a_fan") {
   for (std::size_t n = 3; n < 40; ++n) {
     const Ring ring = polar(n, [](std::size_t) { return 1.0; });
     for (const Ring& r : {ring, onto_a_slope(ring), turned_by_rounded_numbers(ring)})
@@ -162,7 +162,7 @@ TEST_CASE("a_convex_polygon_is_a_fan_also_with_corners_on_its_sides_and_repeated
   }
 }
 
-TEST_CASE("a_concave_polygon_that_its_first_corner_sees_whole_is_a_fan") {
+TEST_CASE("polygon_star_shaped_about_its_first_corner_is_a_fan") {
   CHECK(triangulation(from_corner(dart, 1)) == fan(4));
   CHECK(triangulation(from_corner(dart, 3)) == fan(4));
 }
@@ -230,7 +230,7 @@ TEST_CASE("polygons_of_thousands_of_corners_are_covered") {
   }
 }
 
-TEST_CASE("almost_flat_polygons_are_cut_as_they_look_along_their_normal") {
+TEST_CASE("almost_planar_polygons_are_triangulated_along_their_normal") {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> off(-1e-3, 1e-3);
   for (const Ring& shape : {u_shape, star(14), comb(4), spiral(100)}) {
@@ -251,7 +251,7 @@ TEST_CASE("a_bent_quad_keeps_its_first_diagonal_as_long_as_it_is_convex_along_it
   }
 }
 
-TEST_CASE("the_cut_is_the_same_at_any_size_and_mirrored_in_its_mirror_image") {
+TEST_CASE("triangulation_is_invariant_under_scaling_and_mirroring") {
   for (const Ring& ring : {u_shape, star(16), comb(3), spiral(60), keyhole, with_more_corners(u_shape)}) {
     const auto triangles = triangulation(ring);
     for (const double scale : {1e-100, 3e-20, 7.0, 1e99}) {
@@ -276,7 +276,7 @@ TEST_CASE("the_cut_is_the_same_at_any_size_and_mirrored_in_its_mirror_image") {
   }
 }
 
-TEST_CASE("polygons_that_cross_themselves_or_have_no_area_get_as_many_triangles") {
+TEST_CASE("self_crossing_or_flat_polygons_get_n_minus_2_triangles") {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> any(-1, 1);
   std::vector<Ring> rings = {polar(5, [](std::size_t) { return 1.0; }),
@@ -300,7 +300,7 @@ TEST_CASE("polygons_that_cross_themselves_or_have_no_area_get_as_many_triangles"
   }
 }
 
-TEST_CASE("triangles_of_a_surface_name_the_corners_that_they_were_cut_from") {
+TEST_CASE("triangles_refer_to_their_polygon_corners") {
   // The keyhole's bridge has two corners at a vertex: by vertices alone they could not be told.
   Surface s;
   s.positions = flat({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {9, 9}});

@@ -62,7 +62,7 @@ TEST_CASE("stl_keeps_every_triangle_exactly") {
   }
 }
 
-TEST_CASE("a_comment_cannot_break_the_file") {
+TEST_CASE("control_characters_in_comments_cannot_break_a_file") {
   const test::TemporaryFolder folder;
   const Surface s = test::cube();
   for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
@@ -75,7 +75,7 @@ TEST_CASE("a_comment_cannot_break_the_file") {
 }
 
 // As no reader takes it.
-TEST_CASE("nothing_is_not_written") {
+TEST_CASE("empty_surfaces_are_not_written") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.obj", "a.ply", "a.off", "a.glb", "a.gltf"}) {
     CHECK_THROWS_WITH_AS(write(folder / name, Surface{}), doctest::Contains("there are no vertices to write"),
@@ -127,7 +127,7 @@ TEST_CASE("a_set_of_points_can_be_written") {
   }
 }
 
-TEST_CASE("points_become_no_stl_and_are_not_left_out_unsaid") {
+TEST_CASE("points_are_not_written_as_stl_and_losses_are_reported") {
   const test::TemporaryFolder folder;
   Surface points;
   points.positions = {{1, 2, 3}, {4, 5, 6}};
@@ -144,7 +144,7 @@ TEST_CASE("points_become_no_stl_and_are_not_left_out_unsaid") {
     CHECK(write(folder / name, content, nullptr, {}).empty());
 }
 
-TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
+TEST_CASE("invalid_positions_are_not_written_in_any_format") {
   const test::TemporaryFolder folder;
   const Surface s = test::sphere(1);
   for (const double bad : std::initializer_list<double>{NAN, INFINITY, -INFINITY, 1e103, -1.01e100}) {

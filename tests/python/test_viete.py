@@ -67,14 +67,14 @@ class Answers(unittest.TestCase):
                     self.assertTrue(np.array_equal(packed(answer), f(packed(s))))
                     self.assertTrue(np.array_equal(answer, np.swapaxes(answer, -1, -2)))
 
-    def test_powers_agree_with_what_they_are(self):
+    def test_powers_agree_with_numpy(self):
         s = positive(np.float64, 100)
         self.assert_close(viete.pow(s, -1), np.linalg.inv(s), np.float64)
         self.assert_close(viete.pow(s, 2), s @ s, np.float64)
         self.assert_close(viete.sqrt(s) @ viete.sqrt(s), s, np.float64)
         self.assert_close(viete.exp(viete.log(s)), s, np.float64)
 
-    def test_what_has_no_real_answer_is_nan(self):
+    def test_undefined_results_are_nan(self):
         for f in (viete.log, viete.inv_sqrt):
             self.assertTrue(np.isnan(f(-np.eye(3))).all())
         self.assertTrue(np.isnan(viete.exp(np.full(6, np.nan))).all())
@@ -145,7 +145,7 @@ class AffineMaps(unittest.TestCase):
         self.assertTrue((viete.affine_log(affine(5))[..., 3, :] == 0).all())
         self.assertEqual(viete.affine_log(affine(5).astype(np.float32)).dtype, np.float32)
 
-    def test_of_a_symmetric_map_it_is_the_symmetric_log(self):
+    def test_affine_log_of_a_symmetric_map_is_the_symmetric_log(self):
         s = positive(np.float64, 50)
         np.testing.assert_allclose(viete.affine_log(s), viete.log(s), atol=1e-13)
 
@@ -170,7 +170,7 @@ class AffineMaps(unittest.TestCase):
         back = viete.affine_interpolate(turn_about_z(0), turn_about_z(1), 0.5, near=(0, 0, -5))
         np.testing.assert_allclose(back, turn_about_z(0.5 - np.pi), atol=1e-14)
 
-    def test_combinations_are_of_the_sums_of_logs_and_means_go_along(self):
+    def test_combinations_use_sums_of_logs_and_means_are_invariant(self):
         m, w = affine(4, 5), np.array([0.4, 0.1, 0.2, 0.2, 0.1])
         sums = np.einsum("k,ikab->iab", w, viete.affine_log(m))
         np.testing.assert_allclose(viete.affine_combine(m, w), viete.affine_exp(sums), atol=1e-13)
@@ -203,7 +203,7 @@ class AffineMaps(unittest.TestCase):
             self.assertTrue(np.isfinite(viete.affine_log(nothing, near=(0, 0, 7))).all())
         self.assertTrue(np.isnan(viete.affine_log(np.full((3, 3), np.nan))).all())
 
-    def test_wrong_shapes_say_so(self):
+    def test_wrong_shapes_are_rejected(self):
         for f in (viete.affine_log, viete.affine_exp, viete.affine_has_log):
             with self.assertRaisesRegex(ValueError, r"viete.affine_.*\(\.\.\., 4, 4\)"):
                 f(np.zeros((3, 4)))
@@ -281,7 +281,7 @@ class Means(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "expected several"):
             viete.mean(np.eye(3))
 
-    def test_what_has_no_mean_is_told(self):
+    def test_undefined_means_are_rejected(self):
         pair = np.stack([np.eye(3), 2 * np.eye(3)])
         for problem, error, words in [
             (lambda: viete.mean(pair[:0]), ValueError, "no matrices"),
@@ -317,7 +317,7 @@ class Derivatives(unittest.TestCase):
                     self.assertTrue(np.array_equal(derivative(s, e[1]), several[1]))
                     self.assertTrue(np.array_equal(derivative(packed(s), packed(e)), packed(several)))
 
-    def test_a_tangent_has_the_derivatives_by_each_number(self):
+    def test_tangent_contains_all_derivatives(self):
         six = np.broadcast_to(np.eye(6)[:, None], (6, 50, 6))
         for name, (derivative, tangent, _, _) in DERIVATIVES.items():
             for dtype in TYPES:

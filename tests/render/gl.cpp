@@ -52,7 +52,7 @@ TEST_CASE("shader_mistake_names_its_file") {
   }
 }
 
-TEST_CASE("shaders_that_do_not_fit_each_other_are_refused") {
+TEST_CASE("mismatched_shaders_are_rejected") {
   const test::Stage stage;
   const char* vertex =
       "#version 330 core\nout vec2 a;\nvoid main() { a = vec2(1); gl_Position = vec4(0); }\n";

@@ -81,7 +81,7 @@ TEST_CASE("disc_behind_the_eye_is_not_drawn") {
   CHECK(test::count_not_black(stage.picture([&] { discs.draw(stage.view, {}); })) == 0);
 }
 
-TEST_CASE("discs_and_positions_must_be_equally_many") {
+TEST_CASE("disc_and_position_counts_must_match") {
   test::Stage stage;
   render::DiscLayer discs(stage.gl);
   discs.set_discs(std::vector<render::Disc>(2));
@@ -160,7 +160,7 @@ TEST_CASE("each_segment_has_its_own_colour") {
   CHECK(image.pixel(160, 150) == render::Rgba8{0, 255, 0, 255});
 }
 
-TEST_CASE("halo_lies_beside_the_line_and_under_every_other_one") {
+TEST_CASE("halo_is_beside_its_line_and_under_other_lines") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
   const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
@@ -182,7 +182,7 @@ TEST_CASE("halo_lies_beside_the_line_and_under_every_other_one") {
   for (int x = 130; x < 190; ++x) CHECK(brightest(image, x, 0) == brightest(plain, x, 0));
 }
 
-TEST_CASE("between_the_colours_of_its_ends_a_segment_goes_over_from_one_to_the_other") {
+TEST_CASE("segment_interpolates_its_end_colours") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
   const std::vector<render::Segment> segments{{0, 1}};

@@ -239,7 +239,7 @@ bool mostly(const render::Rgba8& pixel, std::size_t channel) {
 
 }  // namespace
 
-TEST_CASE("an_image_lies_on_the_surface_upright_and_one_looks_through_its_holes") {
+TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
   Card card;
   const render::Image image = card.painted(render::Paint::file);
   CHECK(mostly(image.pixel(120, 60), 0));   // red at the upper left
@@ -264,7 +264,7 @@ TEST_CASE("an_image_lies_on_the_surface_upright_and_one_looks_through_its_holes"
   CHECK(mostly(faces.pixel(110, 70), 1));
 }
 
-TEST_CASE("checker_and_normals_show_what_they_say") {
+TEST_CASE("checker_and_normals_paint_the_surface") {
   Card card;
   const render::Image checker = card.painted(render::Paint::checker);
   // 160 pixels, 16 squares: 10 pixels each.
@@ -294,7 +294,7 @@ TEST_CASE("flat_runs_have_one_light_for_each_face") {
   CHECK(neighbours_differ(false) > 60);
 }
 
-TEST_CASE("looks_that_do_not_fit_the_surface_are_refused") {
+TEST_CASE("mismatched_looks_are_rejected") {
   Card card;
   card.looks.texture_points.pop_back();
   CHECK_THROWS_AS(card.surface.set_looks(card.looks), base::Error);
