@@ -58,7 +58,7 @@ constexpr std::array<Shape, 3> shapes = {{{0.05, -0.8, 13}, {0.03, -0.85, 14}, {
 struct Candidate {
   double cost;
   int edge;
-  std::uint32_t stamps;  // of both ends, when the cost was computed
+  std::uint32_t stamps;  // sum of both ends' stamps when the cost was computed
   bool placed;           // the cost belongs to the final position
   Point place{};
 

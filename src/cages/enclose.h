@@ -14,7 +14,7 @@ namespace viete::cages {
 
 /// A cage fitted to its model by a similarity transform.
 struct Fitted {
-  std::vector<mesh::Point> positions;                                      ///< of the cage's vertices, fitted
+  std::vector<mesh::Point> positions;                                      ///< the cage's vertices, fitted
   std::array<mesh::Vec3, 3> linear = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< rotation and scale, by rows
   double degrees = 0;                                                      ///< rotation angle
 };
@@ -24,7 +24,7 @@ struct Fitted {
 Fitted fitted_to_box(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 struct Enclosing {
-  std::vector<mesh::Point> positions;  ///< of the cage's vertices, moved
+  std::vector<mesh::Point> positions;  ///< the cage's vertices, moved
   std::size_t left = 0;                ///< model vertices that are still outside
 };
 
@@ -33,7 +33,7 @@ struct Enclosing {
 Enclosing enclose(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 struct SnappedOutside {
-  std::vector<mesh::Point> positions;  ///< of the cage's vertices, moved
+  std::vector<mesh::Point> positions;  ///< the cage's vertices, moved
   std::size_t moved = 0, left = 0;     ///< vertices moved out; vertices still inside or too near
 };
 

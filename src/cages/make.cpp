@@ -93,7 +93,7 @@ struct Maker::Kept {
   std::shared_ptr<const mesh::Surface> model;
   mesh::Bounds box;
   std::optional<std::optional<Plane>> own_plane;  // empty until first computed
-  std::unique_ptr<const Subject> subject;         // of the last wish
+  std::unique_ptr<const Subject> subject;         // belongs to the last wish
 
   std::optional<Plane> plane_of(Symmetry symmetry, base::Progress* progress) {
     if (symmetry == Symmetry::none) return std::nullopt;

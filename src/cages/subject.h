@@ -53,7 +53,7 @@ Frame own_frame(const mesh::Surface& model);
 struct FramedModel {
   std::vector<Point> positions;
   std::vector<mesh::Triangle> triangles;
-  mesh::Bounds box{};  ///< of used vertices
+  mesh::Bounds box{};  ///< box of used vertices
   bool closed = false;
 };
 

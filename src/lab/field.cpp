@@ -13,7 +13,7 @@ namespace viete::lab {
 
 namespace {
 
-constexpr double least_log2 = -20;  // of a collapsed triangle: one millionth
+constexpr double least_log2 = -20;  // value of a collapsed triangle: one millionth
 constexpr std::size_t portion = 1024;
 
 double log2_of(double ratio) {

@@ -54,7 +54,7 @@ enum class Source : unsigned char {
 };
 
 struct FieldInput {
-  const Strain* strain;                          ///< of the rest model
+  const Strain* strain;                          ///< strain of the rest model
   std::span<const mesh::Point> first;            ///< positions in the first view
   std::span<const mesh::Point> drawn, exact;     ///< in the file's units
   std::span<const sym3::Sym3<double>> matrices;  ///< one per vertex
@@ -84,7 +84,7 @@ struct FieldStats {
   Field field = Field::none;
   sym3::Method method = sym3::Method::fast;  ///< whose error it is
   std::size_t vertices = 0;                  ///< 0: not computed
-  double least = 0, median = 0, most = 0;    ///< of finite values
+  double least = 0, median = 0, most = 0;    ///< over finite values
   std::uint32_t worst = 0;                   ///< vertex of the maximum, or of the minimum if worst_is_least
   bool is_nan = false;                       ///< a value is NaN
   /// Values at the first and the last colour. Outliers (half a per cent) lie beyond and get the end colours.

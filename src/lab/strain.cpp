@@ -83,7 +83,7 @@ using mesh::cross, mesh::dot, mesh::norm, mesh::Point, mesh::Vec3;
 namespace {
 
 constexpr std::size_t at_once = 4096;
-constexpr double least_log = -20;  // of a collapsed triangle
+constexpr double least_log = -20;  // value of a collapsed triangle
 
 Vec3 unit(const Vec3& v) {
   const double length = norm(v);

@@ -52,7 +52,7 @@ public:
   explicit Strain(const mesh::Surface& rest);
 
   const std::vector<mesh::Point>& rest() const { return rest_; }
-  /// Of the rest model.
+  /// The diagonal of the rest model.
   double diagonal() const { return diagonal_; }
 
   /// Vertex means of a function of triangle stretches.

@@ -65,7 +65,7 @@ struct Blending {
   std::optional<double> turn{}, stretch{};  ///< factors on rotations and stretches, 0 to 2
   std::optional<int> stitched{};            ///< iterations of the stitched solver, 1 to 20
   std::optional<double> pins{}, hold{};     ///< pin radius in cage sizes, hold weight; both 0 to 1
-  std::string method = "fast";              ///< of matrix functions: "diag", "sd", "improved_sd" or "fast"
+  std::string method = "fast";              ///< matrix functions: "diag", "sd", "improved_sd" or "fast"
 };
 
 /// A frame that moves, rotates and stretches the points near it: y = place + exp(turn) exp(stretch) (x -

@@ -23,7 +23,7 @@ struct HalfEdge {
 struct HalfEdges {
   std::vector<Edge> edges;            ///< sorted, each once
   std::vector<std::uint32_t> starts;  ///< one more than edges
-  std::vector<HalfEdge> sides;        ///< of edge e: sides[starts[e]] up to sides[starts[e + 1]], by triangle
+  std::vector<HalfEdge> sides;        ///< edge e has sides[starts[e]] up to sides[starts[e + 1]], by triangle
 
   std::span<const HalfEdge> of(std::size_t e) const {
     return std::span(sides).subspan(starts[e], starts[e + 1] - starts[e]);

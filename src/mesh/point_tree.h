@@ -36,7 +36,7 @@ private:
 
   std::span<const Point> positions_;
   std::vector<std::uint32_t> points_;
-  std::vector<Ball> balls_;  // of node i, whose children are 2 i + 1 and 2 i + 2
+  std::vector<Ball> balls_;  // node i has the children 2 i + 1 and 2 i + 2
 };
 
 }  // namespace viete::mesh

@@ -22,7 +22,7 @@ bool has_area(const Point& a, const Point& b, const Point& c);
 
 struct Closest {
   double squared_distance;
-  Vec3 barycentric;  ///< of the closest point, weights of a, b, c in [0, 1], sum 1
+  Vec3 barycentric;  ///< weights of a, b, c for the closest point, in [0, 1], sum 1
 };
 
 /// Works for any triangle: one without area acts as its longest edge, or as a point. Lengths 1e-75 to 1e75.

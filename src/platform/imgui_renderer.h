@@ -40,7 +40,7 @@ private:
   render::Buffer vertices_, indices_;
   render::Texture font_;
   std::vector<Drawn> drawn_;
-  ImVec2 size_{0, 0}, scale_{0, 0};  // of the last drawing
+  ImVec2 size_{0, 0}, scale_{0, 0};  // used in the last drawing
 };
 
 }  // namespace viete::platform

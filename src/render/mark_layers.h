@@ -55,7 +55,7 @@ using Segment = std::array<std::uint32_t, 2>;
 
 struct LineStyle {
   float width = 1.5F;            ///< logical pixels
-  float opacity = 1;             ///< of visible parts
+  float opacity = 1;             ///< opacity of visible parts
   float hidden_opacity = 0.25F;  ///< factor on opacity for hidden parts
   glm::vec4 halo{0};             ///< colour of a thin edge around the visible part, which
                                  ///< separates it from the background; opacity 0: none
@@ -93,7 +93,7 @@ private:
 
 struct FaceStyle {
   glm::vec3 color{1, 1, 1};  ///< as displayed
-  float opacity = 0.05F;     ///< of front-facing faces; 0: no tint
+  float opacity = 0.05F;     ///< opacity of front-facing faces; 0: no tint
   float rim = 0.10F;         ///< added for faces seen edge-on
   bool occlude = true;  ///< writes depth after tinting, so that lines and discs behind faces appear faint
 };

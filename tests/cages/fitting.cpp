@@ -1,4 +1,4 @@
-// Cages brought to their models: by best fit, and single vertices out of them.
+// Fitting cages to models, and moving single vertices out of models.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double margin = 0.01;
 
-// Three arms of different lengths: no turn but none brings it onto itself.
+// Three arms of different lengths: no symmetry.
 Surface three_arms() {
   return of_cells(9, [](int i, int j, int k) {
     return (i < 2 && j < 2) || (k < 2 && j < 2 && i < 6) || (i < 2 && k < 3 && j < 4);
@@ -39,7 +39,7 @@ std::vector<Placement> odd_placements() {
           {{0.7, 0, 0.714, 0}, 0.5, {3, 0, -4}},       {{0.99, 0.02, -0.4, 0.3}, 1.3, {1, 1, 1}}};
 }
 
-// The shift in diagonals of the surface.
+// The displacement in diagonals of the surface.
 Surface placed(Surface surface, const Placement& to) {
   const double size = mesh::used_bounds(surface).diagonal();
   for (Point& p : surface.positions) {
@@ -50,7 +50,7 @@ Surface placed(Surface surface, const Placement& to) {
   return surface;
 }
 
-// Of vertices, root mean squared, in the model's diagonals.
+// Root mean square of vertex distances, in model diagonals.
 double distance(const std::vector<Point>& a, const std::vector<Point>& b, const Surface& model) {
   double sum = 0;
   for (std::size_t v = 0; v < a.size(); ++v) sum += mesh::squared_norm(a[v] - b[v]);

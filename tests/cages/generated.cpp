@@ -1,4 +1,4 @@
-// Cages around models of every kind, judged without what made them.
+// Independent checks of cages around models of every kind.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -22,7 +22,7 @@ void check_sound(const NamedModel& model, const cages::Wish& wish) {
     FAIL_CHECK(complaint);
 }
 
-// Each model meets one of them, those with a number the next.
+// Wishes; each model uses one, numbered models use successive ones.
 const std::vector<cages::Wish> wishes = {
     {.triangles = 12},
     {.triangles = 200, .effort = cages::Effort::preview},

@@ -119,7 +119,7 @@ void pause_for(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-// Made on a thread of its own.
+// Makes a cage in another thread.
 struct Work {
   base::Progress progress;
   std::atomic<bool> ended{false}, cancelled{false};
@@ -143,8 +143,7 @@ struct Work {
 TEST_CASE("progress_rises_from_0_to_1_in_small_steps") {
   for (const auto& model : {sphere(4)}) {
     double widest = 1;
-    for (int i = 0; i < 100 && widest >= 0.6;
-         ++i) {  // this thread may have to wait while the other one works
+    for (int i = 0; i < 100 && widest >= 0.6; ++i) {  // waits if the other thread is slow
       Work work(model, {.triangles = 60});
       double last = 0;
       bool falls = false;
@@ -168,14 +167,13 @@ TEST_CASE("cage_making_can_be_cancelled_quickly") {
   for (const double share : {0.02, 0.5}) {
     CAPTURE(share);
     bool cancelled = false;
-    for (int i = 0; i < 20 && !cancelled; ++i) {  // it may end before this thread runs again
+    for (int i = 0; i < 20 && !cancelled; ++i) {  // the work may end before this thread runs again
       Work work(model, {.triangles = 100});
       while (work.progress.done() < share && !work.ended) pause_for(1e-4);
       work.progress.cancel();
       const double asked = work.progress.done();
       while (!work.ended) pause_for(1e-4);
-      CHECK(work.progress.done() <
-            asked + 0.1);  // counted in work: how long that takes is the machine's matter
+      CHECK(work.progress.done() < asked + 0.1);  // measured in work, because time depends on the machine
       cancelled = work.cancelled;
     }
     CHECK(cancelled);

@@ -46,10 +46,10 @@ fi
 both=$(for deb in "$program" "$library"; do dpkg-deb -c "$deb"; done | grep -v '/$' | awk '{ print $6 }' | sort | uniq -d)
 [ -z "$both" ] || wrong "both packages hold $both"
 
-# What Debian's judge says of them, where it is installed. (Libraries of this build do not lie by the kind of machine; those of setup.sh do.)
+# Runs lintian if installed. (This build does not use multiarch library folders; that of setup.sh does.)
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error,warning --suppress-tags pkg-config-unavailable-for-cross-compilation "$folder"/*.deb ||
-    wrong "lintian is not content"
+    wrong "lintian reports problems"
 fi
 
 depends=$(dpkg-deb -f "$program" Depends)

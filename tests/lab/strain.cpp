@@ -78,7 +78,7 @@ TEST_CASE("a_stretch_of_a_plane_is_measured_exactly") {
   mesh::Surface rest = sheet();
   for (Point& p : rest.positions) p[2] = 0;
   const double a = 1.7, b = 0.6;
-  // Along axes that stand askew, and turned out of the plane.
+  // Along oblique axes, rotated out of the plane.
   const double c = std::cos(0.4), s = std::sin(0.4);
   const auto drawn = moved(rest, [&](const Point& p) {
     const double u = a * (c * p[0] + s * p[1]), v = b * (c * p[1] - s * p[0]);
@@ -143,7 +143,7 @@ TEST_CASE("displacements_are_in_diagonals_and_values_do_not_depend_on_threads") 
 }
 
 TEST_CASE("openings_of_facing_parts_are_measured") {
-  // Two sheets, the lower one looking up and the upper one down, and a third one behind the upper one's back.
+  // Two sheets that face each other, and a third one behind the upper one.
   mesh::Surface surface;
   for (const double height : {0.0, 0.05, 0.08}) {
     const auto first = static_cast<std::uint32_t>(surface.positions.size());
@@ -163,5 +163,5 @@ TEST_CASE("openings_of_facing_parts_are_measured") {
   for (std::size_t v = 25; v < 50; ++v) drawn[v][2] = 0.2;
   const auto values = measured(Field::opening, surface, drawn).values;
   for (std::size_t v = 0; v < 50; ++v) CHECK(double(values[v]) == doctest::Approx(2).epsilon(1e-6));
-  for (std::size_t v = 50; v < 75; ++v) CHECK(values[v] == 0);  // sees nothing, and is not seen
+  for (std::size_t v = 50; v < 75; ++v) CHECK(values[v] == 0);  // faces nothing
 }

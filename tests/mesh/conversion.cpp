@@ -1,4 +1,4 @@
-// What a file says besides positions, in another format.
+// Conversion of attributes to other formats.
 #include "mesh/formats/conversion.h"
 
 #include <doctest/doctest.h>
@@ -16,14 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using Notes = std::vector<std::string>;
 
-// A square of two triangles with everything; the second corner's texture point differs in both.
+// A square of two triangles with all attributes; the texture points of the second corner differ.
 const std::string everything =
     "mtllib some.mtl\no thing\ng part\nusemtl red\n"
     "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\ns off\n"
     "f 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 1/4/1 3/3/1 4/4/1\n";
 
-// Written in another format, or as if it were in one.
+// Writes in another format, or converts as if it had been.
 Notes convert(const ReadResult& read, const fs::path& path, bool with_original = false) {
   const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
   return mesh::write(path, content, with_original ? read.original.get() : nullptr, {});
@@ -36,7 +36,7 @@ struct Converted : test::TemporaryFolder {
     return test::read_kept(everything, "obj", path());
   }();
 
-  // Turned a quarter about the x axis.
+  // Rotates by 90 degrees about the x axis.
   Notes to(const std::string& name) {
     moved.clear();
     for (const Point& p : read.surface.positions) moved.push_back({p[0], -p[2], p[1]});

@@ -82,7 +82,7 @@ TEST_CASE("crossing_triangles_are_both_listed") {
 }
 
 TEST_CASE("edge_exactly_through_an_edge_or_vertex_is_a_crossing") {
-  // The second one's edge meets the first one's border from above to below.
+  // An edge of the second one crosses the border of the first.
   CHECK(self_intersecting_triangles(from_triangles(
             {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 0, -1}, {2, 0, 1}, {2, -3, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
         List{0, 1});
@@ -92,7 +92,7 @@ TEST_CASE("edge_exactly_through_an_edge_or_vertex_is_a_crossing") {
 }
 
 TEST_CASE("touching_is_not_a_crossing") {
-  // A vertex on a face, two boxes edge to edge and face to face in part with open interiors apart.
+  // A vertex on a face; two boxes that touch at an edge and partly at a face.
   CHECK(self_intersecting_triangles(
             from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 3}, {2, 1, 3}},
                            {{0, 1, 2}, {3, 4, 5}}))

@@ -1,4 +1,4 @@
-// Colours and texture coordinates that files give to faces: read, kept, converted.
+// Face colours and face texture coordinates: reading, keeping, converting.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -13,7 +13,7 @@ using viete::test::holds;
 
 namespace {
 
-// A binary STL of a tetrahedron, two bytes behind each facet.
+// A binary STL of a tetrahedron with two attribute bytes per facet.
 std::string colored_stl(const std::string& head, const std::vector<std::uint16_t>& words) {
   const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
@@ -47,11 +47,11 @@ const std::string wedges =
 }  // namespace
 
 TEST_CASE("stl_colours_of_viscam_and_magics_are_read") {
-  // Red in the upper bits where the highest one is set; others have none.
+  // Red in the upper bits if the highest bit is set; otherwise no colour.
   const auto viscam =
       face_colors(colored_stl("made up", {0x8000 | 31 << 10, 0x8000 | 31 << 5, 0x801F, 31}), "stl");
   CHECK(viscam == std::vector<Color>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, Material{}.base_color});
-  // Red in the lower bits where the highest one is not set; others have that of the head.
+  // Red in the lower bits if the highest bit is not set; otherwise the colour of the header.
   const std::string head = std::string("by Magics COLOR=") + "\xFF\x33\x01\xFF" + ",MATERIAL=";
   const auto magics = face_colors(colored_stl(head, {31, 31 << 5, 31 << 10, 0xFFFF}), "stl");
   CHECK(magics == std::vector<Color>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 0.2F, 1 / 255.0F, 1}});

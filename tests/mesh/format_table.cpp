@@ -1,4 +1,4 @@
-// The table of formats: its rows say what readers and writers do, and what shells and desktops are told.
+// The table of formats agrees with readers, writers, shell completions and desktop entries.
 #include "mesh/formats/format_table.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// A quad and a triangle; the first vertex that a face names is not the first one, and one is of no face.
+// A quad and a triangle; the faces do not start with the first vertex, and one vertex is unused.
 Surface odd_surface() {
   return test::read_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\nv 5 5 5\nf 3 4 1 2\nf 5 4 3\n", "obj")
       .surface;

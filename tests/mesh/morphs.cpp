@@ -44,7 +44,7 @@ public:
     return model.meshes.at(mesh).primitives.at(i);
   }
 
-  // What a player shows of a primitive at a key: a base attribute with weighed targets.
+  // Positions of a primitive at a key as a player shows them: base attribute plus weighted targets.
   std::vector<double> shown(std::size_t node, std::size_t i, const char* attribute, std::size_t key,
                             std::size_t animation = 0) const {
     const auto mesh = static_cast<std::size_t>(model.nodes.at(node).mesh);
@@ -54,7 +54,7 @@ public:
     return weighed(p, base, attribute, weights(node, key, animation));
   }
 
-  // The same where nothing plays.
+  // The same at default weights.
   std::vector<double> shown(std::size_t node, const char* attribute) const {
     const auto& n = model.nodes.at(node);
     const auto& mesh = model.meshes.at(static_cast<std::size_t>(n.mesh));
@@ -103,7 +103,7 @@ void check_near(const std::vector<Point>& found, const std::vector<Point>& expec
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(norm(found[i] - expected[i]) < near);
 }
 
-// Those of the surface's vertices for each of the file's eight, see test::patch().
+// The surface vertex of each of the file's eight vertices, see test::patch().
 std::vector<Point> of_patch(const std::vector<Point>& p) {
   return {p[0], p[1], p[2], p[3], p[1], p[4], p[3], p[5]};
 }
@@ -165,7 +165,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
 TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
   GltfParts parts = test::patch();
   std::vector<float> open(24, 0);
-  open[3] = -1, open[0] = 1;  // the left side of the seam leaves the right one, and comes to the first vertex
+  open[3] = -1, open[0] = 1;  // moves the left side of the seam to the first vertex
   const std::size_t delta = parts.accessor(open, 5126, "VEC3", 3);
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
   parts.json["meshes"][0]["weights"] = {0.5};
@@ -247,8 +247,8 @@ TEST_CASE("keys_become_targets_and_other_content_is_kept") {
       CHECK(w == std::vector<float>{key == 1 ? 1.0F : 0, key == 2 ? 1.0F : 0});
     }
     const auto normals = judge.shown(0, 0, "NORMAL", 1);
-    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // of the left quad alone
-    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // of the right one: split as it was
+    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // left quad only
+    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // right quad: still split
     CHECK(judge.model.meshes[0].extras.Get("targetNames").Get(1).Get<std::string>() == "key 2");
     CHECK(read(out).surface.positions == r.surface.positions);
     CHECK(judge.model.materials.at(0).name == "paint");
@@ -366,7 +366,7 @@ TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
   check_near(clip->at_key(1), posed, 1e-5);
   const MorphJudge judge(folder / "b.glb");
   CHECK(judge.model.animations.at(0).channels.size() == 2);
-  CHECK(judge.weights(2, 0).empty());  // that node stands still
+  CHECK(judge.weights(2, 0).empty());  // that node does not move
 }
 
 TEST_CASE("models_of_other_formats_become_glb_with_targets") {

@@ -221,7 +221,7 @@ TEST_CASE("obj_original_prints_as_the_file_does") {
   CHECK(moved_first("v 1.000000 2.000000 3.000000\nv 0.000000 0.000000 0.000000\n", third) ==
         "v 0.333333 2.000000 3.000000");
   CHECK(moved_first("v 1.00000000 2.00000000 3.00000000\n", -third) == "v -0.33333333 2.00000000 3.00000000");
-  // Six digits of the model's size at least; zeros at the end where the file has them.
+  // At least six significant digits of the model's size; trailing zeros as in the file.
   CHECK(moved_first("v 1 2 3\nv 0 0 0\n", third) == "v 0.33333 2 3");
   CHECK(moved_first("v 1 2 3\nv 0 0 0\n", 0.5) == "v 0.5 2 3");
   CHECK(moved_first("v 1000.5 2 3\nv 0 0 0\n", third) == "v 0.33 2 3");
@@ -289,7 +289,7 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-// Of each corner, as it is read again.
+// The normal of each corner after reading again.
 std::vector<Vec3> corner_normals(const std::string& text) {
   const ReadResult read = test::read_kept(text, "obj");
   std::vector<Vec3> normals;
@@ -359,7 +359,7 @@ TEST_CASE("obj_normal_indices_continue_across_blocks") {
   for (std::size_t c = 0; c < before.size(); ++c) CHECK(dot(before[c], after[c]) > 0.7);
   CHECK(after.back() == before.back());
   CHECK(test::written_again(read, read.surface.positions) == text);
-  // Of a face that is none, the second of the normals, behind those that were added.
+  // The second normal, which only a degenerate face uses, comes after the added lines.
   const std::string unmoved = "f 1//" + std::to_string(count_of(folded, "vn ")) + " 2//2\n";
   CHECK(holds(written, unmoved));
 }

@@ -1,4 +1,4 @@
-// PLY, STL and OFF written again: at rest the very file, deformed nothing changed but what follows.
+// PLY, STL and OFF written again: identical at rest; deformed, only dependent values change.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -14,7 +14,7 @@ using viete::test::holds;
 
 namespace {
 
-// A file of values in text or bytes, which remembers those that may change.
+// Builds a file of values, text or binary, and records which may change.
 class Maker {
 public:
   enum class Form { text, little, big };
@@ -47,7 +47,7 @@ public:
   }
 
   std::string bytes;
-  std::vector<char> may;  // of each byte, or of each word of the body
+  std::vector<char> may;  // one per byte, or per word of the body
   std::size_t body = 0;
   Form form() const { return form_; }
 
@@ -149,7 +149,7 @@ TEST_CASE("ply_original_is_identical_at_rest_and_updates_dependent_values") {
     }
     const std::string back = test::written_again(again, read.surface.positions);
     check_kept(m, back);
-    // Tangents turned too: (1, 0, 0) became (0, 1, 0). Face normals did not.
+    // Tangents rotated too: (1, 0, 0) became (0, 1, 0). Face normals did not.
     if (form != Maker::Form::text) continue;
     const auto words = words_of(written.substr(m.body));
     const auto before = words_of(m.bytes.substr(m.body));

@@ -15,7 +15,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// Of two points: frame f has 6 f, 6 f + 1 ...
+// Two points: frame f has the coordinates 6 f, 6 f + 1 ...
 std::vector<float> cache_frame(std::size_t frame, std::size_t points = 2) {
   std::vector<float> values(3 * points);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(3 * points * frame + i) / 4;
@@ -114,7 +114,7 @@ TEST_CASE("truncated_and_hostile_caches_are_rejected_before_allocation") {
     for (std::size_t size = 0; size < bytes.size(); ++size) CHECK(cache_refusal(bytes.substr(0, size)) != "");
     const std::size_t counts[] = {bytes[0] == 'P' ? 16UL : 0UL, bytes[0] == 'P' ? 28UL : 4UL};
     for (const std::size_t at : counts) {
-      for (const unsigned byte : {0xFFU, 0x7FU, 0U}) {  // negative, 2 thousand million, 0
+      for (const unsigned byte : {0xFFU, 0x7FU, 0U}) {  // negative, about two billion, 0
         std::string bad = bytes;
         put_cache_word(bad, at, {byte, byte, byte, byte});
         CHECK(cache_refusal(bad) != "");
@@ -140,7 +140,7 @@ TEST_CASE("non_finite_numbers_are_reported_by_frame_and_point") {
   CHECK(cache.frame(0).size() == 2);
   CHECK_THROWS_WITH_AS(cache.frame(1),
                        doctest::Contains("given: frame 1: the position of point 1 is invalid"), base::Error);
-  put_cache_word(bytes, 24, {0, 0, 0xC0, 0x7F});  // a rate that is no number
+  put_cache_word(bytes, 24, {0, 0, 0xC0, 0x7F});  // a NaN rate
   bytes += "more";
   const PointCache odd("given", bytes);
   CHECK(odd.head().rate == 1);

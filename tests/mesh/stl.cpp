@@ -85,7 +85,7 @@ TEST_CASE("stl_truncation_and_trailing_bytes_cause_warnings") {
 
 namespace {
 
-// So many bytes of attributes behind each triangle, again and again.
+// Attribute sizes after each triangle, repeated in a cycle.
 std::string with_attributes(const Surface& s, const std::vector<std::uint16_t>& sizes) {
   const std::string plain = binary_stl(s, "attributes");
   std::string out = plain.substr(0, 84);

@@ -108,7 +108,7 @@ TEST_CASE("has_area_is_false_only_up_to_rounding_at_every_scale") {
 
 namespace {
 
-// Six times the volume, of whole numbers below 2^20.
+// Six times the volume, in integers below 2^20.
 __int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
   __int128 m[3][3];
   for (int k = 0; k < 3; ++k) {
@@ -159,7 +159,7 @@ TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
 }
 
 TEST_CASE("orientation_is_exact_where_rounding_decides") {
-  // Halfway between neighbours of 0.5: the determinant is one product of two ulps.
+  // Half an ulp from 0.5: the determinant is a product of two ulps.
   const double e = 0x1p-53;
   for (int i = -8; i <= 8; ++i) {
     for (int j = -8; j <= 8; ++j) {
@@ -183,7 +183,7 @@ Corners lattice_triangle(int size) {
   return t;
 }
 
-// The least distance of places on both, of a fine grid.
+// The smallest distance between grid points on both triangles.
 double sampled_distance(const Corners& s, const Corners& t) {
   constexpr int n = 12;
   double least = HUGE_VAL;
@@ -201,8 +201,8 @@ double sampled_distance(const Corners& s, const Corners& t) {
   return least;
 }
 
-// In whole numbers, by the definition: the interiors of the two have a point in common which is no common
-// border. Told by moving towards each other's middle: enough for what does not lie in one plane.
+// By definition, in integers: the interiors have a common point that is not on a common border. Tested by
+// moving the triangles towards each other's centre, which is enough if they are not coplanar.
 bool segment_through(const Point& p, const Point& q, const Corners& t) {
   const auto a = volume_of(t[0], t[1], t[2], p), b = volume_of(t[0], t[1], t[2], q);
   if ((a > 0) == (b > 0) || a == 0 || b == 0) return false;

@@ -9,7 +9,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// One arc tangent per triangle, in long double: van Oosterom and Strackee's formula as it stands.
+// Van Oosterom and Strackee's formula in long double, one arc tangent per triangle.
 double by_arc_tangents(const Surface& s, const Point& p) {
   using Real = long double;
   Real sum = 0;

@@ -74,7 +74,7 @@ TEST_CASE("control_characters_in_comments_cannot_break_a_file") {
   }
 }
 
-// As no reader takes it.
+// Invalid positions.
 TEST_CASE("empty_surfaces_are_not_written") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.obj", "a.ply", "a.off", "a.glb", "a.gltf"}) {
@@ -94,7 +94,7 @@ TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them")
     TextWriter out(
         [&](std::string_view portion) {
           CHECK(portion.size() < 300'000);
-          CHECK(progress.done() > before);  // what was reported after the portion before
+          CHECK(progress.done() > before);  // larger than the value reported for the previous portion
           before = progress.done();
           all += portion;
         },

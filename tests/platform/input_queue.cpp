@@ -20,7 +20,7 @@ int table(int code) {
 #endif
 }
 
-// ImGui with nothing to show: what it has seen after each frame.
+// ImGui without content: records its input after each frame.
 struct Frames {
   InputQueue queue{table};
 
@@ -90,7 +90,7 @@ TEST_CASE("a_modifier_is_held_when_its_key_goes_down") {
 
 namespace {
 
-// Characters of the next frame of a field that has the keyboard.
+// Characters of the next frame in a focused text field.
 std::string typed_in_a_frame(Frames& f) {
   ImGuiIO& io = ImGui::GetIO();
   io.WantTextInput = true;

@@ -356,7 +356,7 @@ class Derivatives(unittest.TestCase):
 
 class Arrays(unittest.TestCase):
     def test_arrays_too_large_for_memory_are_memory_errors(self):
-        # Of no memory themselves; a copy or an answer has some exabytes.
+        # Broadcast views without memory; a copy or a result would need exabytes.
         matrices, maps, planes = (np.broadcast_to(a, (10**15,) + a.shape) for a in (np.eye(3), np.eye(4), np.eye(3)[0]))
         s, e = np.eye(3), matrices
         numbers = np.broadcast_to(np.float64(0.5), (10**16,))

@@ -34,7 +34,7 @@ TEST_CASE("context_has_a_version_and_a_renderer_name") {
 
 TEST_CASE("gl_mistake_is_reported_once_with_its_place") {
   const test::Stage stage;
-  stage.gl.Enable(GL_RENDERER);  // no capability
+  stage.gl.Enable(GL_RENDERER);  // not a capability
   CHECK_THROWS_WITH_AS(render::check_gl(stage.gl, "here"), "here: OpenGL reports invalid enum", base::Error);
   CHECK_NOTHROW(render::check_gl(stage.gl, "here"));
 }

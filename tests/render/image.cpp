@@ -14,7 +14,7 @@ using namespace viete;
 
 namespace {
 
-/// A folder of this process alone, removed at the end of the test.
+/// A folder for this process only, removed at the end of the test.
 struct ScratchFolder {
   ScratchFolder()
       : path(std::filesystem::temp_directory_path() / ("viete_image_" + std::to_string(getpid()))) {

@@ -140,9 +140,9 @@ TEST_CASE("line_through_the_near_plane_is_cut_there") {
   render::LineLayer lines(stage.gl);
   test::set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
   const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
-  CHECK(image.pixel(160, 195)[0] > 0);  // runs down to the lower border
+  CHECK(image.pixel(160, 195)[0] > 0);  // reaches the lower border
   for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);
-  test::set_line(lines, {-1, -1, 20}, {1, 1, 40});  // wholly behind
+  test::set_line(lines, {-1, -1, 20}, {1, 1, 40});  // entirely behind the eye
   CHECK(test::count_not_black(stage.picture([&] { lines.draw(stage.view, {}); })) == 0);
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
   test::Stage stage;
   render::FaceLayer faces(stage.gl);
   faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
-  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises to the viewer
+  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises towards the viewer
   render::DiscLayer discs(stage.gl);
   test::set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
   render::FaceStyle untinted;

@@ -114,7 +114,7 @@ glm::dmat4 look_from(const glm::dvec3& eye, const glm::dvec3& up) {
   return glm::lookAt(eye, glm::dvec3(0), up);
 }
 
-// A ball that stands on the ground, on a white picture.
+// A ball on the ground, in front of white.
 struct Standing {
   explicit Standing(int up) : shadow(stage.gl), backdrop(stage.gl) {
     glm::dvec3 middle(0);

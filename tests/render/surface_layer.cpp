@@ -35,7 +35,7 @@ void move(std::vector<Point>& positions, double dx) {
 }  // namespace
 
 TEST_CASE("lit_ball_covers_its_projected_area") {
-  Scene scene(test::ball(7));  // 70 pixels of radius
+  Scene scene(test::ball(7));  // radius 70 pixels
   const double area = static_cast<double>(test::count_not_black(scene.picture()));
   CHECK(area == doctest::Approx(M_PI * 70 * 70).epsilon(0.01));
 }
@@ -53,7 +53,7 @@ TEST_CASE("key_light_comes_from_the_upper_left") {
   const int upper_left = test::brightness(image.pixel(160 - 30, 100 - 40));
   const int lower_right = test::brightness(image.pixel(160 + 40, 100 + 40));
   CHECK(upper_left > lower_right + 100);
-  CHECK(lower_right > 40);  // nothing sinks into black
+  CHECK(lower_right > 40);  // no part is black
 }
 
 TEST_CASE("moved_positions_move_the_pixels") {
@@ -111,8 +111,7 @@ TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belong
   Scene scene(test::ball(4));
   scene.stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
   const render::Image middle = scene.picture();
-  // The same frustum seen through a window moved half a picture to the right: the picture moves left by 80
-  // pixels.
+  // The same frustum through a window shifted right by half a picture: the picture moves left by 80 pixels.
   const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(-0.5, 0, 0));
   scene.stage.view.projection = shift * scene.stage.view.projection;
   const render::Image shifted = scene.picture();
@@ -202,7 +201,7 @@ TEST_CASE("wrong_sizes_and_indices_are_refused") {
 
 namespace {
 
-// Two triangles, 16 units wide and high, whose texture has a red, a green, a blue and a hollow quarter.
+// Two triangles, 16 units wide and high, with a texture of a red, a green, a blue and a transparent quarter.
 struct Card : Scene {
   Card()
       : Scene(

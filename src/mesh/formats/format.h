@@ -33,7 +33,7 @@ struct Format {
   void (*write)(const Content&, TextWriter&) = nullptr;
 
   bool may_be_binary = false;  ///< even if its content is not recognised
-  bool keeps_order = false;    ///< of vertices, which poses and keys rely on
+  bool keeps_order = false;    ///< keeps the vertex order, which poses and keys rely on
   bool holds_morphs = false;
   bool is_sequence = false;  ///< positions only, frame after frame
   char up = 0;               ///< up axis by convention: 'y' or 'z'; 0: none

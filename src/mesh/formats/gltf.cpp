@@ -404,11 +404,11 @@ private:
   SurfaceBuilder builder_;
   std::shared_ptr<Attributes> attributes_;
   GltfMap map_;
-  std::vector<Point> points_;  // of the file's vertices, in the scene
-  std::vector<Color> colors_;  // of the file's vertices
+  std::vector<Point> points_;  // vertices of the file, in the scene
+  std::vector<Color> colors_;  // vertices of the file
   std::map<PieceKey, Piece> pieces_;
   std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // per primitive
-  std::vector<double> weights_;  // of the placement's targets; empty if all are 0
+  std::vector<double> weights_;  // weights of the placement's targets; empty if all are 0
   std::vector<Point> shaped_;    // as points_, with these weights; empty without
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
   std::uint32_t polygons_ = 0;

@@ -85,14 +85,14 @@ inline const GltfJson& element_of(const GltfJson& document, const char* list, in
 struct GltfBuffer {
   enum class Home { chunk, text, beside };  ///< binary chunk of a GLB; base64 in the JSON; external file
   Home home = Home::chunk;
-  std::filesystem::path path;  ///< of an external file
+  std::filesystem::path path;  ///< path of an external file
   std::string bytes;           ///< as many as the JSON declares
 };
 
 /// An image reference of the JSON.
 struct GltfImage {
   ImageFile file;   ///< name empty if the JSON has none
-  std::string uri;  ///< of an external file, as written; otherwise empty
+  std::string uri;  ///< URI of an external file, as written; otherwise empty
 };
 
 struct GltfFile {
@@ -102,7 +102,7 @@ struct GltfFile {
   std::vector<GltfBuffer> buffers;
   std::vector<GltfImage> images;
   std::vector<std::string> warnings;  ///< one line each
-  std::string other_chunks;           ///< of a GLB: unknown chunks, including their headers
+  std::string other_chunks;           ///< unknown chunks of a GLB, including their headers
 };
 
 /// Parses glTF 2.0, JSON or GLB. External buffers must lie in the file's folder; images are not opened.

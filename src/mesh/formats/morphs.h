@@ -31,12 +31,10 @@ class MorphClip {
 public:
   virtual ~MorphClip() = default;
 
-  const std::string& name() const { return name_; }                ///< of the animation; may be empty
+  const std::string& name() const { return name_; }                ///< animation name; may be empty
   const std::vector<double>& seconds() const { return seconds_; }  ///< key times, ascending; may be empty
   const std::vector<std::string>& targets() const { return targets_; }  ///< names, not empty
-  const std::vector<std::string>& notes() const {
-    return notes_;
-  }  ///< what is taken otherwise than the file has it
+  const std::vector<std::string>& notes() const { return notes_; }      ///< deviations from the file
 
   /// Positions of the surface at a key, or with one target at full weight. Between keys, interpolate
   /// linearly. Throws base::Error if the file's data are invalid.

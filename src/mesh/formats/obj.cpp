@@ -191,7 +191,7 @@ private:
 
   const Source& source_;
   Attributes found_;
-  Group state_;  // of the following faces
+  Group state_;  // state of the following faces
   bool changed_ = true;
   std::size_t polygons_ = 0;
   std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
@@ -338,7 +338,7 @@ private:
   ObjAttributes attributes_;
   std::vector<std::uint32_t> normal_blocks_;  // number of vn lines up to the end of each block
   std::size_t lines_ = 0;
-  std::int64_t highest_ = 0;  // of forward references
+  std::int64_t highest_ = 0;  // largest forward reference
   std::size_t highest_line_ = 0;
   std::size_t free_forms_ = 0, unknown_ = 0, first_unknown_line_ = 0;
   std::string first_unknown_;

@@ -133,7 +133,7 @@ private:
 
 class OffReader {
 public:
-  // Where line ends count as blanks.
+  // Context in which line ends count as blanks.
   enum class Wrapped { nowhere, in_faces, everywhere };
 
   OffReader(const Source& source, Wrapped wrapped)
@@ -345,9 +345,9 @@ private:
   SurfaceBuilder builder_;
   Wrapped wrapped_;
   OffForm form_;
-  std::vector<OffNumber> numbers_;                                              // of a row
+  std::vector<OffNumber> numbers_;                                              // numbers of the current row
   std::vector<OffColor> colors_;                                                // one per vertex
-  std::vector<std::pair<std::size_t, OffColor>> unnamed_colors_, face_colors_;  // of vertices, of polygons
+  std::vector<std::pair<std::size_t, OffColor>> unnamed_colors_, face_colors_;  // for vertices, for polygons
   std::size_t unknown_rows_ = 0;
   Attributes found_;
 };

@@ -84,8 +84,7 @@ struct ReadResult {
   std::vector<std::string> warnings;  ///< harmless oddities with their place, one line each
   std::shared_ptr<const Attributes> attributes;  ///< null: only positions and polygons
   std::shared_ptr<const Original> original;      ///< null: cannot be written again as it was
-  std::vector<std::string>
-      comments;  ///< of the file header, without comment marks: at most 64, 200 bytes each
+  std::vector<std::string> comments;  ///< header comments without marks: at most 64, 200 bytes each
 };
 
 }  // namespace viete::mesh

@@ -56,7 +56,7 @@ inline std::size_t size_of(PlyType type) {
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::float32;   ///< of the value, or of list items
+  PlyType type = PlyType::float32;   ///< type of the value or of list items
   std::optional<PlyType> list_size;  ///< type of the list's length; empty for a single value
 };
 

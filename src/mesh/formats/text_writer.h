@@ -34,7 +34,7 @@ struct Content {
   const Surface& surface;
   std::span<const Point> positions;  ///< replace those of the surface
   const std::vector<std::string>& comments;
-  const Attributes* attributes = nullptr;  ///< of the surface; may be null
+  const Attributes* attributes = nullptr;  ///< belong to the surface; may be null
 
   /// The attributes; empty ones if null.
   const Attributes& given() const {
