@@ -1,4 +1,4 @@
-"""The add-on in the real program: blender -b --factory-startup --python addon.py -- ADDONS PROGRAM FOLDER"""
+"""Tests the add-on in Blender: blender -b --factory-startup --python addon.py -- ADDONS PROGRAM FOLDER"""
 import os
 import pathlib
 import struct
@@ -44,7 +44,7 @@ def new_scene():
 
 
 def bend(cage, name="bent", amount=0.8):
-    """A shape key that twists the cage, the more the higher."""
+    """Adds a shape key that twists the cage in proportion to height."""
     if not cage.data.shape_keys:
         cage.shape_key_add(name="Basis")
     key = cage.shape_key_add(name=name, from_mix=False)
@@ -60,7 +60,7 @@ def update():
 
 
 def expected(ball, way="smooth"):
-    """What the engine makes of the cage by itself."""
+    """The expected vertices, computed directly by the engine."""
     import viete
     depsgraph = bpy.context.evaluated_depsgraph_get()
     rest = np.frombuffer(ball[follow.REST], np.float64).reshape(-1, 3)
@@ -97,7 +97,7 @@ def moving_both_objects_deforms_nothing():
         obj.location, obj.rotation_euler, obj.scale = (3, 1, -2), (0.3, 0.2, 0.1), (2, 2, 2)
     update()
     assert np.abs(key_of(ball) - rest).max() < 1e-4
-    cage.location.z += 2  # of the world: 1 along the ball's own turned axes
+    cage.location.z += 2  # in world space: 1 along the ball's rotated axes
     update()
     assert abs(np.linalg.norm((key_of(ball) - rest).mean(axis=0)) - 1) < 1e-3
 
@@ -161,7 +161,7 @@ def bakes_to_cache_mesh_and_keys():
 
 
 def clothed_figure():
-    """A body and an open tunic around it, both in the cage of the tunic, whose two bones bend and turn over 100 frames."""
+    """A body and an open tunic, both in the tunic's cage, whose two bones bend and rotate over 100 frames."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.context.scene.frame_start, bpy.context.scene.frame_end = 1, 100
     bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=24, radius=1)
@@ -203,7 +203,7 @@ def clothed_figure():
 
 
 def baked_frames_are_those_of_the_program():
-    """Every eleventh of a hundred frames of body and clothes, baked to a cache, against `viete deform` of cages as they are."""
+    """Compares every eleventh of a hundred baked frames of body and clothes with `viete deform`."""
     body, tunic, cage = clothed_figure()
     checked = range(1, 101, 11)
     engine.write_obj(FOLDER / "rest_cage.obj", np.frombuffer(body[follow.REST], np.float64).reshape(-1, 3), engine.corners_of(cage.data))
@@ -242,7 +242,7 @@ def blend_file_keeps_the_binding():
     ball.viete.cage.data.shape_keys.key_blocks["bent"].value = 0.2
     update()
     assert np.abs(key_of(ball) - before).max() > 0.1
-    assert len(follow.deformers) == made  # the binding was found by what it is of
+    assert len(follow.deformers) == made  # the binding was found by its content
 
 
 def several_objects_share_a_cage_with_masks():
@@ -352,7 +352,7 @@ def works_with_the_program():
         bpy.ops.viete.bind()
         assert np.abs(key_of(ball) - follow.rest_of(ball)).max() < 1e-6
         program = follow.deformer_of(ball).program
-        program.kill()  # as a crash of it
+        program.kill()  # simulates a crash
         cage.data.shape_keys.key_blocks["bent"].value = 0.1
         update()
         assert "bind again" in ball.viete.problem, ball.viete.problem
@@ -361,7 +361,7 @@ def works_with_the_program():
 
 
 def edits_are_fast():
-    """The figure of the bar: 50,000 vertices in about 100 triangles, beside Blender's Mesh Deform; printed, not judged."""
+    """Prints the time for 50,000 vertices and about 100 triangles, compared with Blender's Mesh Deform."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.mesh.primitive_uv_sphere_add(segments=250, ring_count=201)
     ball = bpy.context.object

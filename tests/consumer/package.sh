@@ -1,6 +1,6 @@
 #!/bin/sh
-# package.sh CPACK BUILD FOLDER VERSION: cpack makes packages for Debian that hold what they should, ask for what the program needs, and
-# leave no trace of the build; what is unpacked runs where it lies. Skipped where the tools for packing are not installed.
+# package.sh CPACK BUILD FOLDER VERSION: cpack must make Debian packages with the right files and dependencies, and without
+# traces of the build; the unpacked program must run. Skipped without packaging tools.
 set -eu
 cpack="$1" build="$2" folder="$3" version="$4"
 for tool in dpkg-deb dpkg-shlibdeps file readelf; do

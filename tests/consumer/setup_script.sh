@@ -1,6 +1,6 @@
 #!/bin/sh
-# third_party/setup.sh on machines that are not there: its own copy of the script, and stand-ins for the programs it
-# calls, which write down how they were called. setup_script.sh SETUP.SH
+# setup_script.sh SETUP.SH: runs a copy of third_party/setup.sh with stubs for the programs it calls, which log
+# their arguments.
 set -u
 setup=$1
 scratch=$(mktemp -d)

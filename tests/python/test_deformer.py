@@ -1,4 +1,4 @@
-"""The deformer of the module `viete`: against the command line, to the bit, and against what must hold.
+"""Tests of the deformer of the module `viete`: bit-exact against the command line, and against its contract.
 
 test_deformer.py PROGRAM ASSETS: the program viete, and the folder of the bundled dragon.
 """
@@ -201,7 +201,7 @@ class Arrays(WithFolder):
             for _ in range(10):
                 child = os.fork()
                 if child == 0:
-                    signal.alarm(60)  # only against a hang
+                    signal.alarm(60)  # timeout
                     os._exit(0 if np.array_equal(work(), expected) else 1)
                 with self.subTest(name):
                     self.assertEqual(os.waitpid(child, 0)[1], 0)
@@ -213,7 +213,7 @@ class Arrays(WithFolder):
         expected = self.bound().deform(self.pose)
         child = os.fork()
         if child == 0:
-            signal.alarm(60)  # only against a hang
+            signal.alarm(60)  # timeout
             pages = int(pathlib.Path("/proc/self/statm").read_text().split()[0])
             most = pages * resource.getpagesize() + (1 << 30)
             resource.setrlimit(resource.RLIMIT_AS, (most, most))
@@ -313,10 +313,10 @@ class Arrays(WithFolder):
                 self.assertNotIn("--", str(raised.exception))
         self.assertTrue(issubclass(viete.Error, ValueError))
         d.set_probes([])
-        self.assertEqual(d.deform(self.pose).shape, (count, 3))  # it is as it was
+        self.assertEqual(d.deform(self.pose).shape, (count, 3))  # unchanged by the errors
 
     def test_arrays_too_large_for_memory_are_memory_errors(self):
-        rows = np.broadcast_to(np.zeros(3), (10**16, 3))  # of no memory itself
+        rows = np.broadcast_to(np.zeros(3), (10**16, 3))  # a view without memory
         faces = np.broadcast_to(np.array([0, 1, 2], np.int32), (10**16, 3))
         d = self.bound()
         for name, call in {
@@ -460,7 +460,7 @@ class Arrays(WithFolder):
         self.assertLess(frames(9000) - before, 2048)  # kB
 
     def test_import_is_fast(self):
-        """What takes time is numpy, which is asked for when an array comes."""
+        """Importing numpy takes most of the time, so it is imported on first use."""
         code = "import sys, viete; assert 'numpy' not in sys.modules; viete.exp([[0.0] * 6]); assert 'numpy' in sys.modules"
         subprocess.run([sys.executable, "-c", code], check=True)
 

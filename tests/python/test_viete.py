@@ -1,4 +1,4 @@
-"""The module `viete` against numpy: answers, shapes, memory, errors."""
+"""Tests of the module `viete` against numpy: results, shapes, memory, errors."""
 
 import importlib.util
 import sys
@@ -17,7 +17,7 @@ def tolerance(dtype):
 
 
 def packed(full):
-    """(..., 3, 3) as (..., 6): the upper triangle by rows."""
+    """Converts (..., 3, 3) to (..., 6): the upper triangle by rows."""
     return np.ascontiguousarray(full[..., [0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]])
 
 
@@ -115,7 +115,7 @@ class Answers(unittest.TestCase):
                 viete.polar(m, out=out)
 
 
-EXTREME_WEIGHTS = [  # of two, and the same as shares
+EXTREME_WEIGHTS = [  # two weights, and their normalised values
     ([1e308, 1e308], [0.5, 0.5]), ([1.5e308, 0.5e308], [0.75, 0.25]), ([3e-320, 3e-320], [0.5, 0.5]),
     ([5e-324, 1.5e-323], [0.25, 0.75]), ([1e308, 1e-320], [1, 0]), ([-1e308, -1e308], [0.5, 0.5]),
     ([-3e-320, -3e-320], [0.5, 0.5]), ([1.5e308, -0.5e308], [1.5, -0.5]), ([-1, -3], [0.25, 0.75]),
@@ -190,7 +190,7 @@ class AffineMaps(unittest.TestCase):
                 np.testing.assert_allclose(mean, viete.affine_mean(m, share)[0], atol=1e-12)
 
     def test_opposite_terms_of_a_combination_cancel_at_any_size(self):
-        m = turn_about_z(2, (3, 0, 0))  # whose log is above 1: its terms overflow
+        m = turn_about_z(2, (3, 0, 0))  # its log is above 1, so terms overflow
         np.testing.assert_allclose(viete.affine_combine([m, m, m], [1e308, 0.25, -1e308]), np.eye(4), atol=1e-15)
 
     def test_maps_without_a_log_get_a_bounded_one(self):
@@ -218,7 +218,7 @@ class AffineMaps(unittest.TestCase):
 
 
 def derivative_by_eigenvalues(f, slope, s, e):
-    """By divided differences, for eigenvalues that are well apart or equal."""
+    """Reference by divided differences, for well separated or equal eigenvalues."""
     x, v = np.linalg.eigh(s.astype(np.float64))
     gap = x[..., :, None] - x[..., None, :]
     near = np.abs(gap) < 1e-6
@@ -238,7 +238,7 @@ DERIVATIVES = {
 
 
 class Means(unittest.TestCase):
-    """In log space (V. Arsigny et al., 2006)."""
+    """Means and interpolation in log space (V. Arsigny et al., 2006)."""
 
     def test_the_determinant_of_a_mean_is_the_geometric_mean(self):
         for a in (positive(np.float64, 5, 40), packed(positive(np.float64, 5, 40))):
@@ -431,7 +431,7 @@ class Arrays(unittest.TestCase):
     def test_other_threads_run_during_a_call(self):
         s = np.zeros((200000, 6))
         interval = sys.getswitchinterval()
-        sys.setswitchinterval(1e6)  # a thread that holds the lock is not asked for it
+        sys.setswitchinterval(1e6)  # the interpreter does not switch threads by itself
         try:
             self.assertTrue(any(self.saw_a_call_running(s) for _ in range(1000)))
         finally:
