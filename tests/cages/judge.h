@@ -76,7 +76,7 @@ inline std::vector<std::string> complaints(const cages::Made& made, const mesh::
   const mesh::Surface& cage = made.surface;
   const mesh::Summary summary = mesh::summarize(cage);
   const auto topology = mesh::topology(cage, summary);
-  if (!topology) return {"no oriented manifold"};
+  if (!topology) return {"not an oriented manifold"};
   if (!summary.closed()) all.push_back("open");
   if (!summary.unused_vertices.empty()) all.push_back("unused vertices");
   if (!(summary.volume > 0)) all.push_back("inside out");

@@ -87,13 +87,13 @@ TEST_CASE("a_long_comment_is_cut_between_characters") {
 }
 
 TEST_CASE("malformed_numbers_get_specific_advice") {
-  const std::pair<const char*, const char*> words[] = {{"3,5", "with a point"},
+  const std::pair<const char*, const char*> words[] = {{"3,5", "decimal point"},
                                                        {"\xE2\x88\x92"
                                                         "3.5",
-                                                        "minus sign of ASCII"},
+                                                        "ASCII minus sign"},
                                                        {"3.1e\xE2\x88\x92"
                                                         "2",
-                                                        "minus sign of ASCII"},
+                                                        "ASCII minus sign"},
                                                        {"3.1e+-2", "two signs"},
                                                        {"--3.1", "two signs"},
                                                        {"+-3.1", "two signs"},

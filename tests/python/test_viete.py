@@ -108,8 +108,8 @@ class Answers(unittest.TestCase):
             self.assertTrue(np.array_equal(given[0], r) and np.array_equal(given[1], u))
             viete.polar(m, out=(m, given[1]))
             self.assertTrue(np.array_equal(m, r) and np.array_equal(given[1], u))
-        for text, out in (("out must be a pair", m), ("an array of its own", (given[0], m)),
-                          ("an array of its own", (given[0], given[0])),
+        for text, out in (("out must be a pair", m), ("must not share memory", (given[0], m)),
+                          ("must not share memory", (given[0], given[0])),
                           (r"out has shape \(3, 3\)", (given[0], np.zeros((3, 3), dtype)))):
             with self.assertRaisesRegex(ValueError, text):
                 viete.polar(m, out=out)
