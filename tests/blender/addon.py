@@ -324,7 +324,7 @@ def problems_are_reported():
         bpy.ops.viete.bind()
         raise AssertionError("mask")
     except RuntimeError as error:
-        assert "no vertex group nothing" in str(error)
+        assert "group nothing does not exist" in str(error)
 
 
 def works_with_the_program():

@@ -199,7 +199,7 @@ TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   const auto posed = raised(r.surface, 1);
   test::put_file(folder / "out/b.bin", "somebody's");
   const auto notes = r.original->write_file(folder / "out/b.gltf", r.surface, posed, {}, nullptr);
-  CHECK(holds(notes.at(0), "1 image stayed where"));
+  CHECK(holds(notes.at(0), "1 image stayed in the model"));
   CHECK(test::file_bytes(folder / "out/b.bin") == "somebody's");
   CHECK(read(folder / "out/b.gltf").surface.positions == posed);
   const GltfJson out = GltfJson::parse(test::file_bytes(folder / "out/b.gltf"));
@@ -250,7 +250,7 @@ TEST_CASE("images_outside_of_the_model_folder_are_found_and_referenced") {
   const auto posed = raised(r.surface, 1);
   for (const char* name : {"far/out/b.glb", "linked/c.glb"}) {
     const auto notes = r.original->write_file(folder / name, r.surface, posed, {}, nullptr);
-    CHECK(holds(notes.at(0), "1 image stayed where"));
+    CHECK(holds(notes.at(0), "1 image stayed in the model"));
     const auto image = read(folder / name).attributes->images.at(0).path;
     CHECK(test::file_bytes(image) == "a picture");
   }
