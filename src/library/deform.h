@@ -121,7 +121,7 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-/// Shapes of one mesh, blended in log space: half of a 180° rotation is 90°. Not thread-safe.
+/// Shapes of one mesh, blended in log space: halfway to 180 degrees is 90 degrees. Not thread-safe.
 class ShapeSpace {
 public:
   /// shapes: vertex positions, in order of motion: each rotation continues from the shape before.

@@ -270,8 +270,7 @@ TEST_CASE("obj_invalid_attribute_indices_cause_a_warning") {
   CHECK(read.attributes->corner_normal == std::vector<std::uint32_t>{0, 1, none, 0, none, none});
   CHECK(read.attributes->normals[1] == Vec3{0, 0, 0});
   REQUIRE(read.warnings.size() == 3);
-  CHECK(
-      holds(read.warnings[0], "5 references to missing texture coordinates or normals"));
+  CHECK(holds(read.warnings[0], "5 references to missing texture coordinates or normals"));
   CHECK(holds(read.warnings[1], "1 line of texture coordinates or normals are unreadable"));
 }
 
