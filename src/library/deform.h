@@ -1,5 +1,6 @@
 // Cage-based mesh deformation with rotations and stretches blended in log space. This header is the whole C++
 // interface; it needs neither OpenGL nor Eigen.
+//
 // A Deformer binds a model to a cage once; each pose of the cage then gives the positions of the model's
 // vertices. The manual's chapter on blending explains the choices. Lengths are in the unit of the vertices,
 // angles in radians, points are x, y, z. Functions throw std::runtime_error; its message says what is wrong
@@ -43,13 +44,14 @@ struct Mesh {
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh);
 
+/// Parameters of make_cage(). Values out of range are errors.
 struct CageWish {
   std::string kind = "automatic";  ///< "automatic" or "box"
   std::size_t triangles = 200;     ///< approximate number, 12 to 20000; automatic cages only
   double margin = 0.0015;          ///< distance to the model, as a fraction of its diagonal, 0.0005 to 0.2
   double gap = 0.005;             ///< closes gaps narrower than twice this fraction of the diagonal, 0 to 0.2
   std::string symmetry = "auto";  ///< mirror plane, by its normal: "auto", "none", "x", "y" or "z"
-  bool quads = false;
+  bool quads = false;             ///< pairs triangles into quads where they fit well
   std::array<std::size_t, 3> cells{1, 1, 1};  ///< boxes along each axis; box cages only
   bool own_axes = false;                      ///< aligns box cages with the model's principal axes
 };
@@ -76,7 +78,7 @@ struct Probe {
   std::string falloff = "smooth";   ///< "smooth", "round", "linear", "sharp", "even", "endless"
   Point3 turn{};                    ///< rotation vector, in radians
   std::array<double, 6> stretch{};  ///< logarithm of the stretch, upper triangle by rows: xx xy xz yy yz zz
-  Point3 move{};
+  Point3 move{};                    ///< translation
 };
 
 /// A model bound to a cage. Not thread-safe; several deformers are independent. fork() waits until deform()

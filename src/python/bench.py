@@ -1,7 +1,7 @@
 """Compares functions of many matrices with numpy and scipy in one run: PYTHONPATH=build/python /usr/bin/python3 src/python/bench.py
 
-Medians of rounds that take turns; errors against numpy's longdouble by scaling and squaring are those of `viete bench accuracy`.
-scipy is left out where it is not installed (apt-get install python3-scipy).
+Prints medians over alternating rounds. For errors see `viete bench accuracy`.
+Skips scipy if it is not installed (apt-get install python3-scipy).
 """
 import sys
 import time
