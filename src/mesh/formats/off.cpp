@@ -27,8 +27,8 @@ constexpr TextRules off_rules{.comment = '#'};
 struct OffForm {
   bool normals = false, colors = false, texture = false;
   bool more_axes = false;     //< 4OFF, nOFF
-  bool colors_first = false;  //< of four numbers before the normals, as MeshLab writes them
-  bool wrapped = false;       //< rows end with their last number, not with the line
+  bool colors_first = false;  //< four components before normals, as written by MeshLab
+  bool wrapped = false;       //< rows end with their last number instead of the line
 
   std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
 };
