@@ -1,4 +1,4 @@
-// Rules about the text of the sources: ASCII only, a first line that says what a header is for.
+// Rules for source text: ASCII only, and a first line that states a header's purpose.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -43,9 +43,9 @@ TEST_CASE("sources_are_ascii") {
 TEST_CASE("headers_say_in_their_first_line_what_they_are_for") {
   for_each_source([](const fs::path& path, const std::string& text) {
     if (path.extension() != ".h") return;
-    const bool is_c = text.find("extern \"C\"") != std::string::npos;  // for both languages
+    const bool is_c = text.find("extern \"C\"") != std::string::npos;  // for C and C++
     CHECK_MESSAGE(text.rfind(is_c ? "/* " : "// ", 0) == 0, path.string());
-    const bool is_kernel_text = path.string().ends_with("-inl.h");  // included again for each instruction set
+    const bool is_kernel_text = path.string().ends_with("-inl.h");  // included once per instruction set
     const char* guard = is_c             ? "#ifndef VIETE_"
                         : is_kernel_text ? "defined(HWY_TARGET_TOGGLE)"
                                          : "#pragma once";

@@ -1,5 +1,5 @@
-# Packages for Debian and Ubuntu, by `cpack` in the build folder: `viete`, the program; `libviete-dev`, the libraries with their headers;
-# where they are built, `python3-viete`, the module, and `blender-viete`, the add-on.
+# Packages for Debian and Ubuntu, made by `cpack` in the build folder: `viete`, the program; `libviete-dev`, libraries and headers;
+# if built, `python3-viete`, the Python module, and `blender-viete`, the Blender add-on.
 
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_GENERATOR DEB)
