@@ -1,4 +1,4 @@
-// This program run once more, aside, for what takes long, so that the view stays live.
+// Runs this program as a child process for long tasks, so that the view stays responsive.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,16 @@
 
 namespace viete::app {
 
-/// words: the program and its arguments. Returns what it said, one line each, but for how far it was. Throws
-/// base::Error with what it says where it fails, and base::Cancelled once it has ended. Thread-safe.
+/// words: the program and its arguments. Returns its output lines without progress reports. Throws
+/// base::Error with its error message if it fails, and base::Cancelled after it has ended. Thread-safe.
 std::vector<std::string> run_aside(const std::vector<std::string>& words, base::Progress& progress);
 
-/// It goes on by itself, however long the browser runs. Throws base::Error where there is none.
+/// Returns at once; the browser runs independently. Throws base::Error if there is none.
 void open_in_browser(const std::filesystem::path& page);
 
-/// A short report by `viete`, see `viete report`, in a folder of this one, which is then opened in the user's
-/// browser; with an empty name, of that of temporary files. Returns what is to be said of it. Throws as
-/// run_aside(). Thread-safe.
+/// Creates a short report with `viete report` in a new folder inside `state`, or the temporary folder if that
+/// is empty, and opens it in the browser. Returns the message for the user. Throws like run_aside().
+/// Thread-safe.
 std::string show_report_aside(const std::filesystem::path& program, const std::filesystem::path& state,
                               base::Progress& progress);
 

@@ -1,4 +1,4 @@
-// When commands can run, and what is said where they cannot; and switches of the view.
+// Conditions of commands with the advice if they are not met; toggles of the view.
 #pragma once
 
 #include "scene/document/cage_editing.h"
@@ -10,7 +10,7 @@
 
 namespace viete::scene {
 
-// What is dragged, painted or brushed is one edit, which others must not come between.
+// A drag, a stroke or a brush is one edit, which other edits must not interrupt.
 inline bool in_hand(const Workspace& w) {
   const auto& time = w.time_view.drag;
   return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
@@ -99,7 +99,7 @@ inline constexpr Condition is_editing{
 inline constexpr Condition has_cage_selected{
     [](const Workspace& w) {
       return is_editing(w) && w.document.selection.kind() != ElementKind::probe && has_selection(w) &&
-             !w.time_view.hovered;  // there keys of the keyboard are of keys in time
+             !w.time_view.hovered;  // over the timeline the keys act on timeline keys
     },
     "Switch to editing the cage (Tab) and select something of it first."};
 inline constexpr Condition has_outside{
@@ -141,7 +141,7 @@ inline constexpr Condition has_posed_selection{
     },
     "Nothing that is selected has moved."};
 
-/// Switches something of the view, or of another part.
+/// A toggle of the view, or of another part of the workspace.
 template <class Part = ViewOptions>
 Effect switches(bool Part::*option, Part Workspace::*part = &Workspace::view) {
   return {[=](Workspace& w) { w.*part.*option = !(w.*part.*option); },

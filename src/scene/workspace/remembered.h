@@ -1,5 +1,4 @@
-// What the program remembers from run to run: recent files, the last folder, that the first hints were seen,
-// and how its window was arranged.
+// Persistent preferences: recent files, the last folder, dismissed hints, and the window layout.
 #pragma once
 
 #include <array>
@@ -15,27 +14,27 @@
 
 namespace viete::scene {
 
-/// The columns: tools at the left; methods, their timings and the deformer at the right.
+/// The side columns: tools on the left; methods, timings and the deformer on the right.
 enum class Column { tools, methods };
 
-/// Logical pixels. As a person has arranged it; what of it there is room for is shown.
+/// Logical pixels. As arranged by the user; small windows show only a part.
 struct PanelLayout {
   static constexpr float least_width = 288, usual_width = 320, largest_width = 560;
-  static constexpr float least_view = 320;  ///< which is left between the columns
+  static constexpr float least_view = 320;  ///< minimum view width between the columns
   static constexpr float menu_height = 26, status_height = 26, timeline_height = 156;
 
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};
-  Column last = Column::methods;         ///< unfolded last: shown where there is room for one
+  Column last = Column::methods;         ///< last opened: the one shown if only one fits
   bool timeline = false;                 ///< below the view, between the columns
-  std::map<std::string, bool> sections;  ///< by title, of those that were opened or closed: open?
+  std::map<std::string, bool> sections;  ///< opened or closed sections by title; true: open
 
   bool is_folded(Column column) const { return folded[static_cast<std::size_t>(column)]; }
 
   friend bool operator==(const PanelLayout&, const PanelLayout&) = default;
 };
 
-/// As wide as they are shown in a window; 0: not at all.
+/// Displayed widths of the columns; 0: hidden.
 struct ColumnWidths {
   float tools = 0, methods = 0;
   float of(Column column) const { return column == Column::tools ? tools : methods; }
@@ -45,14 +44,14 @@ ColumnWidths shown_columns(const PanelLayout& layout, float window_width);
 /// From the top of the view to the status bar.
 float column_height(const Viewport& viewport);
 
-/// What columns, bars and timeline leave of a window, below a row of notices of this height. Without panels
-/// there is only that row.
+/// The part of the window without columns, bars, timeline and a row of notices of this height. Without panels
+/// only the notices are subtracted.
 Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels, float notice = 0);
 
-/// Shows a column that is not shown, if need be instead of the other; folds away one that is.
+/// Shows a hidden column, replacing the other if both do not fit; folds a visible one.
 void toggle_column(PanelLayout& layout, Column column, float window_width);
 
-/// Within the limits, and so that the view keeps its least width.
+/// Clamps the width to its limits and to the minimum width of the view.
 void set_width(PanelLayout& layout, Column column, float width, float window_width);
 
 /// A session, or a model with its cage; absolute paths.
@@ -65,27 +64,26 @@ struct RecentFile {
 struct Remembered {
   static constexpr std::size_t most = 12;
 
-  std::vector<RecentFile> recent;  ///< newest first, each once, at most `most`
-  std::filesystem::path folder;    ///< where a file was last chosen
-  bool hints = true;               ///< the hints of the first start are still to be shown
-  bool ask_keys = true;            ///< nobody has said yet which keys the hands know
-  bool dark = true;                ///< the theme that was chosen last
-  std::optional<bool>
-      coarse_motion;  ///< as was chosen: what moves is drawn coarsely; nothing: where that helps
-  std::optional<glm::ivec2> window;  ///< its size when it was used last, in logical pixels
+  std::vector<RecentFile> recent;     ///< newest first, unique, at most `most`
+  std::filesystem::path folder;       ///< of the last chosen file
+  bool hints = true;                  ///< show the hints of the first start
+  bool ask_keys = true;               ///< the keymap has not been chosen yet
+  bool dark = true;                   ///< the last chosen theme
+  std::optional<bool> coarse_motion;  ///< draw coarsely during motion; nullopt: automatic
+  std::optional<glm::ivec2> window;   ///< last size in logical pixels
   PanelLayout layout;
   Keymap keymap;
 
-  /// To the front. Paths are made absolute.
+  /// Inserts at the front. Paths are made absolute.
   void add(const RecentFile& file);
 
   friend bool operator==(const Remembered&, const Remembered&) = default;
 };
 
-/// Throws base::Error if the file is there and cannot be understood; nothing is remembered if it is missing.
+/// Throws base::Error if the file exists and is damaged; a missing file gives the defaults.
 Remembered read_remembered(const std::filesystem::path& file);
 
-/// Atomic. Recent files that another program has added since are kept, behind these. Throws base::Error.
+/// Atomic. Keeps recent files that another program has added, after these. Throws base::Error.
 void write_remembered(const std::filesystem::path& file, const Remembered& remembered);
 
 }  // namespace viete::scene

@@ -1,4 +1,4 @@
-// A workspace takes what was read of files, at once.
+// Applies the results of reading files to a workspace.
 #pragma once
 
 #include "scene/files/open.h"
@@ -6,16 +6,16 @@
 
 namespace viete::scene {
 
-/// Takes it into the workspace; messages say what is to be said.
+/// Applies the result and reports its warnings as messages.
 void take(Workspace& workspace, Opened&& opened);
 
-/// Opens at once, without reading aside. On failure everything stays as it was and a message says why.
-/// Returns success.
+/// Reads and applies in the foreground. On failure nothing changes and a message gives the reason. Returns
+/// success.
 bool open_now(Workspace& workspace, const OpenRequest& request);
 
-/// Adds the poses of a session of the open model and cage, and its keys in place of those that are there: one
-/// edit, which is saved work if all was saved before. The session itself is not opened, so that Save asks for
-/// a name. On failure everything stays as it was and a message says why. Returns success.
+/// Adds the poses of a session of the same model and cage, and replaces the keys: one edit, which counts as
+/// saved if all was saved before. The session itself is not opened, so Save asks for a name. On failure
+/// nothing changes and a message gives the reason. Returns success.
 bool add_motion(Workspace& workspace, const std::filesystem::path& session);
 
 }  // namespace viete::scene
