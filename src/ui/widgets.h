@@ -44,7 +44,7 @@ public:
 ImVec2 middle_at(const Context& ui, float y);
 ImVec2 middle_of_view(const Context& ui);
 
-/// Colored text up to the end of its line.
+/// Coloured text up to the end of its line.
 void text_in(ImU32 color, const std::string& text);
 /// A label before an item at this distance from the left.
 void row_label(const char* text, float distance);

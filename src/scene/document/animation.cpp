@@ -67,7 +67,7 @@ std::shared_ptr<const deform::LogVector> KnownVectors::of(
     return found->vector;
   }
   const auto& space = *shapes(pool);
-  const auto& positions = shape ? *shape : space.logs().rest();  // to which whole turns may lead back
+  const auto& positions = shape ? *shape : space.logs().rest();  // base positions for restoring whole turns
   const auto vector = std::make_shared<const deform::LogVector>(
       shape || before ? space.vector(positions, pool, before.get(), &report) : space.logs().at_rest());
   known.shape = shape;
@@ -107,8 +107,8 @@ bool in_range(const WholePose& pose, double farthest) {
          });
 }
 
-// Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
-// same rotation is a whole turn away.
+// Missing turns are filled in at the first frame, by at most half a turn; another branch of the same rotation
+// differs by a whole turn.
 bool same_pose(const deform::Pose& a, const deform::Pose& b) {
   if (a.positions != b.positions) return false;
   const auto turn = [](const deform::Pose& pose, std::size_t part) {
@@ -202,7 +202,7 @@ SharedShape Animation::blended_shape(const Moment& moment, bool straight) const 
   return blended(shapes_->logs(), terms, straight ? nullptr : &held_shapes_[moment.from], pool);
 }
 
-// As numbers in which a blend is a weighted sum.
+// Coordinates in which a blend is a weighted sum.
 std::vector<double> Animation::place(std::size_t key, bool logs) const {
   std::vector<double> all;
   const auto add = [&](const auto& row) { all.insert(all.end(), row.begin(), row.end()); };

@@ -28,7 +28,7 @@ struct SizeRange {
   const char* use;
 };
 
-// A single point has no size; where it lies counts all the same.
+// A single point has no size; only its position is checked.
 void check_size(const std::string& place, const mesh::Bounds& box, const SizeRange& range) {
   double size = box.diagonal();
   for (int k = 0; k < 3; ++k) size = std::max({size, std::abs(box.low[k]), std::abs(box.high[k])});
@@ -105,16 +105,15 @@ void check_drawable(const Document& document) {
   check_sizes(document, {least_drawn, most_drawn, "drawn"});
 }
 
-// Squares of areas are the highest powers of a length that are formed. Measured: from 1e-75 to 1e76 the
-// dragon has every bit that it has at size 1, up to the factor; a billion times the size is left for finer
-// details.
+// The highest powers of a length are squares of areas. Measured: from 1e-75 to 1e76 the dragon has the same
+// bits as at size 1, up to the factor; a factor of a billion is left for finer details.
 void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
 }
 
 namespace {
 
-// Triangles of one polygon, and those with an edge of exactly two triangles in common, are one patch.
+// Triangles of one polygon, and those that share an edge of exactly two triangles, form a patch.
 mesh::UnionFind patches_of(const mesh::Surface& surface, const mesh::HalfEdges& table) {
   mesh::UnionFind patches(surface.triangles.size());
   for (std::uint32_t t = 1; t < surface.triangles.size(); ++t)

@@ -11,7 +11,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr double near_share = 0.02;  // of the diagonal: so exact are cages that people make by hand
+constexpr double near_share = 0.02;  // relative to the diagonal: the accuracy of manually modelled cages
 
 double side_of(const cages::Plane& plane, const mesh::Point& p) {
   return mesh::dot(plane.normal, p) - plane.offset;

@@ -13,15 +13,15 @@ namespace viete::scene {
 
 namespace {
 
-constexpr int most_steps = 24;    // after the hand has come to rest
-constexpr double no_step = 1e-5;  // shorter ones are none
+constexpr int most_steps = 24;    // after the drag has ended
+constexpr double no_step = 1e-5;  // shorter steps count as converged
 
-// From weights that go as far as the pins ask, to those that hardly go at all.
+// From freely changing weights to almost constant ones.
 deform::PosingSettings settings_of(double freedom, bool has_examples) {
   return {.restraint = 1e-3 * std::pow(100, freedom), .freedom = has_examples ? freedom : 1};
 }
 
-// Poses that are shapes alone, of all of the model.
+// Poses that consist of a shape of the complete model only.
 std::vector<SharedPose> examples_of(const Document& document) {
   std::vector<SharedPose> examples;
   for (const NamedPose& named : document.library.poses) {
@@ -32,7 +32,7 @@ std::vector<SharedPose> examples_of(const Document& document) {
   return examples;
 }
 
-// Of the examples.
+// The weights of the examples.
 std::vector<double> weights_of(const Document& document, std::span<const SharedPose> examples) {
   std::vector<double> weights;
   for (const SharedPose& example : examples)
@@ -40,7 +40,7 @@ std::vector<double> weights_of(const Document& document, std::span<const SharedP
   return weights;
 }
 
-// The sliders say what the shape is.
+// True if the shape is determined by the weights.
 bool is_mix(const Document& document) {
   const PoseLibrary& library = document.library;
   if (!library.mixes()) return !document.shape;
@@ -103,7 +103,7 @@ void PinPosing::begin(const Document& document, KnownVectors& known) {
   begin_here(document, known);
 }
 
-// A shape that is no mix is an example itself.
+// A shape that is not a mix becomes an example itself.
 void PinPosing::begin_here(const Document& document, KnownVectors& known) {
   std::vector<double> weights = weights_of(document, examples_);
   if (!is_mix(document) && document.shape) {

@@ -152,7 +152,7 @@ void check_key_count(const std::string& file, std::size_t count) {
                     "export every second frame, or fewer");
 }
 
-// Keys as they come, each after the one before.
+// Appends keys in order, each with the turns nearest to the previous one.
 class KeyTaker {
 public:
   explicit KeyTaker(std::string file, Easing easing) : file_(std::move(file)), easing_(easing) {}

@@ -80,7 +80,7 @@ int frame_of(const JsonReader& json) {
   return static_cast<int>(std::lround(frame_number(json)));
 }
 
-// As it was typed, where that gives the same weight back.
+// As typed, if that reads back as the same weight.
 double percent_of(double weight) {
   const double typed = std::round(1e8 * weight) / 1e6;
   return typed / 100 == weight ? typed : 100 * weight;
@@ -134,7 +134,7 @@ std::vector<CameraKey> cameras_of(const JsonReader& json, std::vector<std::strin
   return keys;
 }
 
-// By frame; of two of the same frame the first one stays.
+// Sorts by frame; of equal frames the first one is kept.
 template <class Keys>
 void put_in_order(Keys& keys) {
   const auto frame = [](const auto& key) { return key.frame; };
@@ -344,7 +344,7 @@ PoseLibrary library_of(const JsonReader& json, std::span<const SharedShape> shap
   PoseLibrary library;
   take_items(json, PoseLibrary::most_poses, "this pose is left out", warnings, [&](const JsonReader& item) {
     NamedPose named = named_pose_of(item, shapes, warnings);
-    named.name = free_name(library, named.name);  // each name once
+    named.name = free_name(library, named.name);  // names are unique
     library.poses.push_back(std::move(named));
   });
   return library;

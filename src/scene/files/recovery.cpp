@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// PROCESS.viete or PROCESS_3.viete.
+// Parses PROCESS.viete or PROCESS_3.viete.
 std::string process_of(const fs::path& file) {
   const std::string stem = file.stem().string();
   return stem.substr(0, stem.find('_'));
@@ -31,7 +31,7 @@ Session work_of(const Session& session) {
   return work;
 }
 
-// The work that the session or the cage on disk holds. Requires a session, or a cage that is in a file.
+// The work stored in the session or cage on disk. Requires a session, or a cage with a file.
 Session on_disk(const Session& kept) {
   if (!kept.origin.empty()) return work_of(read_session(kept.origin));
   Session rest;
@@ -104,7 +104,7 @@ Leftover describe_leftover(const fs::path& file) {
     leftover.folder = of.parent_path();
     leftover.first_edit = session.first_edit;
   } catch (const std::exception&) {
-    // Its own name will do; opening it says what is wrong.
+    // Keep its own name; opening it reports the error.
   }
   return leftover;
 }
@@ -128,7 +128,7 @@ std::vector<Leftover> find_leftovers(const fs::path& folder) {
 
 std::string when(std::time_t time, std::time_t now) {
   const std::tm then = local(time), today = local(now);
-  std::tm noon = today;  // of the day before: no change of the clock makes that another one
+  std::tm noon = today;  // noon of the previous day, robust against clock changes
   noon.tm_hour = 12, --noon.tm_mday;
   if (is_same_day(then, today)) return text("today %H:%M", then);
   if (is_same_day(then, local(std::mktime(&noon)))) return text("yesterday %H:%M", then);

@@ -10,9 +10,9 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
-#include "mesh/surface.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_cursor.h"
+#include "mesh/surface.h"
 #include "mesh/triangulation.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_editing.h"
@@ -46,7 +46,7 @@ constexpr ViewFlag view_flags[] = {
     {"deformed", &ViewOptions::deformed},   {"select_visible", &ViewOptions::select_visible},
     {"same_path", &ViewOptions::same_path}};
 
-// Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.
+// Resolves links in the folder, so that ".." is correct; the file keeps its given name.
 fs::path resolved(const fs::path& path) {
   std::error_code code;
   const fs::path absolute = fs::absolute(path, code);
@@ -85,14 +85,14 @@ ordered_json view_json(const ViewOptions& view) {
 
 ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
   ViewOptions view;
-  (void)json.find("");  // what is no object is said once
+  (void)json.find("");  // reports a value that is not an object, once
   for (const auto& flag : view_flags) {
     take_part(json, flag.key, view.*flag.option, &JsonReader::boolean, "it stays as it is in a new window",
               warnings);
   }
   take_part(json, "shading", view.shading, choice_of<Shading>, "the model is shown as its file says",
             warnings);
-  bool of_errors = false;  // as sessions said it once
+  bool of_errors = false;  // name in older sessions
   take_part(json, "error_map", of_errors, &JsonReader::boolean, "no map is shown", warnings);
   if (of_errors) view.field = lab::Field::exp_error;
   take_part(json, "field", view.field, choice_of<lab::Field>, "no map is shown", warnings);
@@ -131,7 +131,7 @@ std::vector<CameraPose> cameras_of(const JsonReader& json, std::size_t sides) {
   return cameras;
 }
 
-// Keys are of bytes as the machine stores them: others than the common ones say nothing.
+// Content keys depend on the byte order; ignored on uncommon machines.
 constexpr bool keys_are_common = std::endian::native == std::endian::little;
 
 std::vector<std::uint32_t> selection_of(const JsonReader& json) {
@@ -207,7 +207,7 @@ ordered_json sets_json(const std::vector<NamedSet>& sets) {
   return all;
 }
 
-// A cage that is in no file of its own.
+// A cage without a file.
 ordered_json cage_json(const OpenedSurface& cage) {
   const mesh::Surface& surface = *cage.surface;
   ordered_json polygons = ordered_json::array();
@@ -339,13 +339,13 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("window", s.window, window_of, "the usual size instead");
   std::optional<ElementKind> kind = ElementKind::vertex;
   const auto read_kind = [&](const JsonReader& v) {
-    kind.reset();  // of an unknown kind nothing is selected
+    kind.reset();  // an unknown kind selects nothing
     return word_of(v, kind_from_name);
   };
   take("selecting", kind, read_kind, "nothing is selected");
   if (!kind) return;
   s.selecting = *kind;
-  if (*kind == ElementKind::probe && !all_probes) return;  // others have their numbers now
+  if (*kind == ElementKind::probe && !all_probes) return;  // the indices of others have changed
   take("selection", s.selection, selection_of, "nothing is selected");
 }
 
@@ -365,7 +365,7 @@ Session read_session(const fs::path& file) {
   return session;
 }
 
-// Elements are listed in ascending order.
+// Removes nonexistent elements from the ascending list.
 void fit_selection(Session& session, const Document& document, const fs::path& file) {
   const std::size_t count = element_count(document, session.selecting);
   if (session.selection.empty() || session.selection.back() < count) return;

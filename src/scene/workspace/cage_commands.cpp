@@ -1,4 +1,4 @@
-// Commands of the cage, and of how it moves the model.
+// Commands for the cage and the deformer.
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -61,7 +61,8 @@ void snap_and_say(Workspace& w) {
                   of_cage);
 }
 
-// What is no cage is said, and changes nothing. Of the document, or of the workspace with a word.
+// Shows an error if the result would be no valid cage, without a change. `Change` takes the document, or the
+// workspace and a label.
 template <auto Change>
 void change_cage(Workspace& w) {
   const CageGroups groups = w.document.groups;
@@ -146,7 +147,7 @@ void add_cage_commands(CommandTable& table) {
 
 namespace {
 
-// A way, or one of the choices that ways are made of.
+// A command for a deformer, or for one of its parts.
 template <class Entry>
 void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
   for (const Entry& entry : entries)

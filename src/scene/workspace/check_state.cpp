@@ -7,7 +7,7 @@ namespace viete::scene {
 
 namespace {
 
-// With some of what is around: a lone edge of a fine mesh says nothing about where it is.
+// Frames some surroundings too: a single edge of a fine mesh gives no orientation.
 FoundKind kind_of(const Finding& finding) {
   return {finding.defect, finding.subject};
 }
@@ -24,7 +24,7 @@ void show_badge(CheckState& checks) {
 
 }  // namespace
 
-// The badge stays until it is known that there is nothing to say.
+// The badge stays until the checks find that it no longer applies.
 void forget_findings(CheckState& checks) {
   const auto badge = checks.badge;
   take_findings(checks, {});

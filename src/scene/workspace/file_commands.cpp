@@ -22,14 +22,14 @@ const fs::path& file_of_cage(const Document& document) {
   return in_file ? document.cage_file.path : document.model.path;
 }
 
-// Beside what it belongs to.
+// In the folder of the related file.
 void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   std::error_code ignored;
   const bool there = fs::is_directory(file.parent_path(), ignored);
   show(w.browser, purpose, there ? file.parent_path() : w.remembered.folder);
 }
 
-// What a file of this purpose may replace though it is open: itself as it was read.
+// The open file that this purpose may overwrite: its own source.
 std::string_view own_of(Purpose purpose) {
   switch (purpose) {
     case Purpose::save_session: return the_session;
@@ -40,18 +40,18 @@ std::string_view own_of(Purpose purpose) {
 }
 
 void browse_for_model(Workspace& w) {
-  // Where a file was chosen last, else beside what is open.
+  // The last chosen folder, else that of the open files.
   const fs::path& last = w.remembered.folder;
   show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
 }
 
-// Beside the cage.
+// In the folder of the cage.
 template <Purpose For>
 void browse_for(Workspace& w) {
   browse_beside(w, For, file_of_cage(w.document));
 }
 
-// "cage" becomes "cage_pose.obj", in the folder of the session or else beside the file it comes from.
+// Proposes "cage_pose.obj" for "cage", in the folder of the session or else of the source file.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
   show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending,
@@ -65,7 +65,7 @@ void save_animation(Workspace& w) {
       PictureChoice{.grid = w.view.grid, .light = !w.view.dark, .width = size.x, .height = size.y};
 }
 
-// The document is the bundled model in its cage, and no key would be replaced.
+// The document is the bundled model with its cage and no keys.
 constexpr Condition can_add_example{
     [](const Workspace& w) {
       const fs::path& model = w.document.model.path;
@@ -102,7 +102,7 @@ void browse_to_save_named_pose(Workspace& w) {
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
   const fs::path& session = w.unopened->files.front();
-  const bool recovery = w.unopened->what == OpenRequest::What::recovery;  // lies among files of the program
+  const bool recovery = w.unopened->what == OpenRequest::What::recovery;  // in the program's own folder
   recovery ? show(w.browser, purpose, w.remembered.folder) : browse_beside(w, purpose, session);
 }
 

@@ -1,4 +1,4 @@
-// Commands of the tools, and of how the hand moves.
+// Commands for tools and handling.
 #include <algorithm>
 
 #include "scene/document/edit.h"
@@ -14,7 +14,7 @@ namespace viete::scene {
 
 namespace {
 
-// Where each kind of choice lives.
+// The field for each kind of choice.
 Pivot& place(Handling& h, Pivot) {
   return h.pivot;
 }
@@ -31,7 +31,7 @@ SoftDistance& place(Handling& h, SoftDistance) {
   return h.soft.distance;
 }
 
-// What does not go together with this cage is said, and not chosen.
+// Reports a plane that does not fit the cage, without a change.
 void choose(Workspace& w, MirrorPlane plane) {
   KnownMirror wanted;
   wanted.follow(w.document.cage, plane);
@@ -186,7 +186,7 @@ bool in_use(const Workspace& w) {
   return w.tool == Use;
 }
 
-// On the model under the cursor or, where none is there or a button was pressed, in the middle of the view.
+// Adds at the model under the cursor, or at the view's center if there is none or a panel button was used.
 template <bool (*Add)(Document&, const PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
   const glm::vec2 middle = w.viewport.middle();
@@ -197,7 +197,7 @@ void add_in_view(Workspace& w) {
   if (!at) at = on_model(middle);
   Add(w.document, w.posed, at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
   w.interaction.hovered.reset();
-  w.view.cage = true;  // with which probes are shown
+  w.view.cage = true;  // also displays the probes
 }
 
 bool all_pull(const Workspace& w) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* leave_label = "go to another frame";
 
-// That pose is there. Locked probes are no part of it.
+// True if the document has that pose. Ignores locked probes.
 bool is_there(const Workspace& w, const WholePose& pose) {
   if (w.document.has_cage() && !same_pose(pose.cage, real_pose(w.document))) return false;
   if (!same_shape(pose.shape, w.document.shape)) return false;
@@ -29,14 +29,14 @@ bool is_there(const Workspace& w, const WholePose& pose) {
   return true;
 }
 
-// What is known of the motion is of this timeline.
+// True if the cached animation belongs to this timeline.
 bool is_of_now(const Workspace& w) {
   return w.playback.cage == w.document.cage && w.playback.model == w.document.model.surface &&
          w.playback.timeline == w.document.timeline;
 }
 
-// What the keys make of the document's frame. Requires an animation. Known until one of the two is another:
-// to blend shapes takes time.
+// The pose of the keys at the document's frame. Requires an animation. Cached until frame or animation
+// change, since blending shapes is slow.
 const WholePose& keyed_pose(const Workspace& w) {
   TimedPose& known = w.playback.by_time;
   if (known.animation != w.playback.animation || known.frame != w.document.frame)
@@ -49,7 +49,7 @@ bool is_shown(const Workspace& w) {
   return w.playback.shown && is_there(w, *w.playback.shown);
 }
 
-// What the document's frame looks like, without a word about what was there.
+// Shows the document's frame without storing an unkeyed pose.
 void show_frame(Workspace& w, double frame) {
   w.document.frame = frame;
   if (const auto camera = camera_at(w.document.timeline, frame)) w.camera.set_pose(*camera);
@@ -79,11 +79,11 @@ void leave_for(Workspace& w, double frame) {
   see(w);
 }
 
-// An edit that changes the timeline changes what this frame looks like.
+// An edit of the timeline changes the pose at this frame.
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
   const unsigned long revision = w.document.history.revision();
-  const bool moves_keys = w.time_view.drag.has_value();  // which is seen at once
+  const bool moves_keys = w.time_view.drag.has_value();  // dragging keys shows the result immediately
   if (revision == p.seen_revision || (in_hand(w) && !moves_keys)) return;
   const bool retimed = p.seen_timeline != w.document.timeline;
   see(w);

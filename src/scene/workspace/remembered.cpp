@@ -20,7 +20,7 @@ constexpr Column other(Column column) {
   return column == Column::tools ? Column::methods : Column::tools;
 }
 
-// As wide as it was made, or as there is room.
+// The chosen width, limited to the room.
 float fitted(float width, float room) {
   return std::min(width, std::max(PanelLayout::least_width, room));
 }
@@ -126,7 +126,7 @@ std::optional<glm::ivec2> size_of(const JsonReader& json) {
   return glm::ivec2(width, height);
 }
 
-// What no program of this version knows is passed over: a newer one may know it.
+// Ignores unknown commands, which a newer version may have written.
 Keymap keymap_of(const JsonReader& json) {
   Keymap keymap;
   if (const auto preset = json.find("preset"))
@@ -161,7 +161,7 @@ void take_arrangement(Remembered& remembered, const JsonReader& json) {
   if (const auto keys = json.find("keys")) remembered.keymap = keymap_of(*keys);
 }
 
-// What was there before comes behind, where it does not stand already.
+// Appends older entries that are not in the list.
 void append_missing(Remembered& to, const std::vector<RecentFile>& more) {
   for (const auto& file : more) {
     if (to.recent.size() >= Remembered::most) return;
@@ -169,7 +169,7 @@ void append_missing(Remembered& to, const std::vector<RecentFile>& more) {
   }
 }
 
-// A file that cannot be understood holds nothing worth keeping.
+// A damaged file has no entries worth keeping.
 std::vector<RecentFile> recent_in(const fs::path& file) {
   try {
     return read_remembered(file).recent;

@@ -21,14 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Runs a step that writes where it may: over `own`, what this was read as, too. What goes wrong becomes a
-// message.
+// Runs a writing step if the file may be written, including `own`, its source. Reports errors as messages.
 template <class Step>
 bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::string_view own, Step step) {
   const std::string topic = std::string("save ") + what;
   try {
     const bool session = own == the_session;
-    const bool anew = session && path == workspace.saved.session;  // whatever has become of it
+    const bool anew = session && path == workspace.saved.session;  // in any state
     check_output(path, session ? Content::session : Content::surface, files_open(workspace, own),
                  anew ? Force::given : Force::none);
     step();
@@ -41,12 +40,12 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::
   }
 }
 
-// What is there is as the keys have it at this frame: playing is no work that could be lost.
+// True if the pose is that of the keys at this frame: playback changes nothing worth saving.
 bool is_by_time(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
-// Or differ in their poses alone, and these are by time.
+// Or they differ only in their poses, which come from the keys.
 bool same_probes(const Workspace& w, bool by_time) {
   deform::Probes now = w.document.probes;
   const auto& saved = w.saved.state.probes.all;
@@ -55,7 +54,7 @@ bool same_probes(const Workspace& w, bool by_time) {
   return now == w.saved.state.probes;
 }
 
-// A pose in no key is safe in the list that was saved, and as the pose that was.
+// An unkeyed pose is saved in the stored list, or as the stored pose.
 bool same_timeline(const Workspace& w) {
   Timeline now = w.document.timeline;
   if (now == w.saved.state.timeline) return true;
@@ -102,7 +101,7 @@ bool save_chosen_pose(Workspace& workspace, const fs::path& path) {
 bool save_cage(Workspace& workspace, const fs::path& path) {
   Document& document = workspace.document;
   return attempt(workspace, "cage", path, the_cage, [&] {
-    mesh::check_keeps_vertices(path);  // which poses, and the session, go by
+    mesh::check_keeps_vertices(path);  // poses and sessions depend on the vertex order
     mesh::write(path, document.cage->surface, {"cage of " + document.model.path.filename().string()});
     document.history.file_replaced(path, document.cage);
     document.cage_file.path = path;
@@ -150,7 +149,7 @@ void mark_saved(Workspace& workspace) {
   mark_pose_saved(workspace);
 }
 
-// In a session alone: the file of a pose has no probes.
+// Not for probes: the file of a pose does not include them.
 void mark_pose_saved(Workspace& workspace) {
   workspace.saved.put_pose(real_pose(workspace.document));
   if (!has_unsaved_edits(workspace)) mark_edits_saved(workspace, "");

@@ -15,7 +15,7 @@ namespace viete::scene {
 
 namespace {
 
-// What is under the cursor may be of another kind then.
+// The element under the cursor may be of another kind then.
 void step_back(Workspace& w) {
   undo(w.document);
   w.messages.leave_sight();
@@ -48,7 +48,7 @@ void invert_selection(Workspace& w) {
   set_selection(w.document, std::move(inverted));
 }
 
-// What is selected and under the cursor.
+// The selection and the hovered element.
 Selection selection_at_hand(const Workspace& w) {
   Selection selection = w.document.selection;
   if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
@@ -86,7 +86,7 @@ void select_ring(Workspace& w) {
   set_selection(w.document, std::move(ring));
 }
 
-// What lies at rest on one side of the model's middle.
+// Selects elements on one side of the model's middle, at rest.
 void add_side_command(CommandTable& table, int axis, bool positive) {
   const char letter = static_cast<char>('x' + axis);
   const std::string side{static_cast<char>('X' + axis), ' ', positive ? '+' : '-'},

@@ -33,7 +33,7 @@ Sight sight_of(const Workspace& w) {
   if (w.document.has_cage()) {
     points.clear();
     for (const auto& p : w.document.pose.positions) points.push_back(project(p));
-    // What is hidden hides nothing.
+    // Hidden faces do not occlude.
     const auto hidden = hidden_elements(w.document, ElementKind::face);
     const mesh::Surface& cage = w.document.cage->surface;
     std::vector<mesh::Triangle> triangles;

@@ -29,7 +29,7 @@ void report(Workspace& workspace, const Opened& opened) {
   for (const auto& warning : opened.warnings) workspace.messages.warn(warning, concern);
 }
 
-// Another cage of the same model: sets and poses are of the one before. Where they are in a file it is named.
+// After a change of the cage: reports lost sets and poses, and the file that contains them, if any.
 void tell_what_is_lost(Workspace& w, const std::string& poses, bool in_file) {
   const std::string file = w.saved.session.filename().string();
   const std::string where = in_file && !file.empty() ? "; " + file + " has them" : "";
@@ -63,7 +63,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   ++w.opened;
 }
 
-// Help stays as it is; the hints of the first start do not come back.
+// Keeps the help's state; the hints of the first start stay hidden.
 void take_view(Workspace& w, const Session& session) {
   const ViewOptions old = w.view;
   w.view = session.view;
@@ -72,7 +72,7 @@ void take_view(Workspace& w, const Session& session) {
   w.view.hints = old.hints && session.view.hints;
 }
 
-// A place or a plane of another model says nothing.
+// Resets pivots and planes, which are meaningless for another model.
 void take_handling(Workspace& w, const Opened& opened, bool same_model) {
   if (opened.session) {
     w.handling = opened.session->handling;
@@ -93,7 +93,7 @@ void take_shapes(Workspace& w, std::vector<NamedShape>&& shapes) {
   }
 }
 
-// What was read of poses is an edit. Says whether it was that.
+// Applies loaded poses as an edit. Returns false if there are none.
 bool take_poses(Workspace& w, Opened& opened) {
   const std::string name = opened.file.filename().string();
   if (!opened.poses.empty()) {
@@ -119,10 +119,10 @@ bool take_poses(Workspace& w, Opened& opened) {
 void take_pose(Workspace& w, deform::Pose&& pose) {
   const bool was_saved = !has_unsaved_edits(w);
   replace_pose(w, [&] { set_pose(w.document, std::move(pose)); });
-  if (was_saved) mark_pose_saved(w);  // nothing is lost with it: it stands in the file
+  if (was_saved) mark_pose_saved(w);  // the file contains it
 }
 
-// What is flat, its cage too, is seen from before, without perspective.
+// Flat data is seen from the front without perspective.
 void look_at_first(Workspace& w) {
   const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file.bounds : w.document.model.bounds;
   const bool z_up = w.camera.pose().up == UpAxis::z;
@@ -172,9 +172,10 @@ void take(Workspace& w, Opened&& opened) {
     mark_edits_saved(w, opened.session->first_edit);
   } else {
     mark_saved(w);
-    if (opened.session) w.saved.state.scheme = opened.session->scheme;  // another one was asked for: unsaved
+    if (opened.session)
+      w.saved.state.scheme = opened.session->scheme;  // with settings from the request: unsaved
     if (!opened.session)
-      w.saved.state.mask = nullptr, w.saved.state.probes = {};  // made for another cage: in no file
+      w.saved.state.mask = nullptr, w.saved.state.probes = {};  // for another cage: in no file
     w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                              : RecentFile{w.saved.session, {}});
   }
@@ -182,7 +183,7 @@ void take(Workspace& w, Opened&& opened) {
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
   if (same_model) return;
   w.camera.set_up(guessed_up(w.document.model));
-  look_at_first(w);  // as if nothing had been open before
+  look_at_first(w);  // as after the first opening
   frame_all(w, false);
 }
 

@@ -43,7 +43,7 @@ constexpr Condition has_time{[](const Workspace& w) {
                                       !in_hand(w);
                              },
                              "There are no keys: pose the model and set one (I)."};
-// Keys of the keyboard that change time do nothing where time is not seen.
+// Timeline shortcuts are disabled while the timeline is hidden.
 constexpr Condition shows_time{[](const Workspace& w) {
                                  return has_model(w) && w.remembered.layout.timeline &&
                                         !is_editing_cage(w.document) && !in_hand(w);
@@ -63,7 +63,7 @@ constexpr Condition deletes_keys{
     [](const Workspace& w) { return has_selected_keys(w) && w.time_view.hovered; },
     "Select keys in the timeline first, and leave the pointer there."};
 
-// What cannot be done is said, and changes nothing.
+// Reports an edit that fails, without a change.
 template <class Edit>
 void try_edit(Workspace& w, const char* what, Edit edit) {
   try {
@@ -108,7 +108,7 @@ void move_down(Workspace& w) {
   ++*w.chosen_pose;
 }
 
-// Opens the timeline, in which all keys are in sight if it was closed.
+// Opens the timeline, and fits all keys if it was closed.
 void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
     const bool shown = w.remembered.layout.timeline && !w.document.timeline.empty();
@@ -186,7 +186,7 @@ void change_play(Workspace& w, const auto& change) {
   set_play(w.document, play);
 }
 
-// What plays begins at the first key and ends at the last one.
+// Fits the playback range to the first and last key.
 void fit_range(Workspace& w) {
   const std::vector<int> frames = key_frames(w.document.timeline);
   change_play(w, [&](Play& play) { play.first = frames.front(), play.last = frames.back(); });

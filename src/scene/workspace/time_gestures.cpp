@@ -25,7 +25,7 @@ void toggle_frame(std::vector<int>& frames, int frame) {
   }
 }
 
-// Within what a timeline may have, and all by the same way.
+// Limits a shift of all frames to the timeline's range.
 int allowed_shift(const std::vector<int>& frames, int shift) {
   return std::clamp(shift, Timeline::least_frame - frames.front(), Timeline::largest_frame - frames.back());
 }

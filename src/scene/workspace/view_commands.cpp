@@ -1,4 +1,4 @@
-// Commands of what is seen: panels, shading, maps and several views.
+// Commands for the display: panels, shading, maps and split views.
 #include <algorithm>
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace viete::scene {
 
 namespace {
 
-// With the panels, where they are hidden.
+// Shows the panels too if they are hidden.
 template <Column Which>
 void toggle_column_of(Workspace& w) {
   const bool hidden = !std::exchange(w.view.panels, true);
