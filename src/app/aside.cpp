@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// "37 %" is how far it is; whatever else is a sentence.
+// Separates progress lines, "37 %", from messages.
 struct Said {
   double done = 0;
   std::vector<std::string> sentences;
@@ -39,7 +39,7 @@ Said said_by(const base::ChildProgram& child) {
 
 }  // namespace
 
-// The first run says whether there is one.
+// The first process reports whether there is a browser.
 void open_in_browser(const fs::path& page) {
   const std::string advice = "open the page by hand";
   base::ChildProgram({"xdg-open", "--version"}, advice).finish();

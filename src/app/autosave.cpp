@@ -21,7 +21,7 @@ fs::path absolute_path_in(const char* variable) {
   return path.is_absolute() ? path : fs::path();
 }
 
-// Ours, in the folder that the variable names or else in that one of the home folder.
+// The program's subfolder of the folder in the variable, or else in the home folder.
 fs::path own_folder(const char* variable, const fs::path& of_home) {
   if (const fs::path folder = absolute_path_in(variable); !folder.empty()) return folder / "viete";
   if (const fs::path home = absolute_path_in("HOME"); !home.empty()) return home / of_home / "viete";
@@ -38,9 +38,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double settled_seconds = 0.5;  // until what moves is written
-constexpr double longest_wait = 1e-3;    // seconds of a frame
-constexpr double patience = 10;          // seconds before the question whether to go on without
+constexpr double settled_seconds = 0.5;  // delay before continuous changes are written
+constexpr double longest_wait = 1e-3;    // seconds per frame
+constexpr double patience = 10;          // seconds before asking whether to continue without a backup
 
 void make_folder(const fs::path& folder) {
   std::error_code code;
@@ -80,7 +80,7 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
   }
   seen_ = now;
   kept_ = false;
-  writing_ = {};  // of a moment that is over
+  writing_ = {};  // belongs to an earlier state
   if (!untouched_.empty()) return;
   if (now.unsaved) {
     write(workspace);
@@ -94,7 +94,7 @@ bool Autosave::rested() const {
   return around_changed_ && base::wall_seconds() - *around_changed_ > settled_seconds;
 }
 
-// They are no edits: only where a file keeps some they are kept with them.
+// Not edits: written only if a recovery file exists.
 void Autosave::follow_surroundings(scene::Workspace& workspace) {
   const Surroundings now{workspace.camera.destination(), workspace.handling, workspace.document.frame};
   if (std::exchange(around_, now) != now) around_changed_ = base::wall_seconds();
@@ -131,7 +131,7 @@ std::string Autosave::problem() const {
   return problem_;
 }
 
-// Work that was brought back is removed from where it lay once it lies here.
+// A restored recovery file is deleted once its work has been written here.
 void Autosave::write(scene::Workspace& workspace) {
   kept_ = false;
   has_file_ = true;
@@ -160,7 +160,7 @@ void Autosave::take_result(scene::Workspace& workspace, double wait_seconds) {
   }
 }
 
-// The file of the document that was there before, as far as it was written.
+// The recovery file of the previous document, as far as written.
 bool Autosave::move_aside(scene::Workspace& workspace) {
   kept_ = has_file_ = false;
   std::error_code code;
@@ -185,7 +185,7 @@ void Autosave::leave_recovered(scene::Workspace& workspace) {
   workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(file));
 }
 
-// With the leftover that was open, if it still lies where it lay.
+// Deletes the file, and the restored one if it still exists.
 void Autosave::remove(const fs::path& leftover) {
   if (!std::exchange(has_file_, false) && leftover.empty()) return;
   queue_.add([file = file_, leftover] {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Gone with what it holds.
+// A temporary folder, deleted with its contents.
 class ScratchFolder {
 public:
   ScratchFolder() {
@@ -99,7 +99,7 @@ scene::WorkState Exporter::state() const {
   return {true, std::move(what), job_.done(), job_.seconds(), job_.seconds()};
 }
 
-// Notes that need no action are only in the list of messages.
+// Notes that need no action go to the message list only.
 void Exporter::tell(scene::Messages& messages, Written&& written) const {
   std::erase_if(written.notes,
                 [&](const std::string& note) { return std::ranges::count(now_.told, note) > 0; });

@@ -72,7 +72,7 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   follow_dialog(w.browser, w);
 }
 
-// A file dialog stays until what it asked for is done. What takes long is shown by a bar instead.
+// A file browser stays open until its request is done. Long work shows a bar instead.
 void FileDesk::follow_dialog(scene::FileBrowser& browser, const scene::Workspace& w) {
   constexpr double short_time = 0.5;
   if (browser.asked.empty()) return;
@@ -88,7 +88,7 @@ void FileDesk::export_to(scene::Workspace& w, const fs::path& file, StartExport 
     (this->*start)(w, file);
   } catch (const base::Error& error) {
     scene::tell_refusal(w, file, error.what(), "export");
-    closing_ = w.requests.quit = false;  // that is to be read first
+    closing_ = w.requests.quit = false;  // the error must be read first
   }
 }
 
@@ -183,7 +183,7 @@ void FileDesk::go_on(scene::Workspace& w, Kind kind) {
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
-// What waits for saving goes on, or is given up where saving was.
+// Continues the action that waited for saving, or drops it if saving was cancelled.
 void FileDesk::go_on_after_saving(scene::Workspace& w) {
   if (!w.after_saving || w.question) return;
   if (!scene::has_unsaved_edits(w)) return go_on(w, *w.after_saving);
@@ -206,11 +206,11 @@ void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over
   }
 }
 
-// A window that was about to close goes on with that when all is written, and stays for what went wrong.
+// Closing continues after all exports, and stops on an error.
 void FileDesk::follow_exports(scene::Workspace& w, bool wait) {
   if (const auto failure = exporter_.follow(w.messages, wait)) {
     scene::tell_refusal(w, failure->file, failure->problem, "export");
-    closing_ = w.requests.quit = false;  // that is to be read first
+    closing_ = w.requests.quit = false;  // the error must be read first
   }
   if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;
 }
@@ -247,7 +247,7 @@ void FileDesk::remember(scene::Workspace& w) {
   if (state_.empty() || w.remembered == written_) return;
   written_ = w.remembered;
   writes_.push_back(queue_.add([state = state_, remembered = written_] {
-    std::error_code ignored;  // what it is good for is said when the writing fails
+    std::error_code ignored;  // a missing folder is reported when writing fails
     fs::create_directories(state, ignored);
     scene::write_remembered(remembered_file(state), remembered);
   }));

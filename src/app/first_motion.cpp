@@ -39,7 +39,7 @@ bool FirstMotion::begin(scene::Workspace& workspace) {
     std::vector<std::string> warnings;
     goal_ = deform::read_pose(file, *document.cage, warnings);
   } catch (const base::Error&) {
-    return false;  // nothing is missing but a welcome
+    return false;  // harmless without the motion
   }
   return true;
 }

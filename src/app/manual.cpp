@@ -49,7 +49,7 @@ fs::path manual_page(const std::string& chapter) {
   throw base::Error("the manual", "there is no chapter " + chapter, "choose one of " + chapters_in(folder));
 }
 
-// viete manual [CHAPTER]: the manual in the browser.
+// viete manual [CHAPTER]: opens the manual in the browser.
 
 namespace {
 

@@ -42,7 +42,7 @@ const std::map<std::string, scene::StandardView> looks = {
     {"right", scene::StandardView::right},  {"top", scene::StandardView::top},
     {"bottom", scene::StandardView::bottom}};
 
-// Flags switch on top of what the session, or else the default for pictures, has.
+// Flags are applied on top of the session's options, or of the defaults for pictures.
 scene::ViewOptions view_of(const PictureOptions& options, const std::optional<scene::Session>& session) {
   scene::ViewOptions view = session ? session->view : scene::ViewOptions{.panels = false, .hints = false};
   view.panels = options.panels || (options.panels_of_session && view.panels);
@@ -57,7 +57,7 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   return view;
 }
 
-// A view each, in the order of the words; what a word does not say is as the document has it.
+// One view per word, in order; unspecified settings are those of the document.
 void split(scene::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
   std::vector<scene::SideWay> views;
@@ -80,9 +80,9 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
   w.viewport = scene::viewport_of(w.split, w.viewport, 0);
 }
 
-// A session has its own camera, which that of another one or another look replaces.
+// The session's camera, unless --camera or --look replace it.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
-  viewer.frame(0);  // places the viewport that framing needs
+  viewer.frame(0);  // sets the viewport needed for framing
   if (!options.camera.empty()) {
     const auto camera = scene::read_session(options.camera).camera;
     if (!camera)
@@ -97,7 +97,7 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   scene::frame_all(workspace, false);
 }
 
-// What was asked for and is not in the picture.
+// Warns about requested items that are not in the picture.
 void print_missing(const scene::Workspace& w) {
   if (scene::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +

@@ -143,7 +143,7 @@ int write_pose(const PoseOptions& options) {
   const Posed result = posed(options, *what.model, examples, work->progress());
   what.shape = std::make_shared<const std::vector<mesh::Point>>(result.positions);
   std::vector<std::string> notes = write_shape(what, "the pose", &work->progress());
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   if (result.steps == most_steps)
     notes.push_back("it still moves after " + std::to_string(most_steps) + " steps, and was left there");
   print_notes(notes);

@@ -23,7 +23,7 @@ bool is_command(const std::string& word, const CLI::App& app) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-// A word that is neither a command nor looks like a file, nor is one, was meant as a command.
+// A word that is neither a command nor a file, nor looks like one, was meant as a command.
 void check_first_word(const std::string& word, const CLI::App& app) {
   std::error_code ignored;
   if (word.find_first_of("./") != word.npos || std::filesystem::exists(word, ignored)) return;
@@ -33,7 +33,7 @@ void check_first_word(const std::string& word, const CLI::App& app) {
                         exit_usage);
 }
 
-// The benchmarks are a program of their own, beside this one, which takes over.
+// The benchmarks are a separate program next to this one, which replaces the process.
 [[noreturn]] void become_bench(const std::vector<std::string>& arguments) {
   const std::string program = program_folder() / "viete-bench";
   std::vector<char*> words = {const_cast<char*>(program.c_str())};

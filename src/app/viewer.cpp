@@ -65,7 +65,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
   try {
     workspace_.example = bundled_model().loop;
-  } catch (const std::exception&) {  // it is not offered then
+  } catch (const std::exception&) {  // then it is not offered
   }
   place_viewport();
 }
@@ -75,7 +75,7 @@ glm::ivec2 Viewer::device_size() const {
 }
 
 void Viewer::resize(glm::ivec2 logical_size) {
-  if (options_.size != logical_size) settle(3);  // panels take some frames to find their sizes
+  if (options_.size != logical_size) settle(3);  // panels need some frames to settle their sizes
   options_.size = logical_size;
   place_viewport();
 }
@@ -107,7 +107,7 @@ void Viewer::frame(float seconds) {
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
   const std::pair shown(workspace_.attended, workspace_.tools);
-  // A picture without the panels has neither notices nor tools.
+  // A picture without panels has neither notices nor tools.
   if (take_screenshot_ && !workspace_.view.panels) workspace_.attended = workspace_.tools = false;
   upload(times);
   panels(times);
@@ -144,7 +144,7 @@ void Viewer::take_input(float seconds) {
   place_viewport();
 }
 
-// A software rasteriser draws moving pictures without multisampling and the picture at rest with it.
+// Software rendering draws motion without multisampling and the view at rest with it.
 bool Viewer::wants_refinement() const {
   return view_.fineness() < view_.finest() && base::wall_seconds() - last_change_ > still_seconds;
 }
@@ -157,14 +157,14 @@ bool Viewer::finish_keeping() {
   return scene::has_unsaved_edits(workspace_) && files_.keep_now(workspace_);
 }
 
-// What appears in front of the panels takes a few frames to find its size.
+// Windows in front of the panels need a few frames to settle their size.
 void Viewer::settle_notices() {
   const Notices now{workspace_.question.has_value(), workspace_.farewell, workspace_.messages.revision(),
                     workspace_.notice_height};
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
-// What was said since the last frame is of what is there now.
+// New messages belong to the current document.
 void Viewer::settle_messages() {
   auto& messages = workspace_.messages;
   const auto& now = workspace_.document.revisions();
@@ -184,7 +184,7 @@ bool Viewer::wants_frame() const {
                        sides_.binding(workspace_) || cages_.running() || analysis_.reports();
   const double passed = base::wall_seconds() - last_frame_;
   if (reports && passed > progress_seconds) return true;
-  if (workspace_.browser.open && passed > 1) return true;  // files come and go
+  if (workspace_.browser.open && passed > 1) return true;  // files may have changed
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
          analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
@@ -248,7 +248,7 @@ void Viewer::follow_document() {
   if (analysis_.shows_news()) settle(3);
 }
 
-// What the hand has done is done.
+// Commits the pending cage edit.
 void Viewer::settle_cage_edit() {
   if (workspace_.interaction.drag) return;
   try {
@@ -292,7 +292,7 @@ void Viewer::deform(scene::FrameTimes& times) {
   workspace_.posed = posed_in(workspace_.split.active);
 }
 
-// What the model is drawn as; nothing: at rest. Until a side has a frame it is as the first view.
+// The model as drawn; empty: at rest. A side view without a frame uses the first view's.
 scene::PosedModel Viewer::posed_in(std::size_t view) const {
   const deform::Deformer* deformer = view > 0 ? sides_[view - 1].deformer() : nullptr;
   const bool own = deformer && deformer->ran();
@@ -337,7 +337,7 @@ bool Viewer::follow_fields() {
   return news;
 }
 
-// One colour says the same in all views that show the same field.
+// A colour means the same in all views of one field.
 void Viewer::share_ranges() {
   for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
     scene::FieldView& shown = field_view(view);
@@ -361,7 +361,7 @@ void Viewer::finish_views() {
   if (workspace_.split.on()) share_ranges();
 }
 
-// A drag goes on in the view where it began.
+// A drag continues in the view where it began.
 void Viewer::enter_view_under_cursor() {
   if (workspace_.split.active >= workspace_.split.count()) scene::enter_view(workspace_, 0);
   if (!workspace_.split.on() || pointer_.active() || workspace_.camera.moving()) return;
@@ -403,7 +403,7 @@ void Viewer::panels(scene::FrameTimes& times) {
   times.panels = watch.lap_ms();
 }
 
-// Coarse is what has moved in the last picture too: a single step is sharp at once.
+// Coarse only for repeated motion: the last picture moved too; a single step is drawn sharp at once.
 Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (take_screenshot_) return view_.finest();
   if (view_.shows(wanted)) return refines_ ? view_.finest() : view_.fineness();
@@ -443,7 +443,7 @@ void Viewer::draw_whole() {
   framebuffer_.begin_with(view_.picture(), device_size());
   imgui_renderer_.draw(*ImGui::GetDrawData());
   if (gl_.software)
-    gl_.Finish();  // a software rasteriser works in the background: count its work where it belongs
+    gl_.Finish();  // software rendering is asynchronous: wait for it, so that it is timed here
 }
 
 void Viewer::draw_anew() {

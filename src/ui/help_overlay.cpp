@@ -71,14 +71,14 @@ std::string empty_space_words(const scene::Keymap& keymap) {
 
 namespace {
 
-// A line of the table; a heading where there is nothing on its right.
+// A table row; a heading if the right side is empty.
 struct Row {
   std::string left, right;
 };
 using Rows = std::vector<Row>;
 
-// Every key, under the headings of its groups, which the table of commands has one after the other: those of
-// files, edits and selections, or the others.
+// All keys with the headings of their groups, which are consecutive in the command table: those for files,
+// edits and selections, or the others.
 void add_commands(const scene::Keymap& keymap, Rows& rows, bool of_hands) {
   std::string_view group;
   for (const auto& command : scene::commands()) {
@@ -146,7 +146,7 @@ std::string preset_label(const Context& ui) {
 
 }  // namespace
 
-// Two tables side by side where there is room, else one below the other.
+// Two tables side by side, or one below the other if there is no room.
 void help_overlay(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   constexpr float gap = 32;
@@ -170,20 +170,20 @@ void help_overlay(const Context& ui) {
   if (!open) ui.workspace.view.help = false;
 }
 
-// Every command with its keys: found by a few letters, given another key by a click and the key.
+// The list of commands with their keys: search, and a new key by a click and a key press.
 
 namespace {
 
 constexpr float list_width = 620, keys_width = 150, back_width = 64;
 
-// Without the changes of one's own.
+// The preset without user changes.
 scene::Keymap plain_preset(const scene::Keymap& keymap) {
   scene::Keymap plain;
   plain.set_preset(keymap.preset());
   return plain;
 }
 
-// Says why a key of the preset is not there: own changes gave it to another command.
+// Explains a missing preset key: the user's changes assign it to another command.
 std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, const scene::Command& command) {
   const scene::Shortcut preset = plain.of(command).first;
   const auto losers = keymap.losers(command.name, preset);
@@ -233,12 +233,12 @@ void key_heading(const Context& ui, std::string_view title) {
   ImGui::PopFont();
 }
 
-// What answers something that comes and goes, by a button alone.
+// Commands of transient questions, which have a button only.
 bool is_mere_answer(const Context& ui, const scene::Command& command) {
   return command.passing && scene::text(ui.workspace.remembered.keymap.of(command)).empty();
 }
 
-// Under the headings of the menus, or what fits what was typed, best first.
+// Grouped by menus, or the matches of the search, best first.
 void key_rows(const Context& ui) {
   const std::string& typed = ui.workspace.key_list.typed;
   const scene::Keymap plain = plain_preset(ui.workspace.remembered.keymap);
@@ -256,7 +256,7 @@ void key_rows(const Context& ui) {
   if (found.empty()) note(ui, "No command has that in its name.");
 }
 
-// All changes at once; while the list is open they can be brought back.
+// Removes all changes at once; can be undone while the list is open.
 void all_back(const Context& ui) {
   scene::KeyList& list = ui.workspace.key_list;
   scene::Keymap& keymap = ui.workspace.remembered.keymap;
@@ -303,7 +303,7 @@ void key_list(const Context& ui) {
   if (ImGui::Button("Close")) open = false;
   record(ui, "close_keys");
   const bool waits = !w.interaction.setting_key.empty();
-  // The Esc that leaves a key as it is closes nothing.
+  // An Esc that cancels entering a key does not close the list.
   if (key_pressed(scene::Key::escape) && !waits && !w.key_list.waiting) open = false;
   w.key_list.waiting = waits;
   if (!open) close_keys(w);
@@ -311,7 +311,7 @@ void key_list(const Context& ui) {
 
 float key_question(const Context& ui, float bottom) {
   scene::Workspace& w = ui.workspace;
-  if (!w.view.hints) w.ask_keys = false;  // the hand is at work already
+  if (!w.view.hints) w.ask_keys = false;  // the user is already working
   if (!w.ask_keys || !w.view.panels || w.view.help || w.loading.running || w.browser.open || w.question ||
       offers_next_step(w))
     return bottom;

@@ -15,7 +15,7 @@
 
 namespace viete::ui {
 
-// All that was said, newest first: a window over the view.
+// The message list, newest first: a window over the view.
 
 namespace {
 
@@ -81,7 +81,7 @@ void hint_at(const scene::Leftover& leftover) {
   hint(began + "Folder: " + leftover.folder.string());
 }
 
-// Beside the item before, or below it where the window is too narrow.
+// Next to the previous item, or below it in a narrow window.
 void flow(float width) {
   const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
   if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - ImGui::GetStyle().WindowPadding.x)
@@ -92,7 +92,7 @@ float width_of(const std::string& label) {
   return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-// The newest one, which Restore opens, and how many there are besides.
+// Describes the newest one, which Restore opens, and the number of others.
 void leftover_words(const Context& ui) {
   const auto& leftovers = ui.workspace.leftovers;
   const std::size_t more = leftovers.size() - 1;
@@ -103,7 +103,7 @@ void leftover_words(const Context& ui) {
   hint_at(leftovers.front());
 }
 
-// As the last thing that is seen.
+// The last thing shown before closing.
 void farewell(const Context& ui) {
   const Window window("Farewell", {.at = middle_of_view(ui), .padding = {24, 16}}, sized_flags);
   ImGui::TextUnformatted("Unsaved edits are kept; the next start offers to bring them back.");
@@ -113,11 +113,11 @@ void farewell(const Context& ui) {
 }  // namespace
 
 float notice_room(const Context& ui) {
-  constexpr float tools = 64, least = 180;  // tools at the left; as much at the right, so that it is centred
+  constexpr float tools = 64, least = 180;  // tools on the left; the same on the right for centering
   return std::max(least, ui.workspace.viewport.size.x - 2 * tools);
 }
 
-// A row of its own below the menu bar, above the columns and the view.
+// A row below the menu bar, above the columns and the view.
 void notice_bar(const Context& ui) {
   auto& w = ui.workspace;
   if (w.farewell) farewell(ui);
@@ -136,7 +136,7 @@ void notice_bar(const Context& ui) {
   w.notice_height = ImGui::GetWindowSize().y;
 }
 
-// At the bottom of the view: messages of the last seconds, in two lines each. Nothing else moves for them.
+// Recent messages at the bottom of the view, in two lines each. They do not move other items.
 
 namespace {
 
@@ -157,7 +157,7 @@ void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
   draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, 1.5f);
 }
 
-// Shortened to two lines; the list of messages has the whole text.
+// Shortened to two lines; the message list has the whole text.
 std::string in_two_lines(const std::string& text, float width) {
   const auto fits = [&](const std::string& part) {
     return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y < 2.5f * ImGui::GetTextLineHeight();
@@ -170,11 +170,11 @@ std::string in_two_lines(const std::string& text, float width) {
   }
   const std::size_t space = text.rfind(' ', low);
   if (space != std::string::npos && space > low / 2) low = space;
-  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // within a letter
+  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // inside a UTF-8 character
   return text.substr(0, low) + "...";
 }
 
-// Ends above `bottom`, which it moves up.
+// Drawn above `bottom`, which moves up.
 Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float beside = mark_width + 2 * toast_padding + (toast.closes ? close_width : 0);
@@ -217,7 +217,7 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   return pressed;
 }
 
-// Newest lowest.
+// Newest at the bottom.
 std::vector<std::size_t> in_sight(const scene::Messages& messages) {
   std::vector<std::size_t> newest;
   for (std::size_t i = messages.all().size(); i-- > 0;) {
@@ -255,7 +255,7 @@ constexpr std::array answers = {Answer::save, Answer::cancel, Answer::go_on};
 constexpr std::array names = {"question_save", "question_cancel", "question_go_on"};
 constexpr float question_width = 440;
 
-// The one that Enter gives is filled.
+// The default answer is filled.
 bool answer_button(const Context& ui, std::size_t i) {
   const scene::Question& question = *ui.workspace.question;
   const bool chosen = question.chosen == i;
@@ -274,7 +274,7 @@ float button_width(const scene::Question& question, Answer answer) {
   return ImGui::CalcTextSize(scene::label(question.kind, answer)).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-// What loses something stands apart, at the far end.
+// Destructive answers are separated, at the far end.
 std::optional<Answer> answer_row(const Context& ui) {
   std::optional<Answer> answer;
   const float left = ImGui::GetCursorPosX();
@@ -287,7 +287,7 @@ std::optional<Answer> answer_row(const Context& ui) {
   return answer;
 }
 
-// Enter gives the chosen answer, Tab and the arrows choose another, Esc is Cancel.
+// Enter gives the chosen answer, Tab and the arrows choose another, Esc cancels.
 std::optional<Answer> answer_by_key(scene::Question& question) {
   using scene::Key;
   const bool back = key_pressed(Key::left) || (key_pressed(Key::tab) && ImGui::GetIO().KeyShift);
@@ -336,9 +336,9 @@ void question_panel(const Context& ui) {
 
 namespace {
 
-constexpr double silent_seconds = 0.2;  // what is done sooner shows no bar
+constexpr double silent_seconds = 0.2;  // shorter work shows no bar
 
-// No more exactly than it is known.
+// Rounded according to its uncertainty.
 std::string words_of(std::optional<double> left) {
   if (!left) return "";
   if (*left < 1) return "a moment";
@@ -347,7 +347,7 @@ std::string words_of(std::optional<double> left) {
   return std::to_string(std::lround(step * std::ceil(*left / step))) + " s left";
 }
 
-// What is done, how far, and a way to stop it.
+// The task, its progress, and a Cancel button.
 void row(const Context& ui, const scene::WorkState& work, scene::TimeLeft& time_left, const char* stop) {
   constexpr float widest = 420, time_width = 96;
   const float width = std::min(widest, notice_room(ui) - 2 * ImGui::GetStyle().WindowPadding.x);
@@ -378,8 +378,8 @@ float work_bar(const Context& ui, float bottom) {
   return ImGui::GetWindowPos().y + 28;
 }
 
-// At the bottom of the view: what is wrong with cage or model, and the one thing that helps, for who does not
-// see the section of the checks.
+// At the bottom of the view: the main defect of cage or model and its remedy, visible without the section of
+// the checks.
 
 namespace {
 
@@ -388,7 +388,7 @@ bool shows_badge(const scene::Workspace& w) {
          !w.making.open && !w.loading.running && !w.interaction.drag && !offers_next_step(w);
 }
 
-// Where it is, or away with it again. While it is looked for anew it cannot be shown.
+// Shows or hides the elements. Disabled while the checks run.
 void show_button(const Context& ui, const scene::CheckBadge& badge) {
   const auto at = scene::find_finding(ui.workspace.checks, badge.kind);
   ImGui::BeginDisabled(!at);

@@ -1,4 +1,4 @@
-// How many views there are, and what each of them shows.
+// The number of views, and the settings of each.
 #include <optional>
 #include <string>
 

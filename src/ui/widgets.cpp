@@ -22,7 +22,7 @@ const scene::Command& require(std::string_view name) {
   return *command;
 }
 
-// Five digits, or as many as there is room for.
+// Five digits, or as many as fit.
 std::string printed(double value, float room) {
   char text[64];
   for (int digits = 5; digits > 1; --digits) {
@@ -40,8 +40,8 @@ int filter_number(ImGuiInputTextCallbackData* data) {
   return known ? 0 : 1;
 }
 
-// What was typed into a field up to the last frame: versions of ImGui differ in whether they still tell when
-// another widget has taken the keyboard.
+// The text of a field in the last frame: ImGui versions differ in whether they report it after another widget
+// takes the focus.
 std::string typed_so_far(const Context& ui, const std::string& name, const std::string& otherwise) {
   const auto typed = ui.workspace.typed.find(name);
   if (typed == ui.workspace.typed.end()) return otherwise;
@@ -160,7 +160,7 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
 
 namespace {
 
-// Panels behind a dialog, which has a title or is modal, have no hints: these would lie over it.
+// Panels behind a dialog (titled or modal) show no tooltips, which would cover it.
 bool is_behind_dialog() {
   const ImGuiContext& g = *GImGui;
   const ImGuiWindow* own = g.CurrentWindow->RootWindow;
@@ -192,7 +192,7 @@ bool take_escape(scene::Workspace& w) {
     ImGui::ClosePopupToLevel(0, true);
     return true;
   }
-  // Texts and the timeline have a way back of their own.
+  // Text fields and the timeline handle Esc themselves.
   if (!ImGui::IsMouseDown(0) || !ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || w.time_view.drag)
     return false;
   ImGui::ClearActiveID();
@@ -203,7 +203,7 @@ bool take_escape(scene::Workspace& w) {
 
 void hint(const std::string& text) {
   if (!wants_hint()) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // also where the window has none
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // also for windows without padding
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(wrapped(text, 268).c_str());
   ImGui::EndTooltip();
@@ -337,7 +337,7 @@ namespace {
 
 constexpr int frames_to_focus = 4;
 
-// The keyboard comes to it once the button that was pressed on the slider is up.
+// It gets the keyboard focus after the mouse button is released.
 std::optional<double> slider_field(const Context& ui, const std::string& name, double value) {
   scene::TypedSlider& typing = ui.workspace.typed_slider;
   typing.frame = ImGui::GetFrameCount();
@@ -392,7 +392,7 @@ std::optional<std::string> name_field(const Context& ui, const std::string& id, 
 
 namespace {
 
-// Of a file that is named at the left: many have the same name. As much of it as there is room for.
+// The folder of a recent file, since many have the same name; shortened to fit.
 void folder_beside(const Context& ui, ImVec2 at, float right, const std::string& name,
                    const std::string& folder) {
   constexpr float gap = 16;
@@ -432,7 +432,7 @@ void open_recent(scene::Workspace& w, std::size_t index) {
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {
-  ImGui::PushTextWrapPos(0);  // for words that are wider
+  ImGui::PushTextWrapPos(0);  // for longer words
   text_in(color ? color : ui.colors.faint, wrapped(text, ImGui::GetContentRegionAvail().x));
   ImGui::PopTextWrapPos();
 }
