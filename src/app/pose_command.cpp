@@ -1,4 +1,4 @@
-// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: a model posed by its examples.
+// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: poses a model by pins and example shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -41,7 +41,7 @@ struct PoseOptions {
   mesh::Digits digits;
 };
 
-// "1234=0.1,2,-3".
+// Parses "1234=0.1,2,-3".
 Pin pin_of(const std::string& text, const std::string& option, bool holds) {
   unsigned vertex = 0;
   mesh::Point p;
@@ -89,7 +89,7 @@ struct Posed {
   std::vector<mesh::Point> positions;
   std::vector<double> weights;
   int steps;
-  double farthest;  // of a pin from its target, in diagonals of the model
+  double farthest;  // largest distance of a pin to its target, in diagonals of the model
 };
 
 Posed posed(const PoseOptions& options, const mesh::Surface& model,

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A cube in a cage, open, with what keeps its edits in a folder.
+// An open cube in a cage, with autosave to a folder.
 struct Kept {
   test::CubeFiles files;
   fs::path folder = files / "recovery";
@@ -94,7 +94,7 @@ TEST_CASE("where_one_looks_from_and_how_the_hand_works_are_kept_with_edits_once_
   const bool early = kept().camera == camera || k.autosave.has_news();
   CHECK((!early || base::wall_seconds() - changed > 0.5));
   while (!k.autosave.has_news()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  CHECK(kept().camera != camera);  // not before the frame that has_news() asks for
+  CHECK(kept().camera != camera);  // written only by the frame that has_news() asks for
   k.autosave.follow(k.workspace);
   k.queue.add([] {}).wait();
   k.autosave.follow(k.workspace);
@@ -103,7 +103,7 @@ TEST_CASE("where_one_looks_from_and_how_the_hand_works_are_kept_with_edits_once_
   CHECK(kept().camera == camera);
   CHECK(kept().handling.soft.on);
   k.workspace.camera.orbit({-40, 10});
-  REQUIRE(k.autosave.keep_now(k.workspace));  // at the end, at once
+  REQUIRE(k.autosave.keep_now(k.workspace));  // at the end, immediately
   CHECK(kept().camera == k.workspace.camera.pose());
 }
 

@@ -22,7 +22,7 @@ using QuestionKind = scene::Question::Kind;
 
 namespace {
 
-// A program's files, without the program: cubes to open, and a folder to remember in.
+// FileDesk without the viewer: cubes to open, and a state folder.
 struct Desk {
   test::CubeFiles files;
   std::filesystem::path state = files / "state";
@@ -32,7 +32,7 @@ struct Desk {
   explicit Desk(bool remembers = true) { begin(remembers); }
   void begin(bool remembers = true) {
     desk.reset();
-    std::destroy_at(&workspace), std::construct_at(&workspace);  // GCC 12 is wrong about moving one
+    std::destroy_at(&workspace), std::construct_at(&workspace);  // GCC 12 warns wrongly about moving one
     desk.emplace(remembers ? state : std::filesystem::path(), workspace);
   }
   void frame(bool no_drag = true) {
@@ -79,7 +79,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   d.frame();
   d.answer(scene::Answer::go_on);
   d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
-  d.workspace.requests.save_model = d.files / "out.obj";  // of nothing
+  d.workspace.requests.save_model = d.files / "out.obj";  // without a model
   d.frame();
   CHECK_FALSE(d.desk->closed());
   CHECK_FALSE(d.desk->loading());
@@ -220,7 +220,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
   for (const bool fails : {false, true}) {
     CAPTURE(fails);
     Desk d;
-    mesh::write(d.files / "large.ply", test::sphere(6));  // so that it is not written at once
+    mesh::write(d.files / "large.ply", test::sphere(6));  // too large to be written immediately
     d.open({d.files / "large.ply", d.files.cage});
     d.workspace.requests.save_model = fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj";
     d.quit();
@@ -236,7 +236,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
 
 namespace {
 
-// The file of the desk's unsaved edits becomes that of a program that has ended.
+// Makes the desk's recovery file look like that of an ended program.
 void end_program(Desk& d) {
   const auto recovery = d.state / "recovery";
   d.desk.reset();

@@ -65,13 +65,13 @@ TEST_CASE(
   s.motion.step(s.w, true, 0);
   s.motion.step(s.w, true, 1);
   CHECK(s.at_goal());
-  CHECK_FALSE(test::run_command(s.w, "add_example"));  // where the loop is nobody knows yet
+  CHECK_FALSE(test::run_command(s.w, "add_example"));  // the session's location is unknown
   s.w.example = folder / "loop.viete";
   CHECK(test::run_command(s.w, "add_example"));
   scene::follow_time(s.w, 0);
   CHECK(s.w.document.library.poses.size() == 3);
   CHECK(s.w.remembered.layout.timeline);
-  CHECK(s.at_goal());  // it begins there
+  CHECK(s.at_goal());  // the motion starts there
   double farthest = 0;
   for (int i = 0; i < 60; ++i) {
     scene::follow_time(s.w, 0.1);

@@ -66,7 +66,7 @@ TEST_CASE("an_answer_that_is_no_number_makes_both_errors_say_so") {
 TEST_CASE("a_probe_takes_all_of_few_matrices_and_an_even_sample_of_many") {
   CHECK(probed(some_matrices(1)).matrices == 1);
   CHECK(probed(some_matrices(app::probe_limit)).matrices == app::probe_limit);
-  for (const bool in_sample : {true, false}) {  // of two neighbours near the end one is taken
+  for (const bool in_sample : {true, false}) {  // one of two neighbours near the end is in the sample
     Matrices matrices = some_matrices(2 * app::probe_limit);
     matrices[matrices.size() - (in_sample ? 2 : 1)].xx = std::numeric_limits<double>::quiet_NaN();
     const auto stats = probed(matrices);

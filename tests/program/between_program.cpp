@@ -1,4 +1,4 @@
-// viete between, viete mix and viete pose: what lies between shapes of a model, and what is made of several.
+// viete between, viete mix and viete pose: interpolation, mixes and posing of shapes.
 #include <cmath>
 
 #include "base/numbered_files.h"
@@ -22,7 +22,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// A cube at rest, and shapes of it: a.obj, b.obj, and the same numbered s_1 to s_3.
+// A cube at rest and its shapes a.obj, b.obj, also numbered as s_1 to s_3.
 struct ShapeFiles : TemporaryFolder {
   mesh::Surface cube = CubeFiles::subdivided_cube();
 

@@ -1,4 +1,4 @@
-// Binding aside: the view stays live, and a binding that is cancelled or does not fit changes nothing.
+// Binding in the background: the view stays responsive, and a cancelled or failed binding changes nothing.
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -40,10 +40,10 @@ void open_dragon_with_pose(Driver& d) {
   d.open_dragon();
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(40, 20));
-  scene::mark_saved(d.workspace());  // so that another cage takes its place without a question
+  scene::mark_saved(d.workspace());  // so that replacing the cage needs no question
 }
 
-// Bytes of memory that are free now, as the system says.
+// Free memory in bytes, as reported by the system.
 double free_memory() {
   std::ifstream in("/proc/meminfo");
   std::string key, rest;
@@ -84,7 +84,7 @@ TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
   const auto* cage = d.document().cage.get();
   d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 1)}};
   REQUIRE(d.until([&] {
-    // Never a document without what deforms it.
+    // A document always has a deformer.
     REQUIRE(d.viewer().deformer());
     return d.document().cage.get() != cage;
   }));
@@ -153,7 +153,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_a_cancel_keeps_t
     const auto before = deformed_positions(d);
     d.document().changed_pose().positions[0][1] += 0.3;
     test::run_command(d.workspace(), weights);
-    d.frame();  // begins the binding, and deforms by the old one
+    d.frame();  // starts the new binding and deforms with the old one
     REQUIRE(d.workspace().binding.running);
     CHECK(d.workspace().binding.what.starts_with("Binding 3,000 vertices to "));
     const auto moved = deformed_positions(d);

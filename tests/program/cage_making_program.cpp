@@ -1,4 +1,4 @@
-// Making a cage in the window: offered, made, changed by sliders, taken back, posed and saved.
+// Cage generation in the window: offer, sliders, undo, posing and saving.
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "mesh/winding_number.h"
@@ -29,7 +29,7 @@ struct Maker : Driver {
     REQUIRE(open({model}));
     settle();
   }
-  // Until the cage is as it is wished for, and bound.
+  // Until the generated cage matches the settings and is bound.
   void finish() {
     frame();
     finish_making();
@@ -70,7 +70,7 @@ TEST_CASE("a model without a cage is framed above the offer of one, and in the m
   const float bottom = v.origin.y + v.size.y, offer = bottom - scene::offer_height(d.workspace());
   const auto beside = d.viewer().recorder().find("open_cage_beside");
   REQUIRE(beside);
-  CHECK(beside->y0 - 94 < offer);  // there are three lines above that button
+  CHECK(beside->y0 - 94 < offer);  // three lines are above that button
   CHECK(offer < beside->y0 - 60);
   const float above = lowest();
   CHECK(above < offer);

@@ -1,4 +1,4 @@
-// viete cage: from a model to a cage that the other commands take.
+// viete cage: generates cages that the other commands accept.
 #include <utility>
 #include <vector>
 

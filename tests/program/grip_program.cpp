@@ -1,4 +1,4 @@
-// Pivot, axes, mirror and soft selection, by the mouse and the keyboard in the real program.
+// Pivot, axes, mirror and soft selection with real mouse and keyboard events.
 #include <cmath>
 #include <cstdlib>
 
@@ -45,7 +45,7 @@ struct Hand : Driver {
     }
     return all;
   }
-  // One that is paired, and that the mouse reaches without another one in its way.
+  // A paired vertex that is not covered by another one.
   std::uint32_t paired_vertex() {
     const scene::Mirror& mirror = *scene::mirror_of(workspace());
     for (std::uint32_t v = 0; v < positions().size(); ++v) {
@@ -56,7 +56,7 @@ struct Hand : Driver {
     FAIL("no vertex is paired and to be seen");
     return 0;
   }
-  // All of the cage, as a person begins it: by the button, and the pointer comes into the view.
+  // Starts a shape on the whole cage: by its button, then with the pointer in the view.
   void take_shape(const std::string& shape) {
     press_key('A');
     click(shape);
@@ -64,7 +64,7 @@ struct Hand : Driver {
     frame();
     REQUIRE(workspace().interaction.drag);
   }
-  // Every vertex is where the shape takes it.
+  // Checks every vertex against the shape.
   void check_shaped(const scene::Shaping& shaping, double amount) {
     double farthest = 0;
     for (std::size_t v = 0; v < rest().size(); ++v)
@@ -298,7 +298,7 @@ TEST_CASE("a drag at once after a click is a drag and no double click") {
   const auto v = d.free_vertex();
   const auto before = d.workspace().camera.destination();
   d.click(d.vertex(v));
-  d.click("strip/tool_select");  // no gizmo is in the way
+  d.click("strip/tool_select");  // without a gizmo
   d.click(d.vertex(v));
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
   CHECK(d.moved() == std::vector<std::uint32_t>{v});

@@ -1,4 +1,4 @@
-// The view is a picture that stays while nothing in it changes: it is never an old one.
+// The cached view is redrawn whenever its content changes.
 #include <random>
 
 #include "program/small_scene.h"
@@ -17,7 +17,7 @@ glm::vec2 bare_place(Driver& d) {
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 40);
 }
 
-// Clicks, drags and commands without a plan.
+// Random clicks, drags and commands.
 class RandomHand {
 public:
   RandomHand(Driver& driver, unsigned seed) : d(driver), random_(seed) {}
@@ -49,7 +49,7 @@ private:
     for (int i = 1; i <= 4; ++i) d.move(from + glm::vec2(9 * i, 5 * i - 12));
     if (below(2) == 0) d.button(button, false);
   }
-  // Not those that leave, or ask for files or for what the whole screen is.
+  // Except those that quit, open files, or change the whole screen.
   void run_any_command() {
     const auto all = scene::commands();
     const scene::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];

@@ -1,4 +1,4 @@
-// Keys of every preset, the list in which they are changed, and what is said of keys and mouse.
+// Keys of every preset, the key list, and the help for keys and mouse.
 #include <algorithm>
 #include <cstdlib>
 

@@ -39,7 +39,7 @@ app::ViewerOptions remembering(const std::filesystem::path& state) {
   return options;
 }
 
-// A cube in a cage of its own.
+// A cube in its cage.
 void open_cube(Driver& d, const std::filesystem::path& folder) {
   mesh::Surface cage = mesh::read(test::dragon_cage).surface;
   mesh::write(folder / "cube.obj", cage);
@@ -222,7 +222,7 @@ TEST_CASE("the_palette_walks_by_arrow_keys_and_says_why_a_command_cannot_run") {
   CHECK(d.workspace().palette.highlighted == found.size() - 1);
   d.press_key(scene::Key::down);
   CHECK_FALSE(found.front()->enabled(d.workspace()));
-  d.press_key(scene::Key::enter);  // nothing is open that could be saved
+  d.press_key(scene::Key::enter);  // nothing to save
   CHECK(d.workspace().palette.open);
   CHECK_FALSE(d.workspace().browser.open);
   d.press_key(scene::Key::escape);
@@ -302,7 +302,7 @@ TEST_CASE("a_name_a_format_and_enter_export_whatever_the_list_begins_with") {
   std::filesystem::create_directories(folder / "a_folder");
   Driver d;
   d.open_dragon();
-  d.workspace().saved.session = folder / "session.viete";  // beside which exports are proposed
+  d.workspace().saved.session = folder / "session.viete";  // exports are proposed in its folder
   d.press_key(scene::key('E'), true);
   d.frame(2);
   d.type("arm.obj");
@@ -352,14 +352,14 @@ TEST_CASE("an_unknown_extension_keeps_the_dialog_and_the_name_and_says_what_is_k
 
 namespace {
 
-// Asks a file dialog for this path, by the keyboard, and waits until that is done or refused.
+// Requests a path in the file browser by keyboard, and waits for success or refusal.
 void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
   scene::find_command(command)->run(d.workspace());
   d.frame(3);
   REQUIRE(d.workspace().browser.open);
   d.type(file.string());
   d.press_key(scene::Key::enter);
-  if (d.workspace().browser.warned == file.string()) d.press_key(scene::Key::enter);  // it is replaced
+  if (d.workspace().browser.warned == file.string()) d.press_key(scene::Key::enter);  // overwrite it
   REQUIRE(d.until([&] { return d.workspace().browser.asked.empty() && !d.viewer().exporting(); }));
   d.frame(2);
 }
@@ -454,7 +454,7 @@ TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
     std::map<std::string, ui::WidgetRect> before = d.viewer().recorder().all();
     d.frame(3);
     for (const auto& [name, rect] : d.viewer().recorder().all()) {
-      if (!before.contains(name)) continue;  // it was measured since
+      if (!before.contains(name)) continue;  // measured later
       CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
     }
     if (!d.workspace().browser.open) d.press_key('O', true);  // and stays open

@@ -1,4 +1,4 @@
-// Large files read aside, and loads that fail.
+// Large files read in the background, and failed loads.
 #include "program/kept_work.h"
 #include "scene/workspace/saving.h"
 #include "support/edits.h"
@@ -9,8 +9,7 @@ using What = scene::OpenRequest::What;
 
 namespace {
 
-// Frames until the bar with its button is there; false if the file was read before a person could have seen
-// one.
+// Runs frames until the progress bar is visible; false if the file was read too quickly for it.
 bool sees_loading_bar(Driver& d) {
   bool seen = false;
   d.frame();  // takes the request
@@ -29,7 +28,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   Driver d(remembering(folder / "state", {640, 400}));
   const scene::OpenRequest request{What::model, {folder / "large.obj"}};
 
-  // 348,000 vertices, 36 MB of text; a machine that reads them in a moment gets more.
+  // 348,000 vertices, 36 MB of text; fast machines get more.
   int cells = 240;
   const mesh::Surface* surface = nullptr;
   for (;; cells *= 2) {

@@ -1,6 +1,5 @@
-// Work by a real mouse and keyboard in the real window: mirror, soft selection, pivot, a box over a dense
-// cage, the palette, a dialog and the full screen. What came of it is read from the session that the program
-// saves.
+// Real mouse and keyboard events in the real window: mirror, soft selection, pivot, box selection over a
+// dense cage, palette, dialog and full screen. Results are read from the saved session.
 #include <cmath>
 #include <sstream>
 
@@ -35,8 +34,7 @@ std::string drag_words(glm::vec2 from, glm::vec2 to, const std::string& meanwhil
   return words + meanwhile + " mouseup 1 sleep 0.1";
 }
 
-// A ball in a cage that is a ball, too, as a session that is open offscreen, which says where things are, and
-// in a real window.
+// A ball in a ball-shaped cage, as a session open offscreen, to locate widgets, and in a real window.
 struct RealHand {
   Desktop desktop;
   fs::path session = desktop.folder / "work.viete";
@@ -61,8 +59,8 @@ struct RealHand {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// What the program has now, after all that it was told: events come in order. A window that has no
-  /// keyboard yet is told again.
+  /// The program's current state after all events, which are handled in order. Retries until the window has
+  /// the keyboard focus.
   scene::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };
@@ -106,7 +104,7 @@ TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_command
   CHECK(boxed.selection == expected);
   CHECK(hand.moved(boxed) == 0);
 
-  // A window that is drawn slowly takes some frames until it has the keyboard.
+  // A slowly drawn window needs some frames to get the keyboard focus.
   hand.desktop.xdotool_seen("key ctrl+k");
   hand.desktop.xdotool_seen("type --delay 60 wire");
   hand.desktop.xdotool_seen("key Return");

@@ -1,4 +1,4 @@
-// The viewer where there is no display: a picture, and one line that says where it is.
+// The viewer without a display: a picture, and a line with its path.
 #include <algorithm>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// What the commands may write over, and what they must leave.
+// Which files commands may overwrite.
 #include <map>
 #include <vector>
 
@@ -13,7 +13,7 @@ using namespace viete::test;
 
 namespace {
 
-// A model, its cage, a pose and a session of them, small.
+// A small model, its cage, a pose and a session of them.
 struct SmallFiles : TemporaryFolder {
   SmallFiles() {
     mesh::write(*this / "model.obj", cube(1));

@@ -1,6 +1,6 @@
 // Every panel, in both themes and at both scales: nothing leaves the window, nothing covers anything else.
 //
-// VIETE_PICTURES=FOLDER also writes a picture of each, to be looked at.
+// VIETE_PICTURES=FOLDER also writes a picture of each.
 #include <cstdlib>
 
 #include "program/open_cage.h"
@@ -44,7 +44,7 @@ void check_places(const Widgets& widgets, glm::vec2 window) {
     CHECK(rect.y1 > rect.y0);
     CHECK(rect.x0 >= 0);
     CHECK(rect.x1 <= window.x);
-    if (name.starts_with("menu/") || on_notice_bar(name)) continue;  // above all else
+    if (name.starts_with("menu/") || on_notice_bar(name)) continue;  // in front of everything
     if (rect.x0 < column) CHECK(rect.x1 <= column);
     if (rect.x1 > window.x - column) CHECK(rect.x0 >= window.x - column);
     for (auto b = std::next(a); b != widgets.end(); ++b) {
@@ -121,7 +121,7 @@ void visit_panels(Driver& d, const std::string& look) {
   show(d, look + "_empty");
   REQUIRE(d.open({test::dragon, cage}));
   d.settle();
-  d.workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // places need no drawn model
+  d.workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // layout needs no drawn model
   d.press_key(scene::key('A'));
   d.click("section/Checks");
   if (!d.viewer().recorder().find("finding/0"))
@@ -156,11 +156,12 @@ void visit_panels(Driver& d, const std::string& look) {
 TEST_CASE("no_panel_leaves_the_window_or_covers_another_at_any_scale") {
   for (const float scale : {1.0f, 2.0f}) {
     for (const bool dark : {true, false}) {
-      if (!dark && std::getenv("VIETE_PICTURES") == nullptr) continue;  // places are the same in both themes
+      if (!dark && std::getenv("VIETE_PICTURES") == nullptr)
+        continue;  // the layout is the same in both themes
       auto options = Driver::default_options();
       options.size = {1280, 1500};
       options.scale = scale;
-      options.probe = std::getenv("VIETE_PICTURES") != nullptr;  // pictures are as a person sees them
+      options.probe = std::getenv("VIETE_PICTURES") != nullptr;  // pictures show everything
       options.builtin_font = !options.probe;
       Driver d(options);
       d.workspace().view.dark = dark;
@@ -214,7 +215,7 @@ bool within(const ui::WidgetRect& rect, glm::vec2 window) {
   return rect.x0 >= 0 && rect.y0 >= 0 && rect.x1 <= window.x && rect.y1 <= window.y;
 }
 
-// With its list open, over each of its entries.
+// With its list open, over each entry.
 template <class Entry>
 void visit_chooser(Driver& d, const char* chooser, std::span<const Entry> table, const std::string& look) {
   const glm::vec2 window = d.workspace().viewport.window;

@@ -1,4 +1,4 @@
-// Work that outlives kill -9, and work set aside.
+// Work that survives kill -9, and work set aside.
 #include <random>
 
 #include "program/kept_work.h"
@@ -33,7 +33,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
     d.press_and_move(from, from + glm::vec2(30, 20));
     d.frame(3);
     CHECK(scene::has_unsaved_edits(d.workspace()));
-    CHECK_FALSE(wait_until([&] { return !kept_files(state).empty(); }, 0.2));  // nothing is finished yet
+    CHECK_FALSE(wait_until([&] { return !kept_files(state).empty(); }, 0.2));  // no edit is finished yet
     d.button(0, false);
     d.frame();
     REQUIRE(settled(1));
@@ -83,7 +83,7 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   CHECK(d.workspace().leftovers[0].name == "small.ply");
 
   d.frame(3);
-  CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));  // it was not asked for
+  CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));  // not requested
   d.press_key(scene::key('B'), true);
   d.frame(3);
   d.click("restore_leftover");
@@ -150,7 +150,7 @@ TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks
 
 namespace {
 
-// The folder of what is kept is a file now: nothing more can be written there.
+// Replaces the recovery folder by a file, so that writing fails.
 void break_recovery(const fs::path& state) {
   fs::remove_all(state / "recovery");
   fs::create_directories(state);
@@ -198,7 +198,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_cancel_leaves_everythi
   CHECK_FALSE(u.d.viewer().keeping());
   CHECK(u.d.workspace().question->why.find((u.state / "recovery").string()) != std::string::npos);
   const auto posed = u.d.document().pose.positions;
-  u.d.press_key(scene::key('Z'), true);  // nothing else is done meanwhile
+  u.d.press_key(scene::key('Z'), true);  // blocked by the question
   u.d.press_key(scene::Key::delete_key);
   const glm::vec2 at = glm::round(u.d.vertex(u.d.free_vertex()));
   u.d.drag(at, at + glm::vec2(30, 30));
@@ -362,7 +362,7 @@ TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_
     }
     REQUIRE(kept_files(state).size() == 1);
     fs::rename(kept_files(state).front(),
-               state / "recovery" / "999999999-1.viete");  // of a process that ended
+               state / "recovery" / "999999999-1.viete");  // of an ended process
     Driver again(remembering(state));
     again.frame(3);
     again.click("restore_leftover");
@@ -375,8 +375,7 @@ TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_
   }
 }
 
-// Runs in a process of its own, see the next test: finishes edit after edit, and says in a log which one is
-// about to be finished and which one is.
+// Runs in its own process, see the next test: makes edits and logs the start and end of each.
 TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
   const fs::path folder = std::getenv("VIETE_TEST_FOLDER");
   const SmallModel small(folder);
@@ -421,7 +420,7 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 200000));
       child.kill_now();
     }
-    // The edits that may be in the file: the last finished one, and the one being finished.
+    // The edits that the file may contain: the last finished one, and the one in progress.
     std::vector<double> allowed;
     std::ifstream lines(log);
     std::string what;
@@ -474,7 +473,7 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   CHECK(fs::exists(leftovers[0].file));
   const auto edited = [&] {
     desktop.drag(to, from + glm::ivec2(20, 10));  // not to rest, which would equal the cage's file
-    return !fs::exists(leftovers[0].file);        // its work is in the file of the running program now
+    return !fs::exists(leftovers[0].file);        // its work is now in the running program's file
   };
   REQUIRE(wait_until(edited));
   CHECK(ended().empty());

@@ -1,4 +1,4 @@
-// viete report: a page of figures, through the real program.
+// viete report: writes a page of figures, run as a program.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -12,7 +12,7 @@ using namespace viete::test;
 
 namespace {
 
-/// A small model in a cage that is posed.
+/// A small model in a posed cage.
 struct SmallModel {
   explicit SmallModel(const TemporaryFolder& scratch) {
     auto cube = test::moved(test::cube(), 1.5);
@@ -44,7 +44,7 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
   CHECK(json["figure"] == "report");
   CHECK(json["deformation"][0]["vertices"] == 258);
   CHECK(json["shapes"].size() == 3);
-  // Again over itself, but not over a page of someone else's.
+  // Overwrites its own page, but not another one.
   put_file(folder / "index.html", "<html>mine</html>");
   put_file(folder / "notes.txt", "mine");
   const auto refused = run(command);

@@ -1,4 +1,4 @@
-// Sessions that open to the same picture; open and save by hand.
+// Sessions restore the same picture; opening and saving with real events.
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
@@ -96,8 +96,8 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   REQUIRE(run_viete("render a.viete --show-cage -o a.png", folder.path()).starts_with("0 "));
   CHECK(test::difference(before, test::read_png(folder / "a.png"), 0) == 0);
   REQUIRE(run_viete("deform a.viete -o a.obj", folder.path()).starts_with("0 "));
-  // The window shows floats; what is written is double, by the window too. (A PLY would have floats, as its
-  // model.)
+  // The window displays floats; exports are in double, from the window too. (A PLY would contain floats, like
+  // its model.)
   const auto written = mesh::read(folder / "a.obj").surface.positions;
   CHECK(largest_difference(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
   CHECK(largest_difference(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);
@@ -383,7 +383,7 @@ TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to
   CHECK(scene::has_unsaved_edits(d.workspace()));
 
   save();
-  d.press_key(scene::Key::enter);  // the safe answer: under another name
+  d.press_key(scene::Key::enter);  // the safe answer: another name
   d.frame(3);
   CHECK(d.workspace().browser.open);
   CHECK(test::file_bytes(session) == theirs);
@@ -395,7 +395,7 @@ TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to
   d.frame(3);
   CHECK(scene::read_session(session).pose->positions == d.document().pose.positions);
   drag_some_vertex(d, {10, 10});
-  d.press_key(scene::key('S'), true);  // it is this window's again
+  d.press_key(scene::key('S'), true);  // it now belongs to this window
   d.frame(3);
   CHECK_FALSE(d.workspace().question);
   CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));

@@ -1,4 +1,4 @@
-// In a window of any size and scale nothing that can be used is out of reach.
+// All controls are reachable in a window of any size and scale.
 #include "program/small_scene.h"
 #include "support/commands.h"
 
@@ -12,7 +12,7 @@ struct WindowSize {
   float scale;
 };
 
-// The least that a window can be, and those of real screens.
+// The smallest possible window, and real screen sizes.
 const WindowSize sizes[] = {{{640, 400}, 1},      {{1280, 800}, 2},  {{800, 600}, 1},   {{1024, 640}, 1},
                             {{1366, 768}, 1},     {{2048, 1280}, 2}, {{2560, 1440}, 2}, {{1920, 1080}, 1.25f},
                             {{2880, 1620}, 1.5f}, {{1440, 900}, 1}};
@@ -31,7 +31,7 @@ bool is_inside(Driver& d, const std::string& widget) {
   return rect && rect->visible && rect->x0 >= 0 && rect->y0 >= 0 && rect->x1 <= end.x && rect->y1 <= end.y;
 }
 
-// There, or in the menu that opens at `more`; the menu is closed again.
+// True if the widget is visible, or in the menu that opens at `more`; closes the menu.
 bool is_in_reach(Driver& d, const std::string& there, const std::string& in_menu, const std::string& more) {
   if (is_inside(d, there)) return true;
   if (!is_inside(d, more)) return false;

@@ -1,4 +1,4 @@
-// What the command line says about itself and of wrong words, options and numbers.
+// Help of the command line, and its errors about words, options and numbers.
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -13,8 +13,7 @@ namespace {
 
 const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",
                                            "pose", "cage",   "info",   "bench",   "report"},
-                               benches = {"exp",  "eigen", "accuracy", "sym3", "frame",
-                                          "bind", "modes"};
+                               benches = {"exp", "eigen", "accuracy", "sym3", "frame", "bind", "modes"};
 
 void check_width(const Outcome& help) {
   std::istringstream lines(help.text);

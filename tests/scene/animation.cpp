@@ -44,7 +44,7 @@ TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
   const Animation even = k.animation(two_keys(turned_cube(0), turned_cube(180)));
   for (double share = 0; share <= 1; share += 0.05)
     CHECK(distance(even.at(1 + 10 * share).cage.positions, turned_cube(180 * share).positions) < 1e-12);
-  // In a straight line it passes through nothing.
+  // Linear blending collapses it.
   const auto middle = even.at(6, true).cage.positions;
   for (const auto& p : middle) CHECK(std::hypot(p[0], p[1]) < 1e-12);
 }
@@ -155,7 +155,7 @@ TEST_CASE("any_order_of_seeking_gives_the_same_bits") {
 
 namespace {
 
-// A cube that is its own shapes, and no cage.
+// A cube with shapes of itself, without a cage.
 struct Shaped {
   std::shared_ptr<const mesh::Surface> model = std::make_shared<const mesh::Surface>(test::cube(1));
   KnownVectors vectors;
@@ -192,7 +192,7 @@ TEST_CASE("keys_with_and_without_shapes_lead_by_logs_from_one_to_the_next") {
   const auto straight = a.at(6, true).shape;
   for (std::size_t v = 0; v < straight->size(); ++v)
     CHECK(mesh::norm((*straight)[v] - 0.5 * (m.model->positions[v] + (*turned)[v])) < 1e-15);
-  // Any order, and taken anew, gives the same bits.
+  // Any order of evaluation, or a new evaluation, gives the same bits.
   std::vector<WholePose> in_order;
   for (int frame = 1; frame <= 31; ++frame) in_order.push_back(a.at(frame));
   Shaped other;

@@ -1,4 +1,4 @@
-// Editing the cage itself: what becomes of its shape, its pose and the history.
+// Cage editing: its effect on shape, pose and history.
 #include "scene/document/cage_editing.h"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ double volume(const mesh::Surface& s) {
   return six / 6;
 }
 
-// Posed by one vertex, then in the mode.
+// With one posed vertex, in cage editing.
 Document edited_cube() {
   Document document = test::cube_document();
   document.pose.positions[7] = {3, 3, 3};
@@ -196,7 +196,7 @@ TEST_CASE("a_cage_of_another_size_and_place_is_fitted_and_one_that_is_too_tight_
 }
 
 TEST_CASE("a_turned_cage_is_fitted_turned_and_its_pose_with_it") {
-  constexpr double c = 0.6, d = 0.8;  // of 53 degrees about Z
+  constexpr double c = 0.6, d = 0.8;  // a rotation of 53 degrees about Z
   const auto box = [](double size) {
     mesh::Surface s = test::cube(size);
     for (auto& p : s.positions) p = {p[0], 2 * p[1], 4 * p[2]};
@@ -217,9 +217,9 @@ TEST_CASE("a_turned_cage_is_fitted_turned_and_its_pose_with_it") {
   for (std::size_t k = 0; k < 3; ++k)
     CHECK(now.high[k] == doctest::Approx(document.model.bounds.high[k]).epsilon(0.1));
   const mesh::Vec3 moved = document.pose.positions[7] - document.cage->surface.positions[7];
-  CHECK(moved[0] > 3);  // as much larger as the cage
+  CHECK(moved[0] > 3);  // scaled like the cage
   CHECK(std::abs(moved[1]) < 0.03 * moved[0]);
-  CHECK(document.pose.turns[0][1] == doctest::Approx(7).epsilon(0.01));  // as far around, about its new axis
+  CHECK(document.pose.turns[0][1] == doctest::Approx(7).epsilon(0.01));  // the same angle, about its new axis
   CHECK(std::abs(document.pose.turns[0][0]) < 0.2);
   undo(document);
   CHECK(document.cage->surface.positions == cage.positions);
@@ -253,7 +253,7 @@ TEST_CASE("selected_vertices_within_the_model_snap_out_of_it_and_stay_selected")
   CHECK(document.selection.indices() == std::vector<std::uint32_t>{3, 7});
   const auto edits = test::edit_count(document.history);
   CHECK(snap_selected(document).moved == 0);
-  CHECK(test::edit_count(document.history) == edits);  // nothing to take back
+  CHECK(test::edit_count(document.history) == edits);  // no edit
   undo(document);
   CHECK(document.cage->surface.positions == before);
 }
@@ -302,7 +302,7 @@ TEST_CASE("what_cannot_be_removed_is_said_and_no_edit") {
   const std::size_t edits = test::edit_count(document.history);
   const auto count = document.cage->surface.positions.size();
   select(document, ElementKind::vertex, {0});
-  remove_selected(document);  // at the border: it goes all the same
+  remove_selected(document);  // at the boundary: still removable
   CHECK(document.cage->surface.positions.size() == count - 1);
   CHECK(test::edit_count(document.history) == edits + 1);
 }

@@ -41,7 +41,7 @@ void check_only(const std::vector<Finding>& found, Defect defect, Subject subjec
   CHECK(!meaning(found[0]).empty());
 }
 
-// Two cubes that do not touch, or one.
+// Two separate cubes, or one.
 deform::Cage cage_of(int cubes) {
   mesh::Surface surface = test::cube(1);
   const auto positions = surface.positions;
@@ -56,7 +56,7 @@ deform::Cage cage_of(int cubes) {
   return deform::make_cage(mesh::from_triangles(surface.positions, surface.triangles));
 }
 
-// Said of the cage with its first vertices mapped.
+// The notes about the cage with its first vertices mapped.
 std::vector<std::string> notes(deform::Cage cage, std::size_t mapped, auto map) {
   deform::Pose pose = deform::rest_pose(cage);
   for (std::size_t v = 0; v < mapped; ++v) map(pose.positions[v]);
@@ -118,10 +118,10 @@ TEST_CASE("an_inside_out_cage_is_said_and_does_not_matter") {
 }
 
 TEST_CASE("a_face_without_area_and_a_thin_one_are_named") {
-  // A vertex on an edge of the cube, or just beside it, in faces of their own.
+  // A vertex on an edge of the cube, or close to it, in its own faces.
   for (const double beside : {0.0, 1e-6}) {
     auto s = test::cube(1.5);
-    s.positions.push_back({1.5 - beside, 0, -1.5 - beside});  // of the edge 1-3
+    s.positions.push_back({1.5 - beside, 0, -1.5 - beside});  // on or near the edge 1-3
     auto triangles = s.triangles;
     triangles.push_back({1, 8, 3});
     const auto found = check_in(with_triangles(s, triangles));
@@ -195,7 +195,7 @@ TEST_CASE("a_cage_that_would_fit_when_it_is_turned_is_said_to") {
 }
 
 TEST_CASE("faces_are_polygons_and_not_their_triangles") {
-  mesh::Surface s;  // a pentagon of which one triangle has no area, after a quad
+  mesh::Surface s;  // a pentagon with a degenerate triangle, after a quad
   s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1.5, 1, 0}};
   s.corners = {0, 1, 2, 3, 1, 4, 5, 6, 2};
   s.polygon_starts = {0, 4, 9};
@@ -238,7 +238,7 @@ TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
   step_element(w, -1);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{1});
   frame_finding(w, w.document.pose.positions);
-  CHECK(w.camera.destination().target.x > 0.2F);  // edge 5-7 lies at the right
+  CHECK(w.camera.destination().target.x > 0.2F);  // edge 5-7 is on the right
   toggle_finding(w, 0);
   CHECK(!w.checks.shown);
 }

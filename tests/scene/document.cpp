@@ -64,7 +64,7 @@ TEST_CASE("sizes_that_double_can_deform_are_told_from_those_that_it_cannot") {
                            base::Error);
     }
   }
-  auto point = test::cube(0);  // but far away
+  auto point = test::cube(0);  // far away
   for (auto& p : point.positions) p[2] = 1e70;
   mesh::write(model, point);
   CHECK_THROWS_AS(check_deformable(open_document(model, {})), base::Error);

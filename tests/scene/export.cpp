@@ -45,7 +45,7 @@ TEST_CASE("a_deformed_model_is_written_in_every_format") {
 TEST_CASE("a_model_at_rest_is_exported_as_the_very_file_it_was") {
   const test::CubeFiles files;
   const Document document = open_document(files.model, files.cage);
-  for (const char* name : {"same.obj", "model.obj"}) {  // the second: over the file that was opened
+  for (const char* name : {"same.obj", "model.obj"}) {  // the second overwrites the opened file
     const std::string before = test::file_bytes(files.model);
     CHECK(write_deformed(export_of(document, files.model.parent_path() / name)).empty());
     CHECK(test::file_bytes(files.model.parent_path() / name) == before);

@@ -87,7 +87,7 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   highlight(browser, 2);
   const std::string path = browser.path;
   const auto listed_anew = [&](const std::string& all, std::size_t highlighted) {
-    browser.changed = {};  // clocks of files may be coarse
+    browser.changed = {};  // file times may be coarse
     refresh(browser);
     CHECK(names(browser) == all);
     CHECK(browser.highlighted == highlighted);
@@ -103,7 +103,7 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   listed_anew("Sub ", 0);
   browser.entries.clear();
   refresh(browser);
-  CHECK(browser.entries.empty());  // nothing has changed since
+  CHECK(browser.entries.empty());  // no change was noticed
 }
 
 TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {

@@ -48,8 +48,8 @@ TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_c
                                      camera(0.65f, 0.32f, distance, orthographic), test::viewport);
       for (int i = 0; i < 3; ++i) {
         const float length = glm::distance(gizmo.center, gizmo.arms[i].tip);
-        // Perspective makes an arm that comes towards the viewer longer, by as much as it is nearer: a few
-        // per cent.
+        // Perspective enlarges an arm that points at the viewer in proportion to its nearness: a few per
+        // cent.
         CHECK(length ==
               doctest::Approx(glm::distance(reference.center, reference.arms[i].tip)).epsilon(0.06));
       }

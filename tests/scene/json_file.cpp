@@ -83,7 +83,7 @@ TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
         "bomb: model: a text of 1048576 bytes is longer than any that belongs here (12288); correct it "
         "in the file");
   test::put_file(folder / "long", "");
-  std::filesystem::resize_file(folder / "long", most_json_bytes + 1);  // of zeros that take no disk
+  std::filesystem::resize_file(folder / "long", most_json_bytes + 1);  // sparse zeros
   CHECK(test::problem_of([&] {
           read_json(folder / "long");
         }).find("134217729 bytes are more than this program reads") != std::string::npos);

@@ -206,7 +206,7 @@ TEST_CASE("what_is_opened_comes_to_the_front_of_the_recent_files") {
   CHECK(w.remembered.recent[1] == RecentFile{files / "a.viete", {}});
 }
 
-// An open cage may load "with a plain warning": so says its line of the manifest.
+// The manifest allows an open cage to load "with a plain warning".
 TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_expects" *
           doctest::test_suite(test::if_present)) {
   const fs::path folder = test::shared_data("bad");
@@ -317,17 +317,17 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
   CHECK(text(opened({{.radius = 0.2}}, files.model)) == "cutoff, srl");
   CHECK_THROWS_AS(opened({{.choice = {.weights = deform::Weights::mean_value}, .radius = 0.3}}, files.model),
                   base::Error);
-  // Of a session they count as chosen.
+  // For a session they count as chosen.
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
   CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->scheme) ==
-        "inverse, srl");  // as it was before there was another default
+        "inverse, srl");  // the former default
   test::put_file(
       files / "b.viete",
       R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
   CHECK_THROWS_AS(open_files({OpenRequest::What::model, {files / "b.viete"}, {{.radius = 0.3}}}, {}),
                   base::Error);
-  // Points without triangles have no surface for weights to spread along.
+  // Points without triangles have no surface for weights.
   test::put_file(files / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
   try {
     CHECK(text(opened({}, files / "points.obj")) == "inverse, srl");
@@ -386,7 +386,7 @@ TEST_CASE("a_cage_with_a_fin_opens_without_it_where_that_is_asked_for") {
     return mesh::from_triangles(std::move(points), triangles);
   };
   const std::pair<mesh::Surface, std::size_t> cages[] = {
-      {with({{0, 3, 3}}, {{6, 7, 8}}), 1},                         // a triangle that sticks out
+      {with({{0, 3, 3}}, {{6, 7, 8}}), 1},                         // a protruding triangle
       {with({{0, 3, 3}, {1, 4, 4}}, {{6, 7, 8}, {7, 9, 8}}), 2},   // two
       {with({{0, 3, 3}, {0, 3, -3}}, {{6, 7, 8}, {2, 3, 9}}), 2},  // at two edges
       {with({}, {{0, 1, 6}, {1, 7, 6}}), 2},                       // a wall through the middle

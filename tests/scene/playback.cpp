@@ -1,5 +1,5 @@
-#include "scene/workspace/playing.h"
 #include "scene/workspace/playback.h"
+#include "scene/workspace/playing.h"
 
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ using test::distance, test::turned_cube;
 
 namespace {
 
-// Keys: rest at 1, a half turn at 11, twice as wide at 31; ten frames a second.
+// Keys: rest at 1, a half turn at 11, twice as wide at 31; ten frames per second.
 struct Played {
   Workspace w = test::cube_workspace();
 
@@ -37,7 +37,7 @@ struct Played {
   Timeline& timeline() { return w.document.timeline; }
   const std::vector<mesh::Point>& positions() const { return w.document.pose.positions; }
   void pass(double seconds) { follow_time(w, seconds); }
-  // As a hand does.
+  // Like a drag.
   void put(const deform::Pose& pose) {
     record_edit(document(), "move by hand");
     document().pose = pose;
@@ -95,7 +95,7 @@ TEST_CASE("a_pose_that_is_in_no_key_is_not_lost_by_going_elsewhere") {
   };
   lost_without_a_word([&] { p.put(turned_cube(33)); });
   lost_without_a_word([&] {
-    // The same places after a whole turn.
+    // The same positions after a whole turn.
     deform::Pose pose = p.document().pose;
     pose.turns[0][2] += 2 * std::numbers::pi;
     p.put(pose);
@@ -194,7 +194,7 @@ TEST_CASE("a_pose_that_is_kept_elsewhere_or_was_saved_is_no_unsaved_work_elsewhe
   mark_saved(p.w);
   go_to_frame(p.w, 6);
   CHECK_FALSE(has_unsaved_edits(p.w));
-  mark_saved(p.w);  // with another pose: that one is in the list
+  mark_saved(p.w);  // with another pose, which is in the list
   CHECK_FALSE(has_unsaved_edits(p.w));
   p.put(turned_cube(55));
   go_to_frame(p.w, 7);
@@ -261,12 +261,12 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   p.pass(0);
   weights_are(0.2, 0.6);
   CHECK_FALSE(p.document().library.mixes());
-  REQUIRE(test::run_command(p.w, "set_key"));  // what is played is keyed
+  REQUIRE(test::run_command(p.w, "set_key"));  // keys the played pose
   CHECK(p.timeline().keys[1].mix.size() == 2);
   undo(p.document());
   p.pass(0);
 
-  // A slider that is moved changes its own pose alone.
+  // Moving a slider changes only its own pose.
   const auto before = p.positions();
   REQUIRE(set_weight(p.document(), vectors, 0, 0.2 + 1e-7, false, shown_weights(p.w)));
   CHECK(distance(before, p.positions()) < 1e-5);
@@ -276,7 +276,7 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   CHECK(p.positions() == before);
   p.pass(0);
 
-  // By name, as long as the pose is the one that was mixed.
+  // References by name stay while the pose is unchanged.
   rename_pose(p.document(), 0, "Wave");
   p.pass(0);
   weights_are(0.2, 0.6);
@@ -341,7 +341,7 @@ TEST_CASE("it_plays_by_seconds_and_comes_to_rest_at_a_whole_frame") {
   p.pass(1);
   CHECK(p.document().frame == 6);
   start_playing(p.w);
-  p.pass(2.6);  // beyond the end: a loop
+  p.pass(2.6);  // beyond the end: loops
   CHECK(p.document().frame == doctest::Approx(2));
   CHECK(p.edits() == 0);
 }
@@ -430,7 +430,7 @@ TEST_CASE("with_auto_key_what_a_hand_changes_is_a_key_and_one_edit") {
   p.pass(0);
   CHECK(p.timeline().keys.size() == 3);
   CHECK(p.edits() == 0);
-  // Undo and redo are no edits of a hand.
+  // Undo and redo do not count as edits for auto-key.
   redo(p.document());
   p.pass(0);
   CHECK(p.timeline().keys.size() == 4);

@@ -9,8 +9,8 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/cage_making.h"
 #include "scene/document/edit.h"
-#include "scene/document/record.h"
 #include "scene/document/probes.h"
+#include "scene/document/record.h"
 #include "scene/posed_cube.h"
 #include "support/edits.h"
 
@@ -32,7 +32,7 @@ struct Mixed {
   bool weigh(std::size_t pose, double weight, bool selected_alone = false) {
     return set_weight(document, vectors, pose, weight, selected_alone);
   }
-  // As a hand does.
+  // Like a drag.
   void put(const deform::Pose& pose, const char* label = "move by hand") {
     record_edit(document, label);
     document.pose = pose;
@@ -42,7 +42,7 @@ struct Mixed {
     for (const NamedPose& named : document.library.poses) all.push_back(named.name);
     return all;
   }
-  // Every edit is taken back, and made again.
+  // Undoes and redoes every edit.
   void check_undone(const Document& start) {
     const deform::Pose pose = document.pose;
     const PoseLibrary library = document.library;
@@ -116,7 +116,7 @@ TEST_CASE("names_are_short_each_there_once_and_cut_between_characters") {
     const std::string name = add(text);
     CHECK(name.size() <= PoseLibrary::longest_name);
     const auto space = name.find(' ');
-    CHECK(name.substr(0, space).size() % 2 == 1);  // whole characters
+    CHECK(name.substr(0, space).size() % 2 == 1);  // no split character
   }
 }
 
@@ -176,7 +176,7 @@ TEST_CASE("several_poses_are_added_in_log_space_subtracted_and_averaged") {
   m.weigh(2, 0);
   CHECK(clear_mix(m.document, m.vectors));
   CHECK(m.positions() == test::cube(1.5).positions);
-  // Twice two half turns: the whole turns count.
+  // Twice two half turns: whole turns are counted.
   m.poses()[0].pose = whole(turned_cube(360));
   m.weigh(0, 0.5);
   m.weigh(2, 1);
@@ -191,7 +191,7 @@ TEST_CASE("an_average_of_weights_that_are_nothing_together_is_refused") {
   const std::size_t edits = test::edit_count(m.document.history);
   CHECK_FALSE(average_mix(m.document, m.vectors));
   m.weigh(1, -0.9);
-  CHECK_FALSE(average_mix(m.document, m.vectors));  // they would be 10 and -9
+  CHECK_FALSE(average_mix(m.document, m.vectors));  // the weights would be 10 and -9
   CHECK(m.poses()[0].weight == 1);
   CHECK(test::edit_count(m.document.history) <= edits + 1);
 }
@@ -220,7 +220,7 @@ TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
   CHECK(m.poses()[1].weight == 0);
   CHECK(m.poses()[0].weight == doctest::Approx(0.9));
   CHECK(distance(m.positions(), turned_cube(81).positions) < 1e-12);
-  // After undo, the slider goes on from there.
+  // After undo the slider continues there.
   m.weigh(0, 0.5);
   CHECK(distance(m.positions(), turned_cube(45).positions) < 1e-12);
   m.check_undone(start);
@@ -243,7 +243,7 @@ TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_
   m.weigh(1, 1, true);
   CHECK(m.poses()[1].part == std::vector<std::uint32_t>{4, 5, 6, 7});
   const auto upper = m.positions();
-  // The faces between both move by as much of it as they have corners there, and take the lower one along.
+  // The faces between both move by their fraction of corners in the part, and take the lower face along.
   CHECK(upper[1][0] - upper[0][0] < 4);
   CHECK(upper[5][0] - upper[4][0] > 4.5);
   m.document.selection.clear();
@@ -252,7 +252,7 @@ TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_
   m.weigh(1, 0);
   CHECK(m.poses()[1].part.empty());
   CHECK(m.positions() == test::cube(1.5).positions);
-  m.weigh(1, 1, true);  // nothing is selected any more
+  m.weigh(1, 1, true);  // the selection is empty
   CHECK(m.poses()[1].part.empty());
   CHECK(m.positions() == stretched_cube(2, 3).positions);
 }
@@ -260,13 +260,13 @@ TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_
 TEST_CASE("a_hand_moves_what_is_there_with_the_mix_and_mixing_goes_on_upon_that") {
   Mixed m;
   m.weigh(0, 0.5);
-  // Half of a quarter turn; the hand turns it on by 20 degrees.
+  // Half of a quarter turn, then dragged by 20 degrees.
   m.put(turned_cube(65));
   m.weigh(0, 1);
   CHECK(distance(m.positions(), turned_cube(110).positions) < 1e-12);
   m.weigh(0, 0);
   CHECK(distance(m.positions(), turned_cube(20).positions) < 1e-12);
-  // A whole turn by hand is not nothing.
+  // A whole turn counts as an edit.
   m.weigh(0, 0.5);
   m.put(turned_cube(65 + 360));
   m.weigh(0, 0.75);

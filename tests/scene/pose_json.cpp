@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "scene/document/edit.h"
-#include "scene/document/record.h"
 #include "scene/document/probes.h"
+#include "scene/document/record.h"
 #include "scene/files.h"
 #include "scene/files/open.h"
 #include "scene/files/session.h"
@@ -90,7 +90,7 @@ std::string warnings_of(const Workspace& w) {
   return all;
 }
 
-// A session of the cube with something for "poses" and "time", opened.
+// Opens a session of the cube with the given "poses" and "time".
 Workspace opened_with(const test::CubeFiles& files, const std::string& parts) {
   test::put_file(files / "s.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" +
@@ -126,7 +126,7 @@ TEST_CASE("poses_mixes_keys_and_camera_keys_come_back_to_the_last_bit") {
   CHECK_FALSE(has_unsaved_edits(again));
   REQUIRE(save_session(again, files / "b.viete"));
   CHECK(text_of(files / "a.viete") == text_of(files / "b.viete"));
-  // The mix goes on from there.
+  // The mix continues from there.
   CHECK(clear_mix(again.document, again.playback.vectors));
   CHECK(again.document.pose.positions == test::cube(1.5).positions);
   CHECK(has_unsaved_edits(again));
@@ -352,7 +352,7 @@ TEST_CASE("damaged_animations_are_opened_or_refused_and_what_opens_plays_and_is_
   const int rounds = test::rounds(100, 500);
   for (int round = 0; round < rounds; ++round) {
     std::string damaged = text;
-    // Numbers and words become others; now and then a bracket or a quote does, and the file is refused.
+    // Changes numbers and words; a changed bracket or quote makes the file invalid.
     for (int change = 0; change < 4; ++change) {
       const std::size_t at = begin + random() % (damaged.size() - begin);
       const bool number = std::isdigit(static_cast<unsigned char>(damaged[at])) != 0;

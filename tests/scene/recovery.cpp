@@ -84,13 +84,13 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
     CHECK(fs::exists(kept) == any);
     return any;
   };
-  CHECK_FALSE(offered());  // at rest, as the cage's file
+  CHECK_FALSE(offered());  // at rest, like the cage's file
   move();
   CHECK(offered());
   REQUIRE(save_session(w, session));
   w.camera.orbit({30, 0});
   w.view.wireframe = true;
-  CHECK_FALSE(offered());  // another view of it is no edit
+  CHECK_FALSE(offered());  // changing the view is no edit
   move();
   CHECK(offered());
   undo(w.document);

@@ -76,7 +76,7 @@ TEST_CASE("where_there_is_room_for_one_column_the_one_unfolded_last_is_shown") {
   toggle_column(layout, Column::tools, 800);
   CHECK(shown_columns(layout, 800).methods == 0);
   CHECK(shown_columns(layout, 800).tools == 320);
-  CHECK(shown_columns(layout, 1280).methods == 320);  // it was not folded away
+  CHECK(shown_columns(layout, 1280).methods == 320);  // not folded
   toggle_column(layout, Column::tools, 800);
   CHECK(shown_columns(layout, 800).methods == 320);
 }

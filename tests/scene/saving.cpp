@@ -148,13 +148,13 @@ TEST_CASE("a_session_changed_on_disk_is_noticed_by_its_content") {
   REQUIRE(save_session(w, session));
   CHECK_FALSE(changed_on_disk(w, session));
   const std::string bytes = test::file_bytes(session);
-  test::put_file(session, bytes);  // touched, but the same
+  test::put_file(session, bytes);  // rewritten with the same content
   CHECK_FALSE(changed_on_disk(w, session));
   test::put_file(session, bytes + " ");
   CHECK(changed_on_disk(w, session));
   CHECK_FALSE(changed_on_disk(w, files / "b.viete"));
   fs::remove(session);
-  CHECK_FALSE(changed_on_disk(w, session));  // nothing is lost by writing it again
+  CHECK_FALSE(changed_on_disk(w, session));  // overwriting it loses nothing
 }
 
 TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
@@ -228,7 +228,7 @@ TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   w.document.cage_file = made_surface(*w.document.cage_file.surface, "cage.obj, edited");
-  CHECK_FALSE(save_pose(w, files.cage));  // undo leads back to it
+  CHECK_FALSE(save_pose(w, files.cage));  // undo can restore it
   CHECK(save_cage(w, files.cage));
 }
 
@@ -260,7 +260,7 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
   w.remembered.folder = files / "other";
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()) / "other");
-  test::run_command(w, "open_pose");  // beside its cage
+  test::run_command(w, "open_pose");  // in the folder of its cage
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   test::run_command(w, "open_cage");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
@@ -299,9 +299,9 @@ TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
     REQUIRE(test::run_command(w, command));
     return chosen_file(w.browser).filename().string();
   };
-  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // there, but not open: it asks before it replaces
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // exists, but not open: asks before overwriting
   REQUIRE(test::load_pose(w, files / "a_cage_pose.obj"));
-  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // its own
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // its own file
   CHECK(proposed("save_cage") == "a_cage.obj");
   CHECK(proposed("save_model") == "a_deformed.obj");
   REQUIRE(test::load_model(w, files / "a.obj", files / "a_deformed.obj"));

@@ -1,5 +1,4 @@
-// Boxes, lassos and brushes in the hand, over a coarse cage and a dense one, through it or as far as one
-// sees.
+// Box, lasso and brush over a coarse and a dense cage, through it or for visible elements only.
 #include "scene/hand/picking.h"
 
 #include <doctest/doctest.h>
@@ -23,7 +22,7 @@ namespace {
 struct Hand : test::Mouse {
   using test::Mouse::Mouse;
 
-  // The one that is nearest to the eye.
+  // The vertex nearest to the eye.
   std::uint32_t front() const {
     std::uint32_t best = 0;
     for (std::uint32_t v = 0; v < w.document.pose.positions.size(); ++v) {
@@ -211,9 +210,9 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
     hand.drag({205, 5}, {995, 775});
     const double share =
         static_cast<double>(hand.selected()) / static_cast<double>(element_count(hand.w.document, kind));
-    CHECK(share > 0.35);  // of a ball from near less than a half
+    CHECK(share > 0.35);  // a close ball shows less than half
     CHECK(share < 0.52);
-    // In front of the horizon, but for a margin at which the ball bends away.
+    // Visible, with a margin near the silhouette.
     const glm::vec3 eye = hand.w.camera.eye();
     for (std::uint32_t i = 0; i < element_count(hand.w.document, kind); ++i) {
       const glm::vec3 p = hand.w.document.space.to_view(element_middle(hand.w.document, kind, i));
@@ -228,7 +227,7 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   Hand hand(test::cube_workspace());
   auto& cage = hand.w.document.changed_pose().positions;
   for (auto& p : cage) {
-    for (double& x : p) x *= 0.2;  // within the model
+    for (double& x : p) x *= 0.2;  // inside the model
   }
   hand.w.view.select_visible = true;
   hand.drag({205, 5}, {995, 775});
@@ -238,7 +237,7 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   hand.w.view.model = false;
   hand.w.camera.set_orthographic(true);
   hand.drag({205, 5}, {995, 775});
-  CHECK(hand.selected() == 7);  // the eighth is behind the cage
+  CHECK(hand.selected() == 7);  // the eighth is hidden by the cage
 }
 
 TEST_CASE("nothing_is_hidden_where_there_is_nothing") {

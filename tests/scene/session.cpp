@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Everything a session holds is away from its default.
+// Every setting of a session differs from its default.
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
   w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
@@ -334,7 +334,7 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
     Workspace back = test::opened({files / "a.viete"});
     CHECK(back.document.scheme.iterations == iterations);
   }
-  for (const int iterations : {0, 2}) {  // kept for when it is stitched again
+  for (const int iterations : {0, 2}) {  // stored for later stitching
     Workspace w = test::opened({files.model, files.cage});
     w.document.scheme.iterations = iterations;
     w.document.scheme.holding = {0.29, 0.07};
@@ -362,7 +362,7 @@ TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
     Workspace back = test::opened({files / "a.viete"});
     const deform::Weighting& kept = back.document.scheme.weighting;
     CHECK(kept == weighting);
-    CHECK(kept.radius == 0.29);  // also those that these weights do not use
+    CHECK(kept.radius == 0.29);  // also settings these weights do not use
   }
   const struct {
     const char *key, *value, *warning;
@@ -417,7 +417,7 @@ TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
 
 namespace {
 
-// The same cage with its vertices in another order.
+// The same cage with reordered vertices.
 void permute(const fs::path& cage) {
   mesh::Surface surface = mesh::read(cage).surface;
   const auto n = static_cast<std::uint32_t>(surface.positions.size());

@@ -24,7 +24,7 @@ struct Shapes {
       : rest(std::move(surface)), pool(threads), space(rest, pool) {}
 
   SharedShape shape(double degrees) const { return shared(turned(rest.positions, degrees)); }
-  // A vertex of it pulled out, so that it is no motion of the whole.
+  // One vertex is pulled out, so that it is no rigid motion.
   SharedShape pulled(double degrees) const {
     Points points = rest.positions;
     points[7][2] += 0.5;

@@ -147,7 +147,7 @@ TEST_CASE("easing_is_of_the_selected_keys_or_of_the_one_before_the_frame") {
   Workspace w = keyed_workspace({1, 10, 20});
   w.document.frame = 12;
   CHECK(eased_keys(w) == std::vector{10});
-  w.time_view.selected = {1, 10, 20};  // the last one comes to none
+  w.time_view.selected = {1, 10, 20};  // the last one has no successor
   CHECK(eased_keys(w) == std::vector{1, 10});
   w.time_view.selected = {20};
   CHECK(eased_keys(w) == std::vector{10});

@@ -44,7 +44,7 @@ TEST_CASE("steps_that_go_on_an_older_edit_are_called_off_without_it") {
   w.document = test::cube_document();
   set_radius(w.document, 0.3);
   take_hold(w);
-  set_radius(w.document, 0.4);  // still the same entry
+  set_radius(w.document, 0.4);  // the same edit
   call_off_hold(w);
   CHECK(w.document.scheme.weighting.radius == 0.3);
   CHECK(w.document.history.can_undo());
@@ -80,7 +80,7 @@ TEST_CASE("the_time_left_is_right_soon_after_the_speed_has_changed") {
   };
   const std::vector<std::vector<Phase>> works = {{{1, 0.05}, {6, 0.95 / 5}},  // slow, then fast
                                                  {{1, 0.6}, {9, 0.05}},       // fast, then slow
-                                                 {{10, 0.1}}};                // even
+                                                 {{10, 0.1}}};                // constant
   for (const auto& work : works) {
     TimeLeft left;
     double began = 0, done = 0;
