@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/aside.h"
+#include "app/child_process.h"
 #include "base/clock.h"
 
 namespace viete::app {
@@ -26,7 +26,7 @@ void Analysis::follow_document(scene::Workspace& workspace) {
   const scene::Document& document = workspace.document;
   if (std::exchange(workspace.requests.show_report, false))
     report_.start([program = program_, state = state_](base::Progress& progress) {
-      return show_report_aside(program, state, progress);
+      return create_and_show_report(program, state, progress);
     });
   if (std::exchange(workspace.requests.stop_report, false)) report_.cancel();
   follow_report(workspace);

@@ -19,7 +19,7 @@ namespace viete::app {
 /// thread.
 class Analysis {
 public:
-  /// probe: measure the methods. program, state: see show_report_aside().
+  /// probe: measure the methods. program, state: see create_and_show_report().
   Analysis(bool probe, std::filesystem::path program, std::filesystem::path state)
       : probe_wanted_(probe), program_(std::move(program)), state_(std::move(state)) {}
 

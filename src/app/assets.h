@@ -12,7 +12,7 @@ std::filesystem::path assets_folder();
 
 struct BundledModel {
   std::filesystem::path model, cage;
-  std::vector<std::filesystem::path> poses;  ///< of the cage, sorted by name
+  std::vector<std::filesystem::path> poses;  ///< poses of the cage, sorted by name
   std::filesystem::path loop;                ///< a session of both with poses and keys
 };
 BundledModel bundled_model();

@@ -101,7 +101,7 @@ int write_moment(const BetweenOptions& options) {
   scene::Export what = scene::export_of(document, options.output);
   what.digits = options.digits;
   std::optional<TerminalProgress> work("Writing " + options.output.filename().string());
-  scene::KnownVectors vectors;
+  scene::VectorCache vectors;
   vectors.follow_model(document.model.surface);
   const scene::Animation animation(timeline_of(options, way, 0, last), vectors);
   what.shape = animation.at(*options.at).shape;

@@ -77,7 +77,7 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
 }
 
 // Refuses options for other kinds of cages.
-void refuse_what_does_nothing(const CLI::App& command, const cages::Wish& wish) {
+void refuse_unused_options(const CLI::App& command, const cages::Wish& wish) {
   std::vector<std::string> idle = {"--cells", "--own-axes"};
   if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
   for (const std::string& name : idle) {
@@ -160,7 +160,7 @@ void add_cage_command(CLI::App& app, Action& action) {
       "are kept where the size allows; a note says what was closed, or where there is no room for the "
       "margin.");
   command->callback([o, command, &action] {
-    refuse_what_does_nothing(*command, o->wish);
+    refuse_unused_options(*command, o->wish);
     action = [o] { return make_cage(*o); };
   });
 }

@@ -31,7 +31,7 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
     if (!workshop.maker) workshop.maker.emplace(workshop.model);
     cages::Made made = workshop.maker->make(wish, pool, &progress);
     all.notes = std::move(made.notes);
-    all.surface = scene::made_surface(std::move(made.surface), "made here");
+    all.surface = scene::generated_surface(std::move(made.surface), "made here");
   }
   if (!is_preview) progress.section(0.7, 0.75);
   all.cage = std::make_shared<const deform::Cage>(deform::make_cage(*all.surface.surface));
@@ -58,7 +58,8 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
   } else if (no_drag) {
     if (auto result = job_.poll()) {
       // A full-quality cage is obsolete if its preview was replaced or posed.
-      const bool wanted = effort_ == cages::Effort::preview || scene::goes_on(w.document, w.making);
+      const bool wanted =
+          effort_ == cages::Effort::preview || scene::can_replace_generated(w.document, w.making);
       if (result->value && wanted) take(w, *std::move(result->value));
       if (result->value) w.messages.succeeded("make a cage");
       if (!result->problem.empty()) w.messages.error(result->problem, {"make a cage", scene::Scope::model});
@@ -67,7 +68,7 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
     // A running preview finishes first: otherwise continuous changes would never show one.
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
-    wants_full_ &= job_.running() || scene::goes_on(w.document, w.making);
+    wants_full_ &= job_.running() || scene::can_replace_generated(w.document, w.making);
     if (is_due(w) && wants_full_) start(w, cages::Effort::full);
     if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_) close(w);
   }
@@ -92,8 +93,8 @@ void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
 void CageMaker::take(scene::Workspace& w, Made&& made) {
   bound_ = std::move(made.bound);
   is_preview_ = effort_ == cages::Effort::preview && w.making.wish.kind == cages::Kind::automatic;
-  scene::take_made(w.document, w.making, std::move(made.surface), std::move(made.cage),
-                   std::move(made.notes));
+  scene::put_generated(w.document, w.making, std::move(made.surface), std::move(made.cage),
+                       std::move(made.notes));
   if (!w.making.closing) return;
   // The panel with the notes is closed: show them as messages.
   for (const std::string& note : w.making.notes)
@@ -101,7 +102,7 @@ void CageMaker::take(scene::Workspace& w, Made&& made) {
 }
 
 void CageMaker::close(scene::Workspace& w) {
-  if (is_preview_ && scene::shows_made(w.document, w.making))
+  if (is_preview_ && scene::shows_generated(w.document, w.making))
     w.messages.warn(
         "The cage is kept as its preview was, since it was posed or the work stopped: it encloses the model, "
         "nearer to it in places than the margin says.",

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/aside.h"
+#include "app/child_process.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
@@ -41,7 +41,7 @@ private:
 
 }  // namespace
 
-std::vector<std::string> write_pictures_aside(const PictureExport& what, base::Progress& progress) {
+std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress) {
   const ScratchFolder scratch;
   const fs::path session = scratch.path() / "animation.viete";
   base::replace_file(session, scene::session_text(what.session, session), base::Durability::process);
@@ -49,7 +49,7 @@ std::vector<std::string> write_pictures_aside(const PictureExport& what, base::P
                                  fs::absolute(what.file).string()};
   if (what.session.view.cage) words.push_back("--show-cage");
   if (what.panels) words.push_back("--panels");
-  return run_aside(words, progress);
+  return run_child(words, progress);
 }
 
 void Exporter::add(scene::Export what, std::vector<std::string> told) {
@@ -76,7 +76,7 @@ void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
 void Exporter::add(PictureExport what) {
   const std::filesystem::path file = what.file;
   add({file, "pictures that are there are whole", [what = std::move(what)](base::Progress& progress) {
-         return Written{"", write_pictures_aside(what, progress)};
+         return Written{"", write_pictures_in_child(what, progress)};
        }});
 }
 

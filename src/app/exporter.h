@@ -27,7 +27,7 @@ struct PictureExport {
 
 /// Runs in a child process. Throws base::Error with its error message, and base::Cancelled. Returns messages
 /// about the result for the user, one line each. Thread-safe.
-std::vector<std::string> write_pictures_aside(const PictureExport& what, base::Progress& progress);
+std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress);
 
 /// Runs exports one after the other, in order. Call from one thread. The destructor cancels unfinished
 /// exports; their files are unchanged.

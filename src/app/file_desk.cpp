@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "mesh/formats/source.h"
 #include "scene/files/output.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/file_commands.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 
 namespace viete::app {
 
@@ -65,7 +65,7 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
   sizes_.follow(w);
-  go_on_after_saving(w);
+  proceed_after_saving(w);
   if (std::exchange(r.quit, false) && !w.question) close(w);
   show_exports(w);
   if (no_drag && !w.question) take_loaded(w, false);
@@ -87,7 +87,7 @@ void FileDesk::export_to(scene::Workspace& w, const fs::path& file, StartExport 
   try {
     (this->*start)(w, file);
   } catch (const base::Error& error) {
-    scene::tell_refusal(w, file, error.what(), "export");
+    scene::report_refusal(w, file, error.what(), "export");
     closing_ = w.requests.quit = false;  // the error must be read first
   }
 }
@@ -139,20 +139,20 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
                                           : "Stopped reading; everything is as it was.",
                     {"open"});
   } else {
-    scene::tell_refusal(w, reading_, result->problem, "open");
+    scene::report_refusal(w, reading_, result->problem, "open");
   }
 }
 
 void FileDesk::take(scene::Workspace& w, Loader::Loaded&& loaded) {
   if (loaded.shading.surface) shading_ = std::move(loaded.shading);
   if (loaded.bound.binding) bound_ = std::move(loaded.bound);
-  scene::take(w, std::move(loaded.opened));
+  scene::apply_opened(w, std::move(loaded.opened));
 }
 
 void FileDesk::close(scene::Workspace& w) {
   closing_ = exporter_.running();
   if (closing_) return;
-  if (!scene::has_unsaved_edits(w) || autosave_.keep_now(w)) return go_on(w, Kind::close);
+  if (!scene::has_unsaved_edits(w) || autosave_.keep_now(w)) return proceed(w, Kind::close);
   w.question = scene::ask_before_closing(scene::name_of_work(w), autosave_.problem());
 }
 
@@ -172,21 +172,21 @@ void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
     if (answer == scene::Answer::save) return scene::browse_to_save_session(w);
     return save_session(w, w.saved.session, true);
   }
-  if (answer == scene::Answer::go_on) return go_on(w, kind);
+  if (answer == scene::Answer::proceed) return proceed(w, kind);
   w.after_saving = kind;
   scene::save(w);
 }
 
-void FileDesk::go_on(scene::Workspace& w, Kind kind) {
+void FileDesk::proceed(scene::Workspace& w, Kind kind) {
   w.after_saving.reset();
   if (kind == Kind::close) autosave_.leave_recovered(w), closed_ = true;
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
 // Continues the action that waited for saving, or drops it if saving was cancelled.
-void FileDesk::go_on_after_saving(scene::Workspace& w) {
+void FileDesk::proceed_after_saving(scene::Workspace& w) {
   if (!w.after_saving || w.question) return;
-  if (!scene::has_unsaved_edits(w)) return go_on(w, *w.after_saving);
+  if (!scene::has_unsaved_edits(w)) return proceed(w, *w.after_saving);
   if (!w.browser.open) give_up(w);
 }
 
@@ -209,7 +209,7 @@ void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over
 // Closing continues after all exports, and stops on an error.
 void FileDesk::follow_exports(scene::Workspace& w, bool wait) {
   if (const auto failure = exporter_.follow(w.messages, wait)) {
-    scene::tell_refusal(w, failure->file, failure->problem, "export");
+    scene::report_refusal(w, failure->file, failure->problem, "export");
     closing_ = w.requests.quit = false;  // the error must be read first
   }
   if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;

@@ -63,8 +63,8 @@ private:
   void take_loaded(scene::Workspace& workspace, bool wait);
   void take(scene::Workspace& workspace, Loader::Loaded&& loaded);
   void take_answer(scene::Workspace& workspace, scene::Answer answer);
-  void go_on(scene::Workspace& workspace, scene::Question::Kind kind);
-  void go_on_after_saving(scene::Workspace& workspace);
+  void proceed(scene::Workspace& workspace, scene::Question::Kind kind);
+  void proceed_after_saving(scene::Workspace& workspace);
   void give_up(scene::Workspace& workspace);
   void save_session(scene::Workspace& workspace, const std::filesystem::path& file, bool over_changes);
   void close(scene::Workspace& workspace);
@@ -84,7 +84,7 @@ private:
   std::filesystem::path reading_;          // first file of the last request
   std::optional<Loader::Loaded> waiting_;  // read, and waiting for an answer to replace the document
   bool closing_ = false, closed_ = false;  // closing waits for exports
-  std::vector<std::future<void>> writes_;  // of small files, until their result is known
+  std::vector<std::future<void>> writes_;  // writes of small files, until their result is known
   base::BackgroundQueue queue_;
   Autosave autosave_;
   scene::Remembered written_;

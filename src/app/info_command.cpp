@@ -58,7 +58,7 @@ void print(const scene::OpenedSurface& surface) {
 }
 
 // Prints the problems for which deform would refuse the cage.
-void print_why_none(const scene::OpenedSurface& cage) {
+void print_refusal(const scene::OpenedSurface& cage) {
   scene::Document document;
   try {
     scene::set_cage(document, cage);
@@ -85,7 +85,7 @@ int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
   if (!cage_file.empty()) {
     cage = scene::open_surface(cage_file);
     print(cage);
-    print_why_none(cage);
+    print_refusal(cage);
   }
   int code = exit_ok;
   for (const auto& file : files) {

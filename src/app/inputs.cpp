@@ -181,7 +181,7 @@ std::vector<std::string> write_shape(const scene::Export& what, const std::strin
   return scene::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
 }
 
-int unless_stopped(const std::filesystem::path& output, const std::function<int()>& write) {
+int run_cancellable(const std::filesystem::path& output, const std::function<int()>& write) {
   try {
     return write();
   } catch (const base::Cancelled&) {

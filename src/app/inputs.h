@@ -43,7 +43,7 @@ enum class Use {
 struct Inputs {
   Use use = Use::picture;
   std::filesystem::path model{}, cage{}, pose{};  ///< model may be a session
-  scene::AskedSettings settings{};                ///< unset ones come from the session
+  scene::RequestedSettings settings{};            ///< unset ones come from the session
   scene::LocatedFiles located{};                  ///< for a session
 
   bool session() const { return scene::is_session(model); }
@@ -94,6 +94,6 @@ std::vector<std::string> write_shape(const scene::Export& what, const std::strin
                                      base::Progress* progress);
 
 /// Runs `write`; converts a cancellation by Ctrl+C to a message and an exit code.
-int unless_stopped(const std::filesystem::path& output, const std::function<int()>& write);
+int run_cancellable(const std::filesystem::path& output, const std::function<int()>& write);
 
 }  // namespace viete::app

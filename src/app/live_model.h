@@ -46,7 +46,7 @@ public:
 
 private:
   bool dragging_ = false;
-  int softened_ = 0;  // of the current drag
+  int softened_ = 0;  // soft-selection count of the current drag
 };
 
 /// Follows the document's revisions: rebinds in the background for changed surfaces or weights while the old

@@ -22,8 +22,8 @@ class Loader {
 public:
   struct Loaded {
     scene::Opened opened;
-    ModelShading shading;                       ///< of a new model
-    Bound bound;                                ///< of a new model or cage
+    ModelShading shading;                       ///< looks of a new model
+    Bound bound;                                ///< binding of a new model or cage
     std::optional<scene::Question> question{};  ///< if nothing was opened: how to proceed
     scene::OpenRequest request{};               ///< if nothing was opened: the request
   };

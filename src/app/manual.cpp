@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/aside.h"
 #include "app/assets.h"
+#include "app/child_process.h"
 #include "app/command_line.h"
 #include "app/options.h"
 #include "base/error.h"

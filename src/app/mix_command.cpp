@@ -94,7 +94,7 @@ std::vector<std::string> write_mix(MixOptions options) {
 }
 
 int mix(const MixOptions& options) {
-  return unless_stopped(options.output, [&] {
+  return run_cancellable(options.output, [&] {
     print_notes(write_mix(options));
     return exit_ok;
   });

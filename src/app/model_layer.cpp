@@ -33,7 +33,7 @@ public:
     make_runs();
     for (const mesh::Color& c : given_.colors) made_.looks.colors.push_back(bytes_of(c));
     made_.looks.colors_of_corners = shows_colors_of_faces();
-    made_.says_something |= !made_.looks.colors.empty();
+    made_.has_looks |= !made_.looks.colors.empty();
     return std::move(made_);
   }
 
@@ -103,7 +103,7 @@ private:
     run.color = {light_of(c[0]), light_of(c[1]), light_of(c[2])};
     run.repeats = material.repeats;
     if (material.base_color_image < given_.images.size()) run.image = image(material.base_color_image);
-    made_.says_something |= run.image >= 0 || c[0] != c[1] || c[1] != c[2];
+    made_.has_looks |= run.image >= 0 || c[0] != c[1] || c[1] != c[2];
   }
 
   // Its index among the displayed images, or -1.

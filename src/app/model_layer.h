@@ -22,7 +22,7 @@ namespace viete::app {
 struct ModelLooks {
   std::vector<mesh::Triangle> triangles;  ///< triangles of the surface, grouped by look
   render::SurfaceLooks looks;             ///< one look per group
-  bool says_something = false;            ///< it has colours, images, or materials that are not grey
+  bool has_looks = false;                 ///< it has colours, images, or materials that are not grey
   std::vector<std::string> warnings;      ///< about images that cannot be shown, one line each
 };
 

@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 
 namespace viete::app {
 
@@ -65,14 +65,14 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
     scene::SideWay view{w.document.scheme, w.document.method, w.view.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "straight")
-      view.other_lines = (word == "straight") != w.document.timeline.straight;
+      view.other_blending = (word == "straight") != w.document.timeline.straight;
     const auto way = std::ranges::find(deform::all_ways(), word, &deform::WayEntry::name);
     if (way != deform::all_ways().end()) view.scheme = deform::scheme_of(way->value, w.document.scheme);
     views.push_back(std::move(view));
   }
-  if (views[0].other_lines) {
+  if (views[0].other_blending) {
     scene::set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
-    for (scene::SideWay& view : views) view.other_lines = !view.other_lines;
+    for (scene::SideWay& view : views) view.other_blending = !view.other_blending;
   }
   w.document.put_scheme(views[0].scheme);
   w.document.put_method(views[0].method);
@@ -124,9 +124,9 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
     throw base::Error("picture", "no side may be longer than " + std::to_string(most) + " pixels here",
                       "ask for a smaller size or scale");
   scene::Workspace& workspace = offscreen->viewer().workspace();
-  scene::take(workspace, std::move(opened));
+  scene::apply_opened(workspace, std::move(opened));
   workspace.view = view_of(options, session);
-  workspace.attended = workspace.tools = false;
+  workspace.has_user = workspace.tools = false;
   split(workspace, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;

@@ -116,7 +116,7 @@ CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::opt
 }
 
 // The second option takes precedence.
-void add_stitching_options(CLI::App& app, scene::AskedSettings& asked) {
+void add_stitching_options(CLI::App& app, scene::RequestedSettings& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },

@@ -54,7 +54,7 @@ scene::Force force_of(bool given);
 /// --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
 /// --stitched with --iterations NUMBER, --pins and --hold PERCENT.
-void add_stitching_options(CLI::App& app, scene::AskedSettings& asked);
+void add_stitching_options(CLI::App& app, scene::RequestedSettings& asked);
 
 CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way);
 

@@ -152,7 +152,7 @@ int write_pose(const PoseOptions& options) {
 }
 
 int pose(const PoseOptions& options) {
-  return unless_stopped(options.output, [&] { return write_pose(options); });
+  return run_cancellable(options.output, [&] { return write_pose(options); });
 }
 
 }  // namespace

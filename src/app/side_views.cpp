@@ -15,7 +15,7 @@ namespace {
 // Falls back to the document's own pose if it fails.
 scene::SharedPose other_pose(scene::Workspace& w) {
   try {
-    return scene::pose_by_other_lines(w);
+    return scene::pose_by_other_blending(w);
   } catch (const base::Error&) {
     return nullptr;
   }
@@ -25,7 +25,7 @@ scene::SharedPose other_pose(scene::Workspace& w) {
 
 SideModel::Made SideModel::made_of(const scene::SideView& side, const scene::Workspace& w) {
   const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method, w.view.same_path};
-  return {need, w.document.revisions().pose, w.document.mask, side.other_lines};
+  return {need, w.document.revisions().pose, w.document.mask, side.other_blending};
 }
 
 bool SideModel::serves(const Need& need) const {
@@ -105,14 +105,14 @@ bool SideModel::follow(scene::SideView& side, scene::Workspace& w, const LiveMod
   if (side.binding) return false;
   const auto& drag = w.interaction.drag;
   drag_.before(*deformer_, drag);
-  const scene::SharedPose other = side.other_lines ? other_pose(w) : nullptr;
+  const scene::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
   const deform::Pose& pose = other ? other->cage : w.document.pose;
   deformer_->set_mask(w.document.mask);
   deformer_->set_probes(w.document.probes);
   deformer_->set_shape(other ? other->shape : w.document.shape);
   base::Stopwatch watch;
   deformer_->deform(w.document.has_cage() ? pose : deform::rest_pose(*bound_.cage), side.method);
-  if (!side.other_lines) drag_.after(*deformer_, drag);  // another mix may move the whole cage
+  if (!side.other_blending) drag_.after(*deformer_, drag);  // another mix may move the whole cage
   side.stats.add({.when = base::wall_seconds(), .links = deformer_->times(), .frame = watch.lap_ms()});
   made_ = wanted;
   ++frames_;

@@ -43,7 +43,7 @@ private:
     Need need;
     scene::Revision pose = 0;
     deform::Mask mask;
-    bool other_lines = false;
+    bool other_blending = false;
     friend bool operator==(const Made&, const Made&) = default;
   };
   static Made made_of(const scene::SideView& side, const scene::Workspace& workspace);
@@ -56,7 +56,7 @@ private:
   base::BackgroundJob<Bound> binder_;
   Bound bound_;
   std::unique_ptr<deform::Deformer> deformer_;
-  std::optional<Made> made_;     // of the last frame
+  std::optional<Made> made_;     // last frame
   Need asked_;                   // the running binding
   std::optional<Need> refused_;  // the last binding that failed
   DragFollower drag_;

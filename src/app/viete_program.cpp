@@ -34,7 +34,7 @@ void check_first_word(const std::string& word, const CLI::App& app) {
 }
 
 // The benchmarks are a separate program next to this one, which replaces the process.
-[[noreturn]] void become_bench(const std::vector<std::string>& arguments) {
+[[noreturn]] void exec_bench(const std::vector<std::string>& arguments) {
   const std::string program = program_folder() / "viete-bench";
   std::vector<char*> words = {const_cast<char*>(program.c_str())};
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
@@ -53,8 +53,8 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
     words.emplace_back("--help");
   }
   const std::string first = words.empty() ? "" : words.front();
-  if (first == "bench") become_bench({words.begin() + 1, words.end()});
-  if (first == "report") become_bench(words);
+  if (first == "bench") exec_bench({words.begin() + 1, words.end()});
+  if (first == "report") exec_bench(words);
   if (first == "-h" || first == "--help" || first == "--version" || is_command(first, app)) return words;
   if (!first.empty() && first[0] != '-') check_first_word(first, app);
   words.insert(words.begin(), "view");

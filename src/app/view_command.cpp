@@ -11,7 +11,7 @@
 #include "app/window_viewer.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 
 namespace viete::app {
 
@@ -33,7 +33,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.size = {1440, 900};
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
-  scene::take(workspace, open(options.inputs, scene::check_drawable));
+  scene::apply_opened(workspace, open(options.inputs, scene::check_drawable));
   FirstMotion motion(options.first_pose);
   motion.step(workspace, true, 0);
   motion.finish(workspace);

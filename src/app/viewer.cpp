@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "app/aside.h"
 #include "app/assets.h"
 #include "app/build_facts.h"
+#include "app/child_process.h"
 #include "app/manual.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
@@ -100,26 +100,26 @@ void Viewer::frame(float seconds) {
   scene::follow_time(workspace_, seconds);
   scene::follow_pins(workspace_);
   follow_document();
-  settle_messages();
+  scope_messages();
   deform(times);
   const bool new_fields = follow_fields(), inspected = inspector_.follow(workspace_, model_);
   if (new_fields || inspected) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
-  const std::pair shown(workspace_.attended, workspace_.tools);
+  const std::pair shown(workspace_.has_user, workspace_.tools);
   // A picture without panels has neither notices nor tools.
-  if (take_screenshot_ && !workspace_.view.panels) workspace_.attended = workspace_.tools = false;
+  if (take_screenshot_ && !workspace_.view.panels) workspace_.has_user = workspace_.tools = false;
   upload(times);
   panels(times);
-  const bool seen_anew = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
-  moves_ = seen_anew || deformed_ || cage_moved;
+  const bool camera_moved = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
+  moves_ = camera_moved || deformed_ || cage_moved;
   draw(times);
-  std::tie(workspace_.attended, workspace_.tools) = shown;
+  std::tie(workspace_.has_user, workspace_.tools) = shown;
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
-  if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_)) workspace_.stats.add(times);
+  if ((deformed_ && !model_.prepared()) || (camera_moved && !deformed_)) workspace_.stats.add(times);
   files_.keep(workspace_, !pointer_.active());
-  settle_notices();
+  follow_notices();
   analysis_.follow_frame(workspace_, model_, moves_);
   const bool news = analysis_.shows_news(), measured = sides_.measure(workspace_);
   if (news || measured) settle(2);
@@ -158,23 +158,23 @@ bool Viewer::finish_keeping() {
 }
 
 // Windows in front of the panels need a few frames to settle their size.
-void Viewer::settle_notices() {
-  const Notices now{workspace_.question.has_value(), workspace_.farewell, workspace_.messages.revision(),
-                    workspace_.notice_height};
+void Viewer::follow_notices() {
+  const Notices now{workspace_.question.has_value(), workspace_.closing_notice,
+                    workspace_.messages.revision(), workspace_.notice_height};
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
 // New messages belong to the current document.
-void Viewer::settle_messages() {
+void Viewer::scope_messages() {
   auto& messages = workspace_.messages;
   const auto& now = workspace_.document.revisions();
-  if (now.surfaces != said_of_.surfaces) {
-    messages.forget(scene::Scope::model, said_);
-  } else if (now.cage != said_of_.cage) {
-    messages.forget(scene::Scope::cage, said_);
+  if (now.surfaces != message_revisions_.surfaces) {
+    messages.forget(scene::Scope::model, message_revision_);
+  } else if (now.cage != message_revisions_.cage) {
+    messages.forget(scene::Scope::cage, message_revision_);
   }
-  said_of_ = now;
-  said_ = messages.revision();
+  message_revisions_ = now;
+  message_revision_ = messages.revision();
   messages.expire(base::wall_seconds());
 }
 
@@ -224,7 +224,7 @@ void Viewer::take_requests() {
 
 void Viewer::follow_document() {
   const scene::Document& document = workspace_.document;
-  settle_cage_edit();
+  commit_cage_edit();
   if (model_.is_due(document) || model_.has_result()) settle(3);
   const LiveModel::Changed changed = model_.follow(workspace_, cages_.take_bound());
   if (changed.document || changed.cage) {
@@ -249,10 +249,10 @@ void Viewer::follow_document() {
 }
 
 // Commits the pending cage edit.
-void Viewer::settle_cage_edit() {
+void Viewer::commit_cage_edit() {
   if (workspace_.interaction.drag) return;
   try {
-    if (!scene::settle_cage_edit(workspace_.document)) return;
+    if (!scene::commit_cage_edit(workspace_.document)) return;
     workspace_.messages.succeeded("change the cage");
     settle(3);
   } catch (const std::exception& error) {
@@ -409,9 +409,9 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (view_.shows(wanted)) return refines_ ? view_.finest() : view_.fineness();
   last_change_ = base::wall_seconds();
   if (!moves_) return Fineness::plain;
-  const bool goes_on = last_frame_ - last_motion_ < still_seconds;
-  return options_.may_be_coarse && goes_on && scene::draws_coarsely(workspace_) ? Fineness::coarse
-                                                                                : Fineness::plain;
+  const bool repeated = last_frame_ - last_motion_ < still_seconds;
+  return options_.may_be_coarse && repeated && scene::draws_coarsely(workspace_) ? Fineness::coarse
+                                                                                 : Fineness::plain;
 }
 
 ViewDrawing Viewer::drawing() const {
@@ -446,7 +446,7 @@ void Viewer::draw_whole() {
     gl_.Finish();  // software rendering is asynchronous: wait for it, so that it is timed here
 }
 
-void Viewer::draw_anew() {
+void Viewer::redraw() {
   renderer_.forget();
   view_.forget();
   cage_drawn_.reset();

@@ -27,14 +27,13 @@ struct ViewerOptions {
   glm::ivec2 size{1280, 800};  ///< logical pixels
   float scale = 1;             ///< device pixels per logical pixel
   int samples = 0;             ///< multisampling; 0 none
-  int still_samples =
-      0;  ///< of a refined picture after the view has rested for a quarter of a second; 0 none
-  bool may_be_coarse = false;     ///< draw motion at half the resolution if the workspace says so
-  bool transparent = false;       ///< pictures without background
-  float cage_width = 1.25f;       ///< of the cage's lines, logical pixels
-  float wire_width = 1;           ///< of mesh edges, logical pixels
-  bool builtin_font = false;      ///< identical text on every machine, for picture tests
-  bool probe = true;              ///< measure the methods in the background
+  int still_samples = 0;       ///< samples of a refined picture after a quarter of a second at rest; 0 none
+  bool may_be_coarse = false;  ///< draw motion at half the resolution if the workspace says so
+  bool transparent = false;    ///< pictures without background
+  float cage_width = 1.25f;    ///< line width of the cage, logical pixels
+  float wire_width = 1;        ///< line width of mesh edges, logical pixels
+  bool builtin_font = false;   ///< identical text on every machine, for picture tests
+  bool probe = true;           ///< measure the methods in the background
   std::filesystem::path state{};  ///< folder for preferences and recovery, see FileDesk; empty: none
   std::filesystem::path program =
       "/proc/self/exe";  ///< `viete`, for rendering animations and reports in a child process
@@ -69,7 +68,7 @@ public:
   unsigned long views_drawn() const { return view_.count(); }
   Fineness view_fineness() const { return view_.fineness(); }
   /// Redraws the last frame without cached pictures.
-  void draw_anew();
+  void redraw();
   /// Measures every method in this pose and waits for the results.
   void finish_measuring() { analysis_.finish_measuring(workspace_, model_); }
   /// True while unsaved edits are backed up.
@@ -118,11 +117,11 @@ private:
   void take_requests();
   void show_manual(const std::string& chapter);
   void follow_document();
-  void settle_cage_edit();
-  void settle_messages();
+  void commit_cage_edit();
+  void scope_messages();
   void frame_finding();
-  mesh::Point vertex(std::size_t index) const;  // of the model, as drawn
-  void settle_notices();
+  mesh::Point vertex(std::size_t index) const;  // a drawn model vertex
+  void follow_notices();
   void deform(scene::FrameTimes& times);
   void enter_view_under_cursor();
   scene::PosedModel posed_in(std::size_t view) const;
@@ -160,18 +159,18 @@ private:
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
   WorkspaceRenderer renderer_;
-  KeptView view_;
+  ViewCache view_;
   ui::FieldColors field_colors_;
 
   struct Notices {
-    bool question = false, farewell = false;
+    bool question = false, closing_notice = false;
     unsigned messages = 0;
     float row = 0;  ///< its height
     bool operator==(const Notices&) const = default;
   };
-  Notices notices_;           ///< of the last frame
-  scene::Revisions said_of_;  ///< revisions that the messages up to said_ refer to
-  unsigned said_ = 0;
+  Notices notices_;                     ///< in the last frame
+  scene::Revisions message_revisions_;  ///< revisions that the messages up to message_revision_ refer to
+  unsigned message_revision_ = 0;
   std::optional<scene::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn
   bool deformed_ = false, first_deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< wall time in seconds; of the view alone, and of all

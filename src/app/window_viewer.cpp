@@ -54,7 +54,7 @@ private:
   void set_title();
   void follow_full_screen();
   void call_for_attention();
-  void say_farewell();
+  void show_closing_notice();
 
   platform::Window& window_;
   Viewer viewer_;
@@ -116,10 +116,10 @@ void WindowViewer::draw(float seconds, bool exposed) {
 }
 
 // Shows for a moment that edits were backed up.
-void WindowViewer::say_farewell() {
+void WindowViewer::show_closing_notice() {
   constexpr double seconds = 1.5;
   if (!viewer_.keeping()) return;
-  viewer_.workspace().farewell = true;
+  viewer_.workspace().closing_notice = true;
   for (int i = 0; i < 3; ++i) draw(0.02f);  // new windows of the panels need a frame to settle their size
   const double end = base::wall_seconds() + seconds;
   while (base::wall_seconds() < end) window_.wait_for_events(0.1);
@@ -137,7 +137,7 @@ void WindowViewer::run(int frames) {
     draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
     last = now;
     if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // nothing was presented, so there is no vsync
-    if (viewer_.closed()) return say_farewell();
+    if (viewer_.closed()) return show_closing_notice();
     if (!viewer_.loading()) ++drawn;
   }
 }

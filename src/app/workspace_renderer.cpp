@@ -119,7 +119,7 @@ void WorkspaceRenderer::set_views(std::size_t count, const scene::Document& docu
 
 void WorkspaceRenderer::set_document(const scene::Document& document, const ModelShading& shading) {
   for (const auto& model : models_) model->set_document(document, shading);
-  file_says_something_ = shading.looks.says_something;
+  file_has_looks_ = shading.looks.has_looks;
   set_another_cage(document, shading);
 }
 
@@ -205,7 +205,7 @@ render::SurfaceStyle WorkspaceRenderer::surface_style(const scene::Workspace& w)
   const auto& summary = w.document.model.summary;
   style.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
-  style.paint = paint_of(w.view.shading, file_says_something_);
+  style.paint = paint_of(w.view.shading, file_has_looks_);
   return style;
 }
 
@@ -220,7 +220,7 @@ ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(scene::viewport_of(w.split, v, view)));
   part.surface = surface_style(w);
-  part.cage = view == 0 || !w.split.sides[view - 1].other_lines;
+  part.cage = view == 0 || !w.split.sides[view - 1].other_blending;
   models_[view]->span(part.surface, view == 0 ? w.field : w.split.sides[view - 1].shown);
   return part;
 }
@@ -303,7 +303,7 @@ ViewDrawing coarse(ViewDrawing drawing) {
 
 }  // namespace
 
-bool KeptView::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness) {
+bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness) {
   if (shows(drawing) && fineness_ >= fineness) return false;
   const ViewDrawing now = fineness == Fineness::coarse ? coarse(drawing) : drawing;
   const int samples[] = {0, samples_.plain, samples_.smooth};

@@ -31,7 +31,7 @@ struct ViewDrawing {
     friend bool operator==(const Part&, const Part&) = default;
   };
   std::vector<Part> parts;  ///< empty: no model, only the backdrop is drawn
-  glm::ivec2 size{1, 1};    ///< of the window, in device pixels
+  glm::ivec2 size{1, 1};    ///< window size in device pixels
   float scale = 1;          ///< device pixels per logical pixel
   bool dark = true, transparent = false;
   float cage_width = 1.25f;                                       ///< line width, logical pixels
@@ -95,7 +95,7 @@ private:
   render::DiscLayer cage_vertices_;
   CageMarks marks_;
   FindingMarks findings_;
-  bool file_says_something_ = false;
+  bool file_has_looks_ = false;
   // Appearance of the cage's vertices and lines; nullopt: upload again.
   struct Hand {
     bool dark = true;
@@ -112,12 +112,12 @@ private:
 /// Quality of a picture: software rendering draws motion at half the resolution.
 enum class Fineness { coarse, plain, smooth };
 
-class KeptView {
+class ViewCache {
 public:
   struct Samples {
     int plain = 0, smooth = 0;  ///< samples; 0 none; smooth: no refinement
   };
-  KeptView(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
+  ViewCache(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
 
   bool shows(const ViewDrawing& drawing) const { return drawn_ == drawing; }
   /// Draws unless it already shows that drawing at this fineness. Returns true if it drew.

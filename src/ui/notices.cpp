@@ -104,7 +104,7 @@ void leftover_words(const Context& ui) {
 }
 
 // The last thing shown before closing.
-void farewell(const Context& ui) {
+void closing_notice(const Context& ui) {
   const Window window("Farewell", {.at = middle_of_view(ui), .padding = {24, 16}}, sized_flags);
   ImGui::TextUnformatted("Unsaved edits are kept; the next start offers to bring them back.");
   record(ui, "farewell");
@@ -120,8 +120,8 @@ float notice_room(const Context& ui) {
 // A row below the menu bar, above the columns and the view.
 void notice_bar(const Context& ui) {
   auto& w = ui.workspace;
-  if (w.farewell) farewell(ui);
-  if (!w.attended) return;
+  if (w.closing_notice) closing_notice(ui);
+  if (!w.has_user) return;
   w.notice_height = 0;
   if (!w.offers_leftovers || w.leftovers.empty()) return;
   const float top = w.view.panels ? scene::PanelLayout::menu_height : 0;
@@ -218,10 +218,10 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
 }
 
 // Newest at the bottom.
-std::vector<std::size_t> in_sight(const scene::Messages& messages) {
+std::vector<std::size_t> visible_messages(const scene::Messages& messages) {
   std::vector<std::size_t> newest;
   for (std::size_t i = messages.all().size(); i-- > 0;) {
-    if (messages.all()[i].in_sight) newest.push_back(i);
+    if (messages.all()[i].visible) newest.push_back(i);
   }
   return newest;
 }
@@ -230,8 +230,8 @@ std::vector<std::size_t> in_sight(const scene::Messages& messages) {
 
 void toasts(const Context& ui, float bottom) {
   scene::Workspace& w = ui.workspace;
-  if (!w.attended) return;
-  const auto newest = in_sight(w.messages);
+  if (!w.has_user) return;
+  const auto newest = visible_messages(w.messages);
   for (std::size_t i = 0; i < std::min(most_toasts, newest.size()); ++i) {
     const scene::Message& message = w.messages.all()[newest[i]];
     const Toast toast{
@@ -251,7 +251,7 @@ namespace {
 
 using scene::Answer;
 
-constexpr std::array answers = {Answer::save, Answer::cancel, Answer::go_on};
+constexpr std::array answers = {Answer::save, Answer::cancel, Answer::proceed};
 constexpr std::array names = {"question_save", "question_cancel", "question_go_on"};
 constexpr float question_width = 440;
 
@@ -280,7 +280,7 @@ std::optional<Answer> answer_row(const Context& ui) {
   const float left = ImGui::GetCursorPosX();
   for (std::size_t i = 0; i < answer_count(ui.workspace.question->kind); ++i) {
     if (i > 0) ImGui::SameLine();
-    if (answers[i] == Answer::go_on)
+    if (answers[i] == Answer::proceed)
       ImGui::SetCursorPosX(left + question_width - button_width(*ui.workspace.question, answers[i]));
     if (answer_button(ui, i)) answer = answers[i];
   }
@@ -384,7 +384,7 @@ float work_bar(const Context& ui, float bottom) {
 namespace {
 
 bool shows_badge(const scene::Workspace& w) {
-  return w.checks.badge && w.attended && w.view.panels && !w.view.help && !w.browser.open && !w.question &&
+  return w.checks.badge && w.has_user && w.view.panels && !w.view.help && !w.browser.open && !w.question &&
          !w.making.open && !w.loading.running && !w.interaction.drag && !offers_next_step(w);
 }
 
@@ -429,7 +429,7 @@ float check_badge(const Context& ui, float bottom) {
   }
   ImGui::SameLine(0, 2);
   ImGui::PushStyleColor(ImGuiCol_Button, 0);
-  if (ImGui::Button("x##badge")) scene::put_badge_away(w.checks);
+  if (ImGui::Button("x##badge")) scene::dismiss_badge(w.checks);
   ImGui::PopStyleColor();
   record(ui, "badge/close");
   hint("Put it away; the section Checks still has it.");

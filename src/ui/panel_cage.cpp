@@ -173,7 +173,7 @@ void panel_making(const Context& ui) {
     record(ui, "cage_quads");
     hint("Triangles are paired where two make a good quad.");
   }
-  if (scene::shows_made(ui.workspace.document, making)) {  // not after an undo
+  if (scene::shows_generated(ui.workspace.document, making)) {  // not after an undo
     for (const auto& lines : {making.notes, making.lost})
       for (const std::string& line : lines) note(ui, line, ui.colors.warn);
     if (!making.lost.empty()) record(ui, "making_lost");

@@ -219,7 +219,7 @@ Stage legend(const Context& ui) {
   return under_cursor;
 }
 
-void tell_stage(const Context& ui, Link stage) {
+void stage_tooltip(const Context& ui, Link stage) {
   std::string text = std::string(name(stage)) + ": " + stage_hint(stage);
   for (std::size_t i = 0; i < all_methods; ++i) {
     const double ms = ui.workspace.method_times.links[i][stage];
@@ -294,7 +294,7 @@ void panel_timings(const Context& ui) {
     if (const Stage hit = bar(ui, i, longest)) stage = hit;
   if (const Stage hit = legend(ui)) stage = hit;
   w.interaction.stage = stage;
-  if (stage) tell_stage(ui, *stage);
+  if (stage) stage_tooltip(ui, *stage);
   rest_of_frame(ui);
   ImGui::BeginDisabled(!w.document.scheme.exponential());
   command_toggle(ui, "toggle_same_path", w.view.same_path);

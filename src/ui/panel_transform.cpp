@@ -90,7 +90,7 @@ void pivot_row(const Context& ui) {
   choice_list(ui, "axes", std::optional(handling.axes), width);
 }
 
-std::string pairs_text(const scene::KnownMirror& known) {
+std::string pairs_text(const scene::MirrorCache& known) {
   if (!known.mirror) return "";
   const std::size_t without = known.mirror->unpaired();
   return without == 0 ? "all paired" : count(without) + " unpaired";

@@ -74,7 +74,7 @@ void probe_overlay(const Context& ui);
 void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
 void torn_overlay(const Context& ui);               ///< edges where the mesh may fold, see pose_notes()
-float map_legend(const Context& ui, float bottom);  ///< of the mesh's colours
+float map_legend(const Context& ui, float bottom);  ///< colours of the mesh
 scene::SelectMode select_mode();                    ///< from Shift and Ctrl
 void select_overlay(const Context& ui);             ///< box, lasso and brush
 std::string select_hint(const scene::Workspace& workspace);  ///< mouse help for them; empty: none

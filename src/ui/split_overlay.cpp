@@ -19,8 +19,8 @@ constexpr float tools_room = 60, axes_room = 112;  // reserved at the edges of t
 constexpr float least_room = 170;  // minimum for a caption next to the axes; otherwise it is at the bottom
 
 // Empty unless some view blends differently (linear or log space) from the document.
-std::string lines_words(const scene::Workspace& w, bool other) {
-  const auto has_other = [](const scene::SideView& side) { return side.other_lines; };
+std::string blending_words(const scene::Workspace& w, bool other) {
+  const auto has_other = [](const scene::SideView& side) { return side.other_blending; };
   if (std::ranges::none_of(w.split.sides, has_other)) return "";
   return w.document.timeline.straight != other ? "straight lines" : "log space";
 }
@@ -53,12 +53,12 @@ void add_numbers(Text& text, const scene::FrameStats& stats, std::optional<doubl
 }
 
 void add_title(Text& text, const scene::Workspace& w, const scene::Scheme& scheme, scene::Method method,
-               bool other_lines) {
+               bool other_blending) {
   if (w.document.has_cage()) {
     add(text, way_words(scheme));
     if (scheme.exponential()) add(text, method_label(method));
   }
-  add(text, lines_words(w, other_lines));
+  add(text, blending_words(w, other_blending));
 }
 
 Caption shown_in(const scene::Workspace& w, std::size_t view) {
@@ -71,7 +71,7 @@ Caption shown_in(const scene::Workspace& w, std::size_t view) {
     return shown;
   }
   const scene::SideView& side = w.split.sides[view - 1];
-  add_title(shown.title, w, side.scheme, side.method, side.other_lines);
+  add_title(shown.title, w, side.scheme, side.method, side.other_blending);
   if (!side.problem.empty())
     add(shown.numbers, side.problem);
   else if (side.binding)

@@ -91,7 +91,7 @@ std::string mouse_text(const scene::Workspace& w) {
 
 namespace {
 
-// As many phrases, separated by two spaces, as fit.
+// Keeps as many phrases, separated by two spaces, as fit.
 std::string fitting(std::string text, float width) {
   while (!text.empty() && ImGui::CalcTextSize(text.c_str()).x > width) {
     const std::size_t end = text.rfind("  ");

@@ -118,7 +118,7 @@ void way_back(const Context& ui) {
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   select_overlay(ui);
-  if (!w.view.panels && w.attended) way_back(ui);
+  if (!w.view.panels && w.has_user) way_back(ui);
   if (w.interaction.brush) brush_ring(ui, w);
   if (w.binding.running || w.loading.running || w.making_cage.running)
     return;  // their progress bar is displayed

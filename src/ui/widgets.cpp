@@ -186,7 +186,7 @@ bool wants_hint() {
 }
 
 bool take_escape(scene::Workspace& w) {
-  if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) scene::take_hold(w);
+  if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) scene::begin_widget_edit(w);
   if (w.question || !key_pressed(scene::Key::escape)) return false;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     ImGui::ClosePopupToLevel(0, true);
@@ -197,7 +197,7 @@ bool take_escape(scene::Workspace& w) {
     return false;
   ImGui::ClearActiveID();
   ImGui::ClearDragDrop();
-  scene::call_off_hold(w);
+  scene::cancel_widget_edit(w);
   return true;
 }
 
@@ -364,7 +364,7 @@ Slid slider(const Context& ui, const std::string& name, double value, double lea
     const bool twice = ImGui::IsMouseDoubleClicked(0);
     if (ImGui::IsItemActivated() && (twice || ImGui::GetIO().KeyCtrl)) {
       ImGui::ClearActiveID();
-      if (twice) scene::call_off_hold(ui.workspace);  // the first click has moved it
+      if (twice) scene::cancel_widget_edit(ui.workspace);  // the first click has moved it
       ui.workspace.typed_slider = {name, ImGui::GetFrameCount(), frames_to_focus};
       slid.moved = false;
     }

@@ -12,8 +12,8 @@
 #include "scene/files.h"
 #include "scene/files/open.h"
 #include "scene/files/session.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/open.h"
 
 using namespace viete;
@@ -78,7 +78,7 @@ TEST_CASE("settings_made_after_the_last_edit_are_kept_too") {
   CHECK(again.view.wireframe);
 }
 
-TEST_CASE("where_one_looks_from_and_how_the_hand_works_are_kept_with_edits_once_they_rest") {
+TEST_CASE("camera_and_handling_are_backed_up_with_edits_once_they_rest") {
   Kept k;
   k.workspace.camera.orbit({30, 0});
   k.autosave.follow(k.workspace);
@@ -107,7 +107,7 @@ TEST_CASE("where_one_looks_from_and_how_the_hand_works_are_kept_with_edits_once_
   CHECK(kept().camera == k.workspace.camera.pose());
 }
 
-TEST_CASE("what_is_saved_need_not_be_kept") {
+TEST_CASE("saved_edits_are_not_backed_up") {
   Kept k;
   k.edit(0.25);
   REQUIRE(k.autosave.keep_now(k.workspace));
@@ -138,7 +138,7 @@ TEST_CASE("a_folder_that_cannot_be_made_is_a_message_and_a_reason") {
   CHECK_FALSE(k.workspace.messages.all().empty());
 }
 
-TEST_CASE("without_a_folder_nothing_is_kept_and_the_reason_is_said") {
+TEST_CASE("without_a_folder_edits_are_not_backed_up_and_the_reason_is_given") {
   Kept k;
   base::BackgroundQueue queue;
   app::Autosave autosave({}, queue);

@@ -77,7 +77,7 @@ std::size_t files_in(const std::filesystem::path& folder) {
 TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_question") {
   Desk d;
   d.frame();
-  d.answer(scene::Answer::go_on);
+  d.answer(scene::Answer::proceed);
   d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
   d.workspace.requests.save_model = d.files / "out.obj";  // without a model
   d.frame();
@@ -89,7 +89,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   CHECK(files_in(d.state) == 0);
 }
 
-TEST_CASE("what_is_opened_comes_with_look_and_binding_and_the_binding_is_given_once") {
+TEST_CASE("an_opened_document_has_looks_and_a_binding_returned_once") {
   Desk d;
   d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model, d.files.cage}};
   d.frame();
@@ -102,7 +102,7 @@ TEST_CASE("what_is_opened_comes_with_look_and_binding_and_the_binding_is_given_o
   CHECK_FALSE(d.desk->take_bound().binding);
 }
 
-TEST_CASE("nothing_is_taken_away_under_a_drag") {
+TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   Desk d;
   d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model}};
   for (int i = 0; i < 20; ++i) {
@@ -150,7 +150,7 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
   }
   SUBCASE("before the program closes, and it goes without them") {
     d.quit();
-    d.answer(scene::Answer::go_on);
+    d.answer(scene::Answer::proceed);
     CHECK(d.desk->closed());
   }
   SUBCASE("before the program closes, and it goes once they are saved") {
@@ -179,7 +179,7 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
   SUBCASE("before another file takes their place, and it does") {
     d.open({d.files.cage});
     CHECK(d.workspace.document.model.path == d.files.model);
-    d.answer(scene::Answer::go_on);
+    d.answer(scene::Answer::proceed);
     CHECK(d.workspace.document.model.path == d.files.cage);
   }
 }
@@ -196,7 +196,7 @@ TEST_CASE("edits_that_can_be_kept_are_set_aside_for_another_file_but_stay_with_a
   CHECK(d.workspace.leftovers.size() == 1);
 }
 
-TEST_CASE("a_session_that_has_changed_on_disk_is_replaced_only_when_told_to") {
+TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   Desk d;
   const auto session = d.files / "a.viete";
   d.open_cubes();
@@ -212,7 +212,7 @@ TEST_CASE("a_session_that_has_changed_on_disk_is_replaced_only_when_told_to") {
   d.answer(scene::Answer::cancel);
   CHECK(test::file_bytes(session) == "theirs");
   save();
-  d.answer(scene::Answer::go_on);
+  d.answer(scene::Answer::proceed);
   CHECK(test::file_bytes(session) != "theirs");
 }
 
@@ -325,7 +325,7 @@ TEST_CASE("opening_another_model_offers_no_recovered_edits_but_tells_that_edits_
   CHECK(d.workspace.messages.all().size() == 1);
 }
 
-TEST_CASE("what_is_remembered_is_there_at_the_next_start_and_without_a_folder_nothing_is") {
+TEST_CASE("preferences_persist_with_a_state_folder_only") {
   for (const bool remembers : {true, false}) {
     Desk d(remembers);
     CHECK(d.workspace.view.hints);
@@ -339,7 +339,7 @@ TEST_CASE("what_is_remembered_is_there_at_the_next_start_and_without_a_folder_no
   }
 }
 
-TEST_CASE("what_was_remembered_and_cannot_be_read_is_said_and_the_program_starts_without_it") {
+TEST_CASE("unreadable_preferences_give_a_message_and_defaults") {
   Desk d;
   std::filesystem::create_directories(d.state);
   test::put_file(d.state / "remembered.json", "nonsense");
@@ -385,7 +385,7 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     CHECK_FALSE(d.workspace.question);
     CHECK(d.workspace.document.model.path == d.files / "new.obj");
     CHECK(d.workspace.document.pose.positions == pose.positions);
-    CHECK(d.workspace.saved.nowhere == (what == What::recovery));
+    CHECK(d.workspace.saved.recovered == (what == What::recovery));
   }
 }
 
@@ -405,7 +405,7 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
   CHECK(d.last_message().find("1 face of fin.obj that stuck out removed") != std::string::npos);
 }
 
-TEST_CASE("an_export_takes_the_place_of_nothing_that_is_open") {
+TEST_CASE("an_export_overwrites_no_open_file") {
   Desk d;
   test::put_file(d.files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");
   test::put_file(d.files / "m.obj", "mtllib model.mtl\nusemtl skin\n" + test::file_bytes(d.files.model));

@@ -8,9 +8,9 @@
 #include "scene/document/edit.h"
 #include "scene/document/record.h"
 #include "scene/files/open.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/data.h"
 #include "support/folder.h"
@@ -128,7 +128,7 @@ TEST_CASE("another_model_and_another_cage_get_no_loop_and_stay_as_they_are") {
   CHECK_FALSE(test::run_command(other.w, "add_example"));
 }
 
-TEST_CASE("a_hand_ends_the_first_motion_or_keeps_it_from_beginning") {
+TEST_CASE("user_input_ends_the_first_motion_or_prevents_it") {
   Start begun;
   begun.motion.step(begun.w, true, 0);
   begun.motion.step(begun.w, true, 0.2);

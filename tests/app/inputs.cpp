@@ -39,7 +39,7 @@ std::string refusal(Use use, const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("every_use_asks_for_what_it_cannot_do_without") {
+TEST_CASE("every_use_requires_its_inputs") {
   CHECK(refusal(Use::window, "").empty());
   CHECK(refusal(Use::picture, "a.obj").empty());
   CHECK(refusal(Use::file, "a.obj c.obj --pose p.obj").empty());

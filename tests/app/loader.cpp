@@ -61,7 +61,7 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   CHECK_FALSE(loader.poll(true));
 }
 
-TEST_CASE("only_what_is_new_is_derived") {
+TEST_CASE("only_changes_are_derived_again") {
   const test::CubeFiles files;
   app::Loader loader;
   const Result model = loaded(loader, {What::model, {files.model}});
@@ -125,7 +125,7 @@ TEST_CASE("another_request_takes_the_place_of_the_first") {
   CHECK_FALSE(loader.poll(true));
 }
 
-TEST_CASE("reading_that_is_stopped_says_so") {
+TEST_CASE("cancelled_reading_shows_a_message") {
   const test::TemporaryFolder folder;
   std::string text;
   app::Loader loader;

@@ -49,12 +49,12 @@ TEST_CASE("every_method_is_measured_by_its_own_errors") {
   }
 }
 
-TEST_CASE("of_no_matrices_nothing_is_measured") {
+TEST_CASE("no_matrices_give_no_measurement") {
   CHECK(app::measure_methods({}).matrices == 0);
   CHECK(probed({}).matrices == 0);
 }
 
-TEST_CASE("an_answer_that_is_no_number_makes_both_errors_say_so") {
+TEST_CASE("a_nan_result_makes_both_errors_nan") {
   Matrices matrices = some_matrices(3);
   matrices[1].xx = std::numeric_limits<double>::quiet_NaN();
   for (const auto& sample : app::measure_methods(matrices).samples) {

@@ -213,7 +213,7 @@ TEST_CASE("frames_that_are_there_are_not_replaced_unasked") {
   CHECK(file_bytes(files / "f_07.obj") == file_bytes(files / "fresh_07.obj"));
 }
 
-TEST_CASE("files_of_an_earlier_run_that_are_not_among_the_frames_are_told_of") {
+TEST_CASE("files_of_an_earlier_run_outside_the_frames_are_noted") {
   const AnimatedFiles files;
   CHECK_FALSE(mentions(files.animate("-o f_##.ply --frames 1-6"), "there before"));
   CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply was there before"));
@@ -233,7 +233,7 @@ TEST_CASE("several_programs_share_the_frames") {
   CHECK(base::NumberedName(files / "f_##.ply").find().size() == 17);
 }
 
-TEST_CASE("what_a_killed_run_left_goes_with_the_next_command_that_writes_there") {
+TEST_CASE("partial_files_of_a_killed_command_are_deleted_by_the_next_one") {
   const AnimatedFiles files;
   const char* gone[] = {"b.obj.999999999-1-0.part"};
   const char* stay[] = {"b.part", "b.obj.1-x-0.part"};
@@ -248,7 +248,7 @@ TEST_CASE("what_a_killed_run_left_goes_with_the_next_command_that_writes_there")
   CHECK(fs::exists(files / running));
 }
 
-TEST_CASE("what_animate_cannot_do_is_said_before_the_work_starts") {
+TEST_CASE("animate_reports_invalid_requests_before_the_work") {
   const AnimatedFiles files;
   const auto says = [&](const std::string& rest, int code, const std::string& text) {
     const Outcome outcome = files.animate(rest);

@@ -97,7 +97,7 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   }
 }
 
-TEST_CASE("what_is_missing_or_does_not_fit_is_said_before_modes_are_compared") {
+TEST_CASE("missing_or_unfit_inputs_are_reported_before_modes_are_compared") {
   const TemporaryFolder scratch;
   const std::string model = quoted(dragon), in_cage = model + " " + quoted(cage);
   const auto no_cage = run("bench modes " + model), no_pose = run("bench modes " + in_cage);
@@ -143,7 +143,7 @@ TEST_CASE("numbers_and_plot_of_a_benchmark_are_two_files") {
   CHECK(mentions(same, "one of those that are read (the numbers)"));
 }
 
-TEST_CASE("a_program_without_its_benchmarks_says_how_to_get_them") {
+TEST_CASE("a_program_without_benchmarks_explains_how_to_install_them") {
   const TemporaryFolder scratch;
   fs::copy_file(build_dir() / "viete", scratch / "viete");
   const auto outcome = run_of(scratch.path(), "bench exp");

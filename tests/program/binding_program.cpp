@@ -60,7 +60,7 @@ app::ViewerOptions small_window() {
 
 }  // namespace
 
-TEST_CASE("a_cage_that_is_being_opened_is_cancelled_and_everything_stays") {
+TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
   const test::TemporaryFolder folder;
   Driver d(small_window());
   open_dragon_with_pose(d);
@@ -92,7 +92,7 @@ TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
   CHECK(d.viewer().deformer()->sample_matrices(10).size() > 0);
 }
 
-TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before") {
+TEST_CASE("an_opened_document_is_bound_once_for_the_chosen_method") {
   const test::TemporaryFolder folder;
   const fs::path balls[] = {ball_cage(folder.path(), 1), ball_cage(folder.path(), 2)};
   Driver d(small_window());
@@ -169,7 +169,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_a_cancel_keeps_t
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
 }
 
-TEST_CASE("what_a_binding_takes_is_known_before") {
+TEST_CASE("the_cost_of_a_binding_is_known_before_it_starts") {
   Driver d(small_window());
   open_dragon_with_pose(d);
   const auto plan = scene::binding_plan(d.document(), {deform::Elements::point});

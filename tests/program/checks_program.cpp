@@ -207,7 +207,7 @@ void check(Driver& d) {
 
 }  // namespace
 
-TEST_CASE("a_badge_in_the_view_says_what_is_wrong_while_the_cage_is_edited_and_helps") {
+TEST_CASE("a_badge_in_the_view_names_a_defect_during_cage_editing_and_offers_a_remedy") {
   const test::TemporaryFolder scratch;
   Driver d;
   REQUIRE(d.open({dragon, low_cage(scratch.path())}));
@@ -231,7 +231,7 @@ TEST_CASE("a_badge_in_the_view_says_what_is_wrong_while_the_cage_is_edited_and_h
   CHECK((!badge || !badge->title.ends_with("vertices outside the cage")));
 }
 
-TEST_CASE("a_badge_shows_where_it_is_and_stays_away_once_it_was_put_away") {
+TEST_CASE("a_badge_shows_its_elements_and_stays_dismissed") {
   const test::TemporaryFolder scratch;
   Driver d(test::with_pixels);
   d.workspace().view.axes = false;

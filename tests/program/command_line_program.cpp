@@ -75,7 +75,7 @@ TEST_CASE("poses_that_are_streamed_give_the_frames_that_deform_writes") {
   CHECK(off(2, exact) < 1e-4);
 }
 
-TEST_CASE("a_stream_that_is_none_says_which_pose_it_is") {
+TEST_CASE("an_invalid_stream_names_the_pose") {
   const TemporaryFolder scratch;
   const auto rest = mesh::read(cage).surface.positions;
   std::string poses(reinterpret_cast<const char*>(rest.data()), rest.size() * sizeof(mesh::Point));
@@ -142,7 +142,7 @@ TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
   }
 }
 
-TEST_CASE("a_mask_is_not_replaced_by_what_it_is_read_for") {
+TEST_CASE("an_output_does_not_overwrite_its_mask") {
   const TemporaryFolder scratch;
   put_file(scratch / "mask.obj", "1 1 1\n");
   CHECK(mentions(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +

@@ -44,7 +44,7 @@ struct LargeModel : Driver {
 
 }  // namespace
 
-TEST_CASE("an_export_is_written_aside_with_the_pose_it_was_asked_for") {
+TEST_CASE("a_background_export_has_the_pose_at_the_request") {
   const test::TemporaryFolder folder;
   LargeModel d(folder.path());
   const auto expected = d.exact_positions();
@@ -125,7 +125,7 @@ TEST_CASE("an_animation_is_exported_aside_and_stopped_without_a_trace") {
   CHECK(d.last_message() == "Saved out.pc2.");
   const auto& all = d.workspace().messages.all();
   CHECK(all[all.size() - 2].text.starts_with("out.pc2: 600 frames of "));
-  CHECK_FALSE(all[all.size() - 2].in_sight);
+  CHECK_FALSE(all[all.size() - 2].visible);
   CHECK(mesh::PointCache(file).head().frames == 600);
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("a_window_that_is_to_close_waits_for_its_export_and_stays_if_that_fail
   }
 }
 
-TEST_CASE("an_export_says_what_its_method_has_lost") {
+TEST_CASE("an_export_reports_the_error_of_its_method") {
   const test::TemporaryFolder folder;
   mesh::write(folder / "ball.ply", SmallModel::grid_ball(6));
   mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(2), 1.4));

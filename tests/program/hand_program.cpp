@@ -289,7 +289,7 @@ TEST_CASE("a_field_takes_its_number_when_it_is_left_and_not_before") {
   }
 }
 
-TEST_CASE("esc_takes_back_what_stands_in_a_field") {
+TEST_CASE("esc_restores_a_field") {
   TypingHand d;
   d.type_in("transform_y", "1.5");
   d.press_key(scene::Key::escape);
@@ -341,7 +341,7 @@ TEST_CASE("a_number_that_leads_out_of_range_moves_nothing_and_says_so") {
   CHECK(d.last_message() == "Turned by 360,000 degrees, the most at once");
 }
 
-TEST_CASE("what_is_painted_stays_while_the_cage_moves_and_ctrl_and_undo_let_it_follow_again") {
+TEST_CASE("painted_vertices_stay_until_ctrl_or_undo") {
   Interaction d;
   d.press_key(scene::Key::pad3);  // from the right, where the wings cover the body
   d.settle();

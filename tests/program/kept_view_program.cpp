@@ -67,14 +67,13 @@ private:
 
 double differs_from_a_fresh_one(Driver& d) {
   const render::Image kept = d.picture();
-  d.viewer().draw_anew();
+  d.viewer().redraw();
   return test::difference(kept, d.picture(), 0);
 }
 
 }  // namespace
 
-TEST_CASE("whatever_is_done_the_picture_is_the_one_that_a_fresh_drawing_makes" *
-          doctest::test_suite(test::longer)) {
+TEST_CASE("the_cached_view_always_equals_a_fresh_drawing" * doctest::test_suite(test::longer)) {
   unsigned long kept = 0, drawn = 0;
   const int actions = test::rounds(12, 300);
   for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -119,7 +118,7 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   CHECK(d.viewer().views_drawn() > views);
 }
 
-TEST_CASE("where_nothing_changes_the_view_is_not_drawn") {
+TEST_CASE("an_unchanged_view_is_not_drawn") {
   SmallScene scene;
   Driver& d = scene.d;
   d.settle();
@@ -134,7 +133,7 @@ TEST_CASE("where_nothing_changes_the_view_is_not_drawn") {
   CHECK(d.viewer().has_drawn());
 }
 
-TEST_CASE("what_moves_is_drawn_coarsely_where_a_processor_draws_and_sharpens_at_rest") {
+TEST_CASE("software_rendering_draws_motion_coarsely_and_refines_at_rest") {
   auto options = small_options();
   options.may_be_coarse = true;
   options.still_samples = 4;

@@ -24,9 +24,9 @@ inline void drag_some_vertex(Driver& d, glm::vec2 by) {
 // Moves the pointer away and waits for a still picture; without panels, whose timings always differ.
 inline render::Image rest_picture(Driver& d) {
   d.move({700, 760});
-  d.workspace().attended = false;  // messages appear and disappear
+  d.workspace().has_user = false;  // messages appear and disappear
   d.settle();
-  d.workspace().attended = true;
+  d.workspace().has_user = true;
   render::Image picture = d.picture();
   const auto& v = d.workspace().viewport;
   for (int y = 0; y < picture.height; ++y) {

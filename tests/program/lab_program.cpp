@@ -91,7 +91,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
   CHECK(d.workspace().field.values == nullptr);
 }
 
-TEST_CASE("a_map_follows_the_hand_and_its_range_can_be_held") {
+TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   Driver d;
   d.open_dragon();
   choose_map(d, "displacement");
@@ -353,7 +353,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   scene::split_view(d.workspace(), 2);
   auto& side = d.workspace().split.sides[0];
   side.scheme = d.document().scheme;
-  side.other_lines = true;
+  side.other_blending = true;
   d.settle();
   const auto first = d.viewer().deformer()->positions();
   scene::enter_view(d.workspace(), 1);

@@ -96,13 +96,13 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
   CHECK(d.viewer().recorder().find("map"));
 }
 
-TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {
+TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
   Driver d(test::with_pixels);
   d.open_dragon();
   d.press_key(scene::Key::f2);
   d.settle();
   const auto with_line = d.picture();
-  d.workspace().attended = false;
+  d.workspace().has_user = false;
   d.settle();
   const auto without = d.picture();
   int differing = 0;
@@ -110,7 +110,7 @@ TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {
     for (int x = 0; x < 400; ++x) differing += with_line.pixel(x, y) != without.pixel(x, y);
   }
   CHECK(differing > 100);
-  d.workspace().attended = true;
+  d.workspace().has_user = true;
   d.press_key(scene::Key::f2);
   d.frame(2);
   CHECK(is_seen(d, "open_model"));
@@ -229,7 +229,7 @@ TEST_CASE("the_palette_walks_by_arrow_keys_and_says_why_a_command_cannot_run") {
   CHECK_FALSE(d.workspace().palette.open);
 }
 
-TEST_CASE("a_message_moves_no_button_and_goes_by_itself") {
+TEST_CASE("a_message_moves_no_button_and_disappears_by_itself") {
   Driver d;
   d.open_dragon();
   d.frame(3);
@@ -250,7 +250,7 @@ TEST_CASE("a_message_moves_no_button_and_goes_by_itself") {
   CHECK(d.workspace().messages.all().back().text.find("/somewhere") != std::string::npos);
 }
 
-TEST_CASE("an_error_stays_until_the_same_thing_succeeds_or_it_is_put_away") {
+TEST_CASE("an_error_stays_until_the_action_succeeds_or_it_is_dismissed") {
   const test::TemporaryFolder folder;
   Driver d;
   d.open_dragon();
@@ -263,7 +263,7 @@ TEST_CASE("an_error_stays_until_the_same_thing_succeeds_or_it_is_put_away") {
     CHECK(d.open({folder / "other.obj"}));
     d.frame(2);
     for (const auto& m : d.workspace().messages.all())
-      CHECK_FALSE((m.severity == scene::Severity::error && m.in_sight));
+      CHECK_FALSE((m.severity == scene::Severity::error && m.visible));
   }
   SUBCASE("it is put away") {
     d.click("toast/0/close");
@@ -315,7 +315,7 @@ TEST_CASE("a_name_a_format_and_enter_export_whatever_the_list_begins_with") {
   CHECK(std::filesystem::exists(folder / "arm.ply"));
 }
 
-TEST_CASE("what_is_typed_in_a_save_dialog_takes_the_place_of_the_proposed_name_each_time") {
+TEST_CASE("typing_in_a_save_dialog_replaces_the_proposed_name") {
   const test::TemporaryFolder folder;
   Driver d;
   d.open_dragon();

@@ -67,7 +67,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   CHECK(d.document().model.summary.vertices == static_cast<std::size_t>(6 * (cells + 1) * (cells + 1)));
 }
 
-TEST_CASE("what_was_read_waits_until_the_drag_is_over") {
+TEST_CASE("loaded_files_are_applied_after_the_drag") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   Driver d(remembering(folder / "state"));

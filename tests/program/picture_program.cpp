@@ -35,7 +35,7 @@ void mask_panels(render::Image& image, float scale) {
 
 struct Tolerance {
   int levels = 2;        // per channel
-  double share = 0.001;  // of pixels that may exceed it
+  double share = 0.001;  // fraction of pixels that may exceed it
 };
 
 void compare(const std::string& name, render::Image picture, bool panels, float scale,
@@ -73,7 +73,7 @@ TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
     options.size = {720, 480};
     options.scale = s.scale;
     Driver d(options, test::with_pixels);
-    d.workspace().attended = false;  // versions of ImGui move text
+    d.workspace().has_user = false;  // versions of ImGui move text
     d.workspace().view.panels = s.panels;
     d.workspace().view.dark = s.dark;
     d.workspace().view.hints = false;
@@ -100,7 +100,7 @@ TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
     options.size = {720, 400};
     options.scale = h.scale;
     Driver d(options, test::with_pixels);
-    d.workspace().attended = false;  // versions of ImGui move text
+    d.workspace().has_user = false;  // versions of ImGui move text
     auto& w = d.workspace();
     w.view.dark = h.dark;
     w.view.hints = w.view.model = w.view.grid = false;
@@ -150,7 +150,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
     auto options = Driver::default_options();
     options.size = {320, 220};
     Driver d(options, test::with_pixels);
-    d.workspace().attended = false;  // versions of ImGui move text
+    d.workspace().has_user = false;  // versions of ImGui move text
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = false;
     d.open_dragon(v.pose, test::bundled_dragon);
@@ -226,7 +226,7 @@ TEST_CASE("textures_are_drawn_as_they_were_when_someone_looked_at_them") {
     auto options = Driver::default_options();
     options.size = {320, 220};
     Driver d(options, test::with_pixels);
-    d.workspace().attended = false;  // versions of ImGui move text
+    d.workspace().has_user = false;  // versions of ImGui move text
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = view.cage = false;
     open_bent_sheet(d, folder.path());
@@ -253,7 +253,7 @@ void compare_after(const Picture& p, bool panels, bool dark) {
   auto options = Driver::default_options();
   options.size = p.size;
   Driver d(options, test::with_pixels);
-  d.workspace().attended = false;  // versions of ImGui move text
+  d.workspace().has_user = false;  // versions of ImGui move text
   auto& view = d.workspace().view;
   view.hints = view.axes = false;
   view.panels = panels;

@@ -187,7 +187,7 @@ TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_o
   d.document().changed_probes().all[0].pose.move = {0.1, 0.25, 0};
   d.settle();
   const auto probes = d.document().probes;
-  // Where the head is drawn now.
+  // The drawn position of the head.
   const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
   const glm::vec2 at =
       glm::floor(glm::vec2(*project(scene::probe_center(d.document(), 0)))) + glm::vec2(3, 0);

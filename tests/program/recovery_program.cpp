@@ -59,7 +59,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   CHECK_MESSAGE(kept_files(state).size() == 1, "quitting without saving keeps the work");
 }
 
-TEST_CASE("what_a_killed_program_was_still_writing_goes_at_the_next_start") {
+TEST_CASE("partial_files_of_a_killed_program_are_deleted_at_the_next_start") {
   const test::TemporaryFolder folder;
   const fs::path recovery = folder / "state" / "recovery", half = recovery / "9-1.viete.999999999-1-0.part";
   fs::create_directories(recovery);
@@ -134,7 +134,7 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
   CHECK(kept_files(state).empty());
 }
 
-TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks") {
+TEST_CASE("an_unwritable_state_folder_is_reported_once_and_is_harmless") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   test::put_file(folder / "state", "a file, not a folder");
@@ -334,7 +334,7 @@ TEST_CASE("edits_of_a_model_whose_name_is_not_utf_8_are_kept") {
   CHECK(scene::read_remembered(state / "remembered.json").recent.at(0).file == odd);
 }
 
-TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_and_closing") {
+TEST_CASE("an_unkeyed_pose_can_be_restored_after_a_frame_change_and_reopening") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path state = folder / "state", session = folder / "a.viete";

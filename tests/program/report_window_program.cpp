@@ -36,7 +36,7 @@ TEST_CASE("a_report_is_measured_in_the_background_and_opened_in_the_browser") {
   CHECK(d.until([&] { return test::file_bytes(scratch / "opened") == opened; }));
 }
 
-TEST_CASE("a_cancelled_report_stops_and_says_nothing") {
+TEST_CASE("a_cancelled_report_shows_no_message") {
   const test::TemporaryFolder scratch;
   app::ViewerOptions options = Driver::default_options();
   options.program = test::build_dir() / "viete";

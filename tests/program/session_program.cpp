@@ -4,8 +4,8 @@
 #include "mesh/shapes.h"
 #include "program/kept_work.h"
 #include "scene/document/edit.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -114,7 +114,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
 }
 
-TEST_CASE("a_cage_whose_faces_disagree_turns_its_model_in_the_window_and_from_a_session") {
+TEST_CASE("a_cage_with_misoriented_faces_deforms_its_model_in_the_window_and_from_a_session") {
   const test::TemporaryFolder folder;
   const mesh::Surface ball = test::sphere(2);
   mesh::Surface cube = test::moved(test::cube(), 1.5);
@@ -213,7 +213,7 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
   CHECK(other.document().pose.positions == pose.positions);
 }
 
-TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one") {
+TEST_CASE("a_damaged_session_is_drawn_with_a_warning_and_a_bomb_is_refused") {
   const test::TemporaryFolder folder;
   const std::string head = R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() +
                            R"(", "cage": ")" + dragon_cage.string() + R"(", )";
@@ -236,7 +236,7 @@ TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one
   }
 }
 
-TEST_CASE("a_permuted_pose_is_refused_and_a_mirrored_one_told_by_the_command_line") {
+TEST_CASE("the_command_line_refuses_a_permuted_pose_and_notes_a_mirrored_one") {
   const test::TemporaryFolder folder;
   mesh::Surface pose = mesh::read(dragon_cage).surface;
   mesh::write(folder / "pose.stl", pose);
@@ -353,7 +353,7 @@ TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
   CHECK(d.document().cage_file.path == small.cage);
 }
 
-TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to") {
+TEST_CASE("a_session_saved_by_another_window_is_overwritten_only_after_confirmation") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path session = folder / "a.viete";

@@ -143,7 +143,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   CHECK(d.pose(0).weight == weight);
 }
 
-TEST_CASE("under_a_turned_cage_a_pin_takes_the_model_where_the_hand_goes") {
+TEST_CASE("a_pin_under_a_rotated_cage_follows_the_cursor") {
   ShapeHand d(true);
   auto& cage = d.document().changed_pose().positions;
   for (mesh::Point& p : cage) p = {p[0], -p[2], p[1]};  // a quarter turn about x

@@ -77,7 +77,7 @@ TEST_CASE("all_of_strip_and_timeline_is_in_the_window_or_in_the_menu_at_its_end"
   CHECK(in_menus > 20);
 }
 
-TEST_CASE("what_is_in_the_menu_of_strip_and_timeline_works_from_there") {
+TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
   auto options = small_options();
   options.size = {1024, 640};
   SmallScene scene(options);

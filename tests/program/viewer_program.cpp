@@ -273,7 +273,7 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
   CHECK(test::difference(pictures[0], pictures[2], 8) < 0.002);
 }
 
-TEST_CASE("a_way_is_one_choice_and_what_it_is_made_of_is_folded_away") {
+TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   Driver d;
   d.open_dragon();
   const auto& scheme = d.document().scheme;
@@ -388,7 +388,7 @@ TEST_CASE("the_wheel_over_the_panels_scrolls_them_and_not_the_camera") {
   CHECK(d.workspace().camera.pose() == start);
 }
 
-TEST_CASE("the_methods_are_measured_aside_and_shown") {
+TEST_CASE("the_methods_are_measured_in_the_background_and_shown") {
   auto options = Driver::default_options();
   options.probe = true;
   Driver d(options);

@@ -106,7 +106,7 @@ struct Held : Driver {
 
 }  // namespace
 
-TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
+TEST_CASE("esc_cancels_any_slider_or_handle") {
   Held d;
   scene::set_radius(d.document(), 0.3);
   scene::undo(d.document());
@@ -243,7 +243,7 @@ TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
   }
 }
 
-TEST_CASE("esc_closes_what_has_dropped_down_and_changes_nothing") {
+TEST_CASE("esc_closes_popups_without_a_change") {
   Held d;
   d.workspace().remembered.layout.sections["Display"] =
       true;  // below the probes, so that these are scrolled into view
@@ -418,7 +418,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   CHECK(d.until([&] { return times.measured; }));
 }
 
-TEST_CASE("the_first_start_asks_once_whose_keys_the_hands_know") {
+TEST_CASE("the_first_start_asks_once_for_the_keymap") {
   for (const bool chooses : {true, false}) {
     Driver d(sized({1024, 640}));
     d.open_dragon();
@@ -434,7 +434,7 @@ TEST_CASE("the_first_start_asks_once_whose_keys_the_hands_know") {
   }
 }
 
-TEST_CASE("where_the_mesh_may_fold_is_told_in_the_checks_and_marked_at_the_cage") {
+TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
   Driver d(sized({1440, 900}), test::with_pixels);
   d.open_dragon();
   d.workspace().remembered.layout.sections["Checks"] = true;

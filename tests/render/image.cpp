@@ -53,9 +53,9 @@ TEST_CASE("writing_leaves_nothing_beside_the_png_and_replaces_an_old_one") {
 }
 
 TEST_CASE("png_that_cannot_be_written_is_named") {
-  const std::filesystem::path nowhere = "/nonexistent_folder/a.png";
+  const std::filesystem::path recovered = "/nonexistent_folder/a.png";
   try {
-    render::write_png(nowhere, pattern(2, 2));
+    render::write_png(recovered, pattern(2, 2));
     FAIL("a folder that is not there was written to");
   } catch (const base::Error& error) {
     CHECK(std::string(error.what()).find("/nonexistent_folder/a.png") != std::string::npos);

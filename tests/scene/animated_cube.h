@@ -35,7 +35,7 @@ struct AnimatedCube : CubeFiles {
   }
 
   scene::WholePose pose(double frame) const {
-    scene::KnownVectors vectors;
+    scene::VectorCache vectors;
     vectors.follow(document.cage);
     return scene::Animation(document.timeline, vectors).at(frame);
   }

@@ -19,7 +19,7 @@ namespace {
 
 struct Keyed {
   Document document = test::cube_document();
-  KnownVectors vectors;
+  VectorCache vectors;
 
   Animation animation(const Timeline& timeline) {
     vectors.follow(document.cage);
@@ -112,7 +112,7 @@ TEST_CASE("a_chain_of_keys_moves_the_model_as_the_same_poses_applied_by_hand_to_
     keep_pose(document, "pose");
     set_key(document, static_cast<int>(1 + 12 * i));
   }
-  KnownVectors vectors;
+  VectorCache vectors;
   vectors.follow(document.cage);
   const Animation animation(document.timeline, vectors);
   base::WorkerPool pool(1);
@@ -158,7 +158,7 @@ namespace {
 // A cube with shapes of itself, without a cage.
 struct Shaped {
   std::shared_ptr<const mesh::Surface> model = std::make_shared<const mesh::Surface>(test::cube(1));
-  KnownVectors vectors;
+  VectorCache vectors;
 
   Animation animation(const Timeline& timeline) {
     vectors.follow_model(model);
@@ -272,7 +272,7 @@ TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
   const deform::ProbePose half{{0, 0, std::numbers::pi}, {2, 0, 0, 0, 0, 0}, {4, 0, 0}};
   Timeline t;
   t.keys = {{1, test::whole({}, {}), Easing::linear}, {11, test::whole({}, {half})}};
-  KnownVectors none;
+  VectorCache none;
   none.follow(nullptr);
   const WholePose pose = Animation(t, none).at(6);
   CHECK(pose.cage.positions.empty());
@@ -282,7 +282,7 @@ TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
   CHECK(pose.probes[0].move[0] == doctest::Approx(2));
 }
 
-TEST_CASE("what_overshoots_beyond_what_can_be_drawn_stays_at_the_key_before") {
+TEST_CASE("overshoot_beyond_the_drawable_range_shows_the_previous_key") {
   Keyed k;
   Timeline t = two_keys(stretched_cube(1), stretched_cube(1e30), Easing::smooth);
   t.keys.push_back(key(111, stretched_cube(1e29)));

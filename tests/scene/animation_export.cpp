@@ -327,7 +327,7 @@ TEST_CASE("an_animation_that_floats_do_not_hold_leaves_nothing") {
   }
 }
 
-TEST_CASE("a_frame_that_is_there_is_never_replaced_unasked") {
+TEST_CASE("an_existing_frame_is_never_overwritten_without_force") {
   const test::AnimatedCube cube;
   AnimationExport what = animation_export_of(cube.document, cube / "f_##.ply");
   test::put_file(cube / "f_05.ply", "of a user");

@@ -12,7 +12,7 @@
 #include "scene/document/edit.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/open.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 #include "support/text.h"
 
 using namespace viete;
@@ -115,7 +115,7 @@ TEST_CASE("morph_targets_of_a_cage_are_poses_and_their_animation_keys") {
   CHECK(test::mentions(m.problem(m / "model.glb"), "20 points, and the cage has 8 vertices"));
 }
 
-TEST_CASE("keys_on_one_frame_are_said") {
+TEST_CASE("several_keys_on_one_frame_give_a_warning") {
   const CageMotion m;
   m.write(m / "c.mdd");
   const ImportedKeys keys = read_keys(m / "c.mdd", *m.document.cage, {1, 12});

@@ -6,8 +6,8 @@
 #include "scene/document/edit.h"
 #include "scene/files.h"
 #include "scene/files/session.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "scene/workspace/workspace.h"
 #include "support/commands.h"
 #include "support/edits.h"
@@ -61,7 +61,7 @@ TEST_CASE("a_stroke_paints_once_however_often_it_goes_over_a_vertex_and_is_one_e
   CHECK(d.mask == painted);
 }
 
-TEST_CASE("a_stroke_that_is_taken_back_or_paints_nothing_is_no_edit") {
+TEST_CASE("a_cancelled_or_empty_stroke_is_no_edit") {
   Painted p;
   Document& d = p.w.document;
   MaskStroke taken_back(d);

@@ -138,7 +138,7 @@ TEST_CASE("cells_that_are_not_filled_are_left_out") {
       2);
 }
 
-TEST_CASE("even_steps_end_where_they_should") {
+TEST_CASE("even_steps_end_exactly_at_the_upper_bound") {
   CHECK(even(-3.2, 3.2, 3).front() == -3.2);
   CHECK(even(-3.2, 3.2, 3).back() == 3.2);
   CHECK(even(0, 1, 4) == std::vector<double>{0, 0.25, 0.5, 0.75, 1});

@@ -172,7 +172,7 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK(w.document.scheme.holding.radius == 0.1);
 }
 
-TEST_CASE("a_stitching_that_is_not_to_be_had_leaves_no_trace_in_the_history") {
+TEST_CASE("a_failed_stitching_leaves_no_history_entry") {
   Workspace w = test::cube_workspace();
   test::run_command(w, "toggle_stitched");
   give_up_scheme(w.document, deform::Scheme());
@@ -180,7 +180,7 @@ TEST_CASE("a_stitching_that_is_not_to_be_had_leaves_no_trace_in_the_history") {
   CHECK_FALSE(w.document.history.can_undo());
 }
 
-TEST_CASE("a_way_of_blending_that_is_not_to_be_had_leaves_no_trace_in_the_history") {
+TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   Workspace w = test::cube_workspace();
   test::run_command(w, "reset_pose");
   const std::size_t edits = test::edit_count(w.document.history);
@@ -293,14 +293,14 @@ TEST_CASE("a_few_letters_find_a_command_and_the_best_comes_first") {
   CHECK(find_commands(w, "no such thing at all").empty());
 }
 
-TEST_CASE("nothing_typed_finds_all_but_what_answers_something_that_is_not_there") {
+TEST_CASE("an_empty_search_lists_all_except_transient_commands") {
   const Workspace w;
   const auto all = find_commands(w, "");
   CHECK(all.size() > 80);
   for (const Command* command : all) CHECK_FALSE(command->passing);
 }
 
-TEST_CASE("a_switch_says_whether_it_is_on") {
+TEST_CASE("a_toggle_returns_its_state") {
   Workspace w;
   CHECK(find_command("toggle_grid")->on(w));
   w.view.grid = false;

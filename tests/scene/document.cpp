@@ -11,7 +11,7 @@
 #include "scene/document/history.h"
 #include "scene/document/space.h"
 #include "scene/files.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 #include "support/open.h"
 
 using namespace viete;
@@ -169,7 +169,7 @@ TEST_CASE("a_new_edit_ends_redo") {
   CHECK_FALSE(h.can_redo());
 }
 
-TEST_CASE("an_edit_that_is_called_off_leaves_what_could_be_repeated") {
+TEST_CASE("a_cancelled_edit_keeps_redo") {
   History h;
   h.record("one", at(0));
   h.undo(at(1));

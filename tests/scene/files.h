@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "mesh/formats/write.h"
 #include "scene/cube.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 #include "support/folder.h"
 
 namespace viete::test {

@@ -89,7 +89,7 @@ TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
   CHECK_FALSE(pick_handle(gizmo, gizmo.center + glm::vec2(130, 0)));
 }
 
-TEST_CASE("with_reach_handles_are_hit_from_farther_and_rings_on_the_far_side_too") {
+TEST_CASE("reach_hits_handles_from_farther_and_the_far_side_of_rings") {
   const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
   const glm::vec2 outside = gizmo.center + glm::vec2(gizmo_view_ring + gizmo_tolerance + 4, 0);
   CHECK_FALSE(pick_handle(gizmo, outside));

@@ -80,7 +80,7 @@ double share_of(const std::vector<Softened>& all, std::uint32_t v) {
 
 }  // namespace
 
-TEST_CASE("a_joint_is_where_the_selection_borders_on_most_of_the_rest") {
+TEST_CASE("a_joint_is_the_boundary_with_the_largest_remaining_part") {
   Document document = arm();
   const Camera camera;
   select(document, 24, 40);  // rings 6 to 9
@@ -122,7 +122,7 @@ TEST_CASE("the_active_element_is_what_was_clicked_last") {
   CHECK_FALSE(document.selection.active());
 }
 
-TEST_CASE("with_pivots_of_their_own_two_ends_turn_about_their_middles") {
+TEST_CASE("individual_pivots_rotate_two_ends_about_their_centers") {
   Document document = arm();
   std::vector<std::uint32_t> ends{0, 1, 2, 3, 36, 37, 38, 39};
   document.selection.apply(ends, SelectMode::replace);
@@ -187,7 +187,7 @@ TEST_CASE("in_a_mirror_the_other_side_moves_as_its_image") {
   CHECK(document.pose.positions == document.cage->surface.positions);
 }
 
-TEST_CASE("where_both_sides_are_selected_one_leads_and_the_other_follows") {
+TEST_CASE("one_side_leads_if_both_are_selected") {
   Document document = arm();
   const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
   select(document, 36, 40);
@@ -202,7 +202,7 @@ TEST_CASE("where_both_sides_are_selected_one_leads_and_the_other_follows") {
   for (std::uint32_t v = 36; v < 40; ++v) CHECK(std::abs(document.pose.positions[v][2]) == 2);
 }
 
-TEST_CASE("what_is_on_the_mirrors_plane_does_not_leave_it") {
+TEST_CASE("vertices_on_the_mirror_plane_stay_on_it") {
   Document document = arm();
   std::vector<mesh::Point> points = document.cage->surface.positions;
   for (auto& p : points) p[2] = p[2] > 0 ? 0 : p[2];  // two rows are now on z = 0, and are their own partners
@@ -224,7 +224,7 @@ TEST_CASE("what_is_on_the_mirrors_plane_does_not_leave_it") {
   CHECK(document.pose.positions[36] == mesh::Point{9.5, -0.5, 2});
 }
 
-TEST_CASE("what_goes_along_softly_moves_by_its_share_and_turns_by_its_share") {
+TEST_CASE("soft_vertices_move_and_rotate_by_their_share") {
   Document document = arm();
   select(document, 36, 40);
   Handling handling;

@@ -45,7 +45,7 @@ TEST_CASE("in_every_preset_a_key_runs_one_command") {
   }
 }
 
-TEST_CASE("presets_give_hands_their_keys_and_take_them_from_others") {
+TEST_CASE("presets_assign_keys_and_remove_them_from_other_commands") {
   Keymap keymap;
   CHECK(text(keys_of(keymap, "toggle_grid").first) == "G");
   CHECK(text(keys_of(keymap, "grab").first).empty());
@@ -63,7 +63,7 @@ TEST_CASE("presets_give_hands_their_keys_and_take_them_from_others") {
   CHECK(text(keys_of(keymap, "toggle_grid").first) == "G");
 }
 
-TEST_CASE("a_key_of_another_program_does_here_what_it_does_there_or_nothing") {
+TEST_CASE("a_preset_key_has_its_original_function_or_none") {
   const auto runs = [](KeyPreset preset, const char* written) {
     Keymap keymap;
     keymap.set_preset(preset);

@@ -89,7 +89,7 @@ TEST_CASE("a_side_is_copied_to_the_other_and_swapped_and_undone") {
   CHECK(test::edit_count(document.history) == 2);
 }
 
-TEST_CASE("what_is_hidden_on_the_other_side_stays_where_it_is") {
+TEST_CASE("hidden_partners_stay") {
   Document document = test::cube_document();
   const auto mirror = mirror_of(*document.cage, MirrorPlane::x);
   document.groups.hidden = {0};
@@ -106,8 +106,8 @@ TEST_CASE("what_is_hidden_on_the_other_side_stays_where_it_is") {
   CHECK(document.pose.positions[1] == mesh::Point{5, 5, 5});
 }
 
-TEST_CASE("what_is_known_of_a_mirror_follows_cage_and_choice") {
-  KnownMirror known;
+TEST_CASE("a_cached_mirror_follows_cage_and_choice") {
+  MirrorCache known;
   Document document = test::cube_document();
   known.follow(document.cage, MirrorPlane::y);
   REQUIRE(known.get());

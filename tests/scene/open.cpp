@@ -11,8 +11,8 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/selection_sets.h"
 #include "scene/files.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/data.h"
 #include "support/edits.h"
 #include "support/open.h"
@@ -58,7 +58,7 @@ TEST_CASE("the_surface_that_encloses_is_the_cage_even_with_more_vertices") {
   CHECK(said(w, "encloses it"));
 }
 
-TEST_CASE("where_neither_encloses_the_one_with_fewer_vertices_is_the_cage_and_that_is_said") {
+TEST_CASE("if_neither_encloses_the_surface_with_fewer_vertices_is_the_cage") {
   const test::CubeFiles files;
   auto aside = test::cube(1.5);
   for (auto& p : aside.positions) p[0] += 2;
@@ -69,7 +69,7 @@ TEST_CASE("where_neither_encloses_the_one_with_fewer_vertices_is_the_cage_and_th
   CHECK(said(w, "does not enclose it"));
 }
 
-TEST_CASE("a_cage_that_most_of_the_model_is_outside_of_is_named_whichever_way_it_faces") {
+TEST_CASE("a_cage_with_most_of_the_model_outside_is_reported_for_either_orientation") {
   const test::CubeFiles files;
   auto far_away = test::cube(1.5), inside_out = test::cube(1.5);
   for (auto& p : far_away.positions) p[0] += 9;
@@ -195,7 +195,7 @@ TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
   CHECK_FALSE(has_unsaved_edits(back));
 }
 
-TEST_CASE("what_is_opened_comes_to_the_front_of_the_recent_files") {
+TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   REQUIRE(test::load_model(w, files.cage, {}));
@@ -241,7 +241,7 @@ TEST_CASE(
   CHECK(as_saved.document.scheme.weighting.radius == 0.3);
   CHECK_FALSE(has_unsaved_edits(as_saved));
 
-  AskedSettings asked;
+  RequestedSettings asked;
   asked.method = sym3::Method::diag;
   Workspace other_method;
   REQUIRE(open_now(other_method, {What::model, {files / "a.viete"}, asked}));
@@ -290,7 +290,7 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
   CHECK(w.document.method == sym3::Method::sd);
   CHECK(w.document.scheme.weighting.radius == 0.3);
-  AskedSettings asked;
+  RequestedSettings asked;
   asked.radius = 0.4;
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK(w.document.method == sym3::Method::sd);
@@ -300,7 +300,7 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
 
 TEST_CASE("settings_that_do_not_go_together_open_nothing") {
   const test::CubeFiles files;
-  AskedSettings asked;
+  RequestedSettings asked;
   asked.choice = {deform::Weights::mean_value, deform::Blend::srl};
   Workspace w;
   CHECK_FALSE(open_now(w, {What::model, {files.model, files.cage}, asked}));
@@ -310,7 +310,7 @@ TEST_CASE("settings_that_do_not_go_together_open_nothing") {
 
 TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_have_them") {
   const test::CubeFiles files;
-  const auto opened = [&](const AskedSettings& asked, const fs::path& model) {
+  const auto opened = [&](const RequestedSettings& asked, const fs::path& model) {
     return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->scheme;
   };
   CHECK(opened({}, files.model) == deform::default_scheme());
@@ -376,7 +376,7 @@ TEST_CASE("located_files_take_the_place_of_those_that_a_session_names") {
   }
 }
 
-TEST_CASE("a_cage_with_a_fin_opens_without_it_where_that_is_asked_for") {
+TEST_CASE("a_cage_opens_without_its_fin_on_request") {
   const test::CubeFiles files;
   const mesh::Surface plain = test::cube(1.5);
   const auto with = [&](std::vector<mesh::Point> points, const std::vector<mesh::Triangle>& more) {

@@ -48,7 +48,7 @@ TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels") {
   }
 }
 
-TEST_CASE("of_vertices_on_one_pixel_the_nearer_one_is_picked") {
+TEST_CASE("the_nearer_of_two_vertices_on_one_pixel_is_picked") {
   Workspace w = test::cube_workspace();
   w.camera.look(StandardView::front);
   w.camera.animate(1);
@@ -78,7 +78,7 @@ TEST_CASE("points_behind_the_camera_are_never_picked") {
   CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
 }
 
-TEST_CASE("a_box_picks_what_is_inside_whichever_corner_comes_first") {
+TEST_CASE("a_box_picks_its_content_from_any_corner") {
   const Workspace w = test::cube_workspace();
   const glm::vec2 at = pixel(w, w.document.pose.positions[5]);
   CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, at + 2.0f, at - 2.0f) ==

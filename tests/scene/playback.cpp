@@ -71,7 +71,7 @@ TEST_CASE("a_frame_shows_its_pose_and_its_camera_and_is_no_edit") {
   CHECK(p.edits() == 0);
 }
 
-TEST_CASE("a_pose_that_is_in_no_key_is_not_lost_by_going_elsewhere") {
+TEST_CASE("an_unkeyed_pose_survives_a_frame_change") {
   Played p;
   const auto lost_without_a_word = [&](auto change) {
     go_to_frame(p.w, 6);
@@ -147,7 +147,7 @@ TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
   CHECK(said() == "Camera keys set from frame 1 to 40.");
 }
 
-TEST_CASE("a_pose_that_is_in_no_key_is_unsaved_work_whatever_has_taken_its_place") {
+TEST_CASE("an_unkeyed_pose_is_unsaved_work_after_being_replaced") {
   Played p;
   test::add_two_poses(p.document());
   const std::map<std::string, std::function<void()>> ways{
@@ -181,7 +181,7 @@ TEST_CASE("a_pose_that_is_in_no_key_is_unsaved_work_whatever_has_taken_its_place
   }
 }
 
-TEST_CASE("a_pose_that_is_kept_elsewhere_or_was_saved_is_no_unsaved_work_elsewhere_in_time") {
+TEST_CASE("a_stored_or_saved_pose_is_not_unsaved_work_at_other_frames") {
   Played p;
   go_to_frame(p.w, 6);
   p.put(turned_cube(33));
@@ -202,7 +202,7 @@ TEST_CASE("a_pose_that_is_kept_elsewhere_or_was_saved_is_no_unsaved_work_elsewhe
   CHECK(has_unsaved_edits(p.w));
 }
 
-TEST_CASE("a_pose_that_is_put_there_while_it_plays_is_not_lost_by_stopping") {
+TEST_CASE("a_pose_set_during_playback_survives_stopping") {
   Played p;
   start_playing(p.w);
   p.pass(0.5);
@@ -213,7 +213,7 @@ TEST_CASE("a_pose_that_is_put_there_while_it_plays_is_not_lost_by_stopping") {
   CHECK(p.positions() == turned_cube(33).positions);
 }
 
-TEST_CASE("rest_is_never_lost_and_nothing_is_said_of_it") {
+TEST_CASE("rest_is_never_stored_as_an_unkeyed_pose") {
   Played p;
   go_to_frame(p.w, 6);
   p.pass(0);
@@ -299,7 +299,7 @@ TEST_CASE("locked_probes_stay_where_time_goes_on") {
   CHECK_FALSE(has_unkeyed_pose(p.w));
 }
 
-TEST_CASE("nothing_moves_by_time_while_something_is_in_the_hand_or_the_cage_is_edited") {
+TEST_CASE("the_timeline_is_ignored_during_drags_and_cage_editing") {
   Played p;
   p.document().selection.apply(std::vector<std::uint32_t>{0}, SelectMode::replace);
   p.hold_something();
@@ -346,7 +346,7 @@ TEST_CASE("it_plays_by_seconds_and_comes_to_rest_at_a_whole_frame") {
   CHECK(p.edits() == 0);
 }
 
-TEST_CASE("what_plays_once_ends_at_the_last_frame_and_begins_anew") {
+TEST_CASE("single_playback_ends_at_the_last_frame_and_restarts") {
   Played p;
   p.timeline().repeat = Repeat::once;
   start_playing(p.w);
@@ -410,7 +410,7 @@ TEST_CASE("an_edit_of_the_pose_while_it_plays_stops_it_and_stays") {
   CHECK(has_unkeyed_pose(p.w));
 }
 
-TEST_CASE("with_auto_key_what_a_hand_changes_is_a_key_and_one_edit") {
+TEST_CASE("auto_key_sets_a_key_within_the_same_edit") {
   Played p;
   p.w.playback.auto_key = true;
   go_to_frame(p.w, 21);

@@ -22,7 +22,7 @@ namespace {
 
 struct Mixed {
   Document document = test::cube_document();
-  KnownVectors vectors;
+  VectorCache vectors;
 
   explicit Mixed(bool poses = true) {
     if (poses) test::add_two_poses(document);
@@ -91,7 +91,7 @@ TEST_CASE("poses_are_kept_applied_renamed_moved_duplicated_and_deleted_and_all_o
   m.check_undone(start);
 }
 
-TEST_CASE("what_changes_nothing_is_no_edit") {
+TEST_CASE("an_unchanged_value_is_no_edit") {
   Mixed m;
   rename_pose(m.document, 0, "turned");
   move_pose(m.document, 0, 0);
@@ -144,7 +144,7 @@ TEST_CASE("a_weight_goes_through_rest_and_beyond_the_pose") {
   CHECK(m.poses()[1].weight == PoseLibrary::largest_weight);
 }
 
-TEST_CASE("all_of_one_pose_is_that_pose_and_none_of_it_what_was_there_to_the_bit") {
+TEST_CASE("weight_1_is_the_pose_and_weight_0_the_previous_pose_bit_for_bit") {
   Mixed m;
   m.poses()[0].pose = whole(turned_cube(400));
   m.weigh(0, 0.3);
@@ -183,7 +183,7 @@ TEST_CASE("several_poses_are_added_in_log_space_subtracted_and_averaged") {
   CHECK(distance(m.positions(), turned_cube(150).positions) < 1e-12);
 }
 
-TEST_CASE("an_average_of_weights_that_are_nothing_together_is_refused") {
+TEST_CASE("averaging_weights_with_sum_0_is_refused") {
   Mixed m;
   CHECK_FALSE(average_mix(m.document, m.vectors));
   m.weigh(0, 1);
@@ -226,7 +226,7 @@ TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
   m.check_undone(start);
 }
 
-TEST_CASE("a_slider_moves_the_whole_cage_whatever_is_selected") {
+TEST_CASE("a_slider_moves_the_whole_cage_for_any_selection") {
   Mixed m;
   m.poses()[1].pose = whole(stretched_cube(2, 3));
   m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);
@@ -235,7 +235,7 @@ TEST_CASE("a_slider_moves_the_whole_cage_whatever_is_selected") {
   CHECK(m.positions() == stretched_cube(2, 3).positions);
 }
 
-TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_it_moves") {
+TEST_CASE("a_slider_can_be_limited_to_the_selection_when_it_leaves_0") {
   Mixed m;
   m.poses()[1].pose = whole(stretched_cube(2, 3));
   m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);  // the upper face
@@ -257,7 +257,7 @@ TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_
   CHECK(m.positions() == stretched_cube(2, 3).positions);
 }
 
-TEST_CASE("a_hand_moves_what_is_there_with_the_mix_and_mixing_goes_on_upon_that") {
+TEST_CASE("a_drag_edits_the_pose_below_the_mix") {
   Mixed m;
   m.weigh(0, 0.5);
   // Half of a quarter turn, then dragged by 20 degrees.
@@ -290,7 +290,7 @@ TEST_CASE("whole_poses_from_elsewhere_end_the_mix") {
   ended([](Document& d) { update_pose(d, 0); });
 }
 
-TEST_CASE("a_pose_that_is_mixed_in_goes_with_what_it_moved") {
+TEST_CASE("removing_a_mixed_pose_removes_its_motion") {
   Mixed m;
   const Document start = m.document;
   m.weigh(0, 0.5);
@@ -326,7 +326,7 @@ TEST_CASE("poses_of_probes_alone_are_mixed_without_a_cage") {
   document.model = test::cube_document().model;
   document.probes.all.resize(1);
   document.library.poses = {{"out", whole({}, {{.move = {4, 0, 0}}})}};
-  KnownVectors vectors;
+  VectorCache vectors;
   CHECK(set_weight(document, vectors, 0, 0.5));
   CHECK(document.probes.all[0].pose.move == mesh::Vec3{2, 0, 0});
   CHECK(set_weight(document, vectors, 0, 0));

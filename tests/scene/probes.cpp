@@ -13,9 +13,9 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/placing.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/grips.h"
@@ -254,7 +254,7 @@ TEST_CASE("a_model_of_one_point_can_have_probes") {
   CHECK(back.document.probes == w.document.probes);
 }
 
-TEST_CASE("what_is_left_when_the_last_probe_is_gone_is_unsaved_still") {
+TEST_CASE("removing_the_last_probe_is_an_unsaved_edit") {
   Probed p(false);
   p.add({1, 0, 0});
   REQUIRE(save_session(p.w, p.files / "a.viete"));

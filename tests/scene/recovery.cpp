@@ -11,8 +11,8 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
 #include "scene/hand/transform.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/grips.h"
 #include "support/zombie.h"
 
@@ -130,7 +130,7 @@ std::string first_edit_kept(const Workspace& w, const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("kept_work_tells_the_first_edit_since_it_was_saved_and_a_saved_session_tells_none") {
+TEST_CASE("recovery_files_store_the_first_unsaved_edit_and_sessions_do_not") {
   const test::CubeFiles files;
   const fs::path kept = files / "999999999-1.viete";
   Workspace w = test::opened({files.model, files.cage});

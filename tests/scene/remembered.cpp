@@ -19,7 +19,7 @@ TEST_CASE("a_recent_file_stands_once_at_the_front_and_twelve_are_kept") {
   CHECK(remembered.recent[1].file == "/m19.obj");
 }
 
-TEST_CASE("what_is_remembered_comes_back") {
+TEST_CASE("preferences_are_restored") {
   const test::TemporaryFolder folder;
   Remembered remembered;
   CHECK(read_remembered(folder / "r.json") == remembered);
@@ -34,7 +34,7 @@ TEST_CASE("what_is_remembered_comes_back") {
   CHECK(read_remembered(folder / "r.json") == remembered);
 }
 
-TEST_CASE("what_another_program_added_is_kept_behind") {
+TEST_CASE("entries_of_another_program_are_appended") {
   const test::TemporaryFolder folder;
   Remembered mine, theirs;
   mine.add({"/mine.ply", {}});
@@ -69,7 +69,7 @@ TEST_CASE("both_columns_are_shown_where_the_view_keeps_its_least_width") {
   CHECK(tight.methods == PanelLayout::least_width);
 }
 
-TEST_CASE("where_there_is_room_for_one_column_the_one_unfolded_last_is_shown") {
+TEST_CASE("a_narrow_window_shows_the_column_unfolded_last") {
   PanelLayout layout;
   CHECK(shown_columns(layout, 800).methods == 320);
   CHECK(shown_columns(layout, 800).tools == 0);

@@ -12,9 +12,9 @@
 #include "scene/hand/placing.h"
 #include "scene/hand/transform.h"
 #include "scene/posed_cube.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/command.h"
 #include "scene/workspace/file_commands.h"
-#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/grips.h"
 #include "support/open.h"
@@ -185,7 +185,7 @@ TEST_CASE("the_title_names_the_session_and_else_the_model_with_a_star_while_edit
   CHECK(window_title(again) == "walk.viete - Viete");
 }
 
-TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
+TEST_CASE("saving_overwrites_no_open_file_except_its_own_source") {
   const test::CubeFiles files;
   fs::create_symlink(files.cage, files / "link.obj");
   fs::create_directory_symlink(files.path(), files / "way");
@@ -227,7 +227,7 @@ TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
 TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  w.document.cage_file = made_surface(*w.document.cage_file.surface, "cage.obj, edited");
+  w.document.cage_file = generated_surface(*w.document.cage_file.surface, "cage.obj, edited");
   CHECK_FALSE(save_pose(w, files.cage));  // undo can restore it
   CHECK(save_cage(w, files.cage));
 }

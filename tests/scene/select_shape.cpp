@@ -11,7 +11,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/mouse.h"
-#include "scene/workspace/sight_keeper.h"
+#include "scene/workspace/sight_cache.h"
 #include "support/commands.h"
 
 using namespace viete;
@@ -37,7 +37,7 @@ constexpr glm::vec2 middle{600, 390};
 
 }  // namespace
 
-TEST_CASE("a_line_encloses_what_it_goes_round_however_it_crosses_itself") {
+TEST_CASE("a_self_intersecting_line_encloses_points_by_winding_number") {
   const std::array<glm::vec2, 4> square = {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}};
   CHECK(encloses(square, {5, 5}));
   CHECK_FALSE(encloses(square, {15, 5}));
@@ -123,7 +123,7 @@ TEST_CASE("an_armed_box_begins_on_a_vertex_and_on_the_gizmo_and_esc_puts_it_away
   CHECK_FALSE(hand.w.interaction.armed);
 }
 
-TEST_CASE("a_lasso_selects_what_it_goes_round_and_esc_takes_it_back") {
+TEST_CASE("a_lasso_selects_its_content_and_esc_cancels_it") {
   Hand hand(test::ball_workspace());
   const auto round = [&](float radius) {
     CHECK(test::run_command(hand.w, "select_lasso"));
@@ -191,7 +191,7 @@ TEST_CASE("the_brush_selects_along_its_way_ctrl_removes_the_wheel_sizes_and_esc_
   CHECK_FALSE(differs_from_rest(hand.w.document));
 }
 
-TEST_CASE("a_brush_takes_the_large_face_that_it_is_over") {
+TEST_CASE("a_brush_selects_the_face_under_its_center") {
   Hand hand(test::cube_workspace());
   hand.w.document.selection = Selection(ElementKind::face);
   CHECK(test::run_command(hand.w, "select_brush"));
@@ -240,7 +240,7 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   CHECK(hand.selected() == 7);  // the eighth is hidden by the cage
 }
 
-TEST_CASE("nothing_is_hidden_where_there_is_nothing") {
+TEST_CASE("an_empty_raster_hides_nothing") {
   Workspace w;
   w.viewport = {{100, 80}, {0, 0}, {100, 80}};
   CHECK(sight_of(w).sees({50, 40, 3}));

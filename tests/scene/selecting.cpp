@@ -88,7 +88,7 @@ TEST_CASE("growing_adds_what_is_next_to_it_and_shrinking_takes_it_away_again") {
   }
 }
 
-TEST_CASE("a_loop_goes_straight_through_quads_from_rim_to_rim_and_round_the_rim") {
+TEST_CASE("a_loop_goes_straight_through_quads_between_boundaries_and_along_them") {
   const auto cage = deform::make_cage(plane_of_quads(4));
   const auto row = looped(cage, some(ElementKind::edge, {edge_of(cage, 11, 12)}));
   CHECK(selected_vertices(cage, row) == Numbers{10, 11, 12, 13, 14});
@@ -164,7 +164,7 @@ TEST_CASE("a_ring_goes_across_quads_and_pairs_of_triangles_as_if_they_were_quads
   for (const std::uint32_t e : {0u, 7u, 100u}) CHECK(ringed(ball, some(ElementKind::edge, {e})).contains(e));
 }
 
-TEST_CASE("where_many_faces_meet_at_an_edge_loops_end_and_nothing_else_breaks") {
+TEST_CASE("loops_end_at_nonmanifold_edges") {
   // Two fins on opposite sides of an edge between vertices 5 and 6 of a plane: four faces at one edge.
   auto s = plane_of_quads(3);
   s.positions.push_back({1, 1, 1});
@@ -213,7 +213,7 @@ TEST_CASE("facing_is_the_same_way_for_faces_and_either_way_for_edges") {
   CHECK(facing(cage, p, some(ElementKind::vertex, {3})).indices() == Numbers{3});
 }
 
-TEST_CASE("a_side_has_what_does_not_reach_beyond_the_middle_and_is_not_within_it") {
+TEST_CASE("a_side_contains_elements_that_neither_cross_nor_lie_in_the_middle_plane") {
   const auto cage = deform::make_cage(plane_of_quads(4));
   CHECK(on_side(cage, ElementKind::vertex, 0, true, 2).indices() ==
         Numbers{3, 4, 8, 9, 13, 14, 18, 19, 23, 24});
@@ -223,7 +223,7 @@ TEST_CASE("a_side_has_what_does_not_reach_beyond_the_middle_and_is_not_within_it
   CHECK(on_side(cage, ElementKind::vertex, 2, false, 0).empty());
 }
 
-TEST_CASE("of_no_cage_and_of_probes_nothing_is_made") {
+TEST_CASE("without_a_cage_and_for_probes_there_are_no_elements") {
   const deform::Cage none;
   const auto probes = some(ElementKind::probe, {0, 2});
   CHECK(grown(none, probes) == probes);

@@ -95,7 +95,7 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   CHECK(w.document.selection == vertices({1}));
 }
 
-TEST_CASE("what_is_hidden_is_not_selected_picked_or_moved_until_all_is_shown") {
+TEST_CASE("hidden_elements_are_not_selected_picked_or_moved") {
   Workspace w = saved_cube();
   const glm::vec2 at(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[7]));
   set_selection(w.document, vertices({6, 7}));
@@ -236,7 +236,7 @@ TEST_CASE("inverting_twice_changes_nothing") {
   CHECK(s.indices() == Indices{0, 3});
 }
 
-TEST_CASE("all_of_nothing_is_nothing") {
+TEST_CASE("selecting_all_without_elements_selects_none") {
   Selection s;
   s.select_all(0);
   CHECK(s.empty());

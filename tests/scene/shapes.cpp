@@ -12,9 +12,9 @@
 #include "scene/document/time_edit.h"
 #include "scene/files.h"
 #include "scene/files/session.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/data.h"
 #include "support/folder.h"
 #include "support/open.h"
@@ -157,7 +157,7 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
   CHECK(f.document().library.poses.size() == 2);
 }
 
-TEST_CASE("what_was_made_by_hand_stays_below_the_mix_of_shapes") {
+TEST_CASE("an_edited_pose_stays_below_the_mix_of_shapes") {
   BarFiles f;
   f.open();
   f.add_bends();
@@ -226,7 +226,7 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   std::size_t shapes = 0;
   for (std::size_t at = 0; (at = text.find("\"float", at)) != std::string::npos; ++at) ++shapes;
   CHECK(shapes == 3);
-  // Of another model: dropped with a warning.
+  // A shape of another model: dropped with a warning.
   test::put_file(f / "bar.obj", test::file_bytes(f.cage_file()));
   Workspace other = test::opened({file});
   CHECK(other.document.library.poses.empty());
@@ -338,7 +338,7 @@ TEST_CASE("without_shapes_pins_leave_the_model_as_rigid_as_can_be_and_pulling_on
   CHECK(left < 0.5);
 }
 
-TEST_CASE("a_flat_model_stays_flat_to_the_bit_and_is_seen_from_before") {
+TEST_CASE("a_flat_model_stays_exactly_flat_and_is_seen_from_the_front") {
   BarFiles f(true);
   f.open();
   CHECK(f.w.camera.pose().orthographic);

@@ -119,7 +119,7 @@ TEST_CASE("one_vertex_has_no_two_ends") {
   CHECK(shaping_of(document, Shape::push, grip, true, Camera()).shape == Shape::push);
 }
 
-TEST_CASE("a_hinge_is_across_the_way_and_near_to_what_was_asked_for") {
+TEST_CASE("a_hinge_is_perpendicular_and_nearest_to_the_requested_axis") {
   CHECK(*hinge_near(along_x, {0, 1, 0}) == glm::dvec3(0, 1, 0));
   const glm::dvec3 oblique = *hinge_near(along_x, {3, 0, -2});
   CHECK(glm::distance(oblique, glm::dvec3(0, 0, -1)) < 1e-12);

@@ -97,7 +97,7 @@ TEST_CASE("keys_and_camera_keys_of_a_frame_move_together_and_may_change_places")
   CHECK(t.timeline().last == 31);
 }
 
-TEST_CASE("what_has_no_key_is_passed_over_and_is_no_edit") {
+TEST_CASE("frames_without_keys_are_ignored_and_give_no_edit") {
   Timed t;
   t.timeline() = test::three_keys();
   remove_keys(t.document, Frames{2, 3});
@@ -111,7 +111,7 @@ TEST_CASE("what_has_no_key_is_passed_over_and_is_no_edit") {
   CHECK(t.timeline().keys[0].easing == Easing::linear);
 }
 
-TEST_CASE("what_plays_is_brought_into_its_ranges_and_changed_in_one_edit") {
+TEST_CASE("playback_settings_are_clamped_and_changed_in_one_edit") {
   Timed t;
   set_play(t.document, play_of(t.timeline()));
   CHECK(t.edits() == 0);
@@ -130,7 +130,7 @@ TEST_CASE("what_plays_is_brought_into_its_ranges_and_changed_in_one_edit") {
   CHECK(t.timeline() == Timeline{});
 }
 
-TEST_CASE("a_key_that_is_added_to_an_edit_goes_with_it") {
+TEST_CASE("a_key_added_to_an_edit_is_undone_with_it") {
   Timed t;
   record_edit(t.document, "move");
   t.document.pose = test::turned_cube(30);

@@ -82,7 +82,7 @@ TEST_CASE("a_keys_frame_is_that_key_alone_and_outside_of_all_keys_the_nearest_on
   CHECK(n.at(std::nan("")) == n.values.front());
 }
 
-TEST_CASE("what_moves_has_no_jump_but_where_a_key_holds") {
+TEST_CASE("motion_is_continuous_except_at_hold_keys") {
   const EasedKeys n = all_easings_in_turn();
   for (std::size_t i = 1; i < n.values.size(); ++i) {
     const int frame = n.timeline.keys[i].frame;

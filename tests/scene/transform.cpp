@@ -43,7 +43,7 @@ constexpr double degree = 3.14159265358979323846 / 180;
 
 }  // namespace
 
-TEST_CASE("nothing_and_whole_turns_keep_every_bit") {
+TEST_CASE("identity_and_whole_turns_keep_every_bit") {
   const std::vector<mesh::Point> from{{0.1, 0.2, 0.3}, {1e-9, 7e5, -0.7}};
   const std::vector<std::uint32_t> both{0, 1};
   for (const double degrees : {0.0, 360.0, -720.0, 3600.0}) {

@@ -13,7 +13,7 @@
 namespace viete::scene {
 
 /// Caches the log vectors of poses of one cage and of shapes of one model. Not thread-safe.
-class KnownVectors {
+class VectorCache {
 public:
   /// A different cage, or null, clears the cached poses.
   void follow(const std::shared_ptr<const deform::Cage>& cage);
@@ -33,7 +33,7 @@ public:
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
   /// Merges the shapes that another cache of the same model has.
-  void take(KnownVectors&& others);
+  void take(VectorCache&& others);
 
 private:
   struct Known {
@@ -45,13 +45,13 @@ private:
   std::shared_ptr<const deform::PoseSpace> space_;
   std::map<const WholePose*, Known> known_;
 
-  struct Told {
+  struct VectorAfter {
     std::shared_ptr<const deform::LogVector> before, vector;
     deform::ShapeReport report;
   };
   struct KnownShape {
     SharedShape shape;
-    std::vector<Told> told;  // one for each previous shape
+    std::vector<VectorAfter> after;  // one for each previous shape
   };
   std::shared_ptr<const mesh::Surface> model_;
   std::shared_ptr<const deform::ShapeSpace> shapes_;
@@ -69,7 +69,7 @@ class Animation {
 public:
   /// The timeline must have keys of this cage, and shapes of this model if keys have shapes. Throws
   /// base::Error if a shape does not fit the model.
-  Animation(const Timeline& timeline, KnownVectors& vectors);
+  Animation(const Timeline& timeline, VectorCache& vectors);
 
   /// Messages about the keys' shapes for the user, one line each.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -83,12 +83,11 @@ private:
   std::vector<double> place(std::size_t key, bool logs) const;
   WholePose blend(const Moment& moment, bool straight) const;
   SharedShape blended_shape(const Moment& moment, bool straight) const;
-  void add_shapes(KnownVectors& vectors);
+  void add_shapes(VectorCache& vectors);
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ =
-      most_drawn;  // largest coordinate allowed; raised if a key exceeds it
+  double farthest_ = most_drawn;  // largest coordinate allowed; raised if a key exceeds it
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<deform::Held> held_;                                 // one per interval between keys

@@ -82,7 +82,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   const bool editing = is_editing_cage(document);
   CageGroups groups = groups_of(document, edited);
   const ElementKind kind = document.selection.kind();
-  OpenedSurface file = made_surface(std::move(edited.surface), edited_name(document.cage_file));
+  OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file));
   if (editing) document.kept_pose = real;
   document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
   document.groups = std::move(groups);
@@ -128,7 +128,7 @@ void end_cage_editing(Document& document) {
   document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
 }
 
-bool settle_cage_edit(Document& document) {
+bool commit_cage_edit(Document& document) {
   if (!is_editing_cage(document) || document.pose.positions == document.cage->surface.positions) return false;
   try {
     cages::Edited edited = with_positions(document.cage->surface, document.pose.positions);
@@ -139,11 +139,11 @@ bool settle_cage_edit(Document& document) {
     carry_poses(document,
                 [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, {}); });
     document.kept_pose = std::move(real);
-    document.replace_cage(made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
+    document.replace_cage(generated_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
                           deform::rest_pose(*cage));
     document.selection = selection;
     document.groups = groups;
-    document.history.go_on();
+    document.history.extend_last();
     return true;
   } catch (const base::Error& error) {
     // Undoes the edit that moved it, and later selection changes.

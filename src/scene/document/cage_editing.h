@@ -15,7 +15,7 @@ void end_cage_editing(Document& document);
 
 /// In cage editing: makes moved positions the cage's rest shape, as part of the edit that moved them. Returns
 /// true if any moved. If the result is no valid cage, undoes that edit and throws base::Error.
-bool settle_cage_edit(Document& document);
+bool commit_cage_edit(Document& document);
 
 /// Edit the selected elements, one edit each. Require the mode and a selection; those that change the whole
 /// cage work in any mode. Throw base::Error without a change if the result would be no valid cage.

@@ -28,14 +28,14 @@ struct CageMaking {
 };
 
 /// True if the document's cage is the last generated one; the next one replaces it in the same edit.
-bool shows_made(const Document& document, const CageMaking& making);
+bool shows_generated(const Document& document, const CageMaking& making);
 /// As shows_made(), and generating it was the last edit: replacing it loses nothing.
-bool goes_on(const Document& document, const CageMaking& making);
+bool can_replace_generated(const Document& document, const CageMaking& making);
 
 /// Puts a generated cage into the document, at rest. Undoable; cages generated one after the other without
 /// another edit in between are one edit. Throws base::Error without a change if the cage is not valid.
-void take_made(Document& document, CageMaking& making, OpenedSurface surface,
-               std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
+void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
+                   std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
 
 /// Undoes edits until the cage from before the panel was opened is back.
 void cancel_making(Document& document, CageMaking& making);

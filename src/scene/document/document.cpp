@@ -68,7 +68,7 @@ void check_sizes(const Document& document, const SizeRange& range) {
 
 }  // namespace
 
-OpenedSurface made_surface(mesh::Surface surface, std::string made) {
+OpenedSurface generated_surface(mesh::Surface surface, std::string made) {
   OpenedSurface opened;
   opened.made = std::move(made);
   opened.format = "in no file";
@@ -176,7 +176,7 @@ OpenedSurface without_fins(OpenedSurface cage) {
     rest = cages::remove_polygons(rest, faces).surface;
   const std::size_t removed = cage.surface->polygon_count() - rest.polygon_count();
   if (removed == 0) return cage;
-  OpenedSurface made = made_surface(std::move(rest), name_of(cage) + ", without its fins");
+  OpenedSurface made = generated_surface(std::move(rest), name_of(cage) + ", without its fins");
   made.warnings = std::move(cage.warnings);
   made.warnings.push_back(base::counted(removed, "face") + " of " + name_of(cage) +
                           " that stuck out removed; save the cage to keep it so");
@@ -214,7 +214,7 @@ bool Document::has_shapes() const {
   return shape || std::ranges::any_of(library.poses, has_one) || std::ranges::any_of(timeline.keys, has_one);
 }
 
-void Document::take_place_of(const Document& other) {
+void Document::mark_replacing(const Document& other) {
   const Revisions& before = other.revisions_;
   revisions_ = {before.surfaces + 1, before.cage + 1,   before.weights + 1,
                 before.pose + 1,     before.method + 1, before.whole + 1};

@@ -73,7 +73,7 @@ struct Document : DocumentState {
 
   const Revisions& revisions() const { return revisions_; }
   /// Marks everything as changed, after replacing an open document.
-  void take_place_of(const Document& other);
+  void mark_replacing(const Document& other);
 
   /// Mutable access; increases the revision, so that derived data is updated.
   deform::Pose& changed_pose() { return ++revisions_.pose, pose; }

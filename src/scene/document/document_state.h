@@ -46,7 +46,7 @@ struct PoseLibrary {
 
   std::vector<NamedPose> poses;
   SharedPose unmixed{};  ///< the pose without the mix; null while nothing is mixed
-  SharedPose mixed{};  ///< the pose with the mix: the document's pose until another edit changes that
+  SharedPose mixed{};    ///< the pose with the mix: the document's pose until another edit changes that
 
   bool mixes() const;
   friend bool operator==(const PoseLibrary& a, const PoseLibrary& b) { return a.poses == b.poses; }
@@ -75,7 +75,7 @@ struct OpenedSurface {
   std::shared_ptr<const mesh::Attributes> attributes;  ///< null: none
   std::shared_ptr<const mesh::Original> original;      ///< null: cannot be written back unchanged
   mesh::Summary summary;
-  mesh::Bounds bounds;  ///< of the vertices used by polygons
+  mesh::Bounds bounds;  ///< bounds of the vertices used by polygons
   std::vector<std::string> warnings;
   std::uint64_t content = 0;  ///< mesh::content_key(); 0: unknown
   std::string made;  ///< description of a surface that is in no file: "made here", "cage.obj, edited"
@@ -92,7 +92,7 @@ inline std::string place_of(const OpenedSurface& opened) {
 }
 
 /// A surface that is in no file.
-OpenedSurface made_surface(mesh::Surface surface, std::string made);
+OpenedSurface generated_surface(mesh::Surface surface, std::string made);
 
 /// A copy costs the pose and the selection: surfaces, named poses, keys and masks are shared.
 struct DocumentState {

@@ -96,7 +96,7 @@ void give_up_scheme(Document& document, const deform::Scheme& instead) {
   if (last && last->kind == EditKind::binding) {
     history.drop_last();
   } else {
-    history.go_on();  // the stored state of the edits has changed
+    history.extend_last();  // the stored state of the edits has changed
   }
   document.put_scheme(instead);
 }

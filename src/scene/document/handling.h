@@ -36,8 +36,7 @@ struct SoftSelection {
   static constexpr double least_radius = 0.005, largest_radius = 2;
 
   bool on = false;
-  double radius =
-      0.35;  ///< where the falloff reaches 0, relative to the view's diagonal; least to largest
+  double radius = 0.35;  ///< where the falloff reaches 0, relative to the view's diagonal; least to largest
   SoftCurve curve = SoftCurve::smooth;
   SoftDistance distance = SoftDistance::edges;
 
@@ -46,12 +45,11 @@ struct SoftSelection {
 
 struct Handling {
   Pivot pivot = Pivot::median;
-  std::optional<mesh::Point>
-      point{};  ///< of Pivot::point, in file coordinates; missing: the median
+  std::optional<mesh::Point> point{};  ///< of Pivot::point, in file coordinates; missing: the median
   Axes axes = Axes::world;
   MirrorPlane mirror = MirrorPlane::none;
   SoftSelection soft{};
-  double freedom = 0.5;       ///< of pins: 0 strictly follows the poses of the list, 1 as rigid as possible
+  double freedom = 0.5;       ///< pins: 0 strictly follows the poses of the list, 1 as rigid as possible
   bool mix_selected = false;  ///< raising a pose's weight from 0 applies it to the selection only
 
   friend bool operator==(const Handling&, const Handling&) = default;

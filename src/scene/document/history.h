@@ -34,7 +34,7 @@ public:
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }
 
   /// The last edit continues: its result changed, but it stays one entry.
-  void go_on() { ++revision_; }
+  void extend_last() { ++revision_; }
   /// Removes the last edit as if it had never been made: returns the state before it and restores the redo
   /// list of that time. Requires can_undo().
   DocumentState drop_last();

@@ -93,7 +93,7 @@ std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<co
   return {corner(low[0], low[1]), corner(high[0], low[1]), corner(high[0], high[1]), corner(low[0], high[1])};
 }
 
-void KnownMirror::follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen) {
+void MirrorCache::follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen) {
   if (now == cage && chosen == choice) return;
   cage = now;
   choice = chosen;

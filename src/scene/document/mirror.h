@@ -38,7 +38,7 @@ std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
 std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<const mesh::Point> positions);
 
 /// Caches the last computed mirror and its inputs.
-struct KnownMirror {
+struct MirrorCache {
   std::shared_ptr<const deform::Cage> cage;
   MirrorPlane choice = MirrorPlane::none;
   std::optional<Mirror> mirror;

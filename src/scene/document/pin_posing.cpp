@@ -64,7 +64,7 @@ bool PinPosing::is_of_now(const Document& document) const {
   return posing_ && document.shape == shown_ && examples_of(document) == examples_;
 }
 
-bool PinPosing::follow(Document& document, KnownVectors& vectors, const Hand& hand) {
+bool PinPosing::follow(Document& document, VectorCache& vectors, const Hand& hand) {
   Pins now = pins_of(document);
   const bool put = std::exchange(whole_, document.revisions().whole) != document.revisions().whole;
   const bool freed = std::exchange(freedom_, hand.freedom) != hand.freedom;
@@ -90,7 +90,7 @@ bool PinPosing::follow(Document& document, KnownVectors& vectors, const Hand& ha
   }
 }
 
-void PinPosing::begin(const Document& document, KnownVectors& known) {
+void PinPosing::begin(const Document& document, VectorCache& known) {
   if (!pool_) pool_ = std::make_shared<base::WorkerPool>();
   known.follow_model(document.model.surface);
   posing_.reset();
@@ -104,7 +104,7 @@ void PinPosing::begin(const Document& document, KnownVectors& known) {
 }
 
 // A shape that is not a mix becomes an example itself.
-void PinPosing::begin_here(const Document& document, KnownVectors& known) {
+void PinPosing::begin_here(const Document& document, VectorCache& known) {
   std::vector<double> weights = weights_of(document, examples_);
   if (!is_mix(document) && document.shape) {
     deform::ShapeReport report;
@@ -118,7 +118,7 @@ void PinPosing::begin_here(const Document& document, KnownVectors& known) {
   posing_->begin(std::move(weights), document.shape ? *document.shape : space_->logs().rest());
 }
 
-void PinPosing::step(Document& document, KnownVectors& known, const Hand& hand) {
+void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
   if (!is_of_now(document)) begin(document, known);
   if (set_ != seen_.pins) {
     std::vector<deform::PosingPin> pins;
@@ -133,7 +133,7 @@ void PinPosing::step(Document& document, KnownVectors& known, const Hand& hand) 
     steps_left_ = most_steps;
     return;
   }
-  document.history.go_on();
+  document.history.extend_last();
   steps_left_ = length < no_step ? 0 : steps_left_ - 1;
 }
 

@@ -23,7 +23,7 @@ public:
   };
   /// Call once per frame, before the model is deformed. Returns true after a step. Throws base::Error if the
   /// pins cannot be posed; the pins are then back at their vertices in the shape.
-  bool follow(Document& document, KnownVectors& vectors, const Hand& hand);
+  bool follow(Document& document, VectorCache& vectors, const Hand& hand);
   /// True if the next call would make a step.
   bool is_due() const { return steps_left_ > 0; }
 
@@ -36,14 +36,14 @@ private:
   };
   static Pins pins_of(const Document& document);
   bool is_of_now(const Document& document) const;
-  void begin(const Document& document, KnownVectors& known);
-  void begin_here(const Document& document, KnownVectors& known);
-  void step(Document& document, KnownVectors& known, const Hand& hand);
+  void begin(const Document& document, VectorCache& known);
+  void begin_here(const Document& document, VectorCache& known);
+  void step(Document& document, VectorCache& known, const Hand& hand);
   void show(Document& document);
 
   std::shared_ptr<base::WorkerPool> pool_;
   std::shared_ptr<const deform::ShapeSpace> space_;
-  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // of the examples
+  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per example
   std::shared_ptr<deform::ExamplePosing> posing_;                  // null: starts from the beginning
   std::vector<SharedPose> examples_;                               // poses of the list, in its order
   std::vector<deform::Pin> set_;                                   // pins that posing_ has

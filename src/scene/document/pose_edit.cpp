@@ -53,7 +53,7 @@ void keep_locked(const Document& document, WholePose& pose) {
 }
 
 // The shape `from` plus `sign` times the library's mix; a single term is returned bit for bit.
-SharedShape shape_of_mix(const DocumentState& state, KnownVectors& vectors, const SharedShape& from,
+SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const SharedShape& from,
                          double sign) {
   std::vector<ShapeTerm> shapes;
   for (const NamedPose& named : state.library.poses) {
@@ -77,7 +77,7 @@ SharedShape shape_of_mix(const DocumentState& state, KnownVectors& vectors, cons
 }
 
 // The pose `from` plus `sign` times the mix of that state's library.
-WholePose mix_of(const Document& document, const DocumentState& state, KnownVectors& vectors,
+WholePose mix_of(const Document& document, const DocumentState& state, VectorCache& vectors,
                  const SharedPose& from, double sign) {
   std::vector<ProbeTerm> probes{{&from->probes, 1}};
   for (const NamedPose& named : state.library.poses)
@@ -127,7 +127,7 @@ const NamedPose* mixed_alone(const PoseLibrary& library) {
 }
 
 // Subtracts the previous mix: the remainder is the unmixed pose.
-SharedPose without_mix(const Document& document, const DocumentState& mixed, KnownVectors& vectors) {
+SharedPose without_mix(const Document& document, const DocumentState& mixed, VectorCache& vectors) {
   const SharedPose now = shared_pose(document);
   if (!mixed.library.mixes()) return now;
   if (const SharedPose known = unmixed_pose(document)) return known;
@@ -136,7 +136,7 @@ SharedPose without_mix(const Document& document, const DocumentState& mixed, Kno
   return std::make_shared<const WholePose>(mix_of(document, mixed, vectors, now, -1));
 }
 
-SharedPose mixed_upon(const Document& document, const DocumentState& state, KnownVectors& vectors,
+SharedPose mixed_upon(const Document& document, const DocumentState& state, VectorCache& vectors,
                       const SharedPose& base) {
   if (!state.library.mixes()) return base;
   const NamedPose* alone = mixed_alone(state.library);
@@ -153,7 +153,7 @@ bool are_weights(const PoseLibrary& library) {
 // Changes weights and shows the result. Returns false, without a change, if the result exceeds the drawable
 // range.
 template <class Record, class Change>
-bool remix(Document& document, KnownVectors& vectors, Record record, Change change,
+bool remix(Document& document, VectorCache& vectors, Record record, Change change,
            std::span<const double> played = {}) {
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
@@ -334,7 +334,7 @@ void duplicate_pose(Document& document, std::size_t pose) {
   poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(pose) + 1, std::move(copy));
 }
 
-void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose) {
+void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
   const auto record = [&] { record_edit(document, "delete a pose"); };
   const auto erase = [pose](DocumentState& state) {
     auto& poses = state.library.poses;
@@ -352,7 +352,7 @@ std::vector<std::uint32_t> selected_part(const Document& document) {
   return selected_vertices(*document.cage, document.selection);
 }
 
-bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight,
+bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 bool selected_alone, std::span<const double> played) {
   if (std::isnan(weight)) return false;
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
@@ -370,7 +370,7 @@ bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
   return remix(document, vectors, record, change, played);
 }
 
-bool clear_mix(Document& document, KnownVectors& vectors) {
+bool clear_mix(Document& document, VectorCache& vectors) {
   if (!document.library.mixes()) return true;
   const auto record = [&] { record_edit(document, "clear the mix"); };
   return remix(document, vectors, record, [](DocumentState& state) {
@@ -378,7 +378,7 @@ bool clear_mix(Document& document, KnownVectors& vectors) {
   });
 }
 
-bool average_mix(Document& document, KnownVectors& vectors) {
+bool average_mix(Document& document, VectorCache& vectors) {
   double sum = 0;
   for (const NamedPose& named : document.library.poses) sum += named.weight;
   if (!(sum > 0)) return false;
@@ -388,7 +388,7 @@ bool average_mix(Document& document, KnownVectors& vectors) {
   });
 }
 
-SharedPose mixed_by(const Document& document, KnownVectors& vectors, bool straight) {
+SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straight) {
   const SharedPose base = unmixed_pose(document);
   if (!base) return nullptr;
   vectors.follow(document.cage);
@@ -399,7 +399,7 @@ SharedPose mixed_by(const Document& document, KnownVectors& vectors, bool straig
   return in_range(*pose) ? pose : nullptr;
 }
 
-bool set_straight(Document& document, KnownVectors& vectors, bool straight) {
+bool set_straight(Document& document, VectorCache& vectors, bool straight) {
   if (document.timeline.straight == straight) return true;
   const auto record = [&] { record_edit(document, straight ? "straight lines" : "log space"); };
   const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };

@@ -10,13 +10,13 @@ namespace viete::scene {
 /// Begins an edit: undo restores the current state.
 void record_edit(Document& document, const std::string& label, EditStep step = {});
 /// As record_edit() for edits in small steps, as by a slider: consecutive equal steps merge into one edit
-/// while `goes_on` is true.
-void record_step(Document& document, const std::string& label, EditStep step, bool goes_on = true);
+/// while `merge` is true.
+void record_step(Document& document, const std::string& label, EditStep step, bool merge = true);
 
 /// A saved state of a document, for an action that can be cancelled.
 struct EditMark {
   DocumentState state;
-  unsigned long revision, recorded;  ///< of the history
+  unsigned long revision, recorded;  ///< revisions of the history
 };
 EditMark mark_of(const Document& document);
 /// Restores that state bit for bit, including the history.

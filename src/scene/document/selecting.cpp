@@ -17,7 +17,7 @@ using mesh::Vec3;
 using Numbers = std::vector<std::uint32_t>;
 using Flags = std::vector<std::uint8_t>;
 
-constexpr double least_cosine = 0.5;  // of the angle between consecutive edges of a loop
+constexpr double least_cosine = 0.5;  // limit for the angle between consecutive edges of a loop
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 template <class Holds>

@@ -8,7 +8,7 @@
 
 namespace viete::scene {
 
-struct AskedSettings : deform::AskedScheme {
+struct RequestedSettings : deform::AskedScheme {
   std::optional<sym3::Method> method{};
 
   bool any() const { return method || AskedScheme::any(); }
@@ -16,6 +16,6 @@ struct AskedSettings : deform::AskedScheme {
 
 /// Applies the settings to a newly opened document; not an edit. Throws like deform::scheme_of(), without a
 /// change.
-void put_settings(Document& document, const AskedSettings& asked, bool chosen = false);
+void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
 }  // namespace viete::scene

@@ -101,7 +101,7 @@ void set_key(Document& document, int frame, std::span<const double> weights) {
 
 void add_key_to_edit(Document& document, int frame) {
   put_key(document.timeline, frame, document, {});
-  document.history.go_on();
+  document.history.extend_last();
 }
 
 void set_camera_key(Document& document, int frame, const CameraPose& camera) {

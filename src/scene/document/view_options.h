@@ -44,7 +44,7 @@ struct SideWay {
   sym3::Method method = sym3::Method::fast;
   lab::Field field = lab::Field::none;
   /// Mixes and interpolates keys linearly if the document does so in log space, and the reverse.
-  bool other_lines = false;
+  bool other_blending = false;
 
   friend bool operator==(const SideWay&, const SideWay&) = default;
 };

@@ -56,7 +56,7 @@ private:
 
   const Export& model_;
   base::WorkerPool& pool_;
-  KnownVectors vectors_;
+  VectorCache vectors_;
   std::optional<Animation> animation_;
   std::unique_ptr<deform::Deformer> deformer_;    // null: exact
   std::unique_ptr<deform::ExactDeformer> exact_;  // created on first use

@@ -47,7 +47,7 @@ class FrameNotes {
 public:
   void add(const std::vector<std::string>& notes) {
     for (const std::string& note : notes)
-      if (said_.insert(note).second) all_.push_back(note);
+      if (message_revision_.insert(note).second) all_.push_back(note);
   }
   std::vector<std::string> take() {
     constexpr std::size_t most = 12;
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  std::set<std::string> said_;
+  std::set<std::string> message_revision_;
   std::vector<std::string> all_;
 };
 

@@ -20,15 +20,15 @@ namespace viete::scene {
 struct Export {
   std::filesystem::path file;
   std::shared_ptr<const mesh::Surface> model;
-  std::shared_ptr<const mesh::Attributes> attributes;  ///< of the model; may be null
-  std::shared_ptr<const mesh::Original> original;      ///< of the model; may be null
+  std::shared_ptr<const mesh::Attributes> attributes;  ///< for the model; may be null
+  std::shared_ptr<const mesh::Original> original;      ///< for the model; may be null
   std::shared_ptr<const deform::Cage> cage;            ///< or its substitute without a cage, see Cage
   deform::Pose pose;
   deform::Scheme scheme;
   sym3::Method method;
   deform::Mask mask;
   deform::Probes probes;
-  SharedShape shape;      ///< of the model; null: at rest
+  SharedShape shape;      ///< the model's shape; null: at rest
   UpAxis up = UpAxis::y;  ///< the model's up axis
   mesh::Digits digits = {};
 };

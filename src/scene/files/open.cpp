@@ -173,8 +173,8 @@ Opened open_animation(const fs::path& file, const Document& current, base::Progr
 }
 
 // Computes the logs here, in the background.
-void tell_shapes(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
-                 std::span<const SharedShape> shapes, base::Progress* progress) {
+void add_shape_vectors(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
+                       std::span<const SharedShape> shapes, base::Progress* progress) {
   base::WorkerPool pool;
   opened.shapes_of = model;
   opened.vectors.follow_model(model);
@@ -212,7 +212,7 @@ Opened open_shapes(const std::vector<fs::path>& files, const Document& current, 
   std::vector<SharedShape> shapes;
   for (const NamedShape& shape : opened.shapes) shapes.push_back(shape.shape);
   if (progress) progress->section(0.3, 0.8);
-  tell_shapes(opened, current.model.surface, shapes, progress);
+  add_shape_vectors(opened, current.model.surface, shapes, progress);
   return opened;
 }
 
@@ -242,7 +242,7 @@ void locate(Session& session, const LocatedFiles& located) {
   }
   if (located.cage.empty()) return;
   session.cage = fs::absolute(located.cage).lexically_normal();
-  session.made_cage.reset();
+  session.generated_cage.reset();
 }
 
 // Errors about its model or cage name the session too.
@@ -258,7 +258,7 @@ Document document_of_session(const Session& session, const fs::path& file, base:
     key = "cage";
     if (!session.cage.empty()) set_cage(document, open(key, session.cage, nullptr));
     key = "made_cage";
-    if (session.made_cage) set_cage(document, *session.made_cage);
+    if (session.generated_cage) set_cage(document, *session.generated_cage);
     return document;
   } catch (const SessionFileError&) {
     throw;
@@ -270,21 +270,21 @@ Document document_of_session(const Session& session, const fs::path& file, base:
 // For a session without a pose: the pose of the keys at its frame.
 void pose_by_keys(Document& document) {
   if (document.timeline.keys.empty()) return;
-  KnownVectors vectors;
+  VectorCache vectors;
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
   put_whole_pose(document, Animation(document.timeline, vectors).at(document.frame));
 }
 
 // For a session.
-void tell_shapes(Opened& opened, const Document& document, base::Progress* progress) {
+void add_shape_vectors(Opened& opened, const Document& document, base::Progress* progress) {
   std::vector<SharedShape> shapes;
   const auto add = [&](const auto& keyed) {
     if (keyed.pose->shape) shapes.push_back(keyed.pose->shape);
   };
   std::ranges::for_each(document.library.poses, add);
   if (!document.has_shapes()) return;
-  tell_shapes(opened, document.model.surface, shapes, progress);
+  add_shape_vectors(opened, document.model.surface, shapes, progress);
   if (document.timeline.keys.empty()) return;
   opened.vectors.follow(document.cage);
   (void)Animation(document.timeline, opened.vectors);
@@ -318,7 +318,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   if (document.library.unmixed) document.library.mixed = shared_pose(document);
   document.timeline = std::move(session.timeline);
   document.frame = session.frame;
-  tell_shapes(opened, document, progress);
+  add_shape_vectors(opened, document, progress);
   if (!has_pose) pose_by_keys(document);
   if (document.is_movable()) {
     fit_selection(session, document, file);
@@ -326,7 +326,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
     document.groups = fit_groups(session, document, file);
     document.selection = without_hidden(document, document.selection);
   }
-  tell_what_changed(session, document, file);
+  warn_of_changes(session, document, file);
   session.pose.reset();
   opened.document = std::move(document);
   append(opened.warnings, session.warnings);

@@ -1,5 +1,5 @@
 // Opening files in two steps: reading, which may take long and runs in the background, and applying the
-// result to a workspace, which is immediate: workspace/taking.h.
+// result to a workspace, which is immediate: workspace/apply_opened.h.
 #pragma once
 
 #include <filesystem>
@@ -42,9 +42,9 @@ struct OpenRequest {
   };
   What what = What::model;
   std::vector<std::filesystem::path> files;
-  AskedSettings settings{};   ///< for a model; unset values come from the open document or the session
-  LocatedFiles located{};     ///< for a session
-  Fins fins = Fins::refused;  ///< for a cage
+  RequestedSettings settings{};  ///< for a model; unset values come from the open document or the session
+  LocatedFiles located{};        ///< for a session
+  Fins fins = Fins::refused;     ///< for a cage
 };
 
 /// The result of reading files, ready to be applied to a workspace.
@@ -56,7 +56,7 @@ struct Opened {
   std::vector<PoseKey> keys;                       ///< keys that replace the existing ones
   std::shared_ptr<const deform::Cage> pose_of;     ///< the cage the poses were read for
   std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model the shapes were read for; null: no shapes
-  KnownVectors vectors;                            ///< log vectors of the shapes
+  VectorCache vectors;                             ///< log vectors of the shapes
   std::string lost;  ///< poses lost with the previous cage: "3 poses and 2 keys"; or empty
   std::optional<Session> session;
   std::filesystem::path file;            ///< the session, pose or animation

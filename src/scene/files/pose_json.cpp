@@ -39,8 +39,9 @@ Points points_of(const JsonReader& json, double limit, double otherwise) {
 }
 
 // "vertex 5 is at rest instead".
-void tell_unread(const JsonReader& json, const std::vector<std::size_t>& unread, const std::string& element,
-                 const std::string& instead, std::vector<std::string>& warnings) {
+void warn_of_unread(const JsonReader& json, const std::vector<std::size_t>& unread,
+                    const std::string& element, const std::string& instead,
+                    std::vector<std::string>& warnings) {
   if (unread.empty()) return;
   const bool one = unread.size() == 1;
   const std::string others = one ? "" : " and " + std::to_string(unread.size() - 1) + " more";
@@ -167,11 +168,11 @@ deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings)
   const JsonReader positions = json.at("positions");
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   Points points = points_of(positions, largest_coordinate, unknown);
-  tell_unread(positions, points.unread, "vertex", "at rest instead", warnings);
+  warn_of_unread(positions, points.unread, "vertex", "at rest instead", warnings);
   deform::Pose pose{std::move(points.all), {}};
   const auto turns_of = [&](const JsonReader& turns) {
     Points read = points_of(turns, largest_turn, 0);
-    tell_unread(turns, read.unread, "part", "without whole turns instead", warnings);
+    warn_of_unread(turns, read.unread, "part", "without whole turns instead", warnings);
     return std::move(read.all);
   };
   take_part(json, "turns", pose.turns, turns_of, "no part has made a whole turn", warnings);

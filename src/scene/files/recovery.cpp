@@ -24,7 +24,7 @@ constexpr const char* restored_ending = "_restored";
 // The edited parts of a session, without its view.
 Session work_of(const Session& session) {
   Session work;
-  work.model = session.model, work.cage = session.cage, work.made_cage = session.made_cage;
+  work.model = session.model, work.cage = session.cage, work.generated_cage = session.generated_cage;
   work.scheme = session.scheme, work.mask = session.mask, work.probes = session.probes;
   work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
   work.shape = session.shape, work.pose = session.pose;

@@ -12,7 +12,7 @@ namespace viete::scene {
 struct Leftover {
   std::filesystem::path file;
   std::string name;                ///< display name of its session or model
-  std::time_t time = 0;            ///< of its last edit
+  std::time_t time = 0;            ///< time of its last edit
   std::filesystem::path folder{};  ///< folder of its session or model; empty: unknown
   std::string first_edit{};        ///< first edit since the last save: "move 3 vertices"; empty: unknown
   bool restored = false;           ///< opened once and closed without further edits

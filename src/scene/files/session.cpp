@@ -103,7 +103,7 @@ ordered_json side_json(const SideWay& side) {
   ordered_json json = {{"method", sym3::name(side.method)}};
   json.update(scheme_json(side.scheme));
   if (side.field != lab::Field::none) json["field"] = entry_of(side.field).word;
-  if (side.other_lines) json["other_lines"] = true;
+  if (side.other_blending) json["other_lines"] = true;
   return json;
 }
 
@@ -113,7 +113,7 @@ SideWay side_of(const JsonReader& json, std::vector<std::string>& warnings) {
   take_part(json, "method", side.method, method, "fast instead", warnings);
   side.scheme = scheme_of(json, warnings);
   take_part(json, "field", side.field, choice_of<lab::Field>, "no map is shown", warnings);
-  take_part(json, "other_lines", side.other_lines, &JsonReader::boolean, "as in the first view", warnings);
+  take_part(json, "other_lines", side.other_blending, &JsonReader::boolean, "as in the first view", warnings);
   return side;
 }
 
@@ -239,7 +239,7 @@ OpenedSurface made_cage_of(const JsonReader& json) {
   }
   mesh::triangulate(surface);
   const auto name = json.find("name");
-  return made_surface(std::move(surface), name ? name->text() : "made here");
+  return generated_surface(std::move(surface), name ? name->text() : "made here");
 }
 
 }  // namespace
@@ -249,7 +249,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   ShapeTable shapes;
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
-  if (session.made_cage) json["made_cage"] = cage_json(*session.made_cage);
+  if (session.generated_cage) json["made_cage"] = cage_json(*session.generated_cage);
   if (keys_are_common && session.model_content != 0)
     json["model_content"] = hexadecimal(session.model_content);
   if (keys_are_common && session.cage_content != 0) json["cage_content"] = hexadecimal(session.cage_content);
@@ -359,7 +359,8 @@ Session read_session(const fs::path& file) {
   Session session;
   session.model = resolved(folder / json.at("model").path());
   if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
-  if (const auto v = json.find("made_cage"); v && session.cage.empty()) session.made_cage = made_cage_of(*v);
+  if (const auto v = json.find("made_cage"); v && session.cage.empty())
+    session.generated_cage = made_cage_of(*v);
   if (const auto v = json.find("pose")) session.pose = pose_of(*v, session.warnings);
   read_settings(json, folder, session);
   return session;
@@ -402,7 +403,7 @@ CageGroups fit_groups(Session& session, const Document& document, const fs::path
   return groups;
 }
 
-void tell_what_changed(Session& session, const Document& document, const fs::path& file) {
+void warn_of_changes(Session& session, const Document& document, const fs::path& file) {
   const auto tell = [&](const char* key, std::uint64_t then, const OpenedSurface& now, const char* advice) {
     if (then == 0 || now.content == 0 || then == now.content) return;
     session.warnings.emplace_back(
@@ -427,11 +428,12 @@ void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& fil
   auto& [positions, turns] = *session.pose;
   const auto& rest = cage.surface.positions;
   if (positions.size() != rest.size()) {
-    throw base::Error(file.string() + ": pose.positions",
-                      "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
-                          (session.made_cage ? place_of(*session.made_cage) : session.cage.string()) +
-                          " has " + std::to_string(rest.size()),
-                      advice);
+    throw base::Error(
+        file.string() + ": pose.positions",
+        "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
+            (session.generated_cage ? place_of(*session.generated_cage) : session.cage.string()) + " has " +
+            std::to_string(rest.size()),
+        advice);
   }
   if (turns.size() > cage.roots.size()) {
     throw base::Error(file.string() + ": pose.turns",

@@ -64,9 +64,9 @@ struct MaskRun {
 /// programs. Ranges: scene/document/range.h. A damaged part counts as missing, with a warning, except model,
 /// cage and the list of positions, where it is an error.
 struct Session {
-  std::filesystem::path model, cage;       ///< absolute; cage may be empty
-  std::optional<OpenedSurface> made_cage;  ///< a cage without a file
-  std::filesystem::path origin;            ///< "session"; absolute; may be empty
+  std::filesystem::path model, cage;            ///< absolute; cage may be empty
+  std::optional<OpenedSurface> generated_cage;  ///< a cage without a file
+  std::filesystem::path origin;                 ///< "session"; absolute; may be empty
   std::optional<std::uint64_t> origin_content;
   std::string first_edit;
   std::uint64_t model_content = 0, cage_content = 0;  ///< 0: not known
@@ -84,7 +84,7 @@ struct Session {
   CageGroups groups;
   PoseLibrary library;
   Timeline timeline;
-  double frame = 1;                   ///< of the timeline
+  double frame = 1;                   ///< timeline frame
   SharedShape shape{};                ///< null: at rest
   std::optional<deform::Pose> pose;   ///< missing: at rest; NaN: a position that could not be read
   std::vector<std::string> warnings;  ///< one line each, naming file and key, and what is taken instead
@@ -104,7 +104,7 @@ CageGroups fit_groups(Session& session, const Document& document, const std::fil
 
 /// Warns if the content of model or cage differs from when the session was saved: the pose may then belong to
 /// another cage.
-void tell_what_changed(Session& session, const Document& document, const std::filesystem::path& file);
+void warn_of_changes(Session& session, const Document& document, const std::filesystem::path& file);
 
 /// Replaces unreadable positions by rest positions, with a warning. Throws base::Error naming `file` and the
 /// key if the pose does not fit the cage.

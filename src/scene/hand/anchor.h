@@ -15,7 +15,7 @@ namespace viete::scene {
 
 /// Lengths in the file's units.
 struct Anchor {
-  glm::dvec3 center{0, 0, 0};        ///< of the gizmo
+  glm::dvec3 center{0, 0, 0};        ///< gizmo center
   glm::dmat3 axes{1};                ///< columns of length 1, right-handed
   std::vector<glm::dvec3> pivots{};  ///< centers of rotation and scale; at least one
   /// With several pivots: the pivot index for each leading vertex, in their order. Otherwise empty.

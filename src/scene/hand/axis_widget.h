@@ -9,7 +9,7 @@
 
 namespace viete::scene {
 
-inline constexpr float axes_radius = 46;  ///< of the disc that reacts to the mouse, logical pixels
+inline constexpr float axes_radius = 46;  ///< radius of the disc that reacts to the mouse, logical pixels
 
 struct AxisBall {
   int axis;  ///< 0 x, 1 y, 2 z

@@ -13,7 +13,7 @@
 namespace viete::scene {
 
 /// Sizes in logical pixels, independent of the distance.
-inline constexpr float gizmo_radius = 84;      ///< of the rings; also the start of the arrow heads
+inline constexpr float gizmo_radius = 84;      ///< ring radius; also the start of the arrow heads
 inline constexpr float gizmo_head = 14;        ///< length of an arrow's head
 inline constexpr float gizmo_view_ring = 102;  ///< radius of the ring that rotates about the view direction
 inline constexpr float gizmo_center = 9;       ///< radius of the handle in the middle

@@ -11,7 +11,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr double recovered = std::numeric_limits<double>::infinity();
 
 struct Reach {
   std::vector<double> distance;        // one per vertex
@@ -36,7 +36,7 @@ struct Neighbours {
 // E. W. Dijkstra's shortest paths from all selected vertices at once, up to the radius.
 Reach over_edges(const deform::Cage& cage, std::span<const mesh::Point> positions,
                  std::span<const std::uint32_t> selected, double radius) {
-  Reach reach{std::vector(positions.size(), nowhere), std::vector<std::uint32_t>(positions.size(), 0)};
+  Reach reach{std::vector(positions.size(), recovered), std::vector<std::uint32_t>(positions.size(), 0)};
   using Entry = std::tuple<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (std::uint32_t i = 0; i < selected.size(); ++i) {
@@ -61,7 +61,7 @@ Reach over_edges(const deform::Cage& cage, std::span<const mesh::Point> position
 }
 
 Reach through_space(std::span<const mesh::Point> positions, std::span<const std::uint32_t> selected) {
-  Reach reach{std::vector(positions.size(), nowhere), std::vector<std::uint32_t>(positions.size(), 0)};
+  Reach reach{std::vector(positions.size(), recovered), std::vector<std::uint32_t>(positions.size(), 0)};
   std::vector<std::uint32_t> place(positions.size(), 0);
   for (std::uint32_t i = 0; i < selected.size(); ++i) place[selected[i]] = i;
   const mesh::PointTree tree(positions, {selected.begin(), selected.end()});

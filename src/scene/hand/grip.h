@@ -35,7 +35,7 @@ struct Gripped {
   enum class Side { own, other, plane };
 
   std::uint32_t vertex;
-  double share = 1;         ///< of the motion, in (0, 1]
+  double share = 1;         ///< share of the motion, in (0, 1]
   std::uint32_t pivot = 0;  ///< index in Anchor::pivots; on the other side the pivot is mirrored
   Side side = Side::own;
 };

@@ -148,7 +148,8 @@ bool place(Document& document, const DocumentState& snapshot, const Grip& grip, 
 }
 
 // A whole turn about another axis replaces earlier ones: each part has one axis.
-void keep_whole_turns(Document& document, const DocumentState& before, const Grip& grip, const Transform& t) {
+void count_whole_turns(Document& document, const DocumentState& before, const Grip& grip,
+                       const Transform& t) {
   if (t.degrees == 0 || !document.has_cage() || grip.shaping.shape != Shape::none) return;
   const auto axes = axes_of_parts(*document.cage, grip, t.axis);
   if (std::ranges::all_of(axes, [](const mesh::Vec3& axis) { return axis == mesh::Vec3{}; })) return;
@@ -175,7 +176,7 @@ bool transform_selection(Document& document, Tool tool, const Grip& grip, const 
   Transform bounded = transform;
   bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
   if (!place(document, before, grip, bounded, 0)) return false;
-  keep_whole_turns(document, before, grip, bounded);
+  count_whole_turns(document, before, grip, bounded);
   if (moved_since(document, before) || transform.degrees != 0)
     document.history.record(edit_label(tool, document.selection), before);
   return true;

@@ -19,8 +19,8 @@ bool place(Document& document, const DocumentState& before, const Grip& grip, co
 
 /// Call after a finished rotation from `before`: parts of the cage that were rotated rigidly get their whole
 /// turns about the axis, in any pose, even if the logs of their elements cannot resolve them.
-void keep_whole_turns(Document& document, const DocumentState& before, const Grip& grip,
-                      const Transform& transform);
+void count_whole_turns(Document& document, const DocumentState& before, const Grip& grip,
+                       const Transform& transform);
 
 /// The complete edit, one history entry; nothing is recorded if nothing moves. Requires a selection. Returns
 /// false, without a change, if it would leave the range of a pose.

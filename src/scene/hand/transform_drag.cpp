@@ -16,7 +16,7 @@ namespace {
 
 using Kind = Constraint::Kind;
 
-constexpr double held_back = 0.9;          // fraction of each movement in slow mode
+constexpr double slow_lag = 0.9;           // fraction of each movement in slow mode
 constexpr double turn_snap = 15;           // degrees
 constexpr double scale_snaps = 10;         // per unit of the factor
 constexpr double move_snaps = 10;          // per grid cell
@@ -150,7 +150,7 @@ Transform TransformDrag::shaped_by(double amount, bool snap) const {
 
 Transform TransformDrag::measured(const DragInput& input, const Camera& camera, const Viewport& viewport) {
   const glm::dvec2 cursor(input.cursor);
-  if (input.slow) lag_ += held_back * (cursor - cursor_);
+  if (input.slow) lag_ += slow_lag * (cursor - cursor_);
   const glm::dvec2 slowed = cursor - lag_;
   const CursorProjection projection(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera,
                                     viewport);
@@ -201,7 +201,7 @@ double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjecti
   } else {
     turned = projection.edge_on_angle(direction(), glm::dvec2(input.cursor) - press_, gizmo_radius);
   }
-  if (input.slow) turn_lag_ += held_back * (turned - turned_);
+  if (input.slow) turn_lag_ += slow_lag * (turned - turned_);
   turned_ = turned;
   return turned_ - turn_lag_;
 }
@@ -235,7 +235,7 @@ Transform TransformDrag::typed(double value) const {
   if (is_angle(grip_.shaping.shape)) {
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
   } else if (grip_.shaping.shape != Shape::none) {
-    t.amount = said_in_percent() ? value / 100 : value;
+    t.amount = is_percent() ? value / 100 : value;
   } else if (tool_ == Tool::rotate) {
     t.axis = direction();
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
@@ -260,7 +260,7 @@ void TransformDrag::soften(Document& document, const SoftSelection& soft, const 
 
 void TransformDrag::commit(Document& document) const {
   if (!in_range_ || (!moved_since(document, before_) && transform_.degrees == 0)) return;
-  keep_whole_turns(document, before_, grip_, transform_);
+  count_whole_turns(document, before_, grip_, transform_);
   document.history.record(label(), before_);
 }
 
@@ -279,14 +279,14 @@ void TransformDrag::cancel(Document& document) const {
 }
 
 // Shares of smoothing, relaxing and flattening.
-bool TransformDrag::said_in_percent() const {
+bool TransformDrag::is_percent() const {
   const Shape shape = grip_.shaping.shape;
   return shape == Shape::smooth || shape == Shape::relax || shape == Shape::flatten;
 }
 
 std::string TransformDrag::shaped_amount() const {
   if (is_angle(grip_.shaping.shape)) return print("%.1f", transform_.degrees) + "\u00b0";
-  if (said_in_percent()) return print("%.0f %%", 100 * transform_.amount);
+  if (is_percent()) return print("%.0f %%", 100 * transform_.amount);
   if (grip_.shaping.shape == Shape::taper) return print("%.2f", transform_.amount);
   return length_text(transform_.amount, grid_cell(space_.diagonal()));
 }

@@ -78,7 +78,7 @@ private:
   Transform still() const;
   Transform shaped_by(double amount, bool snap) const;
   double amount_by_way(double pixels, const CursorProjection& projection) const;
-  bool said_in_percent() const;
+  bool is_percent() const;
   std::string shaped_amount() const;
   std::string label() const;
   std::string amounts() const;
@@ -90,7 +90,7 @@ private:
   Space space_;
   Tool tool_;
   Constraint constraint_;
-  glm::dvec3 view_hinge_;         // of a bend in the view plane
+  glm::dvec3 view_hinge_;         // axis of a bend in the view plane
   std::optional<int> along_way_;  // the last requested axis, if it is parallel to from-to
   glm::dvec3 pivot_, view_axis_;  // file units; towards the eye at the press
   double depth_;
@@ -99,7 +99,7 @@ private:
   glm::dvec3 pulled_{0, 0, 0};             // unconstrained displacement of the mouse
   NumberEntry entry_;
   Transform transform_;
-  bool in_range_ = true;  // of the last update
+  bool in_range_ = true;  // the last update stayed in range
   int softened_ = 0;
 };
 

@@ -20,7 +20,7 @@ inline constexpr glm::vec2 choice_picture_size{264, 132};
 
 struct ChoicePicture {
   std::vector<PictureShape> shapes;  ///< in drawing order
-  std::string_view caption;          ///< what is to be seen
+  std::string_view caption;          ///< description of the picture
 
   friend bool operator==(const ChoicePicture&, const ChoicePicture&) = default;
 };

@@ -43,7 +43,7 @@ public:
   /// Points that the view is fitted to.
   struct Frame {
     std::span<const mesh::Point> points;
-    glm::vec2 size;  ///< of the picture
+    glm::vec2 size;  ///< picture size
     float margin;    ///< empty border around the points
   };
   PictureView(const PictureAngles& angles, const Frame& frame);

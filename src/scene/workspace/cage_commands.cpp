@@ -94,7 +94,7 @@ void add_cage_commands(CommandTable& table) {
             "the old one back.",
             lacks_pairs, make_symmetric_cage);
   table.add("finish_cage", {"Keep the made cage", "Done"},
-            "Keep this cage; a preview is made with all care first.", is_wishing,
+            "Keep this cage; a preview is made with all care first.", can_change_wish,
             passing([](Workspace& w) { w.making.closing = true; }));
   table.add("cancel_cage", {"Take the made cage back", "Cancel"}, "Take the cage back that was made here.",
             is_making, passing([](Workspace& w) {
@@ -105,7 +105,7 @@ void add_cage_commands(CommandTable& table) {
             "Go on without it; the panels Cage and Checks still offer it.", has_model,
             passing([](Workspace& w) {
               w.offer_cage = false;
-              if (has_outside(w)) put_badge_away(w.checks);
+              if (has_outside(w)) dismiss_badge(w.checks);
             }));
   table.add("edit_cage", "Edit cage",
             "Change the cage itself, which is shown at rest; the pose is carried along.", {Key::tab},

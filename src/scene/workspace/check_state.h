@@ -35,7 +35,7 @@ struct CheckState {
   std::optional<std::size_t> element;  ///< a single element of it; nullopt: all
   bool fresh = false;                  ///< the findings have not been displayed yet
   std::optional<CheckBadge> badge;
-  std::vector<FoundKind> put_away;  ///< dismissed badges for this model and cage
+  std::vector<FoundKind> dismissed;  ///< dismissed badges for this model and cage
 
   void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
     shown = finding, element = one, ++revision_;
@@ -51,7 +51,7 @@ private:
 void forget_findings(CheckState& checks);
 
 /// Dismisses the badge; its kind of defect gets no badge until another model or cage is opened.
-void put_badge_away(CheckState& checks);
+void dismiss_badge(CheckState& checks);
 /// The command that fixes it; empty: toggle_finding() shows it.
 std::string_view remedy(const CheckBadge& badge);
 /// The index of the finding of that kind; nullopt: none.

@@ -107,8 +107,9 @@ inline constexpr Condition has_outside{
     "The checks have found no vertices of the model outside of its cage."};
 inline constexpr Condition is_making{[](const Workspace& w) { return w.making.open; },
                                      "No cage is being made."};
-inline constexpr Condition is_wishing{[](const Workspace& w) { return w.making.open && !w.making.closing; },
-                                      "No cage is being made, or it is done."};
+inline constexpr Condition can_change_wish{
+    [](const Workspace& w) { return w.making.open && !w.making.closing; },
+    "No cage is being made, or it is done."};
 inline constexpr Condition has_cage_beside{
     [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
     "There is no file beside the model that looks like its cage."};

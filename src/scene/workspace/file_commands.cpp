@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "scene/files/output.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 
 namespace viete::scene {
 

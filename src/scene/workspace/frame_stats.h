@@ -74,7 +74,7 @@ struct MethodTimes {
 /// The field shown as colours on the mesh, as last computed; some fields are computed in the background.
 struct FieldView {
   lab::FieldStats stats;
-  std::shared_ptr<const std::vector<float>> values;  ///< of the kind in stats; null: none
+  std::shared_ptr<const std::vector<float>> values;  ///< one of the kinds in stats; null: none
   /// Pairs of end points, see lab::strokes(); null: the field has none.
   std::shared_ptr<const std::vector<mesh::Point>> strokes;
   std::string problem{};  ///< why there are no values; empty: available, or being computed

@@ -33,7 +33,7 @@ SoftDistance& place(Handling& h, SoftDistance) {
 
 // Reports a plane that does not fit the cage, without a change.
 void choose(Workspace& w, MirrorPlane plane) {
-  KnownMirror wanted;
+  MirrorCache wanted;
   wanted.follow(w.document.cage, plane);
   if (plane != MirrorPlane::none && w.document.has_cage() && !wanted.mirror)
     return w.messages.info("No plane of symmetry fits the cage; choose X, Y or Z.");

@@ -25,7 +25,7 @@ struct Message {
   Scope scope = Scope::program;
   double said = 0;        ///< time of the last one, wall clock in seconds
   unsigned revision = 0;  ///< revision of the list after this message
-  bool in_sight = true;   ///< shown over the view; false: only in the message list
+  bool visible = true;    ///< shown over the view; false: only in the message list
 };
 
 /// Keeps the last 200. A repetition of a visible message, or of the last one, increases its count. A message
@@ -45,8 +45,8 @@ public:
   /// Hides errors of this topic.
   void succeeded(std::string_view topic);
   /// After undo and redo: hides infos and warnings.
-  void leave_sight();
-  void dismiss(std::size_t index) { all_[index].in_sight = false; }
+  void hide_messages();
+  void dismiss(std::size_t index) { all_[index].visible = false; }
   /// After a change of the model or the cage: removes messages about it up to this revision.
   void forget(Scope scope, unsigned revision);
   /// True if the time of a visible message has ended.

@@ -19,14 +19,14 @@ struct Playback {
   bool playing = false;
   bool backward = false;  ///< direction, for ping-pong
   bool auto_key = false;  ///< edits of the pose set a key at the current frame
-  KnownVectors vectors{};
+  VectorCache vectors{};
   std::shared_ptr<const Animation> animation{};  ///< for `timeline`; null without keys
   Timeline timeline{};
   std::shared_ptr<const deform::Cage> cage{};
   std::shared_ptr<const mesh::Surface> model{};
   mutable TimedPose by_time{};      ///< the last one computed
   SharedPose shown{};               ///< the pose set by the timeline; null: set otherwise
-  unsigned long seen_revision = 0;  ///< of the history
+  unsigned long seen_revision = 0;  ///< revision of the history
   Timeline seen_timeline{};         ///< at that revision
 };
 

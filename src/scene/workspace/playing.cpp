@@ -193,7 +193,7 @@ void go_to_key(Workspace& w, bool forward) {
   go_to_frame(w, here == frames.begin() ? frames.back() : *(here - 1));
 }
 
-void lead_back_to_unkeyed(Workspace& w, bool show) {
+void add_unkeyed_to_undo(Workspace& w, bool show) {
   Document& document = w.document;
   const std::size_t count = document.timeline.unkeyed.size();
   if (count == 0) return;
@@ -243,7 +243,7 @@ void follow_time(Workspace& w, double seconds) {
   if (w.playback.playing) play(w, seconds);
 }
 
-SharedPose pose_by_other_lines(Workspace& w) {
+SharedPose pose_by_other_blending(Workspace& w) {
   const bool straight = !w.document.timeline.straight;
   const auto animation = animation_of(w);
   if (animation && is_shown(w))
@@ -251,7 +251,7 @@ SharedPose pose_by_other_lines(Workspace& w) {
   return mixed_by(w.document, w.playback.vectors, straight);
 }
 
-bool has_lines(const Workspace& w) {
+bool has_blended_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() || w.document.library.mixes();
 }
 

@@ -33,7 +33,7 @@ void apply_pose(Workspace& workspace, std::size_t pose);
 
 /// For a newly opened document: adds the poses of Timeline::unkeyed to undo. With `show` the last of them is
 /// shown if the document's pose is one of its keys.
-void lead_back_to_unkeyed(Workspace& workspace, bool show);
+void add_unkeyed_to_undo(Workspace& workspace, bool show);
 
 /// Opens the timeline and fits all keys.
 void show_timeline(Workspace& workspace);
@@ -49,9 +49,9 @@ void follow_time(Workspace& workspace, double seconds);
 
 /// The pose of the keys or the mix, computed linearly if the document uses log space, and the reverse; null
 /// if neither is shown. May throw base::Error.
-SharedPose pose_by_other_lines(Workspace& workspace);
+SharedPose pose_by_other_blending(Workspace& workspace);
 /// True if keys or a mix exist, for which linear and log space differ.
-bool has_lines(const Workspace& workspace);
+bool has_blended_pose(const Workspace& workspace);
 
 /// Call once per frame, before the model is deformed: see PinPosing.
 void follow_pins(Workspace& workspace);

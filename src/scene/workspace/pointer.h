@@ -9,7 +9,7 @@
 #include "scene/hand/axis_widget.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/picking.h"
-#include "scene/workspace/sight_keeper.h"
+#include "scene/workspace/sight_cache.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::scene {
@@ -111,7 +111,7 @@ private:
   }
   bool draws_box(const Workspace& workspace) const;
 
-  SightKeeper sight_;
+  SightCache sight_;
   Gesture gesture_ = Gesture::none;
   int button_ = 0;
   bool travelled_ = false;  // moved farther than drag_threshold

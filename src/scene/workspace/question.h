@@ -8,7 +8,7 @@
 
 namespace viete::scene {
 
-enum class Answer { save, cancel, go_on };
+enum class Answer { save, cancel, proceed };
 
 struct Question {
   enum class Kind {

@@ -65,7 +65,7 @@ struct Remembered {
   static constexpr std::size_t most = 12;
 
   std::vector<RecentFile> recent;     ///< newest first, unique, at most `most`
-  std::filesystem::path folder;       ///< of the last chosen file
+  std::filesystem::path folder;       ///< folder of the last chosen file
   bool hints = true;                  ///< show the hints of the first start
   bool ask_keys = true;               ///< the keymap has not been chosen yet
   bool dark = true;                   ///< the last chosen theme

@@ -35,7 +35,7 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::
     workspace.messages.info("Saved " + path.filename().string() + ".");
     return true;
   } catch (const std::exception& error) {
-    tell_refusal(workspace, path, error.what(), topic);
+    report_refusal(workspace, path, error.what(), topic);
     return false;
   }
 }
@@ -111,8 +111,8 @@ bool save_cage(Workspace& workspace, const fs::path& path) {
   });
 }
 
-void tell_refusal(Workspace& workspace, const fs::path& file, const std::string& problem,
-                  std::string_view topic) {
+void report_refusal(Workspace& workspace, const fs::path& file, const std::string& problem,
+                    std::string_view topic) {
   if (!refuse(workspace.browser, file, problem)) workspace.messages.error(problem, {topic});
 }
 
@@ -130,7 +130,7 @@ std::string window_title(const Workspace& w) {
 
 bool has_unsaved_edits(const Workspace& w) {
   const bool by_time = is_by_time(w);
-  if (w.saved.nowhere || w.document.cage != w.saved.state.cage || !same_probes(w, by_time) ||
+  if (w.saved.recovered || w.document.cage != w.saved.state.cage || !same_probes(w, by_time) ||
       w.document.groups.sets != w.saved.state.groups.sets || w.document.library != w.saved.state.library ||
       !same_timeline(w) || !same_mask(w.document.mask, w.saved.state.mask))
     return true;
@@ -159,7 +159,7 @@ Session session_of(const Workspace& w) {
   Session session;
   session.model = w.document.model.path;
   session.cage = w.document.cage_file.path;
-  if (w.document.has_cage() && session.cage.empty()) session.made_cage = w.document.cage_file;
+  if (w.document.has_cage() && session.cage.empty()) session.generated_cage = w.document.cage_file;
   session.model_content = w.document.model.content;
   session.cage_content = w.document.cage_file.content;
   session.origin = w.saved.session;

@@ -23,8 +23,8 @@ bool save_cage(Workspace& workspace, const std::filesystem::path& path);
 
 /// Reports why a file cannot be read or written: in the file browser if it requested the file, otherwise as a
 /// message.
-void tell_refusal(Workspace& workspace, const std::filesystem::path& file, const std::string& problem,
-                  std::string_view topic);
+void report_refusal(Workspace& workspace, const std::filesystem::path& file, const std::string& problem,
+                    std::string_view topic);
 
 /// True if Save would overwrite a session that changed since it was opened or saved here.
 bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& session);

@@ -18,13 +18,13 @@ namespace {
 // The element under the cursor may be of another kind then.
 void step_back(Workspace& w) {
   undo(w.document);
-  w.messages.leave_sight();
+  w.messages.hide_messages();
   w.interaction.hovered.reset();
 }
 
 void step_forth(Workspace& w) {
   redo(w.document);
-  w.messages.leave_sight();
+  w.messages.hide_messages();
   w.interaction.hovered.reset();
 }
 

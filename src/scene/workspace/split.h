@@ -18,9 +18,8 @@ struct SideView : SideWay {
   // Results of the last frame.
   FieldView shown{};
   FrameStats stats{};
-  double fused_error = 0;  ///< see Workspace::fused_error
-  std::optional<double>
-      exp_error{};  ///< largest relative error of sampled matrices; nullopt: it uses none
+  double fused_error = 0;             ///< see Workspace::fused_error
+  std::optional<double> exp_error{};  ///< largest relative error of sampled matrices; nullopt: it uses none
   bool binding = false;
   std::string problem{};  ///< why it shows no model
 };
@@ -29,12 +28,12 @@ struct Split {
   static constexpr std::size_t most_sides = SideWays::most;
   static constexpr auto least_part = static_cast<float>(SideWays::least_part);
 
-  std::vector<SideView> sides;  ///< empty: a single view
-  bool wipe = false;            ///< two views in one place, separated by a movable line
-  float line = 0.5f;       ///< position as a fraction of the width, least_part to 1 - least_part
-  bool linked = true;      ///< all views share one camera
-  std::size_t active = 0;  ///< the view with the gizmo and the current camera; 0 is the first one
-  std::vector<CameraPose> cameras;  ///< of inactive views, if not linked
+  std::vector<SideView> sides;      ///< empty: a single view
+  bool wipe = false;                ///< two views in one place, separated by a movable line
+  float line = 0.5f;                ///< position as a fraction of the width, least_part to 1 - least_part
+  bool linked = true;               ///< all views share one camera
+  std::size_t active = 0;           ///< the view with the gizmo and the current camera; 0 is the first one
+  std::vector<CameraPose> cameras;  ///< cameras of inactive views, if not linked
 
   std::size_t count() const { return sides.size() + 1; }
   bool on() const { return !sides.empty(); }

@@ -25,11 +25,11 @@ struct TimeView {
   struct Drag {
     What what;
     double pressed;             ///< the frame at the press
-    Timeline before{};          ///< What::keys: the timeline then
-    std::vector<int> frames{};  ///< What::keys: the dragged frames
+    Timeline before{};          ///< for What::keys: the timeline then
+    std::vector<int> frames{};  ///< for What::keys: the dragged frames
     bool moved = false;
-    FrameWindow seen{};           ///< What::pan: the window then
-    std::vector<int> selected{};  ///< What::box: the selection then
+    FrameWindow seen{};           ///< for What::pan: the window then
+    std::vector<int> selected{};  ///< for What::box: the selection then
   };
   FrameWindow seen;
   std::vector<int> selected;  ///< frames of pose and camera keys, ascending

@@ -20,7 +20,7 @@ struct VertexView {
     double weight;
     glm::dmat3 map{1};                  ///< exp(Y) exp(X): its effect alone
     mesh::Point at;                     ///< the element's center, file units
-    std::array<double, 3> eigenvalues;  ///< of the symmetric sum up to this term, ascending
+    std::array<double, 3> eigenvalues;  ///< eigenvalues of the symmetric sum up to this term, ascending
   };
   /// The exponential of the whole sum by one method.
   struct Way {
@@ -33,7 +33,7 @@ struct VertexView {
   bool appearing = false;               ///< just picked: scroll to its section
   std::vector<Term> terms;              ///< by decreasing weight
   bool has_logs = false;                ///< false: weights only
-  glm::dmat3 map{1};                    ///< of the whole sum
+  glm::dmat3 map{1};                    ///< map of the whole sum
   double degrees = 0;                   ///< rotation angle of the map
   std::vector<Way> ways;
 };

@@ -107,7 +107,7 @@ void frame_selection(Workspace& workspace, bool eased) {
 }
 
 void frame_worst(Workspace& w) {
-  constexpr double share = 0.06;  // of the model's diagonal, on either side
+  constexpr double share = 0.06;  // fraction of the model's diagonal, on either side
   const auto& surface = *w.document.model.surface;
   const std::size_t worst = w.field.stats.worst;
   if (worst >= surface.positions.size()) return;
@@ -117,14 +117,15 @@ void frame_worst(Workspace& w) {
   w.camera.frame(in_view(w.document.space, corners(box)), w.viewport, true);
 }
 
-void take_hold(Workspace& w) {
-  w.before_hold = {mark_of(w.document), w.handling, w.brush, w.making.wish, w.remembered.layout, w.opened};
+void begin_widget_edit(Workspace& w) {
+  w.before_widget_edit = {mark_of(w.document), w.handling,          w.brush,
+                          w.making.wish,       w.remembered.layout, w.opened};
 }
 
 // Keeps a cage that is being generated: it follows the settings and is not part of the edit.
-void call_off_hold(Workspace& w) {
-  if (!w.before_hold || w.before_hold->opened != w.opened) return;
-  BeforeHold before = *std::exchange(w.before_hold, std::nullopt);
+void cancel_widget_edit(Workspace& w) {
+  if (!w.before_widget_edit || w.before_widget_edit->opened != w.opened) return;
+  BeforeWidgetEdit before = *std::exchange(w.before_widget_edit, std::nullopt);
   w.handling = before.handling;
   w.brush = before.brush;
   w.making.wish = before.wish;

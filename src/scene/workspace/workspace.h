@@ -76,7 +76,7 @@ struct Interaction {
 };
 
 /// Everything that a slider or a panel handle can change, saved at the mouse press.
-struct BeforeHold {
+struct BeforeWidgetEdit {
   EditMark document;
   Handling handling;
   Brush brush;
@@ -141,11 +141,11 @@ struct Saved {
   DocumentState state{};     ///< last opened or saved; with the real pose; empty for recovered work
   unsigned long edits = 0;   ///< number of recorded edits then
   std::string first_edit{};  ///< first edit of recovered work
-  bool nowhere = false;      ///< recovered work that is in none of the user's files
+  bool recovered = false;    ///< recovered work that is in none of the user's files
 
   void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
-  void put_pose(deform::Pose pose) { state.pose = std::move(pose), nowhere = false, ++revision_; }
-  void begin_anew() { *this = Saved(revision_ + 1); }
+  void put_pose(deform::Pose pose) { state.pose = std::move(pose), recovered = false, ++revision_; }
+  void reset() { *this = Saved(revision_ + 1); }
   /// Increases with each change.
   unsigned long revision() const { return revision_; }
 
@@ -161,7 +161,7 @@ private:
 struct About {
   std::string version;    ///< "0.2.0"
   std::string build;      ///< build type and compiler
-  std::string kernel;     ///< of the matrix exponential
+  std::string kernel;     ///< kernel of the matrix exponential
   std::string renderer;   ///< OpenGL renderer
   bool software = false;  ///< software rendering on the CPU
 };
@@ -199,14 +199,14 @@ struct Workspace {
   Interaction interaction;
   Tool tool = Tool::move;
   Handling handling;
-  KnownMirror mirror;  ///< cached mirror of the cage for `handling`
+  MirrorCache mirror;  ///< cached mirror of the cage for `handling`
   CopiedPose copied;
   Playback playback;
   PinPosing pins;
   std::optional<std::size_t> chosen_pose;  ///< index in the library: target of the pose commands
   TimeView time_view;
   PosePictures pose_pictures;
-  Brush brush;       ///< of Tool::paint
+  Brush brush;       ///< used by Tool::paint
   PosedModel posed;  ///< the model as drawn
   Requests requests;
   FrameStats stats;
@@ -243,15 +243,15 @@ struct Workspace {
   FileBrowser browser;
   Palette palette;
   KeyList key_list;
-  bool show_messages = false;  ///< show the message list
-  bool attended = true;        ///< a user can see messages; false for pictures rendered by a command
-  bool tools = true;           ///< draw gizmo, selection, hover and handles; false in pictures
-  bool full_screen = false;    ///< the window is to fill the screen
-  bool ask_keys = false;       ///< the first start asks for the keymap
-  bool farewell = false;       ///< the window is closing and edits are backed up
+  bool show_messages = false;   ///< show the message list
+  bool has_user = true;         ///< a user can see messages; false for pictures rendered by a command
+  bool tools = true;            ///< draw gizmo, selection, hover and handles; false in pictures
+  bool full_screen = false;     ///< the window is to fill the screen
+  bool ask_keys = false;        ///< the first start asks for the keymap
+  bool closing_notice = false;  ///< the window is closing and edits are backed up
   std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;
-  std::optional<BeforeHold> before_hold;  ///< since the mouse press
+  std::optional<BeforeWidgetEdit> before_widget_edit;  ///< since the mouse press
   ChoicePictures choice_pictures;
   About about;
 };
@@ -291,9 +291,9 @@ lab::Field shown_field(const Workspace& workspace);
 /// The same for a view with this `field` and scheme.
 lab::Field shown_field(const Workspace& workspace, lab::Field field, const deform::Scheme& scheme);
 
-/// Starts a cancellable edit on mouse press; call_off_hold() restores the state before it.
-void take_hold(Workspace& workspace);
-void call_off_hold(Workspace& workspace);
+/// Starts a cancellable edit on mouse press; cancel_widget_edit() restores the state before it.
+void begin_widget_edit(Workspace& workspace);
+void cancel_widget_edit(Workspace& workspace);
 
 /// Height in logical pixels of the cage offer at the bottom of the view; 0 without one.
 float offer_height(const Workspace& workspace);

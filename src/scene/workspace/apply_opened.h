@@ -7,7 +7,7 @@
 namespace viete::scene {
 
 /// Applies the result and reports its warnings as messages.
-void take(Workspace& workspace, Opened&& opened);
+void apply_opened(Workspace& workspace, Opened&& opened);
 
 /// Reads and applies in the foreground. On failure nothing changes and a message gives the reason. Returns
 /// success.

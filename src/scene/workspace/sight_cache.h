@@ -14,7 +14,7 @@ namespace viete::scene {
 Sight sight_of(const Workspace& workspace);
 
 /// Caches the Sight of the current view.
-class SightKeeper {
+class SightCache {
 public:
   /// Null if hidden elements can be selected too.
   const Sight* of(const Workspace& workspace);

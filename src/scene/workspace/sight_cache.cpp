@@ -1,4 +1,4 @@
-#include "scene/workspace/sight_keeper.h"
+#include "scene/workspace/sight_cache.h"
 
 #include <span>
 
@@ -45,7 +45,7 @@ Sight sight_of(const Workspace& w) {
   return sight;
 }
 
-const Sight* SightKeeper::of(const Workspace& w) {
+const Sight* SightCache::of(const Workspace& w) {
   if (!w.view.select_visible) return nullptr;
   const Picture now{w.camera.pose(),         w.viewport,   w.document.revisions(),  w.posed.frame,
                     w.posed.vertices.data(), w.view.model, w.document.groups.hidden};
