@@ -38,9 +38,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double settled_seconds = 0.5;  // delay before continuous changes are written
-constexpr double longest_wait = 1e-3;    // seconds per frame
-constexpr double patience = 10;          // seconds before asking whether to continue without a backup
+constexpr double surroundings_delay = 0.5;  // delay before continuous changes are written
+constexpr double longest_wait = 1e-3;       // seconds per frame
+constexpr double backup_timeout = 10;       // seconds before asking whether to continue without a backup
 
 void make_folder(const fs::path& folder) {
   std::error_code code;
@@ -69,11 +69,11 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
   if (now == seen_) return follow_surroundings(workspace);
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
-    take_result(workspace, patience);
+    take_result(workspace, backup_timeout);
     if (!move_aside(workspace)) workspace.messages.error(problem_, {"keep edits"});
   }
   if (other) {
-    leave_recovered(workspace);
+    close_recovered(workspace);
     untouched_ = workspace.recovered_from;
   } else if (now.edits != seen_.edits || !now.unsaved) {
     untouched_.clear();
@@ -91,7 +91,7 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
 }
 
 bool Autosave::rested() const {
-  return around_changed_ && base::wall_seconds() - *around_changed_ > settled_seconds;
+  return around_changed_ && base::wall_seconds() - *around_changed_ > surroundings_delay;
 }
 
 // Not edits: written only if a recovery file exists.
@@ -113,10 +113,10 @@ bool Autosave::keep_now(scene::Workspace& workspace) {
   if (folder_.empty()) return false;
   std::error_code ignored;
   if (!untouched_.empty() && fs::exists(untouched_, ignored)) return true;
-  take_result(workspace, patience);
+  take_result(workspace, backup_timeout);
   if ((!kept_ || around_changed_) && !writing_.valid()) {
     write(workspace);
-    take_result(workspace, patience);
+    take_result(workspace, backup_timeout);
   }
   return kept_;
 }
@@ -171,18 +171,18 @@ bool Autosave::move_aside(scene::Workspace& workspace) {
     problem_ = file_.string() + ": unsaved work could not be set aside: " + code.message();
     return false;
   }
-  workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(aside));
-  workspace.messages.info("Unsaved edits of " + workspace.leftovers.front().name +
+  workspace.recovery_files.insert(workspace.recovery_files.begin(), scene::describe_recovery_file(aside));
+  workspace.messages.info("Unsaved edits of " + workspace.recovery_files.front().name +
                           " are kept; File > Restore recovered edits brings them back.");
   return true;
 }
 
-void Autosave::leave_recovered(scene::Workspace& workspace) {
+void Autosave::close_recovered(scene::Workspace& workspace) {
   if (untouched_.empty()) return;
   const fs::path file = scene::mark_restored(std::exchange(untouched_, {}));
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
-  workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(file));
+  workspace.recovery_files.insert(workspace.recovery_files.begin(), scene::describe_recovery_file(file));
 }
 
 // Deletes the file, and the restored one if it still exists.

@@ -41,7 +41,7 @@ public:
   /// As keep_now(), then sets the file aside, because another document is about to be opened.
   bool set_aside(scene::Workspace& workspace);
   /// Closes recovered work without further edits: its file is no longer offered automatically.
-  void leave_recovered(scene::Workspace& workspace);
+  void close_recovered(scene::Workspace& workspace);
   /// Why the current edits could not be written.
   std::string problem() const;
 

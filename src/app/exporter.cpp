@@ -52,16 +52,16 @@ std::vector<std::string> write_pictures_in_child(const PictureExport& what, base
   return run_child(words, progress);
 }
 
-void Exporter::add(scene::Export what, std::vector<std::string> told) {
+void Exporter::add(scene::Export what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.file;
   add({file, "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
          return Written{"", scene::write_deformed(what, &progress)};
        },
-       std::move(told)});
+       std::move(shown_notes)});
 }
 
-void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
+void Exporter::add(scene::AnimationExport what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.model.file;
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "frames that are there are whole" : "no file was changed",
@@ -70,7 +70,7 @@ void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
          const std::string name = what.model.file.filename().string();
          return Written{name + ": " + report.summary, std::move(report.notes)};
        },
-       std::move(told)});
+       std::move(shown_notes)});
 }
 
 void Exporter::add(PictureExport what) {
@@ -102,7 +102,7 @@ scene::WorkState Exporter::state() const {
 // Notes that need no action go to the message list only.
 void Exporter::tell(scene::Messages& messages, Written&& written) const {
   std::erase_if(written.notes,
-                [&](const std::string& note) { return std::ranges::count(now_.told, note) > 0; });
+                [&](const std::string& note) { return std::ranges::count(now_.shown_notes, note) > 0; });
   if (!written.summary.empty()) messages.log(scene::Severity::info, written.summary);
   for (const auto& note : written.notes) messages.log(scene::Severity::warning, note);
   std::string said = "Saved " + now_.file.filename().string();

@@ -38,9 +38,9 @@ public:
     std::string problem;
   };
 
-  /// The file must have passed check_output(). `told`: notes that the window shows already.
-  void add(scene::Export what, std::vector<std::string> told = {});
-  void add(scene::AnimationExport what, std::vector<std::string> told = {});
+  /// The file must have passed check_output(). `shown_notes`: notes that the window shows already.
+  void add(scene::Export what, std::vector<std::string> shown_notes = {});
+  void add(scene::AnimationExport what, std::vector<std::string> shown_notes = {});
   void add(PictureExport what);
   /// Cancels the running export, which ends soon; waiting ones follow.
   void stop() { job_.stop(); }
@@ -59,7 +59,7 @@ private:
     std::filesystem::path file;
     std::string stopped;  ///< message if cancelled
     std::function<Written(base::Progress&)> write;
-    std::vector<std::string> told{};
+    std::vector<std::string> shown_notes{};
   };
   void add(Work work);
   void start_next();

@@ -24,7 +24,7 @@ fs::path recovery_folder(const fs::path& state) {
 
 }  // namespace
 
-fs::path remembered_file(const fs::path& state) {
+fs::path preferences_file(const fs::path& state) {
   return state / "remembered.json";
 }
 
@@ -32,16 +32,16 @@ FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace, fs::path 
     : state_(state), program_(std::move(program)), autosave_(recovery_folder(state), queue_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
-  workspace.leftovers = scene::find_leftovers(recovery_folder(state_));
-  workspace.offers_leftovers = !std::ranges::all_of(workspace.leftovers, &scene::Leftover::restored);
+  workspace.recovery_files = scene::find_recovery_files(recovery_folder(state_));
+  workspace.offers_recovery = !std::ranges::all_of(workspace.recovery_files, &scene::RecoveryFile::restored);
   try {
-    workspace.remembered = scene::read_remembered(remembered_file(state_));
+    workspace.preferences = scene::read_preferences(preferences_file(state_));
   } catch (const base::Error& error) {
     workspace.messages.warn(std::string(error.what()) + "; starting without it");
   }
-  workspace.view.hints = workspace.remembered.hints;
-  workspace.view.dark = workspace.remembered.dark;
-  written_ = workspace.remembered;
+  workspace.view.hints = workspace.preferences.hints;
+  workspace.view.dark = workspace.preferences.dark;
+  written_ = workspace.preferences;
 }
 
 void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
@@ -179,7 +179,7 @@ void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
 
 void FileDesk::proceed(scene::Workspace& w, Kind kind) {
   w.after_saving.reset();
-  if (kind == Kind::close) autosave_.leave_recovered(w), closed_ = true;
+  if (kind == Kind::close) autosave_.close_recovered(w), closed_ = true;
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
@@ -226,14 +226,14 @@ void FileDesk::finish_exports(scene::Workspace& w) {
 }
 
 void FileDesk::discard(scene::Workspace& w) {
-  std::erase_if(w.leftovers, [&](const scene::Leftover& leftover) {
+  std::erase_if(w.recovery_files, [&](const scene::RecoveryFile& leftover) {
     std::error_code code;
     if (fs::remove(leftover.file, code) || !code) return true;
     w.messages.error(base::Error(leftover.file.string(), "cannot be removed: " + code.message()).what(),
                      {"discard"});
     return false;
   });
-  if (w.leftovers.empty()) w.messages.succeeded("discard");
+  if (w.recovery_files.empty()) w.messages.succeeded("discard");
 }
 
 void FileDesk::keep(scene::Workspace& w, bool no_drag) {
@@ -243,13 +243,13 @@ void FileDesk::keep(scene::Workspace& w, bool no_drag) {
 }
 
 void FileDesk::remember(scene::Workspace& w) {
-  w.remembered.hints = w.remembered.hints && w.view.hints;
-  if (state_.empty() || w.remembered == written_) return;
-  written_ = w.remembered;
-  writes_.push_back(queue_.add([state = state_, remembered = written_] {
+  w.preferences.hints = w.preferences.hints && w.view.hints;
+  if (state_.empty() || w.preferences == written_) return;
+  written_ = w.preferences;
+  writes_.push_back(queue_.add([state = state_, preferences = written_] {
     std::error_code ignored;  // a missing folder is reported when writing fails
     fs::create_directories(state, ignored);
-    scene::write_remembered(remembered_file(state), remembered);
+    scene::write_preferences(preferences_file(state), preferences);
   }));
 }
 

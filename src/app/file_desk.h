@@ -16,7 +16,7 @@
 namespace viete::app {
 
 /// The preferences file in this folder.
-std::filesystem::path remembered_file(const std::filesystem::path& state);
+std::filesystem::path preferences_file(const std::filesystem::path& state);
 
 class FileDesk {
 public:
@@ -87,7 +87,7 @@ private:
   std::vector<std::future<void>> writes_;  // writes of small files, until their result is known
   base::BackgroundQueue queue_;
   Autosave autosave_;
-  scene::Remembered written_;
+  scene::Preferences written_;
 };
 
 }  // namespace viete::app

@@ -33,7 +33,7 @@ bool FirstMotion::begin(scene::Workspace& workspace) {
   const scene::Document& document = workspace.document;
   const std::filesystem::path file = std::exchange(file_, {});
   if (!workspace.view.hints || !document.has_cage() || scene::differs_from_rest(document) ||
-      workspace.offers_leftovers)
+      workspace.offers_recovery)
     return false;
   try {
     std::vector<std::string> warnings;

@@ -165,7 +165,7 @@ void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why
   if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
     if (!bound_.stitches(served)) served.iterations = 0;
-    scene::give_up_scheme(document, served);
+    scene::revert_scheme(document, served);
     weights_ = document.revisions().weights;  // the revision that is bound
     if (!deformer_->engine(document.method)) {
       workspace.view.same_path = false;

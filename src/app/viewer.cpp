@@ -85,7 +85,7 @@ void Viewer::drop(std::vector<fs::path> files) {
 }
 
 void Viewer::place_viewport() {
-  const scene::Viewport whole = scene::view_between(workspace_.remembered.layout, glm::vec2(options_.size),
+  const scene::Viewport whole = scene::view_between(workspace_.preferences.layout, glm::vec2(options_.size),
                                                     workspace_.view.panels, workspace_.notice_height);
   workspace_.viewport = scene::viewport_of(workspace_.split, whole, workspace_.split.active);
 }

@@ -39,8 +39,8 @@ public:
         viewer_(window.gl(), viewer_options(window)),
         first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()) {
     listen();
-    scene::Remembered& remembered = viewer_.workspace().remembered;
-    viewer_.workspace().ask_keys = std::exchange(remembered.ask_keys, false) && remembered.hints;
+    scene::Preferences& preferences = viewer_.workspace().preferences;
+    viewer_.workspace().ask_keys = std::exchange(preferences.ask_keys, false) && preferences.hints;
     window_.share_clipboard();
   }
 
@@ -53,7 +53,7 @@ private:
   void draw(float seconds, bool exposed = false);
   void set_title();
   void follow_full_screen();
-  void call_for_attention();
+  void request_attention();
   void show_closing_notice();
 
   platform::Window& window_;
@@ -75,7 +75,7 @@ void WindowViewer::listen() {
   };
   events.exposed = [this] {
     viewer_.resize(window_.size());
-    if (!window_.full_screen()) viewer_.workspace().remembered.window = window_.size();
+    if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
     exposed_ = true;
   };
   window_.listen(std::move(events));
@@ -94,12 +94,12 @@ void WindowViewer::follow_full_screen() {
   exposed_ = true;
   if (!w.full_screen) return;
   const scene::Command& command = *scene::find_command("toggle_full_screen");
-  const std::string key = scene::text(w.remembered.keymap.of(command).first);
+  const std::string key = scene::text(w.preferences.keymap.of(command).first);
   w.messages.info(key.empty() ? "The menu View leaves full screen." : key + " leaves full screen.");
 }
 
 // The window may be hidden when closing is requested.
-void WindowViewer::call_for_attention() {
+void WindowViewer::request_attention() {
   const bool asks = viewer_.workspace().question.has_value();
   if (asks && !asks_) window_.call_for_attention();
   asks_ = asks;
@@ -111,7 +111,7 @@ void WindowViewer::draw(float seconds, bool exposed) {
   viewer_.frame(seconds);
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
   set_title();
-  call_for_attention();
+  request_attention();
   follow_full_screen();
 }
 
@@ -145,17 +145,17 @@ void WindowViewer::run(int frames) {
 }  // namespace
 
 // The last size; read errors are reported by the viewer.
-glm::ivec2 remembered_size() {
+glm::ivec2 last_window_size() {
   constexpr glm::ivec2 usual{1440, 900};
   try {
-    return scene::read_remembered(remembered_file(state_folder())).window.value_or(usual);
+    return scene::read_preferences(preferences_file(state_folder())).window.value_or(usual);
   } catch (const base::Error&) {
     return usual;
   }
 }
 
 bool run_window(const WindowOptions& options, std::string& reason) {
-  const auto window = platform::Window::open(remembered_size(), options.scale, reason);
+  const auto window = platform::Window::open(last_window_size(), options.scale, reason);
   if (!window) return false;
   WindowViewer shown(*window, options);
   Viewer& viewer = shown.viewer();

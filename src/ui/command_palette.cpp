@@ -32,7 +32,7 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
   draw.AddText({at.x + 8, y}, enabled ? ui.colors.text : faded(ui.colors.faint, 0.7f), label.c_str());
   const float after = std::max(160.0f, ImGui::CalcTextSize(label.c_str()).x + 16);
   draw.AddText({at.x + 8 + after, y}, faded(ui.colors.faint, enabled ? 0.9f : 0.5f), group.c_str());
-  text_right(ui, at.x + width - 8, scene::text(ui.workspace.remembered.keymap.of(command).first),
+  text_right(ui, at.x + width - 8, scene::text(ui.workspace.preferences.keymap.of(command).first),
              ui.colors.faint, y);
   return clicked;
 }
@@ -108,7 +108,7 @@ void key_prompt(const Context& ui) {
   if (!command || w.key_list.open) return;  // the list shows it itself
   const scene::Viewport& v = w.viewport;
   const Window window("New key", {.at = middle_at(ui, v.origin.y + 0.4f * v.size.y)}, sized_flags);
-  const std::string now = scene::text(w.remembered.keymap.of(*command).first);
+  const std::string now = scene::text(w.preferences.keymap.of(*command).first);
   ImGui::TextUnformatted(("Press the new key of \"" + std::string(command->label) + '"').c_str());
   note(ui, (now.empty() ? "It has none now" : "It is " + now + " now") +
                std::string(";  Delete takes it away, Esc leaves it"));

@@ -73,17 +73,17 @@ void choose(scene::Workspace& w, const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return scene::enter(w.browser, path);
   ask(w, path);
-  w.remembered.folder = path.parent_path();
+  w.preferences.folder = path.parent_path();
 }
 
 void choose_recent(scene::Workspace& w, std::size_t index) {
   if (!w.browser.asked.empty()) return;
   open_recent(w, index);
-  w.browser.asked = w.remembered.recent[index].file;
+  w.browser.asked = w.preferences.recent[index].file;
 }
 
 void choose_typed(scene::Workspace& w) {
-  if (w.browser.recent < w.remembered.recent.size()) return choose_recent(w, w.browser.recent);
+  if (w.browser.recent < w.preferences.recent.size()) return choose_recent(w, w.browser.recent);
   if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
   const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
@@ -235,7 +235,7 @@ void click_entry(scene::Workspace& w, std::size_t index) {
 void click_recent(scene::Workspace& w, std::size_t index) {
   if (ImGui::IsMouseDoubleClicked(0)) return choose_recent(w, index);
   w.browser.recent = index;
-  w.browser.path = w.remembered.recent[index].file.string();
+  w.browser.path = w.preferences.recent[index].file.string();
 }
 
 // Up and Down move in the list, Enter confirms, Backspace without a filter goes to the parent folder, Esc
@@ -323,13 +323,13 @@ void picture_choices(const Context& ui) {
 
 void lists(const Context& ui, bool moved) {
   Browser& browser = ui.workspace.browser;
-  const bool recent = browser.purpose == Purpose::model && !ui.workspace.remembered.recent.empty();
+  const bool recent = browser.purpose == Purpose::model && !ui.workspace.preferences.recent.empty();
   const float row = ImGui::GetFrameHeight() + 12;
   const float height = browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row;
   if (recent) {
     ImGui::BeginChild("recent", {220, height}, true);
     note(ui, "Recent");
-    const auto clicked = recent_list(ui, scene::Remembered::most, browser.recent);
+    const auto clicked = recent_list(ui, scene::Preferences::most, browser.recent);
     ImGui::EndChild();
     ImGui::SameLine();
     if (clicked) click_recent(ui.workspace, *clicked);

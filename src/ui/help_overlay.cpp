@@ -139,7 +139,7 @@ void table(const Context& ui, const char* name, const Rows& rows) {
 }
 
 std::string preset_label(const Context& ui) {
-  const scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  const scene::Keymap& keymap = ui.workspace.preferences.keymap;
   const std::string label(scene::entry_of(keymap.preset()).label);
   return label + (keymap.changes().empty() ? "" : ", changed");
 }
@@ -150,8 +150,8 @@ std::string preset_label(const Context& ui) {
 void help_overlay(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   constexpr float gap = 32;
-  const Rows hands = hands_rows(ui.workspace.remembered.keymap),
-             settings = settings_rows(ui.workspace.remembered.keymap, ui.workspace.about);
+  const Rows hands = hands_rows(ui.workspace.preferences.keymap),
+             settings = settings_rows(ui.workspace.preferences.keymap, ui.workspace.about);
   const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
   const scene::Viewport& v = ui.workspace.viewport;
   const float middle = v.size.x > both ? v.origin.x + 0.5f * v.size.x : 0.5f * display.x;
@@ -193,7 +193,7 @@ std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, co
 
 void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
   scene::Workspace& w = ui.workspace;
-  const std::string name(command.name), keys = scene::text(w.remembered.keymap.of(command));
+  const std::string name(command.name), keys = scene::text(w.preferences.keymap.of(command));
   const bool waits = w.interaction.setting_key == name;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
@@ -202,11 +202,11 @@ void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::
   if (waits) ImGui::PopStyleColor();
   if (waits || !ImGui::IsItemHovered()) return;
   hint("Click, and press the new key; Delete takes it away, Esc leaves it." +
-       lost_key(w.remembered.keymap, plain, command));
+       lost_key(w.preferences.keymap, plain, command));
 }
 
 void give_back(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
-  scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  scene::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().contains(command.name)) return;
   ImGui::SameLine();
   const std::string preset = scene::text(plain.of(command));
@@ -234,19 +234,19 @@ void key_heading(const Context& ui, std::string_view title) {
 }
 
 // Commands of transient questions, which have a button only.
-bool is_mere_answer(const Context& ui, const scene::Command& command) {
-  return command.passing && scene::text(ui.workspace.remembered.keymap.of(command)).empty();
+bool is_transient_answer(const Context& ui, const scene::Command& command) {
+  return command.passing && scene::text(ui.workspace.preferences.keymap.of(command)).empty();
 }
 
 // Grouped by menus, or the matches of the search, best first.
 void key_rows(const Context& ui) {
   const std::string& typed = ui.workspace.key_list.typed;
-  const scene::Keymap plain = plain_preset(ui.workspace.remembered.keymap);
+  const scene::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
   if (typed.empty()) {
     for (const scene::Menu& menu : scene::menus()) {
       key_heading(ui, menu.title);
       for (const scene::Command* command : menu.items) {
-        if (!is_mere_answer(ui, *command)) key_row(ui, plain, *command);
+        if (!is_transient_answer(ui, *command)) key_row(ui, plain, *command);
       }
     }
     return;
@@ -257,9 +257,9 @@ void key_rows(const Context& ui) {
 }
 
 // Removes all changes at once; can be undone while the list is open.
-void all_back(const Context& ui) {
+void reset_all_button(const Context& ui) {
   scene::KeyList& list = ui.workspace.key_list;
-  scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  scene::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().empty()) list.taken_back.reset();
   const bool brings = list.taken_back.has_value();
   ImGui::BeginDisabled(!brings && keymap.changes().empty());
@@ -293,12 +293,12 @@ void key_list(const Context& ui) {
                        .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)}},
                       dialog_flags, &open);
   command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
-                 static_cast<std::size_t>(w.remembered.keymap.preset()));
+                 static_cast<std::size_t>(w.preferences.keymap.preset()));
   search_field(ui, "keys_text", w.key_list.typed, w.key_list.appearing);
   ImGui::BeginChild("rows", {0, -(ImGui::GetFrameHeight() + 8)});
   key_rows(ui);
   ImGui::EndChild();
-  all_back(ui);
+  reset_all_button(ui);
   ImGui::SameLine();
   if (ImGui::Button("Close")) open = false;
   record(ui, "close_keys");
@@ -322,7 +322,7 @@ float key_question(const Context& ui, float bottom) {
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(presets[i].label.data(), {72, 0})) {
-      w.remembered.keymap.set_preset(static_cast<scene::KeyPreset>(i));
+      w.preferences.keymap.set_preset(static_cast<scene::KeyPreset>(i));
       w.ask_keys = false;
     }
     record(ui, "ask_keys/" + std::string(presets[i].word));

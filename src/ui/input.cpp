@@ -33,7 +33,7 @@ void set_key(scene::Workspace& workspace) {
   const scene::Command* const command = scene::find_command(name);
   if (!command || *pressed == scene::Shortcut{scene::Key::escape}) return;
   const bool none = *pressed == scene::Shortcut{scene::Key::delete_key};
-  scene::Keymap& keymap = workspace.remembered.keymap;
+  scene::Keymap& keymap = workspace.preferences.keymap;
   std::string losers;
   for (const scene::Command* loser :
        none ? std::vector<const scene::Command*>{} : keymap.losers(name, *pressed))
@@ -51,7 +51,7 @@ void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
       workspace.question)
     return;
   for (const auto& command : scene::commands()) {
-    const scene::Shortcuts keys = workspace.remembered.keymap.of(command);
+    const scene::Shortcuts keys = workspace.preferences.keymap.of(command);
     if (!matches(keys.first, io) && !matches(keys.second, io)) continue;
     if (!command.enabled(workspace)) continue;  // another command may have this key in another mode
     return command.run(workspace);

@@ -30,7 +30,7 @@ void history_menu(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   const std::vector<std::string> labels = w.document.history.labels();
   const std::size_t position = w.document.history.position();
-  const bool open = ImGui::BeginMenu("History", !labels.empty() && !scene::in_hand(w));
+  const bool open = ImGui::BeginMenu("History", !labels.empty() && !scene::is_dragging(w));
   record(ui, "menu/history");
   if (!open) return;
   std::size_t wanted = position;
@@ -48,12 +48,12 @@ void history_menu(const Context& ui) {
 
 void recent_menu(const Context& ui) {
   scene::Workspace& w = ui.workspace;
-  const bool open = ImGui::BeginMenu("Open recent", !w.remembered.recent.empty());
+  const bool open = ImGui::BeginMenu("Open recent", !w.preferences.recent.empty());
   record(ui, "menu/recent");
   if (!open) return;
   std::optional<std::size_t> chosen;
-  for (std::size_t i = 0; i < w.remembered.recent.size(); ++i) {
-    const scene::RecentFile& recent = w.remembered.recent[i];
+  for (std::size_t i = 0; i < w.preferences.recent.size(); ++i) {
+    const scene::RecentFile& recent = w.preferences.recent[i];
     const std::string name = recent.file.filename().string() + "##" + std::to_string(i);
     const std::string folder = shortened(recent.file.parent_path().filename().string(), 160);
     if (ImGui::MenuItem(name.c_str(), folder.c_str())) chosen = i;
@@ -116,7 +116,7 @@ bool menu_item(const Context& ui, const scene::Command& command, std::string_vie
   const bool enabled = command.enabled(ui.workspace);
   const bool on = command.on(ui.workspace);
   const std::string label = command.label_now(ui.workspace, called) + "##" + std::string(command.name);
-  const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
+  const std::string keys = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
   record(ui, "menu/" + std::string(command.name), enabled);
   hint(hint_of(ui, command));

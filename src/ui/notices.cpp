@@ -72,11 +72,11 @@ void message_log(const Context& ui) {
 
 namespace {
 
-std::string name_of(const scene::Leftover& leftover) {
+std::string name_of(const scene::RecoveryFile& leftover) {
   return leftover.name + ", " + scene::when(leftover.time, std::time(nullptr));
 }
 
-void hint_at(const scene::Leftover& leftover) {
+void hint_at(const scene::RecoveryFile& leftover) {
   const std::string began = leftover.first_edit.empty() ? "" : "First edit: " + leftover.first_edit + "\n";
   hint(began + "Folder: " + leftover.folder.string());
 }
@@ -93,14 +93,14 @@ float width_of(const std::string& label) {
 }
 
 // Describes the newest one, which Restore opens, and the number of others.
-void leftover_words(const Context& ui) {
-  const auto& leftovers = ui.workspace.leftovers;
-  const std::size_t more = leftovers.size() - 1;
-  const std::string text = "Recovered edits: " + name_of(leftovers.front()) +
+void recovery_text(const Context& ui) {
+  const auto& recovery_files = ui.workspace.recovery_files;
+  const std::size_t more = recovery_files.size() - 1;
+  const std::string text = "Recovered edits: " + name_of(recovery_files.front()) +
                            (more == 0 ? "" : " and " + std::to_string(more) + " more");
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(shortened(text, ImGui::GetContentRegionAvail().x).c_str());
-  hint_at(leftovers.front());
+  hint_at(recovery_files.front());
 }
 
 // The last thing shown before closing.
@@ -123,12 +123,12 @@ void notice_bar(const Context& ui) {
   if (w.closing_notice) closing_notice(ui);
   if (!w.has_user) return;
   w.notice_height = 0;
-  if (!w.offers_leftovers || w.leftovers.empty()) return;
+  if (!w.offers_recovery || w.recovery_files.empty()) return;
   const float top = w.view.panels ? scene::PanelLayout::menu_height : 0;
   const ImVec2 size(w.viewport.window.x, 0);
   ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});
   const Window window("Notice", {.at = {0, top}, .pivot = {0, 0}, .rounding = 0}, card_flags);
-  leftover_words(ui);
+  recovery_text(ui);
   for (const char* command : {"restore_leftover", "discard_leftovers", "put_off_leftovers"}) {
     flow(width_of(scene::find_command(command)->brief));
     command_button(ui, command);

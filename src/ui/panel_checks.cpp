@@ -116,7 +116,7 @@ void group(const Context& ui, scene::Subject subject, const char* heading) {
 }
 
 // Buttons to fit a cage that does not match the model.
-void bring_together(const Context& ui) {
+void fit_buttons(const Context& ui) {
   const auto& checks = ui.workspace.checks;
   const auto at = scene::outside_finding(checks);
   if (!at) return;
@@ -141,7 +141,7 @@ void panel_checks(const Context& ui) {
   auto& checks = ui.workspace.checks;
   if (!ui.workspace.document.model.surface) return;
   const std::size_t matter = checks.running ? 0 : mattering(checks);
-  if (checks.fresh) ui.workspace.remembered.layout.sections["Checks"] = matter > 0;
+  if (checks.fresh) ui.workspace.preferences.layout.sections["Checks"] = matter > 0;
   checks.fresh = false;
   const bool open = section(ui, "Checks", false);
   const auto& of_pose = ui.workspace.pose_notes;
@@ -157,7 +157,7 @@ void panel_checks(const Context& ui) {
                                                 "does not cut itself and encloses the model."
                                               : "The model is a closed, oriented manifold.");
   }
-  bring_together(ui);
+  fit_buttons(ui);
   group(ui, scene::Subject::cage, "Cage");
   group(ui, scene::Subject::model, "Model");
 }

@@ -144,7 +144,7 @@ void panel_poses(const Context& ui) {
   if (poses > 0) section_note(ui, count(poses));
   if (!open) return;
   if (poses == 0) return no_poses(ui);
-  const bool free = !scene::in_hand(w) && !scene::is_editing_cage(w.document);
+  const bool free = !scene::is_dragging(w) && !scene::is_editing_cage(w.document);
   PoseWish wish;
   w.pose_pictures.tidy();
   // Above the list, which grows downward: clicked items do not move.

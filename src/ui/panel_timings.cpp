@@ -92,7 +92,7 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
   const Marks marks = measured ? marks_of(w.methods, index) : Marks{};
   card_text(ui, at, width, command.brief.data(), measured ? &w.methods.samples[index] : nullptr, used, marks,
             active);
-  hint(std::string(command.hint) + "  (" + scene::text(w.remembered.keymap.of(command).first) + ")");
+  hint(std::string(command.hint) + "  (" + scene::text(w.preferences.keymap.of(command).first) + ")");
 }
 
 }  // namespace

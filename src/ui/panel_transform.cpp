@@ -28,7 +28,7 @@ void sets(const Context& ui) {
   const float width = ImGui::GetContentRegionAvail().x - button - close - 2 * gap;
   std::optional<std::size_t> selected, removed, renamed;
   std::string name;
-  ImGui::BeginDisabled(scene::in_hand(ui.workspace));
+  ImGui::BeginDisabled(scene::is_dragging(ui.workspace));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string id = "set/" + std::to_string(i);
     if (const auto typed = name_field(ui, id, all[i].name, width, "The name of the set; type another one"))

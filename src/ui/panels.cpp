@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/workspace/command.h"
-#include "scene/workspace/remembered.h"
+#include "scene/workspace/preferences.h"
 #include "ui/overlay_painter.h"
 #include "ui/widgets.h"
 
@@ -153,7 +153,7 @@ void edge(const Context& ui, const Side& side) {
   }
   if (held) {
     const float mouse = ImGui::GetIO().MousePos.x;
-    scene::set_width(w.remembered.layout, side.column, side.inward > 0 ? mouse : v.window.x - mouse,
+    scene::set_width(w.preferences.layout, side.column, side.inward > 0 ? mouse : v.window.x - mouse,
                      v.window.x);
   }
   ImGui::End();
@@ -192,7 +192,7 @@ void tab(const Context& ui, const Side& side, bool shown) {
 
 void column_edges(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
-  const auto widths = scene::shown_columns(w.remembered.layout, w.viewport.window.x);
+  const auto widths = scene::shown_columns(w.preferences.layout, w.viewport.window.x);
   for (const Side& side : sides) {
     const bool shown = widths.of(side.column) > 0;
     if (shown) edge(ui, side);

@@ -45,7 +45,7 @@ bool changes_shape_when_turned(const scene::Workspace& w) {
 }  // namespace
 
 std::string mouse_text(const scene::Workspace& w) {
-  const scene::Keymap& keymap = w.remembered.keymap;
+  const scene::Keymap& keymap = w.preferences.keymap;
   if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != scene::Shape::none)
     return shape_words(*w.interaction.drag);
   if (w.interaction.drag)

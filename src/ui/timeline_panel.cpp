@@ -275,7 +275,7 @@ bool begin_panel(const Context& ui) {
 void timeline_panel(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   w.time_view.hovered = false;
-  if (!w.remembered.layout.timeline) return;
+  if (!w.preferences.layout.timeline) return;
   begin_panel(ui);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   ImGui::BeginDisabled(!w.document.model.surface);

@@ -169,7 +169,7 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
   const scene::Command& command = *scene::find_command(entry.command);
   const bool enabled = command.enabled(ui.workspace);
   if (card(ui, entry.command, entry.icon, at, enabled, is_on(ui, entry))) command.run(ui.workspace);
-  const std::string key = scene::text(ui.workspace.remembered.keymap.of(command).first);
+  const std::string key = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const float size = key.size() > 1 ? 9.0f : 11.0f;
   const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size,

@@ -81,7 +81,7 @@ bool centered(const Context& ui, float y, const std::string& line, ImU32 color) 
 
 void editing_hint(const Context& ui) {
   const auto& v = ui.workspace.viewport;
-  const std::string key = key_or_label(ui.workspace.remembered.keymap, "edit_cage");
+  const std::string key = key_or_label(ui.workspace.preferences.keymap, "edit_cage");
   centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     " + key + " goes back to posing it",
            ui.colors.accent);
 }
@@ -90,8 +90,8 @@ void hints(const Context& ui) {
   const auto& w = ui.workspace;
   const float y = w.viewport.origin.y + w.viewport.size.y - 34;
   const ImU32 color = faded(ui.colors.text, 0.75f);
-  const std::string space = scene::text(w.remembered.keymap.of(*scene::find_command("play")).first);
-  const std::string help = key_or_label(w.remembered.keymap, "help");
+  const std::string space = scene::text(w.preferences.keymap.of(*scene::find_command("play")).first);
+  const std::string help = key_or_label(w.preferences.keymap, "help");
   const std::string plays =
       w.document.timeline.keys.empty() || space.empty() ? "" : "     " + space + " plays it";
   for (const char* method : {"     Switch the method in the right column", ""}) {
@@ -102,10 +102,10 @@ void hints(const Context& ui) {
 }
 
 // An empty view shows how to get the model back.
-void way_back(const Context& ui) {
+void restore_hint(const Context& ui) {
   const scene::Command& command = *scene::find_command("toggle_panels");
   const std::string text =
-      scene::text(ui.workspace.remembered.keymap.of(command).first) + " shows the panels again";
+      scene::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again";
   const auto& v = ui.workspace.viewport;
   ImGui::PushFont(ui.fonts.text);
   ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 16, v.origin.y + v.size.y - 28},
@@ -118,7 +118,7 @@ void way_back(const Context& ui) {
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   select_overlay(ui);
-  if (!w.view.panels && w.has_user) way_back(ui);
+  if (!w.view.panels && w.has_user) restore_hint(ui);
   if (w.interaction.brush) brush_ring(ui, w);
   if (w.binding.running || w.loading.running || w.making_cage.running)
     return;  // their progress bar is displayed

@@ -115,7 +115,7 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
 }
 
 std::string hint_of(const Context& ui, const scene::Command& command) {
-  const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
+  const std::string keys = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const std::string does =
       command.subject ? command.label_now(ui.workspace) + ".  " + command.hint : command.hint;
   const std::string what = does + (keys.empty() ? "" : "  (" + keys + ")");
@@ -129,7 +129,7 @@ void record(const Context& ui, const std::string& name, bool enabled) {
 }
 
 bool section(const Context& ui, const char* title, bool open_at_first) {
-  auto& sections = ui.workspace.remembered.layout.sections;
+  auto& sections = ui.workspace.preferences.layout.sections;
   const auto known = sections.find(title);
   const bool was_open = known == sections.end() ? open_at_first : known->second;
   ImGui::SetNextItemOpen(was_open);
@@ -406,7 +406,7 @@ void folder_beside(const Context& ui, ImVec2 at, float right, const std::string&
 }  // namespace
 
 std::optional<std::size_t> recent_list(const Context& ui, std::size_t most, std::size_t chosen) {
-  const auto& recent = ui.workspace.remembered.recent;
+  const auto& recent = ui.workspace.preferences.recent;
   std::optional<std::size_t> clicked;
   ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
   for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
@@ -426,7 +426,7 @@ std::optional<std::size_t> recent_list(const Context& ui, std::size_t most, std:
 }
 
 void open_recent(scene::Workspace& w, std::size_t index) {
-  const scene::RecentFile& file = w.remembered.recent[index];
+  const scene::RecentFile& file = w.preferences.recent[index];
   w.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
 }
 

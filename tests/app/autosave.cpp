@@ -125,8 +125,8 @@ TEST_CASE("edits_are_set_aside_when_another_document_is_opened") {
   REQUIRE(test::load_model(k.workspace, k.files.model, k.files.cage));
   k.autosave.follow(k.workspace);
   CHECK_FALSE(fs::exists(scene::recovery_file(k.folder)));
-  REQUIRE(k.workspace.leftovers.size() == 1);
-  CHECK(fs::exists(k.workspace.leftovers[0].file));
+  REQUIRE(k.workspace.recovery_files.size() == 1);
+  CHECK(fs::exists(k.workspace.recovery_files[0].file));
 }
 
 TEST_CASE("a_folder_that_cannot_be_made_is_a_message_and_a_reason") {

@@ -189,11 +189,11 @@ TEST_CASE("edits_that_can_be_kept_are_set_aside_for_another_file_but_stay_with_a
   d.open_cubes();
   d.edit();
   d.open({d.files.pose}, What::pose);
-  CHECK(d.workspace.leftovers.empty());
+  CHECK(d.workspace.recovery_files.empty());
   d.open({d.files.cage});
   CHECK_FALSE(d.workspace.question);
   CHECK(d.workspace.document.model.path == d.files.cage);
-  CHECK(d.workspace.leftovers.size() == 1);
+  CHECK(d.workspace.recovery_files.size() == 1);
 }
 
 TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
@@ -250,8 +250,8 @@ void end_program(Desk& d) {
 }
 
 void restore(Desk& d) {
-  REQUIRE(d.workspace.leftovers.size() == 1);
-  d.open({d.workspace.leftovers[0].file}, What::recovery);
+  REQUIRE(d.workspace.recovery_files.size() == 1);
+  d.open({d.workspace.recovery_files[0].file}, What::recovery);
   d.frame();
 }
 
@@ -266,31 +266,31 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   REQUIRE(d.desk->closed());
   CHECK(d.desk->kept());
   end_program(d);
-  CHECK(d.workspace.offers_leftovers);
+  CHECK(d.workspace.offers_recovery);
 
   restore(d);
-  CHECK(d.workspace.leftovers.empty());
-  CHECK_FALSE(d.workspace.offers_leftovers);
+  CHECK(d.workspace.recovery_files.empty());
+  CHECK_FALSE(d.workspace.offers_recovery);
   SUBCASE("closed without further edits, they are kept where they were and not offered again") {
     d.quit();
     REQUIRE(d.desk->closed());
     CHECK_FALSE(d.desk->kept());
     end_program(d);
-    CHECK_FALSE(d.workspace.offers_leftovers);
+    CHECK_FALSE(d.workspace.offers_recovery);
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
   SUBCASE("another model in their place offers nothing") {
     d.open({d.files.model});
     d.frame();
-    CHECK_FALSE(d.workspace.offers_leftovers);
+    CHECK_FALSE(d.workspace.offers_recovery);
     CHECK(d.workspace.messages.all().empty());
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
   SUBCASE("a program that is killed offers them again") {
     end_program(d);
-    CHECK(d.workspace.offers_leftovers);
+    CHECK(d.workspace.offers_recovery);
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
@@ -299,7 +299,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     d.quit();
     CHECK(d.desk->kept());
     end_program(d);
-    CHECK(d.workspace.offers_leftovers);
+    CHECK(d.workspace.offers_recovery);
     restore(d);
     CHECK(d.workspace.document.pose.positions != posed);
   }
@@ -307,7 +307,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     d.workspace.requests.save_session = d.files / "a.viete";
     d.frame();
     end_program(d);
-    CHECK(d.workspace.leftovers.empty());
+    CHECK(d.workspace.recovery_files.empty());
     CHECK(files_in(d.state / "recovery") == 0);
   }
 }
@@ -318,7 +318,7 @@ TEST_CASE("opening_another_model_offers_no_recovered_edits_but_tells_that_edits_
   d.edit();
   d.open({d.files.cage});
   d.frame();
-  CHECK_FALSE(d.workspace.offers_leftovers);
+  CHECK_FALSE(d.workspace.offers_recovery);
   CHECK(d.last_message() ==
         "Unsaved edits of model.obj are kept; File > Restore recovered edits brings them back.");
   d.open_cubes();
@@ -334,7 +334,7 @@ TEST_CASE("preferences_persist_with_a_state_folder_only") {
     d.frame();
     d.begin(remembers);
     CHECK(d.workspace.view.hints == !remembers);
-    CHECK(d.workspace.remembered.recent.size() == (remembers ? 1 : 0));
+    CHECK(d.workspace.preferences.recent.size() == (remembers ? 1 : 0));
     CHECK(std::filesystem::exists(d.state) == remembers);
   }
 }

@@ -100,7 +100,7 @@ struct Desktop {
     setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);  // separate preferences for each desktop
     fs::create_directories(folder / "state" / "viete");
     std::ofstream(folder / "state" / "viete" / "remembered.json")
-        << R"({"format": "viete remembered", "version": 1, "ask_keys": false})";
+        << R"({"format": "viete preferences", "version": 1, "ask_keys": false})";
     setenv("VIETE_REDUCED_MOTION", "1", 1);  // motion only by the test
   }
   ~Desktop() {

@@ -48,7 +48,7 @@ public:
     // Tests start with the published deformer.
     document().scheme = {};
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
-      workspace().remembered.layout.sections[title] = true;
+      workspace().preferences.layout.sections[title] = true;
   }
 
   explicit Driver(WithPixels pixels) : Driver(default_options(), pixels) {}
@@ -145,7 +145,7 @@ public:
   void unfold_columns(const std::string& widget) {
     for (const char* column : {"toggle_methods", "toggle_tools"}) {
       const bool methods = std::string_view(column) == "toggle_methods";
-      const auto shown = scene::shown_columns(workspace().remembered.layout, workspace().viewport.window.x);
+      const auto shown = scene::shown_columns(workspace().preferences.layout, workspace().viewport.window.x);
       if ((methods ? shown.methods : shown.tools) > 0) continue;
       scene::find_command(column)->run(workspace());
       frame(3);
@@ -158,7 +158,7 @@ public:
                                                 "pins",    "hold",  "formula"};
     const auto& recorder = viewer().recorder();
     if (parts.contains(widget) && !recorder.find(widget) && recorder.find("section/Custom deformer")) {
-      workspace().remembered.layout.sections["Custom deformer"] = true;
+      workspace().preferences.layout.sections["Custom deformer"] = true;
       frame(3);
     }
     return recorder.find(widget).has_value();

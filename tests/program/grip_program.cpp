@@ -378,9 +378,9 @@ TEST_CASE("a_right_click_in_the_palette_changes_a_key_persistently") {
   CHECK(d.moved().empty());
   const test::TemporaryFolder folder;
   scene::find_command("keys_blender")->run(d.workspace());
-  scene::write_remembered(folder / "remembered.json", d.workspace().remembered);
-  const auto read = scene::read_remembered(folder / "remembered.json");
-  CHECK(read.keymap == d.workspace().remembered.keymap);
+  scene::write_preferences(folder / "remembered.json", d.workspace().preferences);
+  const auto read = scene::read_preferences(folder / "remembered.json");
+  CHECK(read.keymap == d.workspace().preferences.keymap);
   CHECK(scene::text(read.keymap.of(*scene::find_command("undo")).first) == "Ctrl+U");
   CHECK(scene::text(read.keymap.of(*scene::find_command("grab")).first) == "G");
 }

@@ -18,9 +18,9 @@ glm::vec2 bare_place(Driver& d) {
 }
 
 // Random clicks, drags and commands.
-class RandomHand {
+class RandomInput {
 public:
-  RandomHand(Driver& driver, unsigned seed) : d(driver), random_(seed) {}
+  RandomInput(Driver& driver, unsigned seed) : d(driver), random_(seed) {}
 
   void act() {
     switch (below(8)) {
@@ -81,8 +81,8 @@ TEST_CASE("the_cached_view_always_equals_a_fresh_drawing" * doctest::test_suite(
     options.may_be_coarse = seed % 2 == 0;
     options.samples = seed == 3 ? 4 : 0;
     SmallScene scene(options, test::with_pixels);
-    scene.d.workspace().remembered.coarse_motion = true;
-    RandomHand hand(scene.d, seed);
+    scene.d.workspace().preferences.coarse_motion = true;
+    RandomInput hand(scene.d, seed);
     for (int i = 0; i < actions; ++i) {
       CAPTURE(seed);
       CAPTURE(i);
@@ -148,16 +148,16 @@ TEST_CASE("software_rendering_draws_motion_coarsely_and_refines_at_rest") {
     }
     return d.viewer().view_fineness() == app::Fineness::smooth;
   };
-  d.workspace().remembered.coarse_motion = true;
+  d.workspace().preferences.coarse_motion = true;
   orbit();
   CHECK(d.viewer().view_fineness() == app::Fineness::coarse);
   CHECK(rest());  // the button is still held
   d.button(2, false);
-  d.workspace().remembered.coarse_motion = false;
+  d.workspace().preferences.coarse_motion = false;
   orbit();
   CHECK(d.viewer().view_fineness() == app::Fineness::plain);
   d.button(2, false);
-  d.workspace().remembered.coarse_motion.reset();
+  d.workspace().preferences.coarse_motion.reset();
   orbit();
   CHECK((d.viewer().view_fineness() == app::Fineness::coarse) == d.workspace().about.software);
 }

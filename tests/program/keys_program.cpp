@@ -20,7 +20,7 @@ constexpr scene::KeyPreset presets[] = {scene::KeyPreset::viete, scene::KeyPrese
                                         scene::KeyPreset::maya, scene::KeyPreset::viewer};
 
 scene::Keymap& keymap(Driver& d) {
-  return d.workspace().remembered.keymap;
+  return d.workspace().preferences.keymap;
 }
 
 std::string key_of(Driver& d, const char* command) {

@@ -272,7 +272,7 @@ TEST_CASE("another_document_is_shown_in_the_views_that_there_are") {
 TEST_CASE("the_key_for_a_vertex_opens_its_section_wherever_the_columns_were") {
   Driver d;
   d.open_dragon("pose_alert");
-  scene::PanelLayout& layout = d.workspace().remembered.layout;
+  scene::PanelLayout& layout = d.workspace().preferences.layout;
   for (const bool folded : {false, true}) {
     layout.sections.clear();
     layout.folded[static_cast<std::size_t>(scene::Column::methods)] = folded;

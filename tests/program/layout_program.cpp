@@ -9,7 +9,7 @@
 #include "render/image.h"
 #include "scene/document/record.h"
 #include "scene/workspace/menus.h"
-#include "scene/workspace/remembered.h"
+#include "scene/workspace/preferences.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
 #include "support/full_disk.h"
@@ -30,7 +30,7 @@ glm::vec2 empty_place(Driver& d) {
 }
 
 scene::PanelLayout& layout(Driver& d) {
-  return d.workspace().remembered.layout;
+  return d.workspace().preferences.layout;
 }
 
 app::ViewerOptions remembering(const std::filesystem::path& state) {
@@ -168,7 +168,7 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   menu("File", "recent");
   if (const char* pictures = std::getenv("VIETE_PICTURES"))
     render::write_png(std::filesystem::path(pictures) / "recent.png", d.picture());
-  const auto file = d.workspace().remembered.recent.at(1).file;
+  const auto file = d.workspace().preferences.recent.at(1).file;
   d.click("menu/recent/1");
   d.settle();
   CHECK(d.document().model.path == file);

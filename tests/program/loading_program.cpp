@@ -83,7 +83,7 @@ TEST_CASE("loaded_files_are_applied_after_the_drag") {
   CHECK(d.document().model.path == small.model);
   d.button(0, false);
   REQUIRE(d.until([&] { return d.document().model.path == dragon; }));
-  CHECK_MESSAGE(d.workspace().leftovers.size() == 1, "the drag that was finished is kept");
+  CHECK_MESSAGE(d.workspace().recovery_files.size() == 1, "the drag that was finished is kept");
 }
 
 TEST_CASE("a_load_that_fails_leaves_everything_as_it_was") {

@@ -35,13 +35,13 @@ std::string drag_words(glm::vec2 from, glm::vec2 to, const std::string& meanwhil
 }
 
 // A ball in a ball-shaped cage, as a session open offscreen, to locate widgets, and in a real window.
-struct RealHand {
+struct RealSession {
   Desktop desktop;
   fs::path session = desktop.folder / "work.viete";
   Driver offscreen{options()};
   std::optional<Child> viewer;
 
-  explicit RealHand(int levels) {
+  explicit RealSession(int levels) {
     mesh::write(desktop.folder / "ball.obj", test::ball(1, 3));
     mesh::write(desktop.folder / "cage.obj", test::ball(1.3, levels));
     REQUIRE(offscreen.open({desktop.folder / "ball.obj", desktop.folder / "cage.obj"}));
@@ -89,7 +89,7 @@ struct RealHand {
 TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_commands_and_files" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  RealHand hand(3);
+  RealSession hand(3);
   const auto& v = hand.offscreen.workspace().viewport;
   const glm::vec2 middle = glm::round(v.origin + 0.5f * v.size), from = middle - glm::vec2(150, 110),
                   to = middle + glm::vec2(140, 120);
@@ -120,7 +120,7 @@ TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_command
 
 TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  RealHand hand(1);
+  RealSession hand(1);
   const auto size = [&] {
     const fs::path out = hand.desktop.folder / "size";
     const std::string command = "DISPLAY=" + hand.desktop.display +
@@ -146,6 +146,7 @@ TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::t
   hand.act(std::string("key ") + f11_keycode);
   CHECK(wait_until([&] { return size() == small; }));
   hand.quit();
-  const auto remembered = scene::read_remembered(hand.desktop.folder / "state" / "viete" / "remembered.json");
-  CHECK(remembered.window == small);
+  const auto preferences =
+      scene::read_preferences(hand.desktop.folder / "state" / "viete" / "remembered.json");
+  CHECK(preferences.window == small);
 }

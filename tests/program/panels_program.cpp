@@ -90,15 +90,16 @@ void visit_questions(Driver& d, const std::string& look) {
 
 void visit_notices(Driver& d, const std::string& look) {
   auto& w = d.workspace();
-  w.leftovers = {{"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
-                 {"/b.viete", "b", 0}};
-  w.offers_leftovers = true;
+  w.recovery_files = {
+      {"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
+      {"/b.viete", "b", 0}};
+  w.offers_recovery = true;
   d.frame(3);
   show(d, look + "_leftovers");
-  w.leftovers.pop_back();
+  w.recovery_files.pop_back();
   d.frame(3);
   show(d, look + "_leftover");
-  w.leftovers.clear();
+  w.recovery_files.clear();
   d.frame(3);
 }
 
@@ -109,10 +110,10 @@ void visit_time(Driver& d, const std::string& look) {
   scene::set_key(w.document, 1);
   scene::set_key(w.document, 30);
   scene::set_camera_key(w.document, 10, w.camera.pose());
-  w.remembered.layout.timeline = true;
+  w.preferences.layout.timeline = true;
   d.frame(3);
   show(d, look + "_time");
-  w.remembered.layout.timeline = false;
+  w.preferences.layout.timeline = false;
 }
 
 void visit_panels(Driver& d, const std::string& look) {
@@ -179,8 +180,8 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     d.open_dragon();
     const std::string name = "a_model_whose_name_somebody_took_some_time_to_think_about_and_then_more.ply";
     auto& w = d.workspace();
-    w.leftovers = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
-    w.offers_leftovers = true;
+    w.recovery_files = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
+    w.offers_recovery = true;
     w.question = scene::ask_before_closing(
         scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
     d.frame(5);

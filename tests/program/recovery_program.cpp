@@ -79,8 +79,8 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   const auto picture = rest_picture(d);
   d.open_dragon();
   CHECK(d.document().model.path == dragon);
-  REQUIRE(d.workspace().leftovers.size() == 1);
-  CHECK(d.workspace().leftovers[0].name == "small.ply");
+  REQUIRE(d.workspace().recovery_files.size() == 1);
+  CHECK(d.workspace().recovery_files[0].name == "small.ply");
 
   d.frame(3);
   CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));  // not requested
@@ -89,7 +89,7 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   d.click("restore_leftover");
   d.settle();
   CHECK(d.document().pose.positions == posed);
-  CHECK(d.workspace().leftovers.empty());
+  CHECK(d.workspace().recovery_files.empty());
   CHECK(scene::has_unsaved_edits(d.workspace()));
   CHECK(test::difference(picture, rest_picture(d), 0) == 0);
   CHECK(wait_until([&] { return kept_files(folder / "state").size() == 1; }));
@@ -109,11 +109,11 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
   {
     Driver d(remembering(state));
     d.frame(3);
-    REQUIRE(d.workspace().leftovers.size() == 2);
+    REQUIRE(d.workspace().recovery_files.size() == 2);
     d.click("restore_leftover");
     d.settle();
     CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
-    CHECK(d.workspace().leftovers.size() == 2);
+    CHECK(d.workspace().recovery_files.size() == 2);
     d.click("put_off_leftovers");
     d.frame(3);
     CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
@@ -331,7 +331,7 @@ TEST_CASE("edits_of_a_model_whose_name_is_not_utf_8_are_kept") {
   }
   REQUIRE(kept_files(state).size() == 1);
   CHECK(scene::read_session(kept_files(state).front()).model == odd);
-  CHECK(scene::read_remembered(state / "remembered.json").recent.at(0).file == odd);
+  CHECK(scene::read_preferences(state / "remembered.json").recent.at(0).file == odd);
 }
 
 TEST_CASE("an_unkeyed_pose_can_be_restored_after_a_frame_change_and_reopening") {
@@ -429,9 +429,9 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
       allowed.push_back(x);
     }
     REQUIRE_FALSE(allowed.empty());
-    const auto leftovers = scene::find_leftovers(folder / "state" / "recovery");
-    REQUIRE(leftovers.size() == 1);
-    const auto positions = scene::read_session(leftovers[0].file).pose->positions;
+    const auto recovery_files = scene::find_recovery_files(folder / "state" / "recovery");
+    REQUIRE(recovery_files.size() == 1);
+    const auto positions = scene::read_session(recovery_files[0].file).pose->positions;
     const auto holds = [&](double x) {
       return std::any_of(positions.begin(), positions.end(), [x](const auto& p) { return p[0] == x; });
     };
@@ -457,23 +457,23 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   desktop.drag(from, to);
   REQUIRE(wait_until([&] { return !kept_files(desktop.folder / "state" / "viete").empty(); }));
   viewer.kill_now();
-  const auto leftovers = scene::find_leftovers(desktop.folder / "state" / "viete" / "recovery");
-  REQUIRE(leftovers.size() == 1);
-  CHECK(leftovers[0].name == "dragon.ply");
-  const auto kept = scene::read_session(leftovers[0].file).pose->positions;
+  const auto recovery_files = scene::find_recovery_files(desktop.folder / "state" / "viete" / "recovery");
+  REQUIRE(recovery_files.size() == 1);
+  CHECK(recovery_files[0].name == "dragon.ply");
+  const auto kept = scene::read_session(recovery_files[0].file).pose->positions;
   CHECK(kept == d.document().pose.positions);
 
   Child again(desktop.viete(""), desktop.folder / "second.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
   const auto recovery = desktop.folder / "state" / "viete" / "recovery";
-  const auto ended = [&] { return scene::find_leftovers(recovery); };
+  const auto ended = [&] { return scene::find_recovery_files(recovery); };
   desktop.rest();
   desktop.xdotool("key ctrl+b");
   desktop.rest();
-  CHECK(fs::exists(leftovers[0].file));
+  CHECK(fs::exists(recovery_files[0].file));
   const auto edited = [&] {
     desktop.drag(to, from + glm::ivec2(20, 10));  // not to rest, which would equal the cage's file
-    return !fs::exists(leftovers[0].file);        // its work is now in the running program's file
+    return !fs::exists(recovery_files[0].file);   // its work is now in the running program's file
   };
   REQUIRE(wait_until(edited));
   CHECK(ended().empty());

@@ -288,7 +288,7 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   const SmallModel small(folder.path());
   fs::create_directories(folder / "a_folder");
   Driver d;
-  d.workspace().remembered.folder = folder.path();
+  d.workspace().preferences.folder = folder.path();
   d.press_key(scene::key('O'), true);
   d.frame(2);
   const fs::path top = d.workspace().browser.folder;
@@ -345,7 +345,7 @@ TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
   }
   Driver d(remembering(folder / "state"));
   CHECK_FALSE(d.workspace().view.hints);
-  REQUIRE(d.workspace().remembered.recent.size() == 1);
+  REQUIRE(d.workspace().preferences.recent.size() == 1);
   d.frame(3);
   d.click("recent/0");
   d.settle();

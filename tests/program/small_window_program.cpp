@@ -55,7 +55,7 @@ TEST_CASE("all_of_strip_and_timeline_is_in_the_window_or_in_the_menu_at_its_end"
     options.scale = scale;
     SmallScene scene(options);
     Driver& d = scene.d;
-    d.workspace().remembered.layout.timeline = true;
+    d.workspace().preferences.layout.timeline = true;
     test::run_command(d.workspace(), "set_key");
     d.frame(4);
     for (const std::string tool : tools) {
@@ -82,7 +82,7 @@ TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
   options.size = {1024, 640};
   SmallScene scene(options);
   Driver& d = scene.d;
-  d.workspace().remembered.layout.timeline = true;
+  d.workspace().preferences.layout.timeline = true;
   d.frame(3);
   d.click("strip/more");
   d.frame(3);

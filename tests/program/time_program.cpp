@@ -24,7 +24,7 @@ struct Timed : Driver {
   explicit Timed(glm::ivec2 size = {1440, 900}, std::optional<test::WithPixels> pixels = pictures_wanted())
       : Driver(options(size), pixels) {
     open_dragon();
-    workspace().remembered.layout.sections["Poses"] = true;
+    workspace().preferences.layout.sections["Poses"] = true;
     frame(3);
   }
 
@@ -203,7 +203,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   const auto rest = d.pose();
   d.press_key('I');
   REQUIRE(d.timeline().keys.size() == 1);
-  CHECK(d.workspace().remembered.layout.timeline);
+  CHECK(d.workspace().preferences.layout.timeline);
   d.frame(3);
   d.key_pose_of("pose_alert", 24);
   const auto alert = d.pose();

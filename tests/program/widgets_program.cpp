@@ -51,7 +51,7 @@ struct State {
         pose(w.document.pose),
         probes(w.document.probes),
         handling(w.handling),
-        layout(w.remembered.layout),
+        layout(w.preferences.layout),
         brush(w.brush.radius),
         share(w.brush.share),
         undo(w.document.history.undo_label()),
@@ -73,13 +73,13 @@ struct Held : Driver {
   Held() : Driver(sized({1440, 1000})) {
     open_dragon("pose_alert");
     workspace().view.model = false;  // drawing it takes long
-    for (const char* section : {"Poses", "Probes"}) workspace().remembered.layout.sections[section] = true;
-    workspace().remembered.layout.sections["Model"] = workspace().remembered.layout.sections["Display"] =
+    for (const char* section : {"Poses", "Probes"}) workspace().preferences.layout.sections[section] = true;
+    workspace().preferences.layout.sections["Model"] = workspace().preferences.layout.sections["Display"] =
         false;
     for (const char* command : {"keep_pose", "reset_pose", "toggle_soft"}) run(command);
     scene::set_key(document(), 1);
     scene::set_key(document(), 20);
-    workspace().remembered.layout.timeline = true;
+    workspace().preferences.layout.timeline = true;
     frame(3);
   }
   // Checked with something to redo, which must remain.
@@ -226,7 +226,7 @@ TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
 
 TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
   Held d;
-  d.workspace().remembered.layout.sections["Cage"] = true;
+  d.workspace().preferences.layout.sections["Cage"] = true;
   d.document().selection.apply(std::vector<std::uint32_t>{0}, scene::SelectMode::replace);
   for (const double x : {-0.0036471234, -123.456789, -1.23456789e-5, 0.5}) {
     CAPTURE(x);
@@ -245,7 +245,7 @@ TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
 
 TEST_CASE("esc_closes_popups_without_a_change") {
   Held d;
-  d.workspace().remembered.layout.sections["Display"] =
+  d.workspace().preferences.layout.sections["Display"] =
       true;  // below the probes, so that these are scrolled into view
   d.run("add_probe");
   for (const char* chooser :
@@ -365,7 +365,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
     auto options = sized(size);
     options.scale = scale;
     Driver d(options);
-    d.workspace().remembered.layout.sections.clear();
+    d.workspace().preferences.layout.sections.clear();
     d.open_dragon("pose_alert");
     d.frame(3);
     const auto& recorder = d.viewer().recorder();
@@ -383,7 +383,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
 
 TEST_CASE("the_left_column_has_at_most_twenty_controls_before_anything_is_unfolded") {
   Driver d(sized({1440, 900}));
-  d.workspace().remembered.layout.sections.clear();
+  d.workspace().preferences.layout.sections.clear();
   d.open_dragon();
   d.frame(3);
   std::size_t controls = 0;
@@ -428,7 +428,7 @@ TEST_CASE("the_first_start_asks_once_for_the_keymap") {
     keep_picture(d, "ask_keys");
     d.click(chooses ? "ask_keys/blender" : "ask_keys/close");
     d.frame(2);
-    CHECK(d.workspace().remembered.keymap.preset() ==
+    CHECK(d.workspace().preferences.keymap.preset() ==
           (chooses ? scene::KeyPreset::blender : scene::KeyPreset::viete));
     CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
   }
@@ -437,7 +437,7 @@ TEST_CASE("the_first_start_asks_once_for_the_keymap") {
 TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
   Driver d(sized({1440, 900}), test::with_pixels);
   d.open_dragon();
-  d.workspace().remembered.layout.sections["Checks"] = true;
+  d.workspace().preferences.layout.sections["Checks"] = true;
   d.settle();
   d.move({720, 880});
   CHECK_FALSE(d.viewer().recorder().find("pose_note/0"));

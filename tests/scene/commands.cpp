@@ -175,7 +175,7 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
 TEST_CASE("a_failed_stitching_leaves_no_history_entry") {
   Workspace w = test::cube_workspace();
   test::run_command(w, "toggle_stitched");
-  give_up_scheme(w.document, deform::Scheme());
+  revert_scheme(w.document, deform::Scheme());
   CHECK(w.document.scheme == deform::Scheme());
   CHECK_FALSE(w.document.history.can_undo());
 }
@@ -185,13 +185,13 @@ TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   test::run_command(w, "reset_pose");
   const std::size_t edits = test::edit_count(w.document.history);
   test::run_command(w, "weights_mean_value");
-  give_up_scheme(w.document, deform::Scheme());
+  revert_scheme(w.document, deform::Scheme());
   CHECK(w.document.scheme == deform::Scheme());
   CHECK(test::edit_count(w.document.history) == edits);
   w.document.pose.positions[0][0] += 0.25;
   test::run_command(w, "weights_mean_value");
   test::run_command(w, "reset_pose");
-  give_up_scheme(w.document, deform::Scheme());  // keeps later settings
+  revert_scheme(w.document, deform::Scheme());  // keeps later settings
   CHECK(test::edit_count(w.document.history) == edits + 2);
   CHECK(w.document.scheme == deform::Scheme());
 }

@@ -190,7 +190,7 @@ TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
   CHECK(has_unsaved_edits(back));
   CHECK(back.saved.session == fs::canonical(files.path()) / "mine.viete");
   CHECK(back.recovered_from == files / "r.viete");
-  CHECK(back.remembered.recent.empty());
+  CHECK(back.preferences.recent.empty());
   REQUIRE(save_session(back, back.saved.session));
   CHECK_FALSE(has_unsaved_edits(back));
 }
@@ -201,9 +201,9 @@ TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
   REQUIRE(test::load_model(w, files.cage, {}));
   REQUIRE(save_session(w, files / "a.viete"));
   REQUIRE(test::load_model(w, files.model, files.cage));
-  REQUIRE(w.remembered.recent.size() == 3);
-  CHECK(w.remembered.recent[0] == RecentFile{files.model, files.cage});
-  CHECK(w.remembered.recent[1] == RecentFile{files / "a.viete", {}});
+  REQUIRE(w.preferences.recent.size() == 3);
+  CHECK(w.preferences.recent[0] == RecentFile{files.model, files.cage});
+  CHECK(w.preferences.recent[1] == RecentFile{files / "a.viete", {}});
 }
 
 // The manifest allows an open cage to load "with a plain warning".

@@ -29,7 +29,7 @@ struct Played {
   Played() {
     timeline() = test::three_keys();
     timeline().rate = 10;
-    w.remembered.layout.timeline = true;
+    w.preferences.layout.timeline = true;
     for (PoseKey& key : timeline().keys) key.easing = Easing::linear;
     follow_time(w, 0);
   }
@@ -123,7 +123,7 @@ TEST_CASE("commands_change_the_frame_while_the_timeline_is_open_and_with_keys_or
   CHECK(test::run_command(p.w, "next_frame"));
   CHECK(p.document().frame == 2);
   p.timeline() = test::three_keys();
-  p.w.remembered.layout.timeline = false;
+  p.w.preferences.layout.timeline = false;
   all_are(false, steps), all_are(false, to_keys);
   CHECK(find_command("play")->enabled(p.w));
 }
@@ -132,8 +132,8 @@ TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
   Played p;
   const auto said = [&] { return p.w.messages.all().back().text; };
   const auto opens_by = [&](const char* command) {
-    p.w.remembered.layout.timeline = false;
-    return test::run_command(p.w, command) && p.w.remembered.layout.timeline;
+    p.w.preferences.layout.timeline = false;
+    return test::run_command(p.w, command) && p.w.preferences.layout.timeline;
   };
   CHECK(opens_by("set_key"));
   CHECK(said() == "Key at frame 1 replaced; undo brings the old one back.");

@@ -25,9 +25,9 @@ using namespace viete::scene;
 namespace {
 
 // Random input: mouse, modifiers, keys and commands, also during drags.
-class RandomPerson {
+class RandomUser {
 public:
-  explicit RandomPerson(unsigned seed) : random_(seed) {
+  explicit RandomUser(unsigned seed) : random_(seed) {
     select_all_now_and_then();
     w.document.history = {};
   }
@@ -174,7 +174,7 @@ private:
   void use_poses() {
     Document& d = w.document;
     auto& poses = d.library.poses;
-    if (in_hand(w)) return;
+    if (is_dragging(w)) return;
     if (poses.size() < 2) return void(keep_pose(d, "pose"));
     const std::size_t pose = any_of(poses.size());
     switch (below(12)) {
@@ -194,7 +194,7 @@ private:
   }
   void use_keys() {
     Document& d = w.document;
-    if (in_hand(w)) return;
+    if (is_dragging(w)) return;
     const auto frame = [this] { return below(40) - 5; };
     const std::vector<int> some = {frame(), frame(), current_frame(d)};
     switch (below(10)) {
@@ -264,7 +264,7 @@ TEST_CASE("thousands_of_random_actions_are_undone_to_the_last_bit_and_redone_as_
   std::size_t edits = 0, poses = 0, keys = 0;
   for (unsigned seed = 1; seed <= persons; ++seed) {
     CAPTURE(seed);
-    RandomPerson person(seed);
+    RandomUser person(seed);
     Document& document = person.w.document;
     const Everything start = of(document);
     for (int i = 0; i < 1000; ++i) person.act();

@@ -257,14 +257,14 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   std::filesystem::create_directories(files / "other");
-  w.remembered.folder = files / "other";
+  w.preferences.folder = files / "other";
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()) / "other");
   test::run_command(w, "open_pose");  // in the folder of its cage
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   test::run_command(w, "open_cage");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
-  w.remembered.folder = files / "gone";
+  w.preferences.folder = files / "gone";
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(std::filesystem::current_path()));
   CHECK(w.browser.problem.empty());
@@ -273,10 +273,10 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
 TEST_CASE("recovered_edits_are_restored_from_their_notice_and_discarded_or_put_off_all_at_once") {
   Workspace w;
   CHECK_FALSE(test::run_command(w, "restore_leftover"));
-  w.leftovers = {{"/a.viete", "a", 0}, {"/b.viete", "b", 0}};
+  w.recovery_files = {{"/a.viete", "a", 0}, {"/b.viete", "b", 0}};
   CHECK_FALSE(test::run_command(w, "discard_leftovers"));  // no notice lists them
   REQUIRE(test::run_command(w, "restore_leftover"));
-  CHECK(w.offers_leftovers);
+  CHECK(w.offers_recovery);
   CHECK_FALSE(w.requests.open);
   REQUIRE(test::run_command(w, "restore_leftover"));
   CHECK(w.requests.open->what == OpenRequest::What::recovery);
@@ -285,8 +285,8 @@ TEST_CASE("recovered_edits_are_restored_from_their_notice_and_discarded_or_put_o
   REQUIRE(w.question);
   CHECK(w.question->kind == Question::Kind::discard);
   REQUIRE(test::run_command(w, "put_off_leftovers"));
-  CHECK_FALSE(w.offers_leftovers);
-  CHECK(w.leftovers.size() == 2);
+  CHECK_FALSE(w.offers_recovery);
+  CHECK(w.recovery_files.size() == 2);
 }
 
 TEST_CASE("no_dialog_proposes_a_file_that_is_open") {

@@ -169,7 +169,7 @@ TEST_CASE("other_edits_are_disabled_while_keys_are_dragged") {
 TEST_CASE("a_first_key_opens_the_timeline_and_delete_applies_to_keys_only_over_it") {
   Workspace w = test::cube_workspace();
   REQUIRE(test::run_command(w, "set_key"));
-  CHECK(w.remembered.layout.timeline);
+  CHECK(w.preferences.layout.timeline);
   CHECK(w.time_view.selected == std::vector{1});
   CHECK_FALSE(test::run_command(w, "delete_keys"));
   w.time_view.hovered = true;

@@ -27,7 +27,7 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   w.handling.soft.radius = 0.7;
   w.brush.radius = 99;
   w.making.wish.triangles = 444;
-  w.remembered.layout.width[1] = 400;
+  w.preferences.layout.width[1] = 400;
   cancel_widget_edit(w);
   CHECK(w.document.scheme == scheme);
   CHECK(w.document.history.undo_label() == label);
@@ -36,7 +36,7 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   CHECK(w.handling == fresh.handling);
   CHECK(w.brush.radius == fresh.brush.radius);
   CHECK(w.making.wish.triangles == fresh.making.wish.triangles);
-  CHECK(w.remembered.layout == fresh.remembered.layout);
+  CHECK(w.preferences.layout == fresh.preferences.layout);
 }
 
 TEST_CASE("cancelling_merged_steps_keeps_the_older_edit") {

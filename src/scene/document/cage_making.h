@@ -29,7 +29,7 @@ struct CageMaking {
 
 /// True if the document's cage is the last generated one; the next one replaces it in the same edit.
 bool shows_generated(const Document& document, const CageMaking& making);
-/// As shows_made(), and generating it was the last edit: replacing it loses nothing.
+/// As shows_generated(), and generating it was the last edit: replacing it loses nothing.
 bool can_replace_generated(const Document& document, const CageMaking& making);
 
 /// Puts a generated cage into the document, at rest. Undoable; cages generated one after the other without

@@ -90,7 +90,7 @@ void set_holding(Document& document, const deform::Holding& holding) {
         [](deform::Scheme& scheme) { return &scheme.holding; });
 }
 
-void give_up_scheme(Document& document, const deform::Scheme& instead) {
+void revert_scheme(Document& document, const deform::Scheme& instead) {
   History& history = document.history;
   const auto last = history.last_step();
   if (last && last->kind == EditKind::binding) {

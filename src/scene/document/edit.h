@@ -34,6 +34,6 @@ void set_iterations(Document& document, int iterations);
 /// Sets the constraints of a stitched model. Undoable; consecutive changes are one edit.
 void set_holding(Document& document, const deform::Holding& holding);
 /// For settings that failed: undoes the last change of the scheme, or replaces the scheme by `instead`.
-void give_up_scheme(Document& document, const deform::Scheme& instead);
+void revert_scheme(Document& document, const deform::Scheme& instead);
 
 }  // namespace viete::scene

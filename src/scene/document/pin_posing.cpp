@@ -60,7 +60,7 @@ PinPosing::Pins PinPosing::pins_of(const Document& document) {
   return now;
 }
 
-bool PinPosing::is_of_now(const Document& document) const {
+bool PinPosing::is_current(const Document& document) const {
   return posing_ && document.shape == shown_ && examples_of(document) == examples_;
 }
 
@@ -76,7 +76,7 @@ bool PinPosing::follow(Document& document, VectorCache& vectors, const Hand& han
     steps_left_ = 0;
     return false;
   }
-  if (moved || (freed && is_of_now(document))) steps_left_ = most_steps;
+  if (moved || (freed && is_current(document))) steps_left_ = most_steps;
   if (steps_left_ == 0) return false;
   try {
     step(document, vectors, hand);
@@ -84,7 +84,7 @@ bool PinPosing::follow(Document& document, VectorCache& vectors, const Hand& han
   } catch (const base::Error&) {
     steps_left_ = 0;
     posing_.reset();
-    take_pins_along(document);
+    move_pins_to_shape(document);
     seen_ = pins_of(document);
     throw;
   }
@@ -119,7 +119,7 @@ void PinPosing::begin_here(const Document& document, VectorCache& known) {
 }
 
 void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
-  if (!is_of_now(document)) begin(document, known);
+  if (!is_current(document)) begin(document, known);
   if (set_ != seen_.pins) {
     std::vector<deform::PosingPin> pins;
     for (const deform::Pin& pin : seen_.pins)

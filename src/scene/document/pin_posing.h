@@ -35,7 +35,7 @@ private:
     friend bool operator==(const Pins&, const Pins&) = default;
   };
   static Pins pins_of(const Document& document);
-  bool is_of_now(const Document& document) const;
+  bool is_current(const Document& document) const;
   void begin(const Document& document, VectorCache& known);
   void begin_here(const Document& document, VectorCache& known);
   void step(Document& document, VectorCache& known, const Hand& hand);

@@ -116,7 +116,7 @@ bool is_rest_pose(const Document& document, const WholePose& pose) {
 }
 
 // The only pose in the mix if its weight is 1: the result then equals it bit for bit.
-const NamedPose* mixed_alone(const PoseLibrary& library) {
+const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   const NamedPose* found = nullptr;
   for (const NamedPose& named : library.poses) {
     if (named.weight == 0) continue;
@@ -131,7 +131,7 @@ SharedPose without_mix(const Document& document, const DocumentState& mixed, Vec
   const SharedPose now = shared_pose(document);
   if (!mixed.library.mixes()) return now;
   if (const SharedPose known = unmixed_pose(document)) return known;
-  const NamedPose* alone = mixed_alone(mixed.library);
+  const NamedPose* alone = only_mixed_pose(mixed.library);
   if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
   return std::make_shared<const WholePose>(mix_of(document, mixed, vectors, now, -1));
 }
@@ -139,7 +139,7 @@ SharedPose without_mix(const Document& document, const DocumentState& mixed, Vec
 SharedPose mixed_upon(const Document& document, const DocumentState& state, VectorCache& vectors,
                       const SharedPose& base) {
   if (!state.library.mixes()) return base;
-  const NamedPose* alone = mixed_alone(state.library);
+  const NamedPose* alone = only_mixed_pose(state.library);
   if (alone && is_rest_pose(document, *base)) return alone->pose;
   return std::make_shared<const WholePose>(mix_of(document, state, vectors, base, 1));
 }
@@ -215,10 +215,10 @@ void put_whole_pose(Document& document, const WholePose& pose) {
   auto& probes = document.changed_probes().all;
   for (std::size_t i = 0; i < probes.size(); ++i)
     if (!probes[i].locked) probes[i].pose = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
-  take_pins_along(document);
+  move_pins_to_shape(document);
 }
 
-void take_pins_along(Document& document) {
+void move_pins_to_shape(Document& document) {
   for (deform::Probe& probe : document.probes.all)
     if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
 }

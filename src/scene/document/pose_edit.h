@@ -18,7 +18,7 @@ SharedPose shared_pose(const Document& document);
 /// the mix: see end_mix().
 void put_whole_pose(Document& document, const WholePose& pose);
 /// Moves all pins to their vertices in the shape. Not an edit.
-void take_pins_along(Document& document);
+void move_pins_to_shape(Document& document);
 /// Sets all weights to 0 and keeps the current pose as unmixed. Not an edit.
 void end_mix(Document& document);
 

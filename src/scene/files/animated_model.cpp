@@ -63,9 +63,9 @@ void AnimatedModel::make_fast(double most, std::span<const double> tried, base::
 }
 
 double AnimatedModel::fast_error() const {
-  constexpr double others_have = 3;  // factor for vertices that are not sampled; measured: at most 1.6
+  constexpr double unsampled_factor = 3;  // factor for vertices that are not sampled; measured: at most 1.6
   const double rounding = std::sqrt(3.0) * 0x1p-24 * farthest_;
-  return others_have * error_ + rounding / model_.cage->diagonal;
+  return unsampled_factor * error_ + rounding / model_.cage->diagonal;
 }
 
 deform::Probes AnimatedModel::probes(const WholePose& pose) const {

@@ -33,7 +33,7 @@ bool is_numbered(const AnimationExport& what) {
 }
 
 // Frames at which the float engine is checked.
-std::array<double, 3> judged_frames(const std::vector<int>& frames) {
+std::array<double, 3> sample_frames(const std::vector<int>& frames) {
   return {double(frames.front()), double(frames[frames.size() / 2]), double(frames.back())};
 }
 
@@ -81,7 +81,7 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   const std::vector<int> frames = what.frames();
   if (progress) progress->section(0, 0.02);
   AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::fast, fast_frame_error,
-                      judged_frames(frames), pool, progress);
+                      sample_frames(frames), pool, progress);
   if (progress) progress->section(0.02, 1);
   AnimationReport report{.frames = frames.size()};
   FrameNotes notes;
@@ -202,7 +202,7 @@ public:
                    std::max(mesh::bounds(what.model.model->positions).diagonal(), 1e-300)) {
     if (progress) progress->section(0, 0.05);
     model_.emplace(what.model, what.timeline, AnimatedModel::Precision::fast,
-                   std::min(fast_frame_error, 0.1 * what.tolerance), judged_frames(what.frames()), pool,
+                   std::min(fast_frame_error, 0.1 * what.tolerance), sample_frames(what.frames()), pool,
                    progress);
   }
 

@@ -268,7 +268,7 @@ Document document_of_session(const Session& session, const fs::path& file, base:
 }
 
 // For a session without a pose: the pose of the keys at its frame.
-void pose_by_keys(Document& document) {
+void set_pose_from_keys(Document& document) {
   if (document.timeline.keys.empty()) return;
   VectorCache vectors;
   vectors.follow(document.cage);
@@ -319,7 +319,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   document.timeline = std::move(session.timeline);
   document.frame = session.frame;
   add_shape_vectors(opened, document, progress);
-  if (!has_pose) pose_by_keys(document);
+  if (!has_pose) set_pose_from_keys(document);
   if (document.is_movable()) {
     fit_selection(session, document, file);
     document.selection = Selection(session.selecting, session.selection);

@@ -92,8 +92,8 @@ fs::path mark_restored(const fs::path& file) {
   return code ? file : marked;
 }
 
-Leftover describe_leftover(const fs::path& file) {
-  Leftover leftover{file, file.filename().string()};
+RecoveryFile describe_recovery_file(const fs::path& file) {
+  RecoveryFile leftover{file, file.filename().string()};
   leftover.restored = file.stem().string().ends_with(restored_ending);
   struct stat status {};
   if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
@@ -109,18 +109,19 @@ Leftover describe_leftover(const fs::path& file) {
   return leftover;
 }
 
-std::vector<Leftover> find_leftovers(const fs::path& folder) {
-  std::vector<Leftover> all;
+std::vector<RecoveryFile> find_recovery_files(const fs::path& folder) {
+  std::vector<RecoveryFile> all;
   std::error_code code;
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
     const fs::path& file = entry->path();
-    if (is_session(file) && !base::process_runs(process_of(file))) all.push_back(describe_leftover(file));
+    if (is_session(file) && !base::process_runs(process_of(file)))
+      all.push_back(describe_recovery_file(file));
   }
   std::error_code ignored;
-  std::erase_if(all, [&](const Leftover& leftover) {
+  std::erase_if(all, [&](const RecoveryFile& leftover) {
     return equals_files(leftover.file) && fs::remove(leftover.file, ignored);
   });
-  std::sort(all.begin(), all.end(), [](const Leftover& a, const Leftover& b) {
+  std::sort(all.begin(), all.end(), [](const RecoveryFile& a, const RecoveryFile& b) {
     return a.time != b.time ? a.time > b.time : a.file < b.file;
   });
   return all;

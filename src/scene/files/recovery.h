@@ -9,7 +9,7 @@
 namespace viete::scene {
 
 /// A recovery file: a session with edits that were in no other file.
-struct Leftover {
+struct RecoveryFile {
   std::filesystem::path file;
   std::string name;                ///< display name of its session or model
   std::time_t time = 0;            ///< time of its last edit
@@ -17,7 +17,7 @@ struct Leftover {
   std::string first_edit{};        ///< first edit since the last save: "move 3 vertices"; empty: unknown
   bool restored = false;           ///< opened once and closed without further edits
 
-  friend bool operator==(const Leftover&, const Leftover&) = default;
+  friend bool operator==(const RecoveryFile&, const RecoveryFile&) = default;
 };
 
 /// The recovery file of the running program: PROCESS.viete in the folder, see base::process_name().
@@ -29,11 +29,11 @@ std::filesystem::path set_aside_file(const std::filesystem::path& folder);
 /// one if renaming fails.
 std::filesystem::path mark_restored(const std::filesystem::path& file);
 
-Leftover describe_leftover(const std::filesystem::path& file);
+RecoveryFile describe_recovery_file(const std::filesystem::path& file);
 
 /// Newest first; only those of ended programs. Deletes those that equal the files on disk. Empty if the
 /// folder does not exist.
-std::vector<Leftover> find_leftovers(const std::filesystem::path& folder);
+std::vector<RecoveryFile> find_recovery_files(const std::filesystem::path& folder);
 
 /// "today 14:32", "yesterday 14:32", "May 03, 14:32", "May 03 2024, 14:32".
 std::string when(std::time_t time, std::time_t now);

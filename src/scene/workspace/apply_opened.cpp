@@ -167,8 +167,9 @@ void apply_opened(Workspace& w, Opened&& opened) {
   w.saved.recovered = opened.recovered;
   if (opened.recovered) {
     w.recovered_from = opened.file;
-    w.offers_leftovers = false;
-    std::erase_if(w.leftovers, [&](const Leftover& leftover) { return leftover.file == opened.file; });
+    w.offers_recovery = false;
+    std::erase_if(w.recovery_files,
+                  [&](const RecoveryFile& leftover) { return leftover.file == opened.file; });
     mark_edits_saved(w, opened.session->first_edit);
   } else {
     mark_saved(w);
@@ -176,8 +177,8 @@ void apply_opened(Workspace& w, Opened&& opened) {
       w.saved.state.scheme = opened.session->scheme;  // with settings from the request: unsaved
     if (!opened.session)
       w.saved.state.mask = nullptr, w.saved.state.probes = {};  // for another cage: in no file
-    w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
-                                             : RecentFile{w.saved.session, {}});
+    w.preferences.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
+                                              : RecentFile{w.saved.session, {}});
   }
   add_unkeyed_to_undo(w, opened.recovered);
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);

@@ -151,7 +151,7 @@ namespace {
 template <class Entry>
 void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
   for (const Entry& entry : entries)
-    table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, hand_is_free,
+    table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, no_drag_runs,
                  [value = entry.value](Workspace& w) {
                    set_scheme(w.document, deform::chosen(value, w.document.scheme));
                  });
@@ -177,7 +177,7 @@ void add_blend_commands(CommandTable& table) {
   table.add("toggle_stitched", {"Stitch the model (ARAP)", "Stitched (ARAP)"},
             "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are "
             "solved for. Details keep their shape; a frame takes longer.",
-            with_free_hand<has_maps>,
+            without_drag<has_maps>,
             {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
              [](const Workspace& w) { return w.document.scheme.stitched(); }});
   table.heading("Method");

@@ -26,7 +26,7 @@ const fs::path& file_of_cage(const Document& document) {
 void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   std::error_code ignored;
   const bool there = fs::is_directory(file.parent_path(), ignored);
-  show(w.browser, purpose, there ? file.parent_path() : w.remembered.folder);
+  show(w.browser, purpose, there ? file.parent_path() : w.preferences.folder);
 }
 
 // The open file that this purpose may overwrite: its own source.
@@ -41,7 +41,7 @@ std::string_view own_of(Purpose purpose) {
 
 void browse_for_model(Workspace& w) {
   // The last chosen folder, else that of the open files.
-  const fs::path& last = w.remembered.folder;
+  const fs::path& last = w.preferences.folder;
   show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
 }
 
@@ -71,7 +71,7 @@ constexpr Condition can_add_example{
       const fs::path& model = w.document.model.path;
       std::error_code ignored;
       return !w.example.empty() && has_cage(w) && w.document.timeline.empty() &&
-             !is_editing_cage(w.document) && !in_hand(w) &&
+             !is_editing_cage(w.document) && !is_dragging(w) &&
              fs::equivalent(model, w.example.parent_path() / model.filename(), ignored);
     },
     "Only for the bundled dragon without keys: open it, or delete its keys first."};
@@ -103,7 +103,7 @@ void browse_to_save_named_pose(Workspace& w) {
 void browse_to_locate(Workspace& w, Purpose purpose) {
   const fs::path& session = w.unopened->files.front();
   const bool recovery = w.unopened->what == OpenRequest::What::recovery;  // in the program's own folder
-  recovery ? show(w.browser, purpose, w.remembered.folder) : browse_beside(w, purpose, session);
+  recovery ? show(w.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
 }
 
 void add_file_commands(CommandTable& table) {
@@ -141,16 +141,16 @@ void add_file_commands(CommandTable& table) {
             "Stop writing the deformed mesh or its animation; every file is whole or as it was.",
             is_exporting, passing([](Workspace& w) { w.requests.stop_export = true; }));
   table.add("restore_leftover", {"Restore recovered edits", "Restore"}, "Open the newest recovered edits.",
-            {key('B'), true}, has_leftovers, passing([](Workspace& w) {
-              if (!std::exchange(w.offers_leftovers, true)) return;
-              w.requests.open = OpenRequest{OpenRequest::What::recovery, {w.leftovers.front().file}};
+            {key('B'), true}, has_recovery_files, passing([](Workspace& w) {
+              if (!std::exchange(w.offers_recovery, true)) return;
+              w.requests.open = OpenRequest{OpenRequest::What::recovery, {w.recovery_files.front().file}};
             }));
   table.add("discard_leftovers", {"Discard recovered edits", "Discard"}, "Delete all recovered edits.",
-            offers_leftovers,
-            passing([](Workspace& w) { w.question = ask_before_discarding(w.leftovers.size()); }));
+            offers_recovery,
+            passing([](Workspace& w) { w.question = ask_before_discarding(w.recovery_files.size()); }));
   table.add("put_off_leftovers", {"Keep recovered edits for later", "Later"},
-            "Hide this row. The next start offers the recovered edits again.", offers_leftovers,
-            passing([](Workspace& w) { w.offers_leftovers = false; }));
+            "Hide this row. The next start offers the recovered edits again.", offers_recovery,
+            passing([](Workspace& w) { w.offers_recovery = false; }));
   table.add("screenshot", {"Save a screenshot", "Screenshot"}, "Save a picture of the window.", {Key::f12},
             always, [](Workspace& w) { w.requests.screenshot = true; });
   table.add("quit", "Quit", "Close the program.", {key('Q'), true}, always,
@@ -160,10 +160,10 @@ void add_file_commands(CommandTable& table) {
 namespace {
 
 constexpr Condition can_import{
-    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !in_hand(w); },
+    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a cage first, and pose it rather than edit it (Tab)."};
 constexpr Condition can_import_shapes{
-    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !in_hand(w); },
+    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a model first, and pose its cage rather than edit it (Tab)."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
                                            return is_movable(w) && !w.document.timeline.keys.empty() &&

@@ -30,7 +30,7 @@ bool is_there(const Workspace& w, const WholePose& pose) {
 }
 
 // True if the cached animation belongs to this timeline.
-bool is_of_now(const Workspace& w) {
+bool is_current(const Workspace& w) {
   return w.playback.cage == w.document.cage && w.playback.model == w.document.model.surface &&
          w.playback.timeline == w.document.timeline;
 }
@@ -84,7 +84,7 @@ void follow_edits(Workspace& w) {
   Playback& p = w.playback;
   const unsigned long revision = w.document.history.revision();
   const bool moves_keys = w.time_view.drag.has_value();  // dragging keys shows the result immediately
-  if (revision == p.seen_revision || (in_hand(w) && !moves_keys)) return;
+  if (revision == p.seen_revision || (is_dragging(w) && !moves_keys)) return;
   const bool retimed = p.seen_timeline != w.document.timeline;
   see(w);
   if (!animation_of(w)) {
@@ -122,7 +122,7 @@ std::shared_ptr<const Animation> animation_of(Workspace& w) {
   Playback& p = w.playback;
   const Document& document = w.document;
   if (is_editing_cage(document)) return nullptr;
-  if (is_of_now(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
+  if (is_current(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
   p.vectors.follow(document.cage);
   p.vectors.follow_model(document.model.surface);
   p.cage = document.cage;
@@ -134,12 +134,12 @@ std::shared_ptr<const Animation> animation_of(Workspace& w) {
 
 bool has_unkeyed_pose(const Workspace& w) {
   if (w.document.timeline.keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
-  const bool known = w.playback.animation && is_of_now(w);
+  const bool known = w.playback.animation && is_current(w);
   return !known || !is_there(w, keyed_pose(w));
 }
 
 void go_to_frame(Workspace& w, double frame) {
-  if (in_hand(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
+  if (is_dragging(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
   leave_for(w, std::clamp<double>(frame, Timeline::least_frame, Timeline::largest_frame));
 }
 
@@ -215,14 +215,14 @@ void add_unkeyed_to_undo(Workspace& w, bool show) {
 }
 
 void show_timeline(Workspace& w) {
-  w.remembered.layout.timeline = true;
+  w.preferences.layout.timeline = true;
   w.time_view.seen = fitting(w.document.timeline);
 }
 
 void start_playing(Workspace& w) {
   Playback& p = w.playback;
   const Timeline& t = w.document.timeline;
-  if (t.empty() || is_editing_cage(w.document) || in_hand(w)) return;
+  if (t.empty() || is_editing_cage(w.document) || is_dragging(w)) return;
   p.playing = true;
   p.backward = false;
   const bool at_end = t.repeat == Repeat::once && w.document.frame >= t.last;
@@ -237,7 +237,7 @@ void stop_playing(Workspace& w) {
 }
 
 void follow_time(Workspace& w, double seconds) {
-  if (w.playback.playing && (in_hand(w) || is_editing_cage(w.document) || w.document.timeline.empty()))
+  if (w.playback.playing && (is_dragging(w) || is_editing_cage(w.document) || w.document.timeline.empty()))
     w.playback.playing = false;
   follow_edits(w);
   if (w.playback.playing) play(w, seconds);

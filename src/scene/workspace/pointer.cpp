@@ -170,7 +170,7 @@ void Pointer::press(Workspace& workspace, const PointerInput& input) {
 
 Pointer::Gesture Pointer::camera_gesture(const Workspace& workspace, int button,
                                          const PointerInput& input) const {
-  const Keymap& keys = workspace.remembered.keymap;
+  const Keymap& keys = workspace.preferences.keymap;
   if (keys.alt_moves_camera() && input.alt && button == middle_button) return Gesture::panning;
   if (keys.alt_moves_camera() && input.alt && button == right_button) return Gesture::zooming;
   if (keys.left_orbits() && button == right_button) return Gesture::panning;
@@ -297,7 +297,7 @@ bool Pointer::draws_box(const Workspace& workspace) const {
 
 void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
   if (!shape_ && !draws_box(workspace)) return begin_transform(workspace);
-  if (!shape_ && !grabbed_ && workspace.remembered.keymap.left_orbits() && mode_ == SelectMode::replace) {
+  if (!shape_ && !grabbed_ && workspace.preferences.keymap.left_orbits() && mode_ == SelectMode::replace) {
     gesture_ = Gesture::orbiting;
   } else if (!shows_selectable(workspace)) {
     gesture_ = Gesture::ignored;

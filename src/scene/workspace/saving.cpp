@@ -41,7 +41,7 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::
 }
 
 // True if the pose is that of the keys at this frame: playback changes nothing worth saving.
-bool is_by_time(const Workspace& w) {
+bool is_timeline_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
@@ -81,7 +81,7 @@ bool save_session(Workspace& workspace, const fs::path& path) {
     base::replace_file(path, text);
     workspace.saved.session = path;
     workspace.saved.content = content_of_bytes(text);
-    workspace.remembered.add({path, {}});
+    workspace.preferences.add({path, {}});
     mark_saved(workspace);
   });
 }
@@ -129,7 +129,7 @@ std::string window_title(const Workspace& w) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
-  const bool by_time = is_by_time(w);
+  const bool by_time = is_timeline_pose(w);
   if (w.saved.recovered || w.document.cage != w.saved.state.cage || !same_probes(w, by_time) ||
       w.document.groups.sets != w.saved.state.groups.sets || w.document.library != w.saved.state.library ||
       !same_timeline(w) || !same_mask(w.document.mask, w.saved.state.mask))

@@ -78,7 +78,7 @@ void press_keys(Workspace& w, double frame, std::optional<int> key, bool add) {
   }
   if (add) return toggle_frame(view.selected, *key);
   if (!has_frame(view.selected, *key)) view.selected = {*key};
-  if (in_hand(w)) return;
+  if (is_dragging(w)) return;
   view.drag = TimeView::Drag{
       .what = TimeView::What::keys, .pressed = frame, .before = w.document.timeline, .frames = view.selected};
 }

@@ -118,8 +118,8 @@ void frame_worst(Workspace& w) {
 }
 
 void begin_widget_edit(Workspace& w) {
-  w.before_widget_edit = {mark_of(w.document), w.handling,          w.brush,
-                          w.making.wish,       w.remembered.layout, w.opened};
+  w.before_widget_edit = {mark_of(w.document), w.handling,           w.brush,
+                          w.making.wish,       w.preferences.layout, w.opened};
 }
 
 // Keeps a cage that is being generated: it follows the settings and is not part of the edit.
@@ -129,7 +129,7 @@ void cancel_widget_edit(Workspace& w) {
   w.handling = before.handling;
   w.brush = before.brush;
   w.making.wish = before.wish;
-  w.remembered.layout = before.layout;
+  w.preferences.layout = before.layout;
   if (!w.making.open) take_back(w.document, std::move(before.document));
 }
 

@@ -35,8 +35,8 @@
 #include "scene/workspace/frame_stats.h"
 #include "scene/workspace/messages.h"
 #include "scene/workspace/playback.h"
+#include "scene/workspace/preferences.h"
 #include "scene/workspace/question.h"
-#include "scene/workspace/remembered.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
 #include "scene/workspace/vertex_view.h"
@@ -228,17 +228,17 @@ struct Workspace {
   CheckState checks;
   WorkState reporting;
   Saved saved;
-  Remembered remembered;
-  std::vector<Leftover> leftovers;       ///< recoverable unsaved work, newest first
-  bool offers_leftovers = false;         ///< their notice is shown until it is answered
-  float notice_height = 0;               ///< last height of the notice row in logical pixels
-  std::filesystem::path example;         ///< session with poses and keys for the bundled model
-  std::filesystem::path recovered_from;  ///< the open recovery file, until its work is saved elsewhere
-  Revision opened = 0;                   ///< increases when another document is opened
-  std::vector<std::string> pose_notes;   ///< ambiguous decisions of the deformer in this pose, one line each
-  deform::LogReport pose_report;         ///< the same, for marking the cage
-  std::optional<Question> question;      ///< a modal question; blocks other actions
-  std::optional<OpenRequest> unopened;   ///< the request that the question is about
+  Preferences preferences;
+  std::vector<RecoveryFile> recovery_files;  ///< recoverable unsaved work, newest first
+  bool offers_recovery = false;              ///< their notice is shown until it is answered
+  float notice_height = 0;                   ///< last height of the notice row in logical pixels
+  std::filesystem::path example;             ///< session with poses and keys for the bundled model
+  std::filesystem::path recovered_from;      ///< the open recovery file, until its work is saved elsewhere
+  Revision opened = 0;                       ///< increases when another document is opened
+  std::vector<std::string> pose_notes;  ///< ambiguous decisions of the deformer in this pose, one line each
+  deform::LogReport pose_report;        ///< the same, for marking the cage
+  std::optional<Question> question;     ///< a modal question; blocks other actions
+  std::optional<OpenRequest> unopened;  ///< the request that the question is about
   std::optional<Question::Kind> after_saving;  ///< the action to continue after saving
   FileBrowser browser;
   Palette palette;
@@ -258,7 +258,7 @@ struct Workspace {
 
 /// True if motion in the view is drawn at half the resolution: as chosen, or with software rendering.
 inline bool draws_coarsely(const Workspace& workspace) {
-  return workspace.remembered.coarse_motion.value_or(workspace.about.software);
+  return workspace.preferences.coarse_motion.value_or(workspace.about.software);
 }
 
 /// True if its frames are computed step by step, in double.

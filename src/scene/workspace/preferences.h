@@ -61,7 +61,7 @@ struct RecentFile {
   friend bool operator==(const RecentFile&, const RecentFile&) = default;
 };
 
-struct Remembered {
+struct Preferences {
   static constexpr std::size_t most = 12;
 
   std::vector<RecentFile> recent;     ///< newest first, unique, at most `most`
@@ -77,13 +77,13 @@ struct Remembered {
   /// Inserts at the front. Paths are made absolute.
   void add(const RecentFile& file);
 
-  friend bool operator==(const Remembered&, const Remembered&) = default;
+  friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
 /// Throws base::Error if the file exists and is damaged; a missing file gives the defaults.
-Remembered read_remembered(const std::filesystem::path& file);
+Preferences read_preferences(const std::filesystem::path& file);
 
 /// Atomic. Keeps recent files that another program has added, after these. Throws base::Error.
-void write_remembered(const std::filesystem::path& file, const Remembered& remembered);
+void write_preferences(const std::filesystem::path& file, const Preferences& preferences);
 
 }  // namespace viete::scene
