@@ -161,7 +161,7 @@ namespace {
 // Called only if so many vertices are outside that the cage may have another orientation.
 bool fits_turned(const OpenedSurface& model, const OpenedSurface& cage, const Finding& outside,
                  base::Progress* progress) {
-  constexpr std::size_t matters = 10;  // one in so many vertices
+  constexpr std::size_t matters = 10;  // one vertex in this many
   if (matters * outside.size() < model.surface->positions.size()) return false;
   if (!(model.bounds.diagonal() > 0 && cage.bounds.diagonal() > 0)) return false;
   return cages::best_fit(*cage.surface, *model.surface, fit_margin, progress).degrees > 0;
