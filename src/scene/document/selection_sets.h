@@ -29,8 +29,8 @@ void select_set(Document& document, std::size_t set, SelectMode mode);
 void rename_set(Document& document, std::size_t set, const std::string& name);
 void remove_set(Document& document, std::size_t set);
 
-/// Transfers the groups to another cage; `origins`: the source vertices of each new vertex. A vertex is hidden
-/// if all its sources are; sets follow the same rule, and empty sets are removed.
+/// Transfers the groups to another cage; `origins`: the source vertices of each new vertex. A vertex is
+/// hidden if all its sources are; sets follow the same rule, and empty sets are removed.
 CageGroups carried(const CageGroups& groups, std::size_t vertices,
                    const std::vector<std::span<const std::uint32_t>>& origins);
 /// Names of removed sets for a message: "Arm" and "Leg"; empty: none.
