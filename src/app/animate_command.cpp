@@ -1,4 +1,4 @@
-// viete animate SESSION -o PATTERN --frames A-B: the deformed model at the frames of a timeline, as files.
+// viete animate SESSION -o PATTERN --frames A-B: exports the deformed model at frames of a timeline.
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -39,7 +39,7 @@ struct AnimateOptions {
   PictureOptions picture;
 };
 
-// "1-48", "-10--1", "7". Nothing for other words.
+// Parses "1-48", "-10--1", "7"; nullopt for other words.
 std::optional<FrameRange> frame_range(const std::string& text) {
   FrameRange range{};
   const char *at = text.data(), *const end = at + text.size();
@@ -71,7 +71,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
       ->default_str("what plays in the session");
 }
 
-// Before anything is opened, of what is named; and again of all that is read.
+// Called with the named files before anything is opened, and again with all files read.
 void check_output(const AnimateOptions& options, FilesInUse files, const scene::FrameSteps& frames = {}) {
   const std::string extension = mesh::extension_of(options.output);
   const bool numbered = base::NumberedName::is_pattern(options.output);
@@ -79,7 +79,7 @@ void check_output(const AnimateOptions& options, FilesInUse files, const scene::
   check_output(options.output, frames, files, force_of(options.force));
 }
 
-// What is opened, with the frames that were asked for.
+// The opened document with the requested frames.
 scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scene::Opened&)) {
   scene::Opened opened = open(options.inputs, check);
   scene::Document& document = *opened.document;
@@ -152,7 +152,7 @@ int write_pictures(const AnimateOptions& options) {
   auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.filename().string());
   const auto offscreen = viewer_of(picture, std::move(opened));
   const std::vector<std::string> notes = write_pictures(*offscreen, run, work->progress());
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   print_messages(offscreen->viewer().workspace());
   print_notes(notes);
   print_summary(options.output, base::counted(run.frames.size(), "picture"));

@@ -1,4 +1,4 @@
-// viete between A B -o PATTERN: what lies between shapes of a model.
+// viete between A B -o PATTERN: interpolates between shapes of a model.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -34,7 +34,7 @@ struct BetweenOptions {
   mesh::Digits digits;
 };
 
-// Of a sequence the first file is the model, and the others are its shapes.
+// In a sequence the first file is the model, and the others are its shapes.
 void spread_sequence(std::vector<std::filesystem::path>& files) {
   if (!base::NumberedName::is_pattern(files.front())) return;
   const base::NumberedName name(files.front());
@@ -47,7 +47,7 @@ void spread_sequence(std::vector<std::filesystem::path>& files) {
   files = std::move(all);
 }
 
-// What is between, in order.
+// The interpolated shapes, in order.
 struct Way {
   OpenedShapes opened;
   std::vector<scene::SharedShape> shapes;
@@ -71,7 +71,7 @@ Way open_way(const BetweenOptions& options, Content content, const scene::FrameS
   return way;
 }
 
-// Shapes evenly spread over so many frames.
+// Shapes evenly spaced over so many frames.
 scene::Timeline timeline_of(const BetweenOptions& options, const Way& way, int first, int last) {
   const std::size_t steps = way.shapes.size() - 1;
   scene::Timeline timeline;
@@ -101,12 +101,12 @@ int write_moment(const BetweenOptions& options) {
   scene::Export what = scene::export_of(document, options.output);
   what.digits = options.digits;
   std::optional<TerminalProgress> work("Writing " + options.output.filename().string());
-  scene::KnownVectors vectors;
+  scene::VectorCache vectors;
   vectors.follow_model(document.model.surface);
   const scene::Animation animation(timeline_of(options, way, 0, last), vectors);
   what.shape = animation.at(*options.at).shape;
   const auto notes = write_shape(what, "the shape", &work->progress());
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   print_notes(animation.notes());
   print_notes(notes);
   return exit_ok;

@@ -1,4 +1,4 @@
-// viete cage MODEL -o CAGE: a cage made around any model.
+// viete cage MODEL -o CAGE: generates a cage around a model.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ struct CageOptions {
   bool force = false;
 };
 
-// "2x3x2".
+// Parses "2x3x2".
 std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cells) {
   std::array<std::size_t, 3> read{};
   int end = 0;
@@ -59,7 +59,7 @@ void print(const cages::Made& made, const mesh::Surface& model, bool keeps_quads
   std::printf("\n");
 }
 
-// Where the numbers of the file are coarser than those that the cage was made with.
+// Checks the cage after the file format's rounding of coordinates.
 void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const mesh::Surface& model,
                    base::WorkerPool& pool) {
   bool fits = true;
@@ -76,8 +76,8 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
       "write it as " + mesh::format_extensions(mesh::keeps_order));
 }
 
-// Options of other kinds of cages.
-void refuse_what_does_nothing(const CLI::App& command, const cages::Wish& wish) {
+// Refuses options for other kinds of cages.
+void refuse_unused_options(const CLI::App& command, const cages::Wish& wish) {
   std::vector<std::string> idle = {"--cells", "--own-axes"};
   if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
   for (const std::string& name : idle) {
@@ -106,7 +106,7 @@ int make_cage(const CageOptions& options) {
   } catch (const base::Cancelled&) {
     throw base::Error(options.output.string(), "stopped", "no file was changed");
   }
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   const double seconds = 1e-3 * watch.lap_ms();
   const mesh::Format& format = mesh::surface_format(options.output);
   if (format.holds_morphs) check_rounded(options.output, made.surface, model.surface, pool);
@@ -160,7 +160,7 @@ void add_cage_command(CLI::App& app, Action& action) {
       "are kept where the size allows; a note says what was closed, or where there is no room for the "
       "margin.");
   command->callback([o, command, &action] {
-    refuse_what_does_nothing(*command, o->wish);
+    refuse_unused_options(*command, o->wish);
     action = [o] { return make_cage(*o); };
   });
 }

@@ -1,5 +1,5 @@
-// viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: the deformed mesh as a file; or
-// viete deform MODEL CAGE --stream: one after another, for another program.
+// viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: exports the deformed mesh;
+// viete deform MODEL CAGE --stream: deforms continuously for another program.
 #include <unistd.h>
 
 #include <cstdio>
@@ -29,7 +29,7 @@ struct DeformOptions {
   bool force = false, stream = false;
 };
 
-// Numbers in the order of the vertices, spaces or lines between them.
+// Reads whitespace-separated numbers in vertex order.
 deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
   const mesh::FileBytes bytes(file, nullptr);
   std::istringstream in{std::string(bytes.view())};
@@ -103,7 +103,7 @@ void add_deform_command(CLI::App& app, Action& action) {
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
   command->callback([o, &action] {
-    if (o->stream) o->inputs.use = Use::animation;  // poses come in place of one
+    if (o->stream) o->inputs.use = Use::animation;  // poses come from the stream
     if (!o->stream && o->output.empty()) throw CLI::RequiredError("--output");
     check_usage(o->inputs);
     action = [o] { return o->stream ? stream(*o) : deform_file(*o); };

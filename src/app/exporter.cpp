@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/aside.h"
+#include "app/child_process.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Gone with what it holds.
+// A temporary folder, deleted with its contents.
 class ScratchFolder {
 public:
   ScratchFolder() {
@@ -41,7 +41,7 @@ private:
 
 }  // namespace
 
-std::vector<std::string> write_pictures_aside(const PictureExport& what, base::Progress& progress) {
+std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress) {
   const ScratchFolder scratch;
   const fs::path session = scratch.path() / "animation.viete";
   base::replace_file(session, scene::session_text(what.session, session), base::Durability::process);
@@ -49,19 +49,19 @@ std::vector<std::string> write_pictures_aside(const PictureExport& what, base::P
                                  fs::absolute(what.file).string()};
   if (what.session.view.cage) words.push_back("--show-cage");
   if (what.panels) words.push_back("--panels");
-  return run_aside(words, progress);
+  return run_child(words, progress);
 }
 
-void Exporter::add(scene::Export what, std::vector<std::string> told) {
+void Exporter::add(scene::Export what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.file;
   add({file, "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
          return Written{"", scene::write_deformed(what, &progress)};
        },
-       std::move(told)});
+       std::move(shown_notes)});
 }
 
-void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
+void Exporter::add(scene::AnimationExport what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.model.file;
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "frames that are there are whole" : "no file was changed",
@@ -70,13 +70,13 @@ void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
          const std::string name = what.model.file.filename().string();
          return Written{name + ": " + report.summary, std::move(report.notes)};
        },
-       std::move(told)});
+       std::move(shown_notes)});
 }
 
 void Exporter::add(PictureExport what) {
   const std::filesystem::path file = what.file;
   add({file, "pictures that are there are whole", [what = std::move(what)](base::Progress& progress) {
-         return Written{"", write_pictures_aside(what, progress)};
+         return Written{"", write_pictures_in_child(what, progress)};
        }});
 }
 
@@ -99,10 +99,10 @@ scene::WorkState Exporter::state() const {
   return {true, std::move(what), job_.done(), job_.seconds(), job_.seconds()};
 }
 
-// Notes that need no action are only in the list of messages.
+// Notes that need no action go to the message list only.
 void Exporter::tell(scene::Messages& messages, Written&& written) const {
   std::erase_if(written.notes,
-                [&](const std::string& note) { return std::ranges::count(now_.told, note) > 0; });
+                [&](const std::string& note) { return std::ranges::count(now_.shown_notes, note) > 0; });
   if (!written.summary.empty()) messages.log(scene::Severity::info, written.summary);
   for (const auto& note : written.notes) messages.log(scene::Severity::warning, note);
   std::string said = "Saved " + now_.file.filename().string();

@@ -29,7 +29,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
 }
 
 std::size_t misspellings(std::string_view a, std::string_view b) {
-  // Row by row of the table of all beginnings of a and b (optimal string alignment).
+  // Row by row of the table over all prefixes of a and b (optimal string alignment).
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -150,7 +150,7 @@ public:
   std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
     const OptionList words = app->get_options([](const CLI::Option* o) { return o->get_positional(); });
     const OptionList options = app->get_options(
-        [](const CLI::Option* o) { return o->nonpositional() && !o->get_group().empty(); });  // or hidden
+        [](const CLI::Option* o) { return o->nonpositional() && !o->get_group().empty(); });  // not hidden
     std::string out = wrapped(app->get_description(), 0, 0) + "\n\n" + usage_of(*app);
     out += list("Files", words);
     const auto commands = app->get_subcommands([](const CLI::App*) { return true; });
@@ -161,7 +161,7 @@ public:
   }
 };
 
-// The command that the words have led to.
+// The last subcommand given.
 const CLI::App& last_command(const CLI::App& app) {
   const CLI::App* last = &app;
   while (!last->get_subcommands().empty()) last = last->get_subcommands().back();
@@ -181,8 +181,8 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return name.empty() ? "" : "; did you mean " + name + "?";
 }
 
-// "--output: 1 required TEXT missing", "--output: At Most 1 required but received 2", or "--compare: At Least
-// 2 required but received 1".
+// CLI11's messages: "--output: 1 required TEXT missing", "--output: At Most 1 required but received 2", or
+// "--compare: At Least 2 required but received 1".
 std::string wrong_count(const std::string& words) {
   const std::string option = words.substr(0, words.find(':'));
   const auto number_after = [&](const std::string& limit) {

@@ -1,4 +1,4 @@
-// viete info [FILE...] [--cage CAGE]: what surface files hold, and what is odd about them.
+// viete info [FILE...] [--cage CAGE]: contents and defects of surface files.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t named = 12;  // elements of a finding
+constexpr std::size_t named = 12;  // elements listed per finding
 
 void print(const scene::OpenedSurface& surface) {
   const mesh::Summary& f = surface.summary;
@@ -57,8 +57,8 @@ void print(const scene::OpenedSurface& surface) {
   }
 }
 
-// Problems for which deform would refuse the cage.
-void print_why_none(const scene::OpenedSurface& cage) {
+// Prints the problems for which deform would refuse the cage.
+void print_refusal(const scene::OpenedSurface& cage) {
   scene::Document document;
   try {
     scene::set_cage(document, cage);
@@ -79,13 +79,13 @@ void print(const std::vector<scene::Finding>& findings) {
   }
 }
 
-// Every file is looked at, also after one that cannot be read.
+// Continues with the other files after an error.
 int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
   scene::OpenedSurface cage;
   if (!cage_file.empty()) {
     cage = scene::open_surface(cage_file);
     print(cage);
-    print_why_none(cage);
+    print_refusal(cage);
   }
   int code = exit_ok;
   for (const auto& file : files) {

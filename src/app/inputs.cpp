@@ -133,7 +133,7 @@ void check(const Output& output, const FilesInUse& files, const scene::FrameStep
   check_output(output.file, *frames, files, force_of(output.force));
 }
 
-// Logs are of triangles.
+// Logs are defined on triangles, which need an area.
 void check_has_area(const std::filesystem::path& file, const mesh::Surface& model) {
   const auto& p = model.positions;
   const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };
@@ -181,7 +181,7 @@ std::vector<std::string> write_shape(const scene::Export& what, const std::strin
   return scene::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
 }
 
-int unless_stopped(const std::filesystem::path& output, const std::function<int()>& write) {
+int run_cancellable(const std::filesystem::path& output, const std::function<int()>& write) {
   try {
     return write();
   } catch (const base::Cancelled&) {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/aside.h"
 #include "app/assets.h"
+#include "app/child_process.h"
 #include "app/command_line.h"
 #include "app/options.h"
 #include "base/error.h"
@@ -49,7 +49,7 @@ fs::path manual_page(const std::string& chapter) {
   throw base::Error("the manual", "there is no chapter " + chapter, "choose one of " + chapters_in(folder));
 }
 
-// viete manual [CHAPTER]: the manual in the browser.
+// viete manual [CHAPTER]: opens the manual in the browser.
 
 namespace {
 

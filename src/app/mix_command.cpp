@@ -1,4 +1,4 @@
-// viete mix REST --shape FILE=0.5 ... -o OUT: a model as a mix of its shapes.
+// viete mix REST --shape FILE=0.5 ... -o OUT: a weighted mix of a model's shapes.
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -33,7 +33,7 @@ struct MixOptions {
   mesh::Digits digits;
 };
 
-// "smile.obj=0.5".
+// Parses "smile.obj=0.5".
 Share share_of(const std::string& text) {
   const auto equals = text.rfind('=');
   double weight = 0;
@@ -49,7 +49,7 @@ Share share_of(const std::string& text) {
   return {text.substr(0, equals), weight};
 }
 
-// "face.glb:smile" is a shape of a file that holds several.
+// "face.glb:smile" selects a shape of a file with several.
 void split_name(Share& share) {
   const std::string text = share.file.string();
   std::error_code ignored;
@@ -94,7 +94,7 @@ std::vector<std::string> write_mix(MixOptions options) {
 }
 
 int mix(const MixOptions& options) {
-  return unless_stopped(options.output, [&] {
+  return run_cancellable(options.output, [&] {
     print_notes(write_mix(options));
     return exit_ok;
   });

@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 
 namespace viete::app {
 
@@ -42,7 +42,7 @@ const std::map<std::string, scene::StandardView> looks = {
     {"right", scene::StandardView::right},  {"top", scene::StandardView::top},
     {"bottom", scene::StandardView::bottom}};
 
-// Flags switch on top of what the session, or else the default for pictures, has.
+// Flags are applied on top of the session's options, or of the defaults for pictures.
 scene::ViewOptions view_of(const PictureOptions& options, const std::optional<scene::Session>& session) {
   scene::ViewOptions view = session ? session->view : scene::ViewOptions{.panels = false, .hints = false};
   view.panels = options.panels || (options.panels_of_session && view.panels);
@@ -57,7 +57,7 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   return view;
 }
 
-// A view each, in the order of the words; what a word does not say is as the document has it.
+// One view per word, in order; unspecified settings are those of the document.
 void split(scene::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
   std::vector<scene::SideWay> views;
@@ -65,14 +65,14 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
     scene::SideWay view{w.document.scheme, w.document.method, w.view.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "straight")
-      view.other_lines = (word == "straight") != w.document.timeline.straight;
+      view.other_blending = (word == "straight") != w.document.timeline.straight;
     const auto way = std::ranges::find(deform::all_ways(), word, &deform::WayEntry::name);
     if (way != deform::all_ways().end()) view.scheme = deform::scheme_of(way->value, w.document.scheme);
     views.push_back(std::move(view));
   }
-  if (views[0].other_lines) {
+  if (views[0].other_blending) {
     scene::set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
-    for (scene::SideWay& view : views) view.other_lines = !view.other_lines;
+    for (scene::SideWay& view : views) view.other_blending = !view.other_blending;
   }
   w.document.put_scheme(views[0].scheme);
   w.document.put_method(views[0].method);
@@ -80,9 +80,9 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
   w.viewport = scene::viewport_of(w.split, w.viewport, 0);
 }
 
-// A session has its own camera, which that of another one or another look replaces.
+// The session's camera, unless --camera or --look replace it.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
-  viewer.frame(0);  // places the viewport that framing needs
+  viewer.frame(0);  // sets the viewport needed for framing
   if (!options.camera.empty()) {
     const auto camera = scene::read_session(options.camera).camera;
     if (!camera)
@@ -97,7 +97,7 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   scene::frame_all(workspace, false);
 }
 
-// What was asked for and is not in the picture.
+// Warns about requested items that are not in the picture.
 void print_missing(const scene::Workspace& w) {
   if (scene::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
@@ -124,9 +124,9 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
     throw base::Error("picture", "no side may be longer than " + std::to_string(most) + " pixels here",
                       "ask for a smaller size or scale");
   scene::Workspace& workspace = offscreen->viewer().workspace();
-  scene::take(workspace, std::move(opened));
+  scene::apply_opened(workspace, std::move(opened));
   workspace.view = view_of(options, session);
-  workspace.attended = workspace.tools = false;
+  workspace.has_user = workspace.tools = false;
   split(workspace, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;

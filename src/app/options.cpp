@@ -23,7 +23,7 @@ bool read_whole_text(const std::string& text, Number& number) {
   return code == std::errc() && stop == end;
 }
 
-// "0.5", "1,000,000".
+// Formats "0.5", "1,000,000".
 std::string number_text(double number) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
@@ -38,7 +38,7 @@ CLI::Option* limit(CLI::Option* option, Number low, Number high, const std::stri
   option->option_text("NUMBER")->description(option->get_description() + ", " + range);
   return option->check([=](const std::string& text) -> std::string {
     Number number{};
-    if (read_whole_text(text, number) && number >= low && number <= high) return {};  // NaN is neither
+    if (read_whole_text(text, number) && number >= low && number <= high) return {};  // NaN is out of range
     return "needs " + what + " from " + range + ", not " + text;
   });
 }
@@ -115,8 +115,8 @@ CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::opt
   return app.add_option_function<double>(name, take, text)->option_text("PERCENT");
 }
 
-// The second option counts, where it is given.
-void add_stitching_options(CLI::App& app, scene::AskedSettings& asked) {
+// The second option takes precedence.
+void add_stitching_options(CLI::App& app, scene::RequestedSettings& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },

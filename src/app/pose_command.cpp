@@ -1,4 +1,4 @@
-// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: a model posed by its examples.
+// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: poses a model by pins and example shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -41,7 +41,7 @@ struct PoseOptions {
   mesh::Digits digits;
 };
 
-// "1234=0.1,2,-3".
+// Parses "1234=0.1,2,-3".
 Pin pin_of(const std::string& text, const std::string& option, bool holds) {
   unsigned vertex = 0;
   mesh::Point p;
@@ -89,7 +89,7 @@ struct Posed {
   std::vector<mesh::Point> positions;
   std::vector<double> weights;
   int steps;
-  double farthest;  // of a pin from its target, in diagonals of the model
+  double farthest;  // largest distance of a pin to its target, in diagonals of the model
 };
 
 Posed posed(const PoseOptions& options, const mesh::Surface& model,
@@ -143,7 +143,7 @@ int write_pose(const PoseOptions& options) {
   const Posed result = posed(options, *what.model, examples, work->progress());
   what.shape = std::make_shared<const std::vector<mesh::Point>>(result.positions);
   std::vector<std::string> notes = write_shape(what, "the pose", &work->progress());
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   if (result.steps == most_steps)
     notes.push_back("it still moves after " + std::to_string(most_steps) + " steps, and was left there");
   print_notes(notes);
@@ -152,7 +152,7 @@ int write_pose(const PoseOptions& options) {
 }
 
 int pose(const PoseOptions& options) {
-  return unless_stopped(options.output, [&] { return write_pose(options); });
+  return run_cancellable(options.output, [&] { return write_pose(options); });
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ namespace viete::app {
 
 namespace {
 
-constexpr double largest_number = 1e60;  // as poses of files
+constexpr double largest_number = 1e60;  // as for poses in files
 
-// The next one; nothing where the input ends.
+// Reads the next pose; nullopt at the end of the input.
 std::optional<std::vector<mesh::Point>> next_pose(std::FILE* in, std::size_t vertices, std::size_t number) {
   std::vector<mesh::Point> positions(vertices);
   static_assert(sizeof(mesh::Point) == 3 * sizeof(double));

@@ -18,7 +18,7 @@ constexpr const char* footer =
     "Exit codes: 0 done; 1 a file could not be read or written, or the work failed (the reason is on "
     "stderr); 2 wrong command line.";
 
-// A value that is wrong is told before what is missing, in every version of CLI11.
+// Reports an invalid value before missing ones, in every version of CLI11.
 void values_first([[maybe_unused]] CLI::App& app) {
 #if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
   app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
@@ -44,13 +44,13 @@ int run(const Program& program, std::vector<std::string> arguments) {
   app.formatter(help_formatter());
   app.set_help_flag("-h,--help", "Say this and exit");
   app.require_subcommand(1);
-  values_first(app);  // before the commands, which take it over
+  values_first(app);  // before the subcommands, which inherit it
   Action action;
   program.add_commands(app, action);
   try {
     std::vector<std::string> words = program.words(std::move(arguments), app);
     note_kernel();
-    std::reverse(words.begin(), words.end());  // CLI11 takes its arguments from the back
+    std::reverse(words.begin(), words.end());  // CLI11 takes its arguments in reverse order
     app.parse(words);
   } catch (const CLI::Success& help) {
     return app.exit(help);

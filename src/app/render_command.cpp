@@ -1,5 +1,5 @@
-// viete render MODEL [CAGE] [--pose POSE] -o out.png, or viete render SESSION -o out.png: a picture without a
-// window.
+// viete render MODEL [CAGE] [--pose POSE] -o out.png, or viete render SESSION -o out.png: renders a picture
+// without a window.
 #include <filesystem>
 #include <memory>
 #include <utility>

@@ -16,7 +16,7 @@ namespace {
 
 using sym3::Method;
 
-// GLM counts columns.
+// GLM matrices are column-major.
 glm::dmat3 map_of(const sym3::Sym3<double>& stretch, const mesh::Vec3& turn) {
   const auto r = sym3::exp_rotation<double>({turn[0], turn[1], turn[2]});
   const auto s = sym3::exp(stretch);

@@ -1,4 +1,4 @@
-// viete [view] [MODEL [CAGE]]: the window, or a picture where there is no display.
+// viete [view] [MODEL [CAGE]]: opens the window, or renders a picture without a display.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -11,7 +11,7 @@
 #include "app/window_viewer.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 
 namespace viete::app {
 
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without a display: the picture that the window would have shown, and one line that says so.
+// Without a display: renders the window's picture and prints one line about it.
 int render_instead(const WindowOptions& options, const std::string& reason) {
   const fs::path picture = base::unused_name(fs::current_path() / "viete.png");
   try {
@@ -33,7 +33,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.size = {1440, 900};
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
-  scene::take(workspace, open(options.inputs, scene::check_drawable));
+  scene::apply_opened(workspace, open(options.inputs, scene::check_drawable));
   FirstMotion motion(options.first_pose);
   motion.step(workspace, true, 0);
   motion.finish(workspace);
@@ -49,7 +49,7 @@ int view(WindowOptions options) {
     const BundledModel bundled = bundled_model();
     inputs.model = bundled.model;
     inputs.cage = bundled.cage;
-    if (!bundled.poses.empty()) options.first_pose = bundled.poses.front();  // by name: the alert one
+    if (!bundled.poses.empty()) options.first_pose = bundled.poses.front();  // by name: the alert pose
   }
   std::string reason;
   if (run_window(options, reason)) return exit_ok;

@@ -191,7 +191,7 @@ void add_modes_bench(CLI::App& command, Action& action) {
   add_method_option(command, [&settings](sym3::Method method) { settings.method = method; });
   add_choice_options(command, settings.choice);
   add_radius_option(command, settings.radius);
-  auto asked = std::make_shared<scene::AskedSettings>();
+  auto asked = std::make_shared<scene::RequestedSettings>();
   add_stitching_options(command, *asked);
   add_rounds_option(command, settings.rounds, "11");
   const auto check = [&options, asked] {

@@ -104,7 +104,7 @@ struct ShapeSpace::Impl {
   deform::ShapeSpace space;
   std::vector<scene::SharedShape> shapes;
   std::vector<deform::LogVector> vectors;
-  scene::KnownVectors known;
+  scene::VectorCache known;
   std::optional<scene::Animation> animation;
 };
 
@@ -205,7 +205,7 @@ struct PoseSpace::Impl {
   deform::PoseSpace space;
   std::vector<std::vector<mesh::Point>> poses;
   std::vector<deform::LogVector> vectors;
-  scene::KnownVectors known;
+  scene::VectorCache known;
   std::optional<scene::Animation> animation;
 };
 

@@ -61,39 +61,39 @@ void request(scene::Workspace& w, Purpose purpose, const std::filesystem::path& 
   }
 }
 
-// The panel stays until that has been read or written.
+// The panel stays open until the file has been read or written.
 void ask(scene::Workspace& w, const std::filesystem::path& path) {
   if (!w.browser.asked.empty()) return;
   request(w, w.browser.purpose, path);
   w.browser.asked = path;
 }
 
-// A folder is entered, a file is asked for.
+// Enters a folder or requests a file.
 void choose(scene::Workspace& w, const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return scene::enter(w.browser, path);
   ask(w, path);
-  w.remembered.folder = path.parent_path();
+  w.preferences.folder = path.parent_path();
 }
 
 void choose_recent(scene::Workspace& w, std::size_t index) {
   if (!w.browser.asked.empty()) return;
   open_recent(w, index);
-  w.browser.asked = w.remembered.recent[index].file;
+  w.browser.asked = w.preferences.recent[index].file;
 }
 
 void choose_typed(scene::Workspace& w) {
-  if (w.browser.recent < w.remembered.recent.size()) return choose_recent(w, w.browser.recent);
+  if (w.browser.recent < w.preferences.recent.size()) return choose_recent(w, w.browser.recent);
   if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
   const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) return choose(w, typed);
   w.browser.problem = scene::problem_of_name(w.browser);
   if (w.browser.problem.empty())
-    choose(w, scene::chosen_file(w.browser));  // else the name stays, to be corrected
+    choose(w, scene::chosen_file(w.browser));  // otherwise the name stays for correction
 }
 
-// One Enter too many loses no file.
+// Overwriting a file needs a second Enter.
 void confirm_typed(scene::Workspace& w) {
   if (w.browser.replaces() && w.browser.warned != w.browser.path) {
     w.browser.warned = w.browser.path;
@@ -122,8 +122,7 @@ void path_field(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   if (browser.appearing && browser.saves()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  // What is typed takes the place of what is proposed, wherever the caret was the time before; what is to be
-  // corrected or confirmed stays.
+  // Typing replaces a proposed name; a name to correct or confirm is kept.
   const bool proposed = browser.problem.empty() && browser.warned.empty();
   const auto flags = ImGuiInputTextFlags_EnterReturnsTrue |
                      (proposed ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None);
@@ -148,7 +147,7 @@ std::string in_capitals(std::string_view format) {
   return text;
 }
 
-// OBJ, PLY and so on as buttons that change the extension.
+// Buttons for OBJ, PLY and so on that change the extension.
 void format_buttons(const Context& ui, const std::vector<std::string_view>& formats, bool own_row) {
   Browser& browser = ui.workspace.browser;
   const std::string now = scene::format_of(browser);
@@ -187,7 +186,7 @@ void filter_row(const Context& ui) {
   format_buttons(ui, formats, own_row);
 }
 
-// The clicked entry, if any; it is acted on after the list is drawn, because that changes the list.
+// The clicked entry; handled after drawing the list, because that changes it.
 std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const Browser::Entry*>& entries,
                                       bool moved) {
   std::optional<std::size_t> clicked;
@@ -205,7 +204,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
     ImGui::PopStyleColor();
     if (highlighted && moved) ImGui::SetScrollHereY();
     record(ui, "file/" + entry.name);
-    if (!entry.folder) {  // over the highlight, on the same line
+    if (!entry.folder) {  // drawn over the highlight, on the same line
       text_right(ui, right, bytes_text(entry.bytes), ui.colors.faint, line);
     }
   }
@@ -218,7 +217,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   return clicked;
 }
 
-// Enters a folder and opens a file; when saving, it proposes to replace that file.
+// Enters a folder or opens a file; when saving, proposes to replace that file.
 void take(scene::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.browser.folder / entry.name;
   if (entry.folder || !w.browser.saves()) return choose(w, path);
@@ -226,7 +225,7 @@ void take(scene::Workspace& w, const Browser::Entry& entry) {
   w.browser.path = path.string();
 }
 
-// One click selects, two take; but none replaces a file.
+// A click selects, a double click confirms, but never overwrites a file.
 void click_entry(scene::Workspace& w, std::size_t index) {
   scene::highlight(w.browser, index);
   const Browser::Entry& entry = *scene::shown(w.browser)[index];
@@ -236,11 +235,11 @@ void click_entry(scene::Workspace& w, std::size_t index) {
 void click_recent(scene::Workspace& w, std::size_t index) {
   if (ImGui::IsMouseDoubleClicked(0)) return choose_recent(w, index);
   w.browser.recent = index;
-  w.browser.path = w.remembered.recent[index].file.string();
+  w.browser.path = w.preferences.recent[index].file.string();
 }
 
-// Up and Down walk the list, Enter takes, Backspace without a filter goes up a folder, Esc closes. Says
-// whether the list was walked.
+// Up and Down move in the list, Enter confirms, Backspace without a filter goes to the parent folder, Esc
+// closes. True if the highlight moved.
 bool handle_keys(const Context& ui, bool typing_path) {
   Browser& browser = ui.workspace.browser;
   const int steps =
@@ -260,7 +259,7 @@ bool handle_keys(const Context& ui, bool typing_path) {
     choose_typed(ui.workspace);
   } else if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
-    browser.appearing = browser.open;  // the keyboard stays with the list
+    browser.appearing = browser.open;  // keeps the keyboard in the list
   } else if (key_pressed(scene::Key::enter) && browser.saves()) {
     confirm_typed(ui.workspace);
   }
@@ -271,7 +270,7 @@ bool shows_pictures(const Browser& browser) {
   return browser.pictures && browser.makes_pictures();
 }
 
-// How near morph targets are to be, and what that takes.
+// Tolerance of morph targets, and their size.
 void morph_row(const Context& ui) {
   scene::MorphChoice& morphs = ui.workspace.browser.morphs;
   ImGui::AlignTextToFramePadding();
@@ -294,7 +293,7 @@ void morph_row(const Context& ui) {
   record(ui, "morph_size");
 }
 
-// How pictures are drawn.
+// Options of pictures.
 void picture_choices(const Context& ui) {
   scene::PictureChoice& choice = *ui.workspace.browser.pictures;
   const auto box = [&](const char* label, const char* name, bool& on, const char* what) {
@@ -324,13 +323,13 @@ void picture_choices(const Context& ui) {
 
 void lists(const Context& ui, bool moved) {
   Browser& browser = ui.workspace.browser;
-  const bool recent = browser.purpose == Purpose::model && !ui.workspace.remembered.recent.empty();
+  const bool recent = browser.purpose == Purpose::model && !ui.workspace.preferences.recent.empty();
   const float row = ImGui::GetFrameHeight() + 12;
   const float height = browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row;
   if (recent) {
     ImGui::BeginChild("recent", {220, height}, true);
     note(ui, "Recent");
-    const auto clicked = recent_list(ui, scene::Remembered::most, browser.recent);
+    const auto clicked = recent_list(ui, scene::Preferences::most, browser.recent);
     ImGui::EndChild();
     ImGui::SameLine();
     if (clicked) click_recent(ui.workspace, *clicked);
@@ -341,7 +340,7 @@ void lists(const Context& ui, bool moved) {
   if (clicked) click_entry(ui.workspace, *clicked);
 }
 
-// Below the path, in two lines of room: why it is refused, or which file it replaces.
+// Below the path, two lines high: an error, or the file to be replaced.
 void path_note(const Context& ui) {
   const Browser& browser = ui.workspace.browser;
   const float line = ImGui::GetCursorPosY();
@@ -383,7 +382,7 @@ void button_row(const Context& ui) {
                                                    : choose_typed(ui.workspace);
 }
 
-// Keeps the dialog inside a window that was made smaller.
+// Keeps the dialog inside a window that became smaller.
 void keep_within(const ImVec2& display) {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   const ImVec2 fitting{std::min(size.x, display.x), std::min(size.y, display.y)};
@@ -421,7 +420,7 @@ void file_panel(const Context& ui) {
   if (shows_pictures(browser)) picture_choices(ui);
   button_row(ui);
   if (!open) browser.open = false;
-  if (!browser.open) browser.asked.clear();  // what goes wrong from now on is a message
+  if (!browser.open) browser.asked.clear();  // later errors become messages
   ImGui::End();
   ImGui::PopStyleVar();
 }

@@ -71,14 +71,14 @@ std::string empty_space_words(const scene::Keymap& keymap) {
 
 namespace {
 
-// A line of the table; a heading where there is nothing on its right.
+// A table row; a heading if the right side is empty.
 struct Row {
   std::string left, right;
 };
 using Rows = std::vector<Row>;
 
-// Every key, under the headings of its groups, which the table of commands has one after the other: those of
-// files, edits and selections, or the others.
+// All keys with the headings of their groups, which are consecutive in the command table: those for files,
+// edits and selections, or the others.
 void add_commands(const scene::Keymap& keymap, Rows& rows, bool of_hands) {
   std::string_view group;
   for (const auto& command : scene::commands()) {
@@ -139,19 +139,19 @@ void table(const Context& ui, const char* name, const Rows& rows) {
 }
 
 std::string preset_label(const Context& ui) {
-  const scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  const scene::Keymap& keymap = ui.workspace.preferences.keymap;
   const std::string label(scene::entry_of(keymap.preset()).label);
   return label + (keymap.changes().empty() ? "" : ", changed");
 }
 
 }  // namespace
 
-// Two tables side by side where there is room, else one below the other.
+// Two tables side by side, or one below the other if there is no room.
 void help_overlay(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   constexpr float gap = 32;
-  const Rows hands = hands_rows(ui.workspace.remembered.keymap),
-             settings = settings_rows(ui.workspace.remembered.keymap, ui.workspace.about);
+  const Rows hands = hands_rows(ui.workspace.preferences.keymap),
+             settings = settings_rows(ui.workspace.preferences.keymap, ui.workspace.about);
   const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
   const scene::Viewport& v = ui.workspace.viewport;
   const float middle = v.size.x > both ? v.origin.x + 0.5f * v.size.x : 0.5f * display.x;
@@ -170,20 +170,20 @@ void help_overlay(const Context& ui) {
   if (!open) ui.workspace.view.help = false;
 }
 
-// Every command with its keys: found by a few letters, given another key by a click and the key.
+// The list of commands with their keys: search, and a new key by a click and a key press.
 
 namespace {
 
 constexpr float list_width = 620, keys_width = 150, back_width = 64;
 
-// Without the changes of one's own.
+// The preset without user changes.
 scene::Keymap plain_preset(const scene::Keymap& keymap) {
   scene::Keymap plain;
   plain.set_preset(keymap.preset());
   return plain;
 }
 
-// Says why a key of the preset is not there: own changes gave it to another command.
+// Explains a missing preset key: the user's changes assign it to another command.
 std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, const scene::Command& command) {
   const scene::Shortcut preset = plain.of(command).first;
   const auto losers = keymap.losers(command.name, preset);
@@ -193,7 +193,7 @@ std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, co
 
 void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
   scene::Workspace& w = ui.workspace;
-  const std::string name(command.name), keys = scene::text(w.remembered.keymap.of(command));
+  const std::string name(command.name), keys = scene::text(w.preferences.keymap.of(command));
   const bool waits = w.interaction.setting_key == name;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
@@ -202,11 +202,11 @@ void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::
   if (waits) ImGui::PopStyleColor();
   if (waits || !ImGui::IsItemHovered()) return;
   hint("Click, and press the new key; Delete takes it away, Esc leaves it." +
-       lost_key(w.remembered.keymap, plain, command));
+       lost_key(w.preferences.keymap, plain, command));
 }
 
 void give_back(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
-  scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  scene::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().contains(command.name)) return;
   ImGui::SameLine();
   const std::string preset = scene::text(plain.of(command));
@@ -233,20 +233,20 @@ void key_heading(const Context& ui, std::string_view title) {
   ImGui::PopFont();
 }
 
-// What answers something that comes and goes, by a button alone.
-bool is_mere_answer(const Context& ui, const scene::Command& command) {
-  return command.passing && scene::text(ui.workspace.remembered.keymap.of(command)).empty();
+// Commands of transient questions, which have a button only.
+bool is_transient_answer(const Context& ui, const scene::Command& command) {
+  return command.passing && scene::text(ui.workspace.preferences.keymap.of(command)).empty();
 }
 
-// Under the headings of the menus, or what fits what was typed, best first.
+// Grouped by menus, or the matches of the search, best first.
 void key_rows(const Context& ui) {
   const std::string& typed = ui.workspace.key_list.typed;
-  const scene::Keymap plain = plain_preset(ui.workspace.remembered.keymap);
+  const scene::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
   if (typed.empty()) {
     for (const scene::Menu& menu : scene::menus()) {
       key_heading(ui, menu.title);
       for (const scene::Command* command : menu.items) {
-        if (!is_mere_answer(ui, *command)) key_row(ui, plain, *command);
+        if (!is_transient_answer(ui, *command)) key_row(ui, plain, *command);
       }
     }
     return;
@@ -256,10 +256,10 @@ void key_rows(const Context& ui) {
   if (found.empty()) note(ui, "No command has that in its name.");
 }
 
-// All changes at once; while the list is open they can be brought back.
-void all_back(const Context& ui) {
+// Removes all changes at once; can be undone while the list is open.
+void reset_all_button(const Context& ui) {
   scene::KeyList& list = ui.workspace.key_list;
-  scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  scene::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().empty()) list.taken_back.reset();
   const bool brings = list.taken_back.has_value();
   ImGui::BeginDisabled(!brings && keymap.changes().empty());
@@ -293,17 +293,17 @@ void key_list(const Context& ui) {
                        .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)}},
                       dialog_flags, &open);
   command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
-                 static_cast<std::size_t>(w.remembered.keymap.preset()));
+                 static_cast<std::size_t>(w.preferences.keymap.preset()));
   search_field(ui, "keys_text", w.key_list.typed, w.key_list.appearing);
   ImGui::BeginChild("rows", {0, -(ImGui::GetFrameHeight() + 8)});
   key_rows(ui);
   ImGui::EndChild();
-  all_back(ui);
+  reset_all_button(ui);
   ImGui::SameLine();
   if (ImGui::Button("Close")) open = false;
   record(ui, "close_keys");
   const bool waits = !w.interaction.setting_key.empty();
-  // The Esc that leaves a key as it is closes nothing.
+  // An Esc that cancels entering a key does not close the list.
   if (key_pressed(scene::Key::escape) && !waits && !w.key_list.waiting) open = false;
   w.key_list.waiting = waits;
   if (!open) close_keys(w);
@@ -311,7 +311,7 @@ void key_list(const Context& ui) {
 
 float key_question(const Context& ui, float bottom) {
   scene::Workspace& w = ui.workspace;
-  if (!w.view.hints) w.ask_keys = false;  // the hand is at work already
+  if (!w.view.hints) w.ask_keys = false;  // the user is already working
   if (!w.ask_keys || !w.view.panels || w.view.help || w.loading.running || w.browser.open || w.question ||
       offers_next_step(w))
     return bottom;
@@ -322,7 +322,7 @@ float key_question(const Context& ui, float bottom) {
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(presets[i].label.data(), {72, 0})) {
-      w.remembered.keymap.set_preset(static_cast<scene::KeyPreset>(i));
+      w.preferences.keymap.set_preset(static_cast<scene::KeyPreset>(i));
       w.ask_keys = false;
     }
     record(ui, "ask_keys/" + std::string(presets[i].word));

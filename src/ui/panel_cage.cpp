@@ -72,13 +72,13 @@ void panel_cage(const Context& ui) {
   editing(ui);
 }
 
-// The sliders of a cage that is being made.
+// The sliders of cage generation.
 
 namespace {
 
 constexpr float making_label = 84, making_value = 52;
 
-// A slider with its value at the right of it.
+// A slider with its value on the right.
 Slid slider_row(const Context& ui, const char* text, const std::string& name, float& value, float least,
                 float most, ImGuiSliderFlags flags, const std::string& shown, const char* sentence) {
   row_label(text, making_label);
@@ -93,14 +93,14 @@ Slid slider_row(const Context& ui, const char* text, const std::string& name, fl
   return slid;
 }
 
-// Steps that a hand can find again: 12, 14 ... 100, 110 ... 2,000.
+// Reproducible steps: 12, 14 ... 100, 110 ... 2,000.
 std::size_t rounded_triangles(float value) {
   const double step = value < 40 ? 2 : value < 100 ? 5 : value < 400 ? 10 : 50;
   return static_cast<std::size_t>(std::lround(value / step) * std::lround(step));
 }
 
 void triangles(const Context& ui, scene::CageWish& wish) {
-  constexpr float most = 2000;  // more take long, and are no cage that a person poses
+  constexpr float most = 2000;  // beyond this, slow to bind and impractical to pose
   auto value = static_cast<float>(wish.triangles);
   const Slid slid =
       slider_row(ui, "Triangles", "cage_triangles", value, scene::least_triangles, most,
@@ -173,7 +173,7 @@ void panel_making(const Context& ui) {
     record(ui, "cage_quads");
     hint("Triangles are paired where two make a good quad.");
   }
-  if (scene::shows_made(ui.workspace.document, making)) {  // not after an undo
+  if (scene::shows_generated(ui.workspace.document, making)) {  // not after an undo
     for (const auto& lines : {making.notes, making.lost})
       for (const std::string& line : lines) note(ui, line, ui.colors.warn);
     if (!making.lost.empty()) record(ui, "making_lost");
@@ -181,8 +181,8 @@ void panel_making(const Context& ui) {
   command_row(ui, {"finish_cage", "cancel_cage"});
 }
 
-// What comes next with a model that was just opened, at the bottom of the view, and never more than one
-// thing: a cage, while it has none; what of it is outside of its cage.
+// The next step for a newly opened model, at the bottom of the view, one at a time: getting a cage, or fixing
+// model parts outside it.
 
 namespace {
 
@@ -191,7 +191,7 @@ bool is_free(const scene::Workspace& w) {
          !w.browser.open && !w.question && w.view.panels && !w.view.help;
 }
 
-// The finding, until work on the pose has begun.
+// The finding, until the pose is edited.
 const scene::Finding* outside(const scene::Workspace& w) {
   const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.interaction.drag;
   if (!w.document.has_cage() || begun || w.checks.running) return nullptr;
@@ -199,7 +199,7 @@ const scene::Finding* outside(const scene::Workspace& w) {
   return at ? &w.checks.findings[*at] : nullptr;
 }
 
-// Returns how wide it is.
+// Returns its width.
 float words(const Context& ui, const std::string& title, const std::string& what) {
   ImGui::PushFont(ui.fonts.strong);
   const float wide = ImGui::CalcTextSize(title.c_str()).x;

@@ -10,7 +10,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr std::size_t named = 6;  // elements in a card
+constexpr std::size_t named = 6;  // elements listed in a card
 constexpr float inset = 10;
 
 std::size_t mattering(const scene::CheckState& checks) {
@@ -18,7 +18,7 @@ std::size_t mattering(const scene::CheckState& checks) {
       std::count_if(checks.findings.begin(), checks.findings.end(), scene::matters));
 }
 
-// "2 findings", "all is well": what can be read while the section is closed.
+// "2 findings", "all is well": visible while the section is closed.
 std::string summary(const scene::CheckState& checks, std::size_t of_pose) {
   if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
   const std::size_t n = checks.findings.size() + of_pose;
@@ -35,7 +35,7 @@ std::string elements_text(const scene::Finding& finding) {
   return scene::element_name(finding.kind) + ' ' + scene::first_elements(finding, named);
 }
 
-// Title, what it means, and the first elements; a click shows them in the view.
+// Title, explanation, and the first elements; a click shows them in the view.
 void card(const Context& ui, std::size_t index) {
   auto& checks = ui.workspace.checks;
   const scene::Finding& finding = checks.findings[index];
@@ -80,7 +80,7 @@ void card(const Context& ui, std::size_t index) {
   if (clicked) scene::toggle_finding(ui.workspace, index);
 }
 
-// "< 3 of 17: edge 5-8 >": one element after the other.
+// "< 3 of 17: edge 5-8 >": steps through the elements.
 void stepper(const Context& ui) {
   auto& checks = ui.workspace.checks;
   const scene::Finding& finding = checks.findings[*checks.shown];
@@ -102,7 +102,7 @@ void stepper(const Context& ui) {
   step(">##finding", "finding_next", 1, "Show the next one alone.");
 }
 
-// The cage's before the model's: what matters has come first anyway.
+// Findings of the cage before those of the model; important ones are sorted first anyway.
 void group(const Context& ui, scene::Subject subject, const char* heading) {
   const auto& checks = ui.workspace.checks;
   bool first = true;
@@ -115,14 +115,14 @@ void group(const Context& ui, scene::Subject subject, const char* heading) {
   }
 }
 
-// Where the checks have found that cage and model do not match.
-void bring_together(const Context& ui) {
+// Buttons to fit a cage that does not match the model.
+void fit_buttons(const Context& ui) {
   const auto& checks = ui.workspace.checks;
   const auto at = scene::outside_finding(checks);
   if (!at) return;
   const scene::Finding& found = checks.findings[*at];
   const std::string outside = scene::title(found) + ". ";
-  if (ui.workspace.document.kept_pose) {  // the other buttons are there anyway
+  if (ui.workspace.document.kept_pose) {  // the other buttons are shown anyway
     note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
     return command_row(ui, {"show_outside"});
   }
@@ -141,7 +141,7 @@ void panel_checks(const Context& ui) {
   auto& checks = ui.workspace.checks;
   if (!ui.workspace.document.model.surface) return;
   const std::size_t matter = checks.running ? 0 : mattering(checks);
-  if (checks.fresh) ui.workspace.remembered.layout.sections["Checks"] = matter > 0;
+  if (checks.fresh) ui.workspace.preferences.layout.sections["Checks"] = matter > 0;
   checks.fresh = false;
   const bool open = section(ui, "Checks", false);
   const auto& of_pose = ui.workspace.pose_notes;
@@ -157,7 +157,7 @@ void panel_checks(const Context& ui) {
                                                 "does not cut itself and encloses the model."
                                               : "The model is a closed, oriented manifold.");
   }
-  bring_together(ui);
+  fit_buttons(ui);
   group(ui, scene::Subject::cage, "Cage");
   group(ui, scene::Subject::model, "Model");
 }

@@ -23,7 +23,7 @@ using scene::entry;
 constexpr float chooser_label = 84;
 constexpr const char* custom = "Custom";
 
-// What changes along with the entry that is chosen, and what it takes.
+// Side effects of the highlighted entry, and its cost.
 std::string consequences(const scene::Workspace& w, const scene::Scheme& next, std::string_view chosen) {
   const scene::Scheme& now = w.document.scheme;
   std::string text;
@@ -39,7 +39,7 @@ std::string consequences(const scene::Workspace& w, const scene::Scheme& next, s
   return text;
 }
 
-// A line of a chooser's list.
+// An entry of a chooser's list.
 template <class Entry>
 void choice(const Context& ui, const Entry& choice, bool chosen) {
   scene::Workspace& w = ui.workspace;
@@ -72,7 +72,7 @@ struct Number {
   double value, least, most;
 };
 
-// A slider of so many stops, with its value beside it, which can be typed as a number.
+// A slider with discrete stops and its value, which can be typed as a number.
 Slid stops(const Context& ui, const char* name, const char* label, int& stop, int last, bool used,
            const Number& number, const std::string& value, const std::string& hint_text) {
   ImGui::BeginDisabled(!used);
@@ -93,7 +93,7 @@ Slid stops(const Context& ui, const char* name, const char* label, int& stop, in
   return slid;
 }
 
-// A slider of these shares: the one that it was moved to, or that was typed in percent.
+// A slider of these shares: returns the one moved to, or typed in percent.
 std::optional<double> share_slider(const Context& ui, const char* name, const char* label, double share,
                                    std::span<const double> all, const char* hint_text) {
   const auto above = std::ranges::lower_bound(all, share);

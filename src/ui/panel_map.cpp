@@ -35,7 +35,7 @@ void panel_display(const Context& ui) {
 
 namespace {
 
-// What the colours span, to be typed while it is held.
+// Fields for the colour range while it is fixed.
 void range_fields(const Context& ui) {
   scene::FieldView& shown = ui.workspace.field;
   if (!shown.holds_range || !shown.values) return;
@@ -84,7 +84,7 @@ namespace {
 
 constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
-// With bars over the colours, or, where several views share the room, without.
+// With bars over the colours, or without if several views share the room.
 struct Size {
   float width, height, bars;
 };
@@ -113,7 +113,7 @@ void colors(const Legend& l, const std::vector<ImU32>& all) {
   }
 }
 
-// How many vertices have which value, by the root: few are seen beside many.
+// The histogram of values, with square roots, so that small counts are visible.
 void counts(const Legend& l) {
   const auto& all = l.stats.counts;
   const auto most = static_cast<float>(std::max(1u, *std::ranges::max_element(all)));
@@ -146,7 +146,7 @@ void ticks(const Legend& l) {
   ImGui::PopFont();
 }
 
-// Of what is under the cursor: in the view that this is, or where all views have the same camera, in any.
+// The value under the cursor: of this view or, if all views share a camera, of any.
 std::optional<double> pointed_value(const scene::Workspace& w, const scene::FieldView& shown) {
   const auto& cursor = w.interaction.cursor;
   if (!cursor || !shown.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse) return std::nullopt;
@@ -211,7 +211,7 @@ void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab
 
 }  // namespace
 
-// At the bottom right of each view: what the colours on its mesh say. What is said in the middle goes above
+// At the bottom right of each view: the meaning of its mesh colours. Notices in the middle are placed above
 // it.
 float map_legend(const Context& ui, float bottom) {
   const auto& w = ui.workspace;

@@ -1,4 +1,4 @@
-// The Poses panel: poses with names, each with its picture and a slider that mixes it in.
+// The Poses panel: named poses, each with its picture and weight slider.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -22,7 +22,7 @@ using scene::pose_picture_size;
 constexpr const char* dragged_pose = "pose";
 constexpr float percent_width = 54;
 
-// What a row asks for: done after all rows are drawn, since it changes the list.
+// The action of a row: carried out after all rows are drawn, since it changes the list.
 struct PoseWish {
   std::optional<std::size_t> chosen, applied;
   std::optional<std::pair<std::size_t, std::string>> name;
@@ -43,7 +43,7 @@ void draw_pose(const Context& ui, const scene::NamedPose& named, ImVec2 low, boo
   if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
 }
 
-// Rows go where they are dropped: above the one that is below the pointer, or at the end.
+// Dropped rows are inserted above the row below the pointer, or at the end.
 void drag_row(std::size_t row, PoseWish& wish) {
   if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
     ImGui::SetDragDropPayload(dragged_pose, &row, sizeof row);
@@ -144,13 +144,13 @@ void panel_poses(const Context& ui) {
   if (poses > 0) section_note(ui, count(poses));
   if (!open) return;
   if (poses == 0) return no_poses(ui);
-  const bool free = !scene::in_hand(w) && !scene::is_editing_cage(w.document);
+  const bool free = !scene::is_dragging(w) && !scene::is_editing_cage(w.document);
   PoseWish wish;
   w.pose_pictures.tidy();
-  // Above the list, which grows where it ends: nothing that is clicked moves away.
+  // Above the list, which grows downward: clicked items do not move.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   ImGui::BeginDisabled(!free);
-  const std::vector<double> shown = scene::shown_weights(w);  // of those that a button has left
+  const std::vector<double> shown = scene::shown_weights(w);  // for poses changed by a button
   for (std::size_t i = 0; i < shown.size(); ++i) row(ui, i, shown[i], wish);
   ImGui::EndDisabled();
   if (free) grant(w, wish);

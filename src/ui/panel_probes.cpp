@@ -12,13 +12,13 @@
 
 namespace viete::ui {
 
-// The Probes panel: placing them, and where each part of their motion acts.
+// The Probes panel: adding probes, and the influence of each part of their motion.
 
 namespace {
 
 constexpr float probe_label = 76;
 
-// Percent of the model's diagonal, on a scale where small ones have room too; the value stands beside it.
+// Percent of the model's diagonal, on a scale with room for small values; the value is displayed next to it.
 bool radius_slider(const Context& ui, const std::string& name, double& radius, bool used) {
   constexpr float value_width = 44;
   const scene::Document& document = ui.workspace.document;
@@ -62,7 +62,7 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
   if (moved) scene::set_radius(document, part, shown.radius);
 }
 
-// How near to the shapes of the list pins leave the model.
+// How closely pins keep the model to the listed shapes.
 void freedom(const Context& ui) {
   constexpr float value_width = 44;
   double& value = ui.workspace.handling.freedom;
@@ -119,7 +119,7 @@ void panel_probes(const Context& ui) {
   command_toggle(ui, "toggle_locked", locked);
 }
 
-// Probes in the view: frames with three axes, and how far the selected ones reach.
+// Probes in the view: frames with three axes, and the radii of the selected ones.
 
 namespace {
 
@@ -129,7 +129,7 @@ struct Shown {
   bool selected, hovered, locked;
 };
 
-// As the probe has turned and stretched them, each of a length on screen that suits the eye.
+// Rotated and stretched like the probe, with screen lengths limited for legibility.
 void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProjection& at,
           const glm::dvec3& center, const scene::ProbePose& pose, float opacity) {
   const auto& w = ui.workspace;
@@ -144,7 +144,7 @@ void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProject
   }
 }
 
-// A ring about its vertex, filled where it holds; and a line to where it is wanted.
+// A ring at its vertex, filled if it holds; and a line to its target.
 void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 middle, const Shown& shown) {
   const auto& w = ui.workspace;
   const scene::Probe& probe = w.document.probes.all[i];

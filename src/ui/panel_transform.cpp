@@ -15,11 +15,11 @@
 
 namespace viete::ui {
 
-// What to select, how, and sets of it by name.
+// Selection tools and selection sets.
 
 namespace {
 
-// One row a set. What is done to the list is done after it was drawn.
+// One row per set. Changes to the list are made after it was drawn.
 void sets(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   const auto& all = document.groups.sets;
@@ -28,7 +28,7 @@ void sets(const Context& ui) {
   const float width = ImGui::GetContentRegionAvail().x - button - close - 2 * gap;
   std::optional<std::size_t> selected, removed, renamed;
   std::string name;
-  ImGui::BeginDisabled(scene::in_hand(ui.workspace));
+  ImGui::BeginDisabled(scene::is_dragging(ui.workspace));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string id = "set/" + std::to_string(i);
     if (const auto typed = name_field(ui, id, all[i].name, width, "The name of the set; type another one"))
@@ -51,7 +51,7 @@ void sets(const Context& ui) {
 
 }  // namespace
 
-// What is used most; the rest is in the menu Select, in the palette and on keys.
+// The most common commands; the rest is in the menu Select, in the palette and on keys.
 void panel_select(const Context& ui) {
   if (!ui.workspace.document.has_cage() || !section(ui, "Select", false)) return;
   command_row(ui, {"select_all", "select_none", "invert_selection"});
@@ -90,7 +90,7 @@ void pivot_row(const Context& ui) {
   choice_list(ui, "axes", std::optional(handling.axes), width);
 }
 
-std::string pairs_text(const scene::KnownMirror& known) {
+std::string pairs_text(const scene::MirrorCache& known) {
   if (!known.mirror) return "";
   const std::size_t without = known.mirror->unpaired();
   return without == 0 ? "all paired" : count(without) + " unpaired";
@@ -111,7 +111,7 @@ void mirror_row(const Context& ui) {
   if (lacks) command_row(ui, {"make_symmetric_cage"});
 }
 
-// How far it reaches, in the file's units.
+// The soft radius in the file's units.
 void soft_radius(const Context& ui, float width) {
   scene::SoftSelection& soft = ui.workspace.handling.soft;
   const double diagonal = ui.workspace.document.space.diagonal();
@@ -120,7 +120,7 @@ void soft_radius(const Context& ui, float width) {
   constexpr auto flags =
       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_Logarithmic;
   const std::string shown = length(soft.radius * diagonal);
-  std::string format;  // a percent sign would be read as one of ImGui's
+  std::string format;  // a percent sign would be parsed by ImGui
   for (const char c : shown) format += c == '%' ? "%%" : std::string(1, c);
   constexpr double least = scene::SoftSelection::least_radius;
   const auto draw = [&] {
@@ -176,7 +176,7 @@ void panel_transform(const Context& ui) {
   command_row(ui, {"smooth", "relax", "flatten"});
 }
 
-// In the Cage panel: what is selected, with which tool, and numbers to type.
+// In the Cage panel: element kind, tool, and number fields.
 
 namespace {
 
@@ -186,7 +186,7 @@ struct Fields {
   glm::dvec3 values;
 };
 
-// How far along each of the axes.
+// Components along each of the axes.
 glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& place) {
   return glm::transpose(axes) * place;
 }
@@ -242,7 +242,7 @@ void field(const Context& ui, const Fields& fields, int axis, float width) {
   if (number && enabled) apply(ui.workspace, axis, *number);
 }
 
-// As much room as the fields of the other tools take.
+// The same height as the fields of other tools.
 void brush_fields(const Context& ui) {
   scene::Brush& brush = ui.workspace.brush;
   command_row(ui, {"mask_clear", "mask_invert"});

@@ -14,7 +14,7 @@
 
 namespace viete::ui {
 
-// The sum at a vertex: weights, the sum as it is formed, and how methods take its exponential.
+// The vertex inspector: weights, the partial sums, and the exponential by each method.
 
 namespace {
 
@@ -28,7 +28,7 @@ std::string weight_text(double share) {
   return text;
 }
 
-// What is left of the terms that have no bar of their own.
+// The sum of the terms without a bar of their own.
 double rest_of(const VertexView& view) {
   double rest = 0;
   for (std::size_t i = most_bars; i < view.terms.size(); ++i) rest += view.terms[i].weight;
@@ -60,7 +60,7 @@ void weights(const Context& ui, const VertexView& view) {
               weight_text(rest_of(view)));
 }
 
-// The three eigenvalues of the sum, term by term, on their way to what is exponentiated.
+// The three eigenvalues of the partial sums, term by term, up to the exponentiated sum.
 void partial_sums(const Context& ui, const VertexView& view) {
   constexpr float height = 84, right = 64;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -73,7 +73,7 @@ void partial_sums(const Context& ui, const VertexView& view) {
     return at.y + 4 + static_cast<float>((high - value) / (high - low)) * (height - 8);
   };
   const auto x_of = [&](std::size_t terms) {
-    // By the root, since the first terms are most of it.
+    // Square root scale, since the first terms contribute most.
     return at.x + std::sqrt(static_cast<float>(terms) / static_cast<float>(view.terms.size())) * wide;
   };
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -113,7 +113,7 @@ void panel_vertex(const Context& ui) {
   const VertexView& view = w.vertex;
   if (!view.vertex)
     return note(ui, "Point at the model and press " +
-                        scene::text(w.remembered.keymap.of(*scene::find_command("pick_vertex")).first) +
+                        scene::text(w.preferences.keymap.of(*scene::find_command("pick_vertex")).first) +
                         " to see what is summed there.");
   value_row(ui, "Vertex", std::to_string(*view.vertex));
   command_row(ui, {"pick_worst", "drop_vertex"});
@@ -130,15 +130,14 @@ void panel_vertex(const Context& ui) {
   ways(ui, view);
 }
 
-// The vertex whose sum is shown: lines to the elements that it takes from, and what their maps do, as
-// ellipsoids.
+// The inspected vertex: lines to the elements with their weights, and their maps as ellipsoids.
 
 namespace {
 
 constexpr std::size_t most_elements = 16;
-constexpr double size = 0.025;  // of an undeformed ball, in diagonals
+constexpr double size = 0.025;  // radius of an undeformed ball, in diagonals
 
-// Three rings of a ball, one across each axis, as the map has made them.
+// Three great circles of a ball, one perpendicular to each axis, transformed by the map.
 void ellipsoid(OverlayPainter& painter, const Context& ui, const scene::Projector& project,
                const scene::VertexView::Term& term, double radius, float opacity) {
   constexpr int steps = 32;

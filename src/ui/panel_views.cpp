@@ -1,4 +1,4 @@
-// How many views there are, and what each of them shows.
+// The number of views, and the settings of each.
 #include <optional>
 #include <string>
 
@@ -65,9 +65,9 @@ void side_rows(const Context& ui, std::size_t number, scene::SideView& side) {
   if (ui.workspace.document.has_cage()) row("Deformer", way_list, "/way");
   if (side.scheme.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
-  if (side.other_lines || scene::has_lines(ui.workspace)) {
+  if (side.other_blending || scene::has_blended_pose(ui.workspace)) {
     const char* const words = ui.workspace.document.timeline.straight ? "In log space" : "In straight lines";
-    ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_lines);
+    ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_blending);
     record(ui, name + "/lines");
     hint("What keys and sliders make, in the other way than the first view has it.");
   }

@@ -32,7 +32,7 @@ std::string shape_words(const scene::TransformDrag& drag) {
          "a click keeps it,  Esc takes it back,  Shift slows,  Ctrl snaps";
 }
 
-// Logs of rotations are not the same seen from elsewhere: see the manual, blending.
+// Logs of rotations depend on the frame of reference: see the manual, blending.
 bool changes_shape_when_turned(const scene::Workspace& w) {
   const scene::Document& d = w.document;
   if (w.tool != scene::Tool::rotate || !d.has_cage() || d.selection.kind() == scene::ElementKind::probe)
@@ -45,7 +45,7 @@ bool changes_shape_when_turned(const scene::Workspace& w) {
 }  // namespace
 
 std::string mouse_text(const scene::Workspace& w) {
-  const scene::Keymap& keymap = w.remembered.keymap;
+  const scene::Keymap& keymap = w.preferences.keymap;
   if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != scene::Shape::none)
     return shape_words(*w.interaction.drag);
   if (w.interaction.drag)
@@ -91,7 +91,7 @@ std::string mouse_text(const scene::Workspace& w) {
 
 namespace {
 
-// As many of the phrases, between which there are two spaces, as there is room for.
+// Keeps as many phrases, separated by two spaces, as fit.
 std::string fitting(std::string text, float width) {
   while (!text.empty() && ImGui::CalcTextSize(text.c_str()).x > width) {
     const std::size_t end = text.rfind("  ");

@@ -1,4 +1,4 @@
-// The timeline below the view: what plays, its keys, and how one comes to the next.
+// The timeline below the view: playback, keys and their easing.
 #include <cmath>
 #include <functional>
 #include <span>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr float bar_height = 24, more_width = 28, icon = 5;
 
-// Pictures of what a button does, about its middle: 1 being as far as they reach.
+// Draws button icons in coordinates from -1 to 1.
 struct TimePen {
   ImDrawList& draw;
   ImVec2 middle;
@@ -88,7 +88,7 @@ void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen
   hint(std::string(command.label) + ".  " + hint_of(ui, command));
 }
 
-// A whole number with a word before it.
+// An integer field with a label.
 std::optional<int> frame_field(const Context& ui, const char* label, const char* name, double value,
                                float width, const char* what) {
   if (*label) {
@@ -114,7 +114,7 @@ void frame_shown(const Context& ui) {
   }
 }
 
-// A part of a row: beside the others or, where there is no room for it, in the menu at their end.
+// A part of a row; if it does not fit it goes to the menu at the end.
 struct ToolPiece {
   float width, gap;
   std::function<void()> draw;
@@ -138,7 +138,7 @@ std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
   return count;
 }
 
-// Those that there is no room for.
+// The parts that do not fit, in a menu.
 void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece> others) {
   if (ImGui::Button((std::string("##") + name).c_str(), {more_width, bar_height})) ImGui::OpenPopup(name);
   record(ui, name);
@@ -153,7 +153,7 @@ void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece>
   ImGui::EndPopup();
 }
 
-// Beside what is there, as far as `right`.
+// Appends to the row, up to `right`.
 void row_of_pieces(const Context& ui, const char* menu, std::span<const ToolPiece> pieces, float right) {
   const float room = right - ImGui::GetItemRectMax().x;
   std::size_t count = fitting_pieces(pieces, room);
@@ -185,7 +185,7 @@ void transport(const Context& ui, float right) {
   row_of_pieces(ui, "time/more", pieces, right);
 }
 
-// The two ways, side by side.
+// The two kinds of blending, side by side.
 void way_choice(const Context& ui) {
   const bool straight = ui.workspace.document.timeline.straight;
   const scene::Command& command = *scene::find_command("toggle_straight");
@@ -275,7 +275,7 @@ bool begin_panel(const Context& ui) {
 void timeline_panel(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   w.time_view.hovered = false;
-  if (!w.remembered.layout.timeline) return;
+  if (!w.preferences.layout.timeline) return;
   begin_panel(ui);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   ImGui::BeginDisabled(!w.document.model.surface);

@@ -17,7 +17,7 @@ using test::mentions;
 
 namespace {
 
-// What a command of this use makes of a command line; throws what it says against it.
+// Parses a command line for this use; throws its error.
 Inputs parsed(Use use, const std::string& arguments) {
   CLI::App command;
   Inputs inputs{use};
@@ -27,7 +27,7 @@ Inputs parsed(Use use, const std::string& arguments) {
   return inputs;
 }
 
-// The words that it says against it; empty if it takes them.
+// The error message; empty if the arguments are valid.
 std::string refusal(Use use, const std::string& arguments) {
   try {
     parsed(use, arguments);
@@ -39,7 +39,7 @@ std::string refusal(Use use, const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("every_use_asks_for_what_it_cannot_do_without") {
+TEST_CASE("every_use_requires_its_inputs") {
   CHECK(refusal(Use::window, "").empty());
   CHECK(refusal(Use::picture, "a.obj").empty());
   CHECK(refusal(Use::file, "a.obj c.obj --pose p.obj").empty());
@@ -91,6 +91,6 @@ TEST_CASE("stitching_takes_a_number_of_iterations_or_one") {
 TEST_CASE("settings_that_do_not_go_together_are_told_before_anything_is_opened") {
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --blend srl --weights mean-value"), base::Error);
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --weights mean-value --radius 3"), base::Error);
-  // What a session has is not known yet.
+  // The session's settings are not known yet.
   CHECK(refusal(Use::picture, "s.viete --radius 3").empty());
 }

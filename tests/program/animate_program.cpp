@@ -1,4 +1,4 @@
-// viete animate: frames as files, whole whenever the program ends, and gone on with.
+// viete animate: exported frames are complete whenever the program ends, and can be continued.
 #include <tiny_gltf.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ using namespace viete::test;
 
 namespace {
 
-// A cube in its cage, with posed cages p_01, p_09 and p_17 to be keys.
+// A cube in its cage, with posed cages p_01, p_09 and p_17 as keys.
 struct AnimatedFiles : AnimatedCube {
   AnimatedFiles() {
     for (const int frame : {1, 9, 17}) {
@@ -43,7 +43,7 @@ std::set<std::string> names_of(const fs::path& folder, const std::string& end) {
   return names;
 }
 
-// The dragon with two keys, so that a frame takes long enough to be ended within.
+// The dragon with two keys, slow enough to be interrupted within a frame.
 struct AnimatedDragon : TemporaryFolder {
   AnimatedDragon() {
     fs::copy(cage, *this / "k_01.obj");
@@ -204,7 +204,7 @@ TEST_CASE("frames_that_are_there_are_not_replaced_unasked") {
   CHECK(refused.code == 1);
   CHECK(mentions(refused, "f_05.obj: this file is there already, and would be replaced, as 4 more would"));
   CHECK(mentions(refused, "--force"));
-  setenv("VIETE_PROGRESS", "1", 1);  // as the window runs it aside
+  setenv("VIETE_PROGRESS", "1", 1);  // as when run by the window
   CHECK_FALSE(mentions(files.animate("-o f_##.obj"), "--force"));
   unsetenv("VIETE_PROGRESS");
   CHECK(file_bytes(files / "f_07.obj") == "mine");
@@ -213,7 +213,7 @@ TEST_CASE("frames_that_are_there_are_not_replaced_unasked") {
   CHECK(file_bytes(files / "f_07.obj") == file_bytes(files / "fresh_07.obj"));
 }
 
-TEST_CASE("files_of_an_earlier_run_that_are_not_among_the_frames_are_told_of") {
+TEST_CASE("files_of_an_earlier_run_outside_the_frames_are_noted") {
   const AnimatedFiles files;
   CHECK_FALSE(mentions(files.animate("-o f_##.ply --frames 1-6"), "there before"));
   CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply was there before"));
@@ -233,7 +233,7 @@ TEST_CASE("several_programs_share_the_frames") {
   CHECK(base::NumberedName(files / "f_##.ply").find().size() == 17);
 }
 
-TEST_CASE("what_a_killed_run_left_goes_with_the_next_command_that_writes_there") {
+TEST_CASE("partial_files_of_a_killed_command_are_deleted_by_the_next_one") {
   const AnimatedFiles files;
   const char* gone[] = {"b.obj.999999999-1-0.part"};
   const char* stay[] = {"b.part", "b.obj.1-x-0.part"};
@@ -241,14 +241,14 @@ TEST_CASE("what_a_killed_run_left_goes_with_the_next_command_that_writes_there")
   for (const char* name : stay) put_file(files / name, "half");
   const std::string running = "c.obj." + base::process_name() + "-0.part";
   put_file(files / running, "half");
-  CHECK(files.animate("-o p_##.obj").code == 1);  // also where it is refused
+  CHECK(files.animate("-o p_##.obj").code == 1);  // also if it is refused
   CHECK(files.animate("-o a.pc2 --keys none.pc2").code != 0);
   for (const char* name : gone) CHECK_MESSAGE(!fs::exists(files / name), std::string(name));
   for (const char* name : stay) CHECK_MESSAGE(fs::exists(files / name), std::string(name));
   CHECK(fs::exists(files / running));
 }
 
-TEST_CASE("what_animate_cannot_do_is_said_before_the_work_starts") {
+TEST_CASE("animate_reports_invalid_requests_before_the_work") {
   const AnimatedFiles files;
   const auto says = [&](const std::string& rest, int code, const std::string& text) {
     const Outcome outcome = files.animate(rest);

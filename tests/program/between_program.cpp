@@ -1,4 +1,4 @@
-// viete between, viete mix and viete pose: what lies between shapes of a model, and what is made of several.
+// viete between, viete mix and viete pose: interpolation, mixes and posing of shapes.
 #include <cmath>
 
 #include "base/numbered_files.h"
@@ -9,10 +9,10 @@
 #include "scene/document/pose_edit.h"
 #include "scene/files.h"
 #include "scene/posed_cube.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/command.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -22,7 +22,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// A cube at rest, and shapes of it: a.obj, b.obj, and the same numbered s_1 to s_3.
+// A cube at rest and its shapes a.obj, b.obj, also numbered as s_1 to s_3.
 struct ShapeFiles : TemporaryFolder {
   mesh::Surface cube = CubeFiles::subdivided_cube();
 
@@ -63,7 +63,7 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
   CHECK(distance(f.read("m.ply"), f.shape(25)) < 1e-6);
 }
 
-TEST_CASE("an_old_file_that_is_not_among_the_shapes_between_is_told_of") {
+TEST_CASE("between_notes_old_files_outside_its_numbers") {
   const ShapeFiles f;
   CHECK_FALSE(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 3"), "there before"));
   CHECK(
@@ -112,7 +112,7 @@ TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes
   CHECK(file_bytes(f / "smooth.pc2") != file_bytes(f / "linear.pc2"));
 }
 
-TEST_CASE("what_the_model_holds_beside_positions_is_kept_between_shapes") {
+TEST_CASE("attributes_of_the_model_are_kept_between_shapes") {
   const ShapeFiles f;
   const std::string
       begin = "# mine\r\nmtllib m.mtl\r\no Cloth\r\nv 0 0 0 1 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\n",
@@ -140,7 +140,7 @@ TEST_CASE("between_replaces_no_numbered_file_unasked") {
   CHECK(file_bytes(f / "f_07.obj") != "mine");
 }
 
-TEST_CASE("between_that_is_stopped_leaves_whole_files") {
+TEST_CASE("cancelled_between_leaves_complete_files") {
   const TemporaryFolder folder;
   const std::string at_home = "cd " + quoted(folder.path()) + " && ";
   REQUIRE(
@@ -226,7 +226,7 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
   CHECK_FALSE(fs::exists(f / "m.ply"));
 }
 
-TEST_CASE("wrong_words_of_between_and_mix_are_said_before_anything_is_read") {
+TEST_CASE("between_and_mix_report_wrong_words_before_reading") {
   const ShapeFiles f;
   f.refused("between -o m.pc2", 2, "SHAPES is required");
   f.refused("between rest.obj a.obj", 2, "--output is required");

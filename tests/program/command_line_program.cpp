@@ -1,4 +1,4 @@
-// The program as a shell sees it: subcommands, outputs, errors, exit codes.
+// The program in a shell: subcommands, outputs, errors, exit codes.
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {
 
 namespace {
 
-// What is in the folder's `poses`, to its `frames`.
+// Streams the folder's `poses` to its `frames`.
 Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames",
                  const std::string& in = "< poses") {
   return outcome_of("cd " + quoted(scratch.path()) + " && " + quoted(build_dir() / "viete") + " deform " +
@@ -75,7 +75,7 @@ TEST_CASE("poses_that_are_streamed_give_the_frames_that_deform_writes") {
   CHECK(off(2, exact) < 1e-4);
 }
 
-TEST_CASE("a_stream_that_is_none_says_which_pose_it_is") {
+TEST_CASE("an_invalid_stream_names_the_pose") {
   const TemporaryFolder scratch;
   const auto rest = mesh::read(cage).surface.positions;
   std::string poses(reinterpret_cast<const char*>(rest.data()), rest.size() * sizeof(mesh::Point));
@@ -115,7 +115,7 @@ TEST_CASE("input_that_cannot_be_read_is_not_the_end_of_a_stream") {
 
 TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
   const TemporaryFolder scratch;
-  fs::permissions(scratch.path(), fs::perms::all);  // the limit does not hold for root
+  fs::permissions(scratch.path(), fs::perms::all);  // root ignores the permission
   const std::string user = geteuid() == 0 ? "setpriv --reuid=64321 --clear-groups " : "",
                     files = quoted(dragon) + " " + quoted(cage);
   const auto limited = [&](const std::string& arguments, int processes) {
@@ -142,7 +142,7 @@ TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
   }
 }
 
-TEST_CASE("a_mask_is_not_replaced_by_what_it_is_read_for") {
+TEST_CASE("an_output_does_not_overwrite_its_mask") {
   const TemporaryFolder scratch;
   put_file(scratch / "mask.obj", "1 1 1\n");
   CHECK(mentions(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
@@ -273,7 +273,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   CHECK(difference(plain, picture("--map turn"), 12) > 0.02);
   CHECK(difference(plain, picture("--compare smooth,rigid"), 12) > 0.05);
   CHECK(difference(picture("--compare diag,fast"), picture("--compare diag,sd,fast"), 12) > 0.05);
-  // Nothing in the corner, the model in the middle, and between them edges that are neither.
+  // Transparent in the corner, opaque in the middle, and blended edges between them.
   const auto clear = picture("--transparent");
   CHECK(clear.rgba[3] == 0);
   std::size_t whole = 0, partly = 0;
@@ -283,7 +283,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   }
   CHECK(whole > 5000);
   CHECK(partly > 200);
-  // A map that does not exist there is not left out without a word.
+  // An unavailable map is reported.
   const auto without =
       run("render " + quoted(dragon) + " --size 200x100 --map volume -o " + quoted(scratch / "without.png"));
   CHECK(without.code == 0);
@@ -310,7 +310,7 @@ TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused"
   const auto rest = mesh::read(dragon).surface.positions;
   const double rounding = 1e-9 * mesh::bounds(rest).diagonal();
   std::size_t last = rest.size() + 1;
-  for (const char* radius : {"1000", "40", "10"}) {  // the shorter, the fewer move
+  for (const char* radius : {"1000", "40", "10"}) {  // the shorter the radius, the fewer vertices move
     const fs::path out = scratch.path() / "out.ply";
     const auto outcome =
         run("deform " + scene + " --pose " + quoted(pulled) + " -o " + quoted(out) + " --radius " + radius);
@@ -346,7 +346,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   const auto published = deformed(" --way paper");
   CHECK(published != usual);
   CHECK(deformed(" --weights inverse --blend srl") == published);
-  CHECK(deformed(" --radius 25") == deformed(" --way local"));  // a setting that only these weights have
+  CHECK(deformed(" --radius 25") == deformed(" --way local"));  // a setting used only by these weights
   const auto mean_values = deformed(" --way mean-value");
   CHECK(mean_values != usual);
   CHECK(deformed(" --weights mean-value") == mean_values);
@@ -354,7 +354,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   const auto linear = deformed(" --blend linear");
   CHECK(linear != usual);
   CHECK(linear != mean_values);
-  CHECK(deformed(" --blend linear --method diag") == linear);  // which takes no exponential
+  CHECK(deformed(" --blend linear --method diag") == linear);  // linear blending uses no exponential
 
   const auto stitched = deformed(" --stitched");
   CHECK(stitched != usual);
@@ -436,7 +436,7 @@ TEST_CASE("a_pose_with_another_number_of_vertices_is_refused_with_both_counts") 
 
 namespace {
 
-// What a reader that is not ours finds in a GLB.
+// The contents of a GLB according to an independent reader.
 struct Judged {
   std::string image;
   std::vector<float> positions, texture;

@@ -1,4 +1,4 @@
-// Keys of every preset, the list in which they are changed, and what is said of keys and mouse.
+// Keys of every preset, the key list, and the help for keys and mouse.
 #include <algorithm>
 #include <cstdlib>
 
@@ -20,7 +20,7 @@ constexpr scene::KeyPreset presets[] = {scene::KeyPreset::viete, scene::KeyPrese
                                         scene::KeyPreset::maya, scene::KeyPreset::viewer};
 
 scene::Keymap& keymap(Driver& d) {
-  return d.workspace().remembered.keymap;
+  return d.workspace().preferences.keymap;
 }
 
 std::string key_of(Driver& d, const char* command) {
@@ -85,7 +85,7 @@ TEST_CASE("f11_asks_for_the_whole_screen_and_back_but_where_hands_mean_something
   }
 }
 
-TEST_CASE("a_click_in_the_list_of_keys_and_a_key_change_it_and_who_loses_it_is_said") {
+TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   Driver d;
   d.open_dragon();
   open_list(d);
@@ -154,7 +154,7 @@ TEST_CASE("all_changes_of_keys_are_taken_back_at_once_and_brought_back") {
   CHECK(key_of(d, "undo") == "Ctrl+U");
 }
 
-TEST_CASE("what_is_said_of_the_mouse_is_what_it_does_in_the_preset_in_force") {
+TEST_CASE("mouse_help_matches_the_preset") {
   Driver d;
   d.open_dragon();
   choose_preset(d, scene::KeyPreset::viewer);

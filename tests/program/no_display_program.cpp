@@ -1,4 +1,4 @@
-// The viewer where there is no display: a picture, and one line that says where it is.
+// The viewer without a display: a picture, and a line with its path.
 #include <algorithm>
 #include <vector>
 
@@ -21,7 +21,7 @@ TEST_CASE("without_a_display_the_viewer_says_so_in_one_line_and_renders_a_pictur
   }
 }
 
-TEST_CASE("a_picture_that_is_there_stays_and_so_does_what_a_link_of_its_name_leads_to") {
+TEST_CASE("existing_pictures_and_link_targets_are_not_overwritten") {
   const TemporaryFolder scratch;
   put_file(scratch / "precious", "precious");
   fs::create_symlink("precious", scratch / "viete.png");

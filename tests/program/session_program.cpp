@@ -1,11 +1,11 @@
-// Sessions that open to the same picture; open and save by hand.
+// Sessions restore the same picture; opening and saving with real events.
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "program/kept_work.h"
 #include "scene/document/edit.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -96,8 +96,8 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   REQUIRE(run_viete("render a.viete --show-cage -o a.png", folder.path()).starts_with("0 "));
   CHECK(test::difference(before, test::read_png(folder / "a.png"), 0) == 0);
   REQUIRE(run_viete("deform a.viete -o a.obj", folder.path()).starts_with("0 "));
-  // The window shows floats; what is written is double, by the window too. (A PLY would have floats, as its
-  // model.)
+  // The window displays floats; exports are in double, from the window too. (A PLY would contain floats, like
+  // its model.)
   const auto written = mesh::read(folder / "a.obj").surface.positions;
   CHECK(largest_difference(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
   CHECK(largest_difference(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);
@@ -114,7 +114,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
 }
 
-TEST_CASE("a_cage_whose_faces_disagree_turns_its_model_in_the_window_and_from_a_session") {
+TEST_CASE("a_cage_with_misoriented_faces_deforms_its_model_in_the_window_and_from_a_session") {
   const test::TemporaryFolder folder;
   const mesh::Surface ball = test::sphere(2);
   mesh::Surface cube = test::moved(test::cube(), 1.5);
@@ -213,7 +213,7 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
   CHECK(other.document().pose.positions == pose.positions);
 }
 
-TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one") {
+TEST_CASE("a_damaged_session_is_drawn_with_a_warning_and_a_bomb_is_refused") {
   const test::TemporaryFolder folder;
   const std::string head = R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() +
                            R"(", "cage": ")" + dragon_cage.string() + R"(", )";
@@ -236,7 +236,7 @@ TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one
   }
 }
 
-TEST_CASE("a_permuted_pose_is_refused_and_a_mirrored_one_told_by_the_command_line") {
+TEST_CASE("the_command_line_refuses_a_permuted_pose_and_notes_a_mirrored_one") {
   const test::TemporaryFolder folder;
   mesh::Surface pose = mesh::read(dragon_cage).surface;
   mesh::write(folder / "pose.stl", pose);
@@ -288,7 +288,7 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   const SmallModel small(folder.path());
   fs::create_directories(folder / "a_folder");
   Driver d;
-  d.workspace().remembered.folder = folder.path();
+  d.workspace().preferences.folder = folder.path();
   d.press_key(scene::key('O'), true);
   d.frame(2);
   const fs::path top = d.workspace().browser.folder;
@@ -345,7 +345,7 @@ TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
   }
   Driver d(remembering(folder / "state"));
   CHECK_FALSE(d.workspace().view.hints);
-  REQUIRE(d.workspace().remembered.recent.size() == 1);
+  REQUIRE(d.workspace().preferences.recent.size() == 1);
   d.frame(3);
   d.click("recent/0");
   d.settle();
@@ -353,7 +353,7 @@ TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
   CHECK(d.document().cage_file.path == small.cage);
 }
 
-TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to") {
+TEST_CASE("a_session_saved_by_another_window_is_overwritten_only_after_confirmation") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path session = folder / "a.viete";
@@ -383,7 +383,7 @@ TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to
   CHECK(scene::has_unsaved_edits(d.workspace()));
 
   save();
-  d.press_key(scene::Key::enter);  // the safe answer: under another name
+  d.press_key(scene::Key::enter);  // the safe answer: another name
   d.frame(3);
   CHECK(d.workspace().browser.open);
   CHECK(test::file_bytes(session) == theirs);
@@ -395,7 +395,7 @@ TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to
   d.frame(3);
   CHECK(scene::read_session(session).pose->positions == d.document().pose.positions);
   drag_some_vertex(d, {10, 10});
-  d.press_key(scene::key('S'), true);  // it is this window's again
+  d.press_key(scene::key('S'), true);  // it now belongs to this window
   d.frame(3);
   CHECK_FALSE(d.workspace().question);
   CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));

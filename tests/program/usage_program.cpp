@@ -1,4 +1,4 @@
-// What the command line says about itself and of wrong words, options and numbers.
+// Help of the command line, and its errors about words, options and numbers.
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -13,8 +13,7 @@ namespace {
 
 const std::vector<std::string> commands = {"view", "render", "deform", "between", "mix",
                                            "pose", "cage",   "info",   "bench",   "report"},
-                               benches = {"exp",  "eigen", "accuracy", "sym3", "frame",
-                                          "bind", "modes"};
+                               benches = {"exp", "eigen", "accuracy", "sym3", "frame", "bind", "modes"};
 
 void check_width(const Outcome& help) {
   std::istringstream lines(help.text);
@@ -48,7 +47,7 @@ TEST_CASE("help_of_every_command_is_there_and_fits_eighty_columns") {
   CHECK(mentions(run("render --help"), "Device pixels per logical pixel, 0.5 to 4 (default: 1)"));
 }
 
-TEST_CASE("the_version_tells_of_the_build") {
+TEST_CASE("the_version_includes_build_information") {
   const Outcome version = run("--version");
   CHECK(version.code == 0);
   CHECK(mentions(version, "viete "));
@@ -103,7 +102,7 @@ TEST_CASE("a_picture_is_no_larger_than_fits_the_memory") {
   CHECK(mentions(outcome, "at most as many pixels as 16384x16384"));
 }
 
-TEST_CASE("a_wrong_value_is_told_before_what_is_missing") {
+TEST_CASE("an_invalid_value_is_reported_before_missing_ones") {
   const Outcome outcome = run("render --method best");
   CHECK(outcome.code == 2);
   CHECK(mentions(outcome, "--method: needs diag"));

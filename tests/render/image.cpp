@@ -53,9 +53,9 @@ TEST_CASE("png_write_replaces_the_old_file_and_leaves_no_temporary") {
 }
 
 TEST_CASE("png_that_cannot_be_written_is_named") {
-  const std::filesystem::path nowhere = "/nonexistent_folder/a.png";
+  const std::filesystem::path recovered = "/nonexistent_folder/a.png";
   try {
-    render::write_png(nowhere, pattern(2, 2));
+    render::write_png(recovered, pattern(2, 2));
     FAIL("a folder that is not there was written to");
   } catch (const base::Error& error) {
     CHECK(std::string(error.what()).find("/nonexistent_folder/a.png") != std::string::npos);

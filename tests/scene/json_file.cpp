@@ -46,7 +46,7 @@ TEST_CASE("a_mistake_is_named_with_its_line_and_a_missing_file_as_such") {
   CHECK_THROWS_AS(readable({{"a", "\xff"}}, "f"), base::Error);
 }
 
-TEST_CASE("a_number_that_no_double_holds_costs_nothing_but_itself") {
+TEST_CASE("a_number_beyond_double_affects_only_itself") {
   const test::TemporaryFolder folder;
   const std::string digits(400, '9');
   test::put_file(folder / "huge",
@@ -63,7 +63,7 @@ TEST_CASE("a_number_that_no_double_holds_costs_nothing_but_itself") {
         }).find("many:18: this and other numbers are too large") != std::string::npos);
 }
 
-TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
+TEST_CASE("foreign_files_are_refused_before_memory_is_allocated") {
   const test::TemporaryFolder folder;
   const auto said = [&](const std::string& text) {
     test::put_file(folder / "bomb", text);
@@ -83,7 +83,7 @@ TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
         "bomb: model: a text of 1048576 bytes is longer than any that belongs here (12288); correct it "
         "in the file");
   test::put_file(folder / "long", "");
-  std::filesystem::resize_file(folder / "long", most_json_bytes + 1);  // of zeros that take no disk
+  std::filesystem::resize_file(folder / "long", most_json_bytes + 1);  // sparse zeros
   CHECK(test::problem_of([&] {
           read_json(folder / "long");
         }).find("134217729 bytes are more than this program reads") != std::string::npos);

@@ -16,9 +16,9 @@
 #include "scene/files/session_parts.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/splitting.h"
-#include "scene/workspace/taking.h"
 #include "support/grips.h"
 #include "support/open.h"
 #include "support/text.h"
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Everything a session holds is away from its default.
+// Every setting of a session differs from its default.
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
   w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
@@ -166,7 +166,7 @@ TEST_CASE("only_a_model_is_required_and_unknown_keys_are_ignored") {
   CHECK_FALSE(differs_from_rest(w.document));
 }
 
-TEST_CASE("what_is_wrong_in_a_session_is_named_with_file_and_key") {
+TEST_CASE("session_errors_name_file_and_key") {
   const test::CubeFiles files;
   const struct {
     const char *key, *value, *said;
@@ -183,7 +183,7 @@ TEST_CASE("what_is_wrong_in_a_session_is_named_with_file_and_key") {
   }
 }
 
-TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") {
+TEST_CASE("a_damaged_part_of_a_session_is_skipped_with_a_warning") {
   const test::CubeFiles files;
   const struct {
     const char *key, *value, *said;
@@ -242,7 +242,7 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
   }
 }
 
-TEST_CASE("one_bad_number_of_a_pose_costs_its_vertex") {
+TEST_CASE("one_bad_number_of_a_pose_resets_its_vertex") {
   const test::CubeFiles files;
   Workspace w = worked(files);
   w.document.pose.positions[0] = {9, 9, 9};
@@ -276,7 +276,7 @@ TEST_CASE("one_bad_number_of_a_pose_costs_its_vertex") {
   CHECK(none.document.pose.positions[5] == mesh::Point{-8, 8, 8});
 }
 
-TEST_CASE("whatever_is_typed_or_looked_at_can_be_saved_and_opened_again") {
+TEST_CASE("all_typed_values_and_views_survive_saving") {
   const test::CubeFiles files;
   for (const double amount : {1e150, -1e150, 1e99, 1e20, 1e5, 1e-300}) {
     Workspace w = worked(files);
@@ -334,7 +334,7 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
     Workspace back = test::opened({files / "a.viete"});
     CHECK(back.document.scheme.iterations == iterations);
   }
-  for (const int iterations : {0, 2}) {  // kept for when it is stitched again
+  for (const int iterations : {0, 2}) {  // stored for later stitching
     Workspace w = test::opened({files.model, files.cage});
     w.document.scheme.iterations = iterations;
     w.document.scheme.holding = {0.29, 0.07};
@@ -362,7 +362,7 @@ TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
     Workspace back = test::opened({files / "a.viete"});
     const deform::Weighting& kept = back.document.scheme.weighting;
     CHECK(kept == weighting);
-    CHECK(kept.radius == 0.29);  // also those that these weights do not use
+    CHECK(kept.radius == 0.29);  // also settings these weights do not use
   }
   const struct {
     const char *key, *value, *warning;
@@ -417,7 +417,7 @@ TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
 
 namespace {
 
-// The same cage with its vertices in another order.
+// The same cage with reordered vertices.
 void permute(const fs::path& cage) {
   mesh::Surface surface = mesh::read(cage).surface;
   const auto n = static_cast<std::uint32_t>(surface.positions.size());
@@ -437,7 +437,7 @@ std::vector<std::string> said_on_opening(const fs::path& session) {
 
 }  // namespace
 
-TEST_CASE("a_model_or_cage_that_has_changed_since_is_said_when_the_session_is_opened") {
+TEST_CASE("opening_a_session_warns_of_a_changed_model_or_cage") {
   const test::CubeFiles files;
   Workspace w = worked(files);
   REQUIRE(save_session(w, files / "a.viete"));

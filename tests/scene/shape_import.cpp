@@ -60,7 +60,7 @@ struct ShapeFiles : test::TemporaryFolder {
   }
 };
 
-// The vertices in another order, and the faces as they were.
+// Reordered vertices with the same faces.
 mesh::Surface shuffled(const mesh::Surface& surface) {
   std::vector<std::uint32_t> order(surface.positions.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -1,7 +1,7 @@
 // Opens files synchronously.
 #pragma once
 
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::test {

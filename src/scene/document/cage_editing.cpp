@@ -27,12 +27,12 @@ std::string edited_name(const OpenedSurface& cage) {
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 
-// The image across a plane has the mirrored way from its rest.
+// The mirror image of a displacement from rest to pose.
 mesh::Vec3 across(const mesh::Vec3& way, const cages::Plane& plane) {
   return way - (2 * mesh::dot(way, plane.normal)) * plane.normal;
 }
 
-// What ways from rest to pose follow by: those of images are mirrored first.
+// The transform of displacements from rest to pose; those of mirrored vertices are mirrored first.
 struct Follow {
   cages::Plane plane{};
   std::array<mesh::Vec3, 3> linear = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // rows
@@ -40,7 +40,7 @@ struct Follow {
   mesh::Vec3 operator()(const mesh::Vec3& way) const {
     return {mesh::dot(linear[0], way), mesh::dot(linear[1], way), mesh::dot(linear[2], way)};
   }
-  // Of an axis with an angle for its length, which is not scaled.
+  // A rotation vector: its axis is transformed, its length, the angle, is kept.
   mesh::Vec3 turn(const mesh::Vec3& rotation) const {
     const mesh::Vec3 now = (*this)(rotation);
     const double length = mesh::norm(now);
@@ -48,7 +48,7 @@ struct Follow {
   }
 };
 
-// Whole turns go with the parts, as long as there are as many.
+// Keeps whole turns of the parts if their number is unchanged.
 deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
                      const deform::Cage& after, const Follow& follow) {
   deform::Pose now;
@@ -71,7 +71,7 @@ CageGroups groups_of(const Document& document, const cages::Edited& edited) {
   return carried(document.groups, document.cage->surface.positions.size(), origins);
 }
 
-// In the mode its pose is at rest; outside of it, as far as vertices remained.
+// In cage editing the new pose is the rest shape; otherwise remaining vertices keep their pose.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
@@ -82,7 +82,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   const bool editing = is_editing_cage(document);
   CageGroups groups = groups_of(document, edited);
   const ElementKind kind = document.selection.kind();
-  OpenedSurface file = made_surface(std::move(edited.surface), edited_name(document.cage_file));
+  OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file));
   if (editing) document.kept_pose = real;
   document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
   document.groups = std::move(groups);
@@ -91,7 +91,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   document.selection = without_hidden(document, converted(*document.cage, made, kind));
 }
 
-// The same polygons with other places.
+// The same polygons with other positions.
 cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
   cages::Edited edited{cage, {}, {}};
   edited.surface.positions = std::move(positions);
@@ -128,7 +128,7 @@ void end_cage_editing(Document& document) {
   document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
 }
 
-bool settle_cage_edit(Document& document) {
+bool commit_cage_edit(Document& document) {
   if (!is_editing_cage(document) || document.pose.positions == document.cage->surface.positions) return false;
   try {
     cages::Edited edited = with_positions(document.cage->surface, document.pose.positions);
@@ -139,14 +139,14 @@ bool settle_cage_edit(Document& document) {
     carry_poses(document,
                 [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, {}); });
     document.kept_pose = std::move(real);
-    document.replace_cage(made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
+    document.replace_cage(generated_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
                           deform::rest_pose(*cage));
     document.selection = selection;
     document.groups = groups;
-    document.history.go_on();
+    document.history.extend_last();
     return true;
   } catch (const base::Error& error) {
-    // The edit that moved it, and what was selected since.
+    // Undoes the edit that moved it, and later selection changes.
     while (document.history.can_undo() && is_editing_cage(document) &&
            document.pose.positions != document.cage->surface.positions)
       undo(document);
@@ -188,7 +188,7 @@ void remove_selected(Document& document) {
 }
 
 void extrude_selected(Document& document) {
-  constexpr double distance = 0.05;  // of the cage's diagonal
+  constexpr double distance = 0.05;  // relative to the cage's diagonal
   const auto polygons = selected_polygons(document);
   require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
   put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
@@ -206,7 +206,7 @@ void mirror_cage(Document& document) {
   const auto axis = static_cast<std::size_t>(symmetry_axis(document));
   cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
   plane.normal[axis] = 1;
-  // The side whose vertices are selected, else the positive one.
+  // The side with the selected vertices, else the positive one.
   const auto& rest = document.cage->surface.positions;
   double sum = 0;
   for (const auto v : selected_vertices(*document.cage, document.selection))

@@ -13,17 +13,17 @@ namespace fs = std::filesystem;
 
 constexpr EditStep make_cage{EditKind::cage};
 
-bool shows_made(const Document& document, const CageMaking& making) {
+bool shows_generated(const Document& document, const CageMaking& making) {
   return making.made && document.cage == making.made;
 }
 
-bool goes_on(const Document& document, const CageMaking& making) {
-  return shows_made(document, making) && document.history.last_step() == make_cage;
+bool can_replace_generated(const Document& document, const CageMaking& making) {
+  return shows_generated(document, making) && document.history.last_step() == make_cage;
 }
 
-void take_made(Document& document, CageMaking& making, OpenedSurface surface,
-               std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
-  const bool again = shows_made(document, making);
+void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
+                   std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
+  const bool again = shows_generated(document, making);
   record_step(document, "make a cage", make_cage, again);
   deform::Pose pose = deform::rest_pose(*cage);
   making.made = cage;

@@ -29,7 +29,7 @@ void add_edges(std::vector<Finding>& all, Defect defect, Subject subject,
   if (!edges.empty()) all.push_back({defect, subject, ElementKind::edge, {}, edges});
 }
 
-// The polygons that these triangles were cut from, each once.
+// The polygons that contain these triangles, each once.
 Elements faces_of(const mesh::Surface& surface, Elements triangles) {
   for (auto& t : triangles) t = surface.triangle_polygon[t];
   std::sort(triangles.begin(), triangles.end());
@@ -41,7 +41,7 @@ bool inside_out(const mesh::Summary& summary) {
   return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
 }
 
-// What edges tell, and which faces have no area. `surface` as the edges are to be judged.
+// Defects found from edges, and degenerate faces. `surface` in the form for which edges are judged.
 void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
   add_edges(found, Defect::open, subject, summary.boundary_edges);
@@ -130,7 +130,7 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
       faces_of(cage, mesh::thin_triangles(cage, thin)));
   const auto doubled = mesh::duplicate_vertices(cage);
   add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
-  // Joined to another one a vertex is not without a face.
+  // A vertex merged with another one counts as used.
   Elements unused;
   std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
                       doubled.end(), std::back_inserter(unused));
@@ -138,7 +138,7 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
   return found;
 }
 
-// In portions, so that it can be stopped.
+// In portions, so that it can be cancelled.
 std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,
                                        base::Progress* progress) {
   const mesh::Surface around = mesh::consistently_oriented(mesh::welded(cage));
@@ -158,10 +158,10 @@ std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Su
 
 namespace {
 
-// Asked only where so many are outside that the cage may be of another orientation.
+// Called only if so many vertices are outside that the cage may have another orientation.
 bool fits_turned(const OpenedSurface& model, const OpenedSurface& cage, const Finding& outside,
                  base::Progress* progress) {
-  constexpr std::size_t matters = 10;  // one in so many
+  constexpr std::size_t matters = 10;  // one vertex in this many
   if (matters * outside.size() < model.surface->positions.size()) return false;
   if (!(model.bounds.diagonal() > 0 && cage.bounds.diagonal() > 0)) return false;
   return cages::best_fit(*cage.surface, *model.surface, fit_margin, progress).degrees > 0;
@@ -260,7 +260,7 @@ bool matters(const Finding& finding) {
 
 namespace {
 
-// Of each part of the cage, signed: positive when its faces look outward. In units of the cage's size.
+// Signed volume of each part of the cage, positive if its faces point outward, in units of the cage's size.
 std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
   std::vector<double> all(cage.roots.size(), 0);
   for (std::size_t e = 0; e < cage.element_count(); ++e) {

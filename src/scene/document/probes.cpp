@@ -17,9 +17,9 @@ namespace viete::scene {
 
 namespace {
 
-constexpr double usual_radius = 0.2;  // of the model's diagonal
+constexpr double usual_radius = 0.2;  // relative to the model's diagonal
 
-// Of a model that is one point, what it is drawn as.
+// For a model that is a single point, the size it is drawn with.
 double size_of(const Document& document) {
   return document.space.diagonal();
 }
@@ -29,13 +29,13 @@ std::string label(const char* verb, const Document& document) {
   return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
 }
 
-// Begins an edit that changes them.
+// Begins an edit of the probes.
 deform::Probes& edit(Document& document, const std::string& name) {
   record_edit(document, name);
   return document.changed_probes();
 }
 
-// Of those that are selected.
+// For the selected probes.
 template <class Change>
 void change_free(Document& document, const Change& change) {
   auto& all = document.changed_probes().all;
@@ -55,7 +55,7 @@ void select(Document& document, std::size_t first, std::size_t end) {
   document.selection = Selection(ElementKind::probe, added);
 }
 
-// The vertex that is drawn nearest.
+// The vertex drawn nearest to the point.
 std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   double least = std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, 
   return nearest;
 }
 
-// What is drawn there, at rest: as far from the nearest vertex.
+// The rest position of a drawn point: the same offset from the nearest vertex.
 mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   const std::uint32_t v = nearest_vertex(document, posed, at);

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks) {
   return numbers;
 }
 
-// What is hidden is not selected, in the same edit.
+// Hides vertices and deselects them in the same edit.
 void put_hidden(Document& document, std::vector<std::uint32_t> hidden, const char* label) {
   if (hidden == document.groups.hidden) return;
   record_edit(document, label);

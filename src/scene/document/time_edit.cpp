@@ -29,7 +29,7 @@ auto place_for(Keys& keys, int frame) {
   return std::ranges::lower_bound(keys, frame, {}, [](const auto& key) { return key.frame; });
 }
 
-// The key of the frame, made if it is not there.
+// The key of the frame, created if missing.
 template <class Key>
 Key& key_for(std::vector<Key>& keys, int frame) {
   const auto place = place_for(keys, frame);
@@ -39,7 +39,7 @@ Key& key_for(std::vector<Key>& keys, int frame) {
   return *keys.insert(place, Key{frame});
 }
 
-// The number itself, or the least one where it is none.
+// Clamps x; NaN becomes `least`.
 double brought_into(double x, double least, double most) {
   return x >= least ? std::min(x, most) : least;
 }
@@ -101,7 +101,7 @@ void set_key(Document& document, int frame, std::span<const double> weights) {
 
 void add_key_to_edit(Document& document, int frame) {
   put_key(document.timeline, frame, document, {});
-  document.history.go_on();
+  document.history.extend_last();
 }
 
 void set_camera_key(Document& document, int frame, const CameraPose& camera) {

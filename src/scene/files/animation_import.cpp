@@ -152,10 +152,10 @@ void check_key_count(const std::string& file, std::size_t count) {
                     "export every second frame, or fewer");
 }
 
-// Keys as they come, each after the one before.
-class KeyTaker {
+// Appends keys in order, each with the turns nearest to the previous one.
+class KeyBuilder {
 public:
-  explicit KeyTaker(std::string file, Easing easing) : file_(std::move(file)), easing_(easing) {}
+  explicit KeyBuilder(std::string file, Easing easing) : file_(std::move(file)), easing_(easing) {}
 
   void add(double frame, deform::Pose pose) {
     const double whole = std::round(frame);
@@ -192,7 +192,7 @@ ImportedKeys keys_of_files(const base::NumberedName& name, const deform::Cage& c
     throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
                       "check the name; as many # as the numbers have digits");
   check_key_count(name.pattern(), files.size());
-  KeyTaker keys(name.pattern(), Easing::smooth);
+  KeyBuilder keys(name.pattern(), Easing::smooth);
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < files.size(); ++i) {
     report_part(progress, i, files.size());
@@ -213,7 +213,7 @@ ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const
   base::require_memory({24.0 * static_cast<double>(head.frames) * static_cast<double>(head.points),
                         base::counted(head.frames, "key") + " of the cage take", "export fewer frames",
                         file.string()});
-  KeyTaker keys(file.string(), Easing::linear);
+  KeyBuilder keys(file.string(), Easing::linear);
   for (std::size_t i = 0; i < head.frames; ++i) {
     report_part(progress, i, head.frames);
     const bool has_times = head.format == mesh::PointCacheFormat::mdd;
@@ -234,7 +234,7 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
                       clip ? "import it as poses" : "export shape keys of the cage with their animation");
   const auto& seconds = clip->seconds();
   check_key_count(file.string(), seconds.size());
-  KeyTaker keys(file.string(), Easing::linear);
+  KeyBuilder keys(file.string(), Easing::linear);
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     report_part(progress, i, seconds.size());
     keys.add(times.first + seconds[i] * times.rate, {found.at_key(i), {}});

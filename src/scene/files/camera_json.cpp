@@ -37,7 +37,7 @@ CameraPose camera_of(const JsonReader& json, bool turns) {
   constexpr double whole_turn = 6.283185307179586;
   if (turns && std::abs(yaw) > 1000 * whole_turn) json.at("yaw").fail("these are more than a thousand turns");
   pose.yaw = static_cast<float>(turns || std::abs(yaw) < 4 ? yaw : std::remainder(yaw, whole_turn));
-  // A quarter turn, however it was rounded.
+  // A quarter turn, with any rounding.
   pose.pitch = static_cast<float>(json.at("pitch").number(-1.6, 1.6));
   if (const auto v = json.find("orthographic")) pose.orthographic = v->boolean();
   if (const auto v = json.find("up")) {

@@ -44,11 +44,11 @@ std::string line_of(std::string_view text, std::size_t byte) {
   return std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
-// Reads along without keeping anything, to find out whether a file is worth its memory.
+// Parses without building a tree, to check whether the file is within the limits.
 class Survey : public nlohmann::json_sax<json> {
 public:
-  std::size_t error_at = 0;                ///< byte behind the mistake
-  std::size_t too_large_at = 0, size = 0;  ///< of the first number that is too large; size 0: there is none
+  std::size_t error_at = 0;                ///< byte after the syntax error
+  std::size_t too_large_at = 0, size = 0;  ///< first number that exceeds double; size 0: none
   bool too_deep = false;
 
   bool null() override { return true; }
@@ -99,7 +99,7 @@ void check_length(std::size_t bytes, const std::filesystem::path& file) {
       "take another file");
 }
 
-// The same text with numbers that a double holds, and in it nothing that takes the machine down.
+// The same text with numbers in the range of double, and checked against the limits.
 std::string surveyed(std::string_view bytes, const std::filesystem::path& file) {
   constexpr int most_corrected = 16;
   std::string text(bytes);
@@ -165,7 +165,7 @@ ordered_json path_json(const std::filesystem::path& path) {
 json read_json(const std::filesystem::path& path) {
   std::error_code code;
   const auto size = std::filesystem::file_size(path, code);
-  if (!code) check_length(size, path);  // of what is no file, reading knows better words
+  if (!code) check_length(size, path);  // for other file types, reading gives a better error
   const mesh::FileBytes bytes(path, nullptr);
   mesh::refuse_foreign(path.string(), bytes.view());
   const std::string text = surveyed(bytes.view(), path);
@@ -263,7 +263,7 @@ std::filesystem::path JsonReader::path() const {
   return name;
 }
 
-// Without the cost of naming each element: these lists are long.
+// Avoids building the key path of each element: these lists are long.
 std::optional<mesh::Vec3> JsonReader::point(std::size_t index, double limit) const {
   const json& values = value_[index];
   if (!values.is_array() || values.size() != 3) return std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace viete::scene {
 
-// Of positions that a graphics card, and the engines, can hold: those of any surface that is opened.
+// The range of positions that GPUs and deformers support, as for any opened surface.
 void check_places(const std::string& place, std::span<const mesh::Point> positions) {
   constexpr double largest = 1e32;
   for (std::size_t v = 0; v < positions.size(); ++v) {

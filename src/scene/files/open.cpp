@@ -34,7 +34,7 @@ void append(std::vector<std::string>& all, const std::vector<std::string>& more)
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// How many of up to a hundred of its vertices, spread over all, are outside.
+// The number of outside vertices among up to a hundred, evenly spread.
 struct Outside {
   std::size_t count, of;
 };
@@ -55,7 +55,7 @@ bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
   return true;
 }
 
-// One vertex in ten may stick out.
+// One vertex in ten may be outside.
 bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   if (inner.positions.empty() || outer.triangles.empty()) return false;
   if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
@@ -63,8 +63,7 @@ bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   return 10 * found.count <= found.of;
 }
 
-// What is odd about the surfaces themselves is left to the checks, but not a cage that was made for another
-// model.
+// Defects of the surfaces are left to the checks, except that a cage may have been made for another model.
 void take_cage_warnings(Opened& opened) {
   const Document& document = *opened.document;
   append(opened.warnings, document.cage_file.warnings);
@@ -139,7 +138,7 @@ Opened of_open_cage(const fs::path& file, const Document& current) {
   return opened;
 }
 
-// What cannot be drawn is not taken.
+// Refuses what cannot be drawn.
 void check_imported(const Opened& imported) {
   Document checked;
   checked.library.poses = imported.poses;
@@ -173,9 +172,9 @@ Opened open_animation(const fs::path& file, const Document& current, base::Progr
   return opened;
 }
 
-// Logs are taken here, where nobody waits for a frame.
-void tell_shapes(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
-                 std::span<const SharedShape> shapes, base::Progress* progress) {
+// Computes the logs here, in the background.
+void add_shape_vectors(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
+                       std::span<const SharedShape> shapes, base::Progress* progress) {
   base::WorkerPool pool;
   opened.shapes_of = model;
   opened.vectors.follow_model(model);
@@ -213,13 +212,13 @@ Opened open_shapes(const std::vector<fs::path>& files, const Document& current, 
   std::vector<SharedShape> shapes;
   for (const NamedShape& shape : opened.shapes) shapes.push_back(shape.shape);
   if (progress) progress->section(0.3, 0.8);
-  tell_shapes(opened, current.model.surface, shapes, progress);
+  add_shape_vectors(opened, current.model.surface, shapes, progress);
   return opened;
 }
 
-// A key a shape, frame after frame.
+// One key per shape, one frame apart.
 Opened open_shape_keys(const fs::path& file, const Document& current, base::Progress* progress) {
-  const bool is_model = mesh::is_a(mesh::keeps_order, file);  // then maybe one of a sequence
+  const bool is_model = mesh::is_a(mesh::keeps_order, file);  // it may be one of a sequence
   const auto sequence = is_model ? base::NumberedName::of_file(file) : std::nullopt;
   Opened opened = open_shapes({sequence ? fs::path(sequence->pattern()) : file}, current, progress);
   const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage) : deform::Pose();
@@ -232,7 +231,7 @@ Opened open_shape_keys(const fs::path& file, const Document& current, base::Prog
   return opened;
 }
 
-// A cage that is not where it was may lie beside the model that was located.
+// A missing cage may be next to the located model.
 void locate(Session& session, const LocatedFiles& located) {
   std::error_code ignored;
   if (!located.model.empty()) {
@@ -243,10 +242,10 @@ void locate(Session& session, const LocatedFiles& located) {
   }
   if (located.cage.empty()) return;
   session.cage = fs::absolute(located.cage).lexically_normal();
-  session.made_cage.reset();
+  session.generated_cage.reset();
 }
 
-// Problems of its model or cage name the session too.
+// Errors about its model or cage name the session too.
 Document document_of_session(const Session& session, const fs::path& file, base::Progress* progress) {
   const auto open = [&](const char* key, const fs::path& named, base::Progress* told) {
     std::error_code ignored;
@@ -259,7 +258,7 @@ Document document_of_session(const Session& session, const fs::path& file, base:
     key = "cage";
     if (!session.cage.empty()) set_cage(document, open(key, session.cage, nullptr));
     key = "made_cage";
-    if (session.made_cage) set_cage(document, *session.made_cage);
+    if (session.generated_cage) set_cage(document, *session.generated_cage);
     return document;
   } catch (const SessionFileError&) {
     throw;
@@ -268,24 +267,24 @@ Document document_of_session(const Session& session, const fs::path& file, base:
   }
 }
 
-// Of a session that says nothing of the pose: what its keys make of its frame.
-void pose_by_keys(Document& document) {
+// For a session without a pose: the pose of the keys at its frame.
+void set_pose_from_keys(Document& document) {
   if (document.timeline.keys.empty()) return;
-  KnownVectors vectors;
+  VectorCache vectors;
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
   put_whole_pose(document, Animation(document.timeline, vectors).at(document.frame));
 }
 
-// Of a session.
-void tell_shapes(Opened& opened, const Document& document, base::Progress* progress) {
+// For a session.
+void add_shape_vectors(Opened& opened, const Document& document, base::Progress* progress) {
   std::vector<SharedShape> shapes;
   const auto add = [&](const auto& keyed) {
     if (keyed.pose->shape) shapes.push_back(keyed.pose->shape);
   };
   std::ranges::for_each(document.library.poses, add);
   if (!document.has_shapes()) return;
-  tell_shapes(opened, document.model.surface, shapes, progress);
+  add_shape_vectors(opened, document.model.surface, shapes, progress);
   if (document.timeline.keys.empty()) return;
   opened.vectors.follow(document.cage);
   (void)Animation(document.timeline, opened.vectors);
@@ -297,7 +296,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   opened.file = file;
   opened.recovered = recovered;
   opened.has_settings = true;
-  opened.content = content_of(file);  // before it is read: what changes in between is noticed
+  opened.content = content_of(file);  // before reading, so that a concurrent change is noticed
   opened.session = read_session(file);
   Session& session = *opened.session;
   locate(session, located);
@@ -309,7 +308,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   document.probes = session.probes;
   const bool has_pose = session.pose.has_value() || session.shape || !document.has_cage();
   if (document.has_cage()) {
-    fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
+    fit_to_cage(session, *document.cage, file);  // errors are reported before warnings
     if (session.pose) document.pose = std::move(*session.pose);
   }
   fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface, file.string(),
@@ -319,15 +318,15 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   if (document.library.unmixed) document.library.mixed = shared_pose(document);
   document.timeline = std::move(session.timeline);
   document.frame = session.frame;
-  tell_shapes(opened, document, progress);
-  if (!has_pose) pose_by_keys(document);
+  add_shape_vectors(opened, document, progress);
+  if (!has_pose) set_pose_from_keys(document);
   if (document.is_movable()) {
     fit_selection(session, document, file);
     document.selection = Selection(session.selecting, session.selection);
     document.groups = fit_groups(session, document, file);
     document.selection = without_hidden(document, document.selection);
   }
-  tell_what_changed(session, document, file);
+  warn_of_changes(session, document, file);
   session.pose.reset();
   opened.document = std::move(document);
   append(opened.warnings, session.warnings);
@@ -391,7 +390,7 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage, Fins fins) {
   return opened;
 }
 
-// A point cache of the model and not of its cage.
+// A point cache that fits the model but not its cage.
 bool is_cache_of(const fs::path& file, const Document& current) {
   if (!current.model.surface || !mesh::point_cache_format(file)) return false;
   const std::size_t points = mesh::PointCache(file).head().points;
@@ -480,7 +479,7 @@ SessionFileError::SessionFileError(const fs::path& session, std::string_view of,
       file(named) {}
 
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress) {
-  if (progress) progress->section(0, 0.8);  // the rest is what is computed from it
+  if (progress) progress->section(0, 0.8);  // the rest is computing derived data
   Opened opened = read(request, current, progress);
   if (!opened.document) return opened;
   Document& document = *opened.document;

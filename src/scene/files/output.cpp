@@ -64,7 +64,7 @@ std::string name_of_found(const fs::path& file, const mesh::Beginning& beginning
   return std::string(mesh::name_of_content(beginning.bytes()));
 }
 
-// "dragon-2.obj", where nothing is of this name.
+// Proposes "dragon-2.obj", a free name.
 [[noreturn]] void refuse(const fs::path& file, const std::string& why, const fs::path& named, Force force) {
   const std::string name = named.stem().string() + "-2" + named.extension().string();
   const fs::path other = base::unused_name(named.parent_path() / name);
@@ -139,7 +139,7 @@ void add_surface(FilesInUse& files, const fs::path& file, const mesh::Original* 
 
 void add_document(FilesInUse& files, const Document& document, std::string_view own) {
   const auto add = [&](const OpenedSurface& surface, std::string_view what) {
-    const bool anew = own == what;  // but not what it leads to
+    const bool anew = own == what;  // the file itself may be overwritten, but not its dependencies
     add_surface(files, anew ? fs::path() : surface.path, surface.original.get(), surface.attributes.get(),
                 what);
   };

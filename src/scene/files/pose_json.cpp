@@ -39,8 +39,9 @@ Points points_of(const JsonReader& json, double limit, double otherwise) {
 }
 
 // "vertex 5 is at rest instead".
-void tell_unread(const JsonReader& json, const std::vector<std::size_t>& unread, const std::string& element,
-                 const std::string& instead, std::vector<std::string>& warnings) {
+void warn_of_unread(const JsonReader& json, const std::vector<std::size_t>& unread,
+                    const std::string& element, const std::string& instead,
+                    std::vector<std::string>& warnings) {
   if (unread.empty()) return;
   const bool one = unread.size() == 1;
   const std::string others = one ? "" : " and " + std::to_string(unread.size() - 1) + " more";
@@ -80,7 +81,7 @@ int frame_of(const JsonReader& json) {
   return static_cast<int>(std::lround(frame_number(json)));
 }
 
-// As it was typed, where that gives the same weight back.
+// As typed, if that reads back as the same weight.
 double percent_of(double weight) {
   const double typed = std::round(1e8 * weight) / 1e6;
   return typed / 100 == weight ? typed : 100 * weight;
@@ -134,7 +135,7 @@ std::vector<CameraKey> cameras_of(const JsonReader& json, std::vector<std::strin
   return keys;
 }
 
-// By frame; of two of the same frame the first one stays.
+// Sorts by frame; of equal frames the first one is kept.
 template <class Keys>
 void put_in_order(Keys& keys) {
   const auto frame = [](const auto& key) { return key.frame; };
@@ -167,11 +168,11 @@ deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings)
   const JsonReader positions = json.at("positions");
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   Points points = points_of(positions, largest_coordinate, unknown);
-  tell_unread(positions, points.unread, "vertex", "at rest instead", warnings);
+  warn_of_unread(positions, points.unread, "vertex", "at rest instead", warnings);
   deform::Pose pose{std::move(points.all), {}};
   const auto turns_of = [&](const JsonReader& turns) {
     Points read = points_of(turns, largest_turn, 0);
-    tell_unread(turns, read.unread, "part", "without whole turns instead", warnings);
+    warn_of_unread(turns, read.unread, "part", "without whole turns instead", warnings);
     return std::move(read.all);
   };
   take_part(json, "turns", pose.turns, turns_of, "no part has made a whole turn", warnings);
@@ -344,7 +345,7 @@ PoseLibrary library_of(const JsonReader& json, std::span<const SharedShape> shap
   PoseLibrary library;
   take_items(json, PoseLibrary::most_poses, "this pose is left out", warnings, [&](const JsonReader& item) {
     NamedPose named = named_pose_of(item, shapes, warnings);
-    named.name = free_name(library, named.name);  // each name once
+    named.name = free_name(library, named.name);  // names are unique
     library.poses.push_back(std::move(named));
   });
   return library;

@@ -10,9 +10,9 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
-#include "mesh/surface.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_cursor.h"
+#include "mesh/surface.h"
 #include "mesh/triangulation.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_editing.h"
@@ -46,7 +46,7 @@ constexpr ViewFlag view_flags[] = {
     {"deformed", &ViewOptions::deformed},   {"select_visible", &ViewOptions::select_visible},
     {"same_path", &ViewOptions::same_path}};
 
-// Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.
+// Resolves links in the folder, so that ".." is correct; the file keeps its given name.
 fs::path resolved(const fs::path& path) {
   std::error_code code;
   const fs::path absolute = fs::absolute(path, code);
@@ -85,14 +85,14 @@ ordered_json view_json(const ViewOptions& view) {
 
 ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
   ViewOptions view;
-  (void)json.find("");  // what is no object is said once
+  (void)json.find("");  // reports a value that is not an object, once
   for (const auto& flag : view_flags) {
     take_part(json, flag.key, view.*flag.option, &JsonReader::boolean, "it stays as it is in a new window",
               warnings);
   }
   take_part(json, "shading", view.shading, choice_of<Shading>, "the model is shown as its file says",
             warnings);
-  bool of_errors = false;  // as sessions said it once
+  bool of_errors = false;  // name in older sessions
   take_part(json, "error_map", of_errors, &JsonReader::boolean, "no map is shown", warnings);
   if (of_errors) view.field = lab::Field::exp_error;
   take_part(json, "field", view.field, choice_of<lab::Field>, "no map is shown", warnings);
@@ -103,7 +103,7 @@ ordered_json side_json(const SideWay& side) {
   ordered_json json = {{"method", sym3::name(side.method)}};
   json.update(scheme_json(side.scheme));
   if (side.field != lab::Field::none) json["field"] = entry_of(side.field).word;
-  if (side.other_lines) json["other_lines"] = true;
+  if (side.other_blending) json["other_lines"] = true;
   return json;
 }
 
@@ -113,7 +113,7 @@ SideWay side_of(const JsonReader& json, std::vector<std::string>& warnings) {
   take_part(json, "method", side.method, method, "fast instead", warnings);
   side.scheme = scheme_of(json, warnings);
   take_part(json, "field", side.field, choice_of<lab::Field>, "no map is shown", warnings);
-  take_part(json, "other_lines", side.other_lines, &JsonReader::boolean, "as in the first view", warnings);
+  take_part(json, "other_lines", side.other_blending, &JsonReader::boolean, "as in the first view", warnings);
   return side;
 }
 
@@ -131,7 +131,7 @@ std::vector<CameraPose> cameras_of(const JsonReader& json, std::size_t sides) {
   return cameras;
 }
 
-// Keys are of bytes as the machine stores them: others than the common ones say nothing.
+// Content keys depend on the byte order; ignored on uncommon machines.
 constexpr bool keys_are_common = std::endian::native == std::endian::little;
 
 std::vector<std::uint32_t> selection_of(const JsonReader& json) {
@@ -207,7 +207,7 @@ ordered_json sets_json(const std::vector<NamedSet>& sets) {
   return all;
 }
 
-// A cage that is in no file of its own.
+// A cage without a file.
 ordered_json cage_json(const OpenedSurface& cage) {
   const mesh::Surface& surface = *cage.surface;
   ordered_json polygons = ordered_json::array();
@@ -239,7 +239,7 @@ OpenedSurface made_cage_of(const JsonReader& json) {
   }
   mesh::triangulate(surface);
   const auto name = json.find("name");
-  return made_surface(std::move(surface), name ? name->text() : "made here");
+  return generated_surface(std::move(surface), name ? name->text() : "made here");
 }
 
 }  // namespace
@@ -249,7 +249,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   ShapeTable shapes;
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
-  if (session.made_cage) json["made_cage"] = cage_json(*session.made_cage);
+  if (session.generated_cage) json["made_cage"] = cage_json(*session.generated_cage);
   if (keys_are_common && session.model_content != 0)
     json["model_content"] = hexadecimal(session.model_content);
   if (keys_are_common && session.cage_content != 0) json["cage_content"] = hexadecimal(session.cage_content);
@@ -339,13 +339,13 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("window", s.window, window_of, "the usual size instead");
   std::optional<ElementKind> kind = ElementKind::vertex;
   const auto read_kind = [&](const JsonReader& v) {
-    kind.reset();  // of an unknown kind nothing is selected
+    kind.reset();  // an unknown kind selects nothing
     return word_of(v, kind_from_name);
   };
   take("selecting", kind, read_kind, "nothing is selected");
   if (!kind) return;
   s.selecting = *kind;
-  if (*kind == ElementKind::probe && !all_probes) return;  // others have their numbers now
+  if (*kind == ElementKind::probe && !all_probes) return;  // the indices of others have changed
   take("selection", s.selection, selection_of, "nothing is selected");
 }
 
@@ -359,13 +359,14 @@ Session read_session(const fs::path& file) {
   Session session;
   session.model = resolved(folder / json.at("model").path());
   if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
-  if (const auto v = json.find("made_cage"); v && session.cage.empty()) session.made_cage = made_cage_of(*v);
+  if (const auto v = json.find("made_cage"); v && session.cage.empty())
+    session.generated_cage = made_cage_of(*v);
   if (const auto v = json.find("pose")) session.pose = pose_of(*v, session.warnings);
   read_settings(json, folder, session);
   return session;
 }
 
-// Elements are listed in ascending order.
+// Removes nonexistent elements from the ascending list.
 void fit_selection(Session& session, const Document& document, const fs::path& file) {
   const std::size_t count = element_count(document, session.selecting);
   if (session.selection.empty() || session.selection.back() < count) return;
@@ -402,7 +403,7 @@ CageGroups fit_groups(Session& session, const Document& document, const fs::path
   return groups;
 }
 
-void tell_what_changed(Session& session, const Document& document, const fs::path& file) {
+void warn_of_changes(Session& session, const Document& document, const fs::path& file) {
   const auto tell = [&](const char* key, std::uint64_t then, const OpenedSurface& now, const char* advice) {
     if (then == 0 || now.content == 0 || then == now.content) return;
     session.warnings.emplace_back(
@@ -427,11 +428,12 @@ void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& fil
   auto& [positions, turns] = *session.pose;
   const auto& rest = cage.surface.positions;
   if (positions.size() != rest.size()) {
-    throw base::Error(file.string() + ": pose.positions",
-                      "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
-                          (session.made_cage ? place_of(*session.made_cage) : session.cage.string()) +
-                          " has " + std::to_string(rest.size()),
-                      advice);
+    throw base::Error(
+        file.string() + ": pose.positions",
+        "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
+            (session.generated_cage ? place_of(*session.generated_cage) : session.cage.string()) + " has " +
+            std::to_string(rest.size()),
+        advice);
   }
   if (turns.size() > cage.roots.size()) {
     throw base::Error(file.string() + ": pose.turns",

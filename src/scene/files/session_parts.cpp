@@ -60,7 +60,7 @@ nlohmann::ordered_json handling_json(const Handling& handling) {
 
 Handling handling_of(const JsonReader& json, std::vector<std::string>& warnings) {
   Handling handling;
-  (void)json.find("");  // what is no object is said once
+  (void)json.find("");  // reports a value that is not an object, once
   take_word(json, "pivot", handling.pivot, warnings);
   take_part(json, "point", handling.point, pivot_of, "there is none instead", warnings);
   take_word(json, "axes", handling.axes, warnings);
@@ -148,7 +148,7 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
 
 namespace {
 
-// As it was typed: 29 and not 28.999999999999996.
+// As typed: 29 instead of 28.999999999999996.
 double percent(double amount) {
   return std::round(1e8 * amount) / 1e6;
 }
@@ -199,7 +199,7 @@ ordered_json scheme_json(const deform::Scheme& scheme) {
 
 namespace {
 
-// Names of a table as people list them.
+// The names of a table as a list for the user.
 template <class Entry>
 std::string names(std::span<const Entry> table) {
   std::string all;

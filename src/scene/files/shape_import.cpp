@@ -24,7 +24,7 @@ void check_shape_count(const std::string& file, std::size_t count, const mesh::S
                       "there are " + base::counted(count, "shape") + ", and a timeline holds " +
                           base::with_thousands(Timeline::most_keys),
                       "choose fewer");
-  // Positions, and their vectors.
+  // Positions and their log vectors.
   base::require_memory({120.0 * static_cast<double>(count) * static_cast<double>(model.positions.size()) +
                             72.0 * static_cast<double>(count) * static_cast<double>(model.triangles.size()),
                         base::counted(count, "shape") + " of the model take", "choose fewer", file});
@@ -34,7 +34,7 @@ namespace {
 
 constexpr const char* advice = "choose a shape of the same model: the same vertices and faces, moved";
 
-// The corners of faces, whichever the two surfaces have in common: polygons, or what these were cut into.
+// The corners of faces in the form common to both surfaces: polygons or triangles.
 struct Faces {
   std::vector<std::uint32_t> corners, starts;
 };
@@ -59,7 +59,7 @@ std::string face_text(const Faces& faces, std::size_t face) {
   return text;
 }
 
-// Of each vertex of the model the one of the file, told by faces that stand in the same order.
+// Finds for each model vertex the file's vertex, from faces in the same order.
 class VertexOrder {
 public:
   VertexOrder(const std::string& file, const mesh::Surface& found, const mesh::Surface& model)
@@ -94,7 +94,7 @@ private:
     if (!fits) refuse(face);
   }
 
-  // That a face joins others may show at a later one.
+  // A merged face may be detected only at a later one.
   [[noreturn]] void refuse(std::size_t face) const {
     const auto same = [&](std::size_t f) { return face_text(found_, f) == face_text(model_, f); };
     if (same(face)) face = 0;
@@ -111,7 +111,7 @@ private:
     return order_[of_model] == of_file;
   }
 
-  // Vertices of no face: in their order.
+  // Vertices without a face: in file order.
   void match_loose() {
     std::uint32_t next = 0;
     for (auto& v : order_) {
@@ -183,7 +183,7 @@ private:
     all_.warnings.insert(all_.warnings.end(), refused.begin(), refused.end());
   }
 
-  // The model itself may lie beside its shapes.
+  // The folder may contain the model itself.
   void drop_rest() {
     if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
   }

@@ -1,4 +1,4 @@
-// Commands of the cage, and of how it moves the model.
+// Commands for the cage and the deformer.
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -61,7 +61,8 @@ void snap_and_say(Workspace& w) {
                   of_cage);
 }
 
-// What is no cage is said, and changes nothing. Of the document, or of the workspace with a word.
+// Shows an error if the result would be no valid cage, without a change. `Change` takes the document, or the
+// workspace and a label.
 template <auto Change>
 void change_cage(Workspace& w) {
   const CageGroups groups = w.document.groups;
@@ -93,7 +94,7 @@ void add_cage_commands(CommandTable& table) {
             "the old one back.",
             lacks_pairs, make_symmetric_cage);
   table.add("finish_cage", {"Keep the made cage", "Done"},
-            "Keep this cage; a preview is made with all care first.", is_wishing,
+            "Keep this cage; a preview is made with all care first.", can_change_wish,
             passing([](Workspace& w) { w.making.closing = true; }));
   table.add("cancel_cage", {"Take the made cage back", "Cancel"}, "Take the cage back that was made here.",
             is_making, passing([](Workspace& w) {
@@ -104,7 +105,7 @@ void add_cage_commands(CommandTable& table) {
             "Go on without it; the panels Cage and Checks still offer it.", has_model,
             passing([](Workspace& w) {
               w.offer_cage = false;
-              if (has_outside(w)) put_badge_away(w.checks);
+              if (has_outside(w)) dismiss_badge(w.checks);
             }));
   table.add("edit_cage", "Edit cage",
             "Change the cage itself, which is shown at rest; the pose is carried along.", {Key::tab},
@@ -146,11 +147,11 @@ void add_cage_commands(CommandTable& table) {
 
 namespace {
 
-// A way, or one of the choices that ways are made of.
+// A command for a deformer, or for one of its parts.
 template <class Entry>
 void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
   for (const Entry& entry : entries)
-    table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, hand_is_free,
+    table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, no_drag_runs,
                  [value = entry.value](Workspace& w) {
                    set_scheme(w.document, deform::chosen(value, w.document.scheme));
                  });
@@ -176,7 +177,7 @@ void add_blend_commands(CommandTable& table) {
   table.add("toggle_stitched", {"Stitch the model (ARAP)", "Stitched (ARAP)"},
             "As rigid as possible: the triangles of the model follow the blended maps, and its vertices are "
             "solved for. Details keep their shape; a frame takes longer.",
-            with_free_hand<has_maps>,
+            without_drag<has_maps>,
             {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
              [](const Workspace& w) { return w.document.scheme.stitched(); }});
   table.heading("Method");

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "scene/files/output.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 
 namespace viete::scene {
 
@@ -22,14 +22,14 @@ const fs::path& file_of_cage(const Document& document) {
   return in_file ? document.cage_file.path : document.model.path;
 }
 
-// Beside what it belongs to.
+// In the folder of the related file.
 void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   std::error_code ignored;
   const bool there = fs::is_directory(file.parent_path(), ignored);
-  show(w.browser, purpose, there ? file.parent_path() : w.remembered.folder);
+  show(w.browser, purpose, there ? file.parent_path() : w.preferences.folder);
 }
 
-// What a file of this purpose may replace though it is open: itself as it was read.
+// The open file that this purpose may overwrite: its own source.
 std::string_view own_of(Purpose purpose) {
   switch (purpose) {
     case Purpose::save_session: return the_session;
@@ -40,18 +40,18 @@ std::string_view own_of(Purpose purpose) {
 }
 
 void browse_for_model(Workspace& w) {
-  // Where a file was chosen last, else beside what is open.
-  const fs::path& last = w.remembered.folder;
+  // The last chosen folder, else that of the open files.
+  const fs::path& last = w.preferences.folder;
   show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
 }
 
-// Beside the cage.
+// In the folder of the cage.
 template <Purpose For>
 void browse_for(Workspace& w) {
   browse_beside(w, For, file_of_cage(w.document));
 }
 
-// "cage" becomes "cage_pose.obj", in the folder of the session or else beside the file it comes from.
+// Proposes "cage_pose.obj" for "cage", in the folder of the session or else of the source file.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
   show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending,
@@ -65,13 +65,13 @@ void save_animation(Workspace& w) {
       PictureChoice{.grid = w.view.grid, .light = !w.view.dark, .width = size.x, .height = size.y};
 }
 
-// The document is the bundled model in its cage, and no key would be replaced.
+// The document is the bundled model with its cage and no keys.
 constexpr Condition can_add_example{
     [](const Workspace& w) {
       const fs::path& model = w.document.model.path;
       std::error_code ignored;
       return !w.example.empty() && has_cage(w) && w.document.timeline.empty() &&
-             !is_editing_cage(w.document) && !in_hand(w) &&
+             !is_editing_cage(w.document) && !is_dragging(w) &&
              fs::equivalent(model, w.example.parent_path() / model.filename(), ignored);
     },
     "Only for the bundled dragon without keys: open it, or delete its keys first."};
@@ -102,8 +102,8 @@ void browse_to_save_named_pose(Workspace& w) {
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
   const fs::path& session = w.unopened->files.front();
-  const bool recovery = w.unopened->what == OpenRequest::What::recovery;  // lies among files of the program
-  recovery ? show(w.browser, purpose, w.remembered.folder) : browse_beside(w, purpose, session);
+  const bool recovery = w.unopened->what == OpenRequest::What::recovery;  // in the program's own folder
+  recovery ? show(w.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
 }
 
 void add_file_commands(CommandTable& table) {
@@ -141,16 +141,16 @@ void add_file_commands(CommandTable& table) {
             "Stop writing the deformed mesh or its animation; every file is whole or as it was.",
             is_exporting, passing([](Workspace& w) { w.requests.stop_export = true; }));
   table.add("restore_leftover", {"Restore recovered edits", "Restore"}, "Open the newest recovered edits.",
-            {key('B'), true}, has_leftovers, passing([](Workspace& w) {
-              if (!std::exchange(w.offers_leftovers, true)) return;
-              w.requests.open = OpenRequest{OpenRequest::What::recovery, {w.leftovers.front().file}};
+            {key('B'), true}, has_recovery_files, passing([](Workspace& w) {
+              if (!std::exchange(w.offers_recovery, true)) return;
+              w.requests.open = OpenRequest{OpenRequest::What::recovery, {w.recovery_files.front().file}};
             }));
   table.add("discard_leftovers", {"Discard recovered edits", "Discard"}, "Delete all recovered edits.",
-            offers_leftovers,
-            passing([](Workspace& w) { w.question = ask_before_discarding(w.leftovers.size()); }));
+            offers_recovery,
+            passing([](Workspace& w) { w.question = ask_before_discarding(w.recovery_files.size()); }));
   table.add("put_off_leftovers", {"Keep recovered edits for later", "Later"},
-            "Hide this row. The next start offers the recovered edits again.", offers_leftovers,
-            passing([](Workspace& w) { w.offers_leftovers = false; }));
+            "Hide this row. The next start offers the recovered edits again.", offers_recovery,
+            passing([](Workspace& w) { w.offers_recovery = false; }));
   table.add("screenshot", {"Save a screenshot", "Screenshot"}, "Save a picture of the window.", {Key::f12},
             always, [](Workspace& w) { w.requests.screenshot = true; });
   table.add("quit", "Quit", "Close the program.", {key('Q'), true}, always,
@@ -160,10 +160,10 @@ void add_file_commands(CommandTable& table) {
 namespace {
 
 constexpr Condition can_import{
-    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !in_hand(w); },
+    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a cage first, and pose it rather than edit it (Tab)."};
 constexpr Condition can_import_shapes{
-    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !in_hand(w); },
+    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a model first, and pose its cage rather than edit it (Tab)."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
                                            return is_movable(w) && !w.document.timeline.keys.empty() &&

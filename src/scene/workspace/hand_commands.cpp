@@ -1,4 +1,4 @@
-// Commands of the tools, and of how the hand moves.
+// Commands for tools and handling.
 #include <algorithm>
 
 #include "scene/document/edit.h"
@@ -14,7 +14,7 @@ namespace viete::scene {
 
 namespace {
 
-// Where each kind of choice lives.
+// The field for each kind of choice.
 Pivot& place(Handling& h, Pivot) {
   return h.pivot;
 }
@@ -31,9 +31,9 @@ SoftDistance& place(Handling& h, SoftDistance) {
   return h.soft.distance;
 }
 
-// What does not go together with this cage is said, and not chosen.
+// Reports a plane that does not fit the cage, without a change.
 void choose(Workspace& w, MirrorPlane plane) {
-  KnownMirror wanted;
+  MirrorCache wanted;
   wanted.follow(w.document.cage, plane);
   if (plane != MirrorPlane::none && w.document.has_cage() && !wanted.mirror)
     return w.messages.info("No plane of symmetry fits the cage; choose X, Y or Z.");
@@ -48,7 +48,7 @@ void choose(Workspace& w, Value value) {
 
 template <class Value>
 void add_hand_choices(CommandTable& table, std::string_view headline) {
-  add_choices<Value>(table, headline, hand_is_free, [](Workspace& w, Value value) { choose(w, value); });
+  add_choices<Value>(table, headline, no_drag_runs, [](Workspace& w, Value value) { choose(w, value); });
 }
 
 template <class Value>
@@ -78,29 +78,30 @@ void add_key_presets(CommandTable& table) {
     const auto preset = static_cast<KeyPreset>(number++);
     const std::string label(entry.label);
     table
-        .add(choice_command_name(preset), {"Keys of " + label, label}, std::string(entry.hint), hand_is_free,
-             [preset](Workspace& w) { w.remembered.keymap.set_preset(preset); })
+        .add(choice_command_name(preset), {"Keys of " + label, label}, std::string(entry.hint), no_drag_runs,
+             [preset](Workspace& w) { w.preferences.keymap.set_preset(preset); })
         .under("Keys of");
   }
 }
 
 constexpr Condition can_grab{
-    [](const Workspace& w) { return has_selection(w) && shows_selectable(w) && !in_hand(w); },
+    [](const Workspace& w) { return has_selection(w) && shows_selectable(w) && !is_dragging(w); },
     "Select something that is shown first."};
 
 constexpr Condition can_shape{
     [](const Workspace& w) { return can_grab(w) && w.document.selection.kind() != ElementKind::probe; },
     "Select something of the cage first."};
 constexpr Condition has_copied{
-    [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && !in_hand(w); },
+    [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && !is_dragging(w); },
     "Copy the pose of a part of this cage first."};
 
 void begin_placing_pivot(Workspace& w) {
   w.interaction.placing_pivot = !w.interaction.placing_pivot;
 }
 
-constexpr Condition has_mirror{[](const Workspace& w) { return mirror_of(w) && has_cage(w) && !in_hand(w); },
-                               "Choose a mirror first."};
+constexpr Condition has_mirror{
+    [](const Workspace& w) { return mirror_of(w) && has_cage(w) && !is_dragging(w); },
+    "Choose a mirror first."};
 constexpr Condition has_mirrored_selection{
     [](const Workspace& w) {
       return has_mirror(w) && has_selection(w) && w.document.selection.kind() != ElementKind::probe;
@@ -147,14 +148,14 @@ void add_hand_commands(CommandTable& table) {
             "The next click says what the selection turns about: a vertex, an edge or the model's surface.",
             {key('J')}, has_model, begin_placing_pivot);
   table.add("next_pivot", "Next pivot", "Turn and scale about the median, the active element, and so on.",
-            {key('.')}, hand_is_free, choose_next<Pivot>);
+            {key('.')}, no_drag_runs, choose_next<Pivot>);
   add_hand_choices<Pivot>(table, "Pivot");
   table.add("next_axes", "Next axes", "Move along the axes of the world, the view, the selection, and so on.",
-            {key(',')}, hand_is_free, choose_next<Axes>);
+            {key(',')}, no_drag_runs, choose_next<Axes>);
   add_hand_choices<Axes>(table, "Axes");
   table.add("next_mirror", "Next mirror",
             "Move both sides of the cage across X, Y, Z or the plane that fits, or one side alone.",
-            {key('M'), false, true}, hand_is_free, choose_next<MirrorPlane>);
+            {key('M'), false, true}, no_drag_runs, choose_next<MirrorPlane>);
   add_hand_choices<MirrorPlane>(table, "Mirror");
   table.add("mirror_copy", {"Copy pose to the other side", "Copy across"},
             "The other side takes the pose of what is selected, as in the mirror.", has_mirrored_selection,
@@ -166,7 +167,7 @@ void add_hand_commands(CommandTable& table) {
       "toggle_soft", {"Soft selection", "Soft"},
       "What is near the selection goes along, the less the farther; during a drag the wheel changes the "
       "radius.",
-      {key('S')}, hand_is_free, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
+      {key('S')}, no_drag_runs, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
   add_hand_choices<SoftCurve>(table, "Falloff");
   add_hand_choices<SoftDistance>(table, "Falloff");
   table.heading("Keys");
@@ -186,7 +187,7 @@ bool in_use(const Workspace& w) {
   return w.tool == Use;
 }
 
-// On the model under the cursor or, where none is there or a button was pressed, in the middle of the view.
+// Adds at the model under the cursor, or at the view's center if there is none or a panel button was used.
 template <bool (*Add)(Document&, const PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
   const glm::vec2 middle = w.viewport.middle();
@@ -197,7 +198,7 @@ void add_in_view(Workspace& w) {
   if (!at) at = on_model(middle);
   Add(w.document, w.posed, at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
   w.interaction.hovered.reset();
-  w.view.cage = true;  // with which probes are shown
+  w.view.cage = true;  // also displays the probes
 }
 
 bool all_pull(const Workspace& w) {
@@ -233,10 +234,10 @@ void add_tool_commands(CommandTable& table) {
   table.add("tool_paint", {"Paint tool", "Paint"},
             "Paint what of the model stays at rest; with Ctrl what follows.", {key('D')}, is_movable,
             {use_tool<Tool::paint>, [](const Workspace& w) { return w.tool == Tool::paint; }});
-  table.add("mask_clear", "Clear paint", "All of the model follows the cage again.", with_free_hand<has_mask>,
+  table.add("mask_clear", "Clear paint", "All of the model follows the cage again.", without_drag<has_mask>,
             [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
   table.add("mask_invert", "Invert paint", "What follows the cage stays, and the reverse.",
-            with_free_hand<is_movable>,
+            without_drag<is_movable>,
             [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); });
   table.heading("Probes");
   table.add("add_probe", {"Add a probe", "Add"},

@@ -15,16 +15,16 @@ namespace viete::scene {
 
 namespace {
 
-// What is under the cursor may be of another kind then.
+// The element under the cursor may be of another kind then.
 void step_back(Workspace& w) {
   undo(w.document);
-  w.messages.leave_sight();
+  w.messages.hide_messages();
   w.interaction.hovered.reset();
 }
 
 void step_forth(Workspace& w) {
   redo(w.document);
-  w.messages.leave_sight();
+  w.messages.hide_messages();
   w.interaction.hovered.reset();
 }
 
@@ -48,8 +48,8 @@ void invert_selection(Workspace& w) {
   set_selection(w.document, std::move(inverted));
 }
 
-// What is selected and under the cursor.
-Selection selection_at_hand(const Workspace& w) {
+// The selection and the hovered element.
+Selection selection_or_hovered(const Workspace& w) {
   Selection selection = w.document.selection;
   if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
     selection.apply(std::array{*w.interaction.hovered}, SelectMode::add);
@@ -57,7 +57,7 @@ Selection selection_at_hand(const Workspace& w) {
 }
 
 void select_linked(Workspace& w) {
-  set_selection(w.document, linked(*w.document.cage, selection_at_hand(w)));
+  set_selection(w.document, linked(*w.document.cage, selection_or_hovered(w)));
 }
 
 template <Selection (*Change)(const deform::Cage&, const Selection&)>
@@ -86,7 +86,7 @@ void select_ring(Workspace& w) {
   set_selection(w.document, std::move(ring));
 }
 
-// What lies at rest on one side of the model's middle.
+// Selects elements on one side of the model's middle, at rest.
 void add_side_command(CommandTable& table, int axis, bool positive) {
   const char letter = static_cast<char>('x' + axis);
   const std::string side{static_cast<char>('X' + axis), ' ', positive ? '+' : '-'},
@@ -99,7 +99,7 @@ void add_side_command(CommandTable& table, int axis, bool positive) {
       .add(std::string("side_") + letter + '_' + word, {"Select side " + side, side},
            "Select what of the cage is at rest on the " + word + " side of the model's middle along " +
                side.front() + '.',
-           with_free_hand<selects_of_cage>, select)
+           without_drag<selects_of_cage>, select)
       .under("Side");
 }
 
@@ -144,25 +144,25 @@ void add_select_commands(CommandTable& table) {
             has_posed_selection, [](Workspace& w) { reset_selected(w.document, mirror_of(w)); });
   table.heading("Select");
   table.add("select_vertices", {"Select vertices", "Vertices"}, "Select vertices of the cage.", {key('1')},
-            hand_is_free, select_by<ElementKind::vertex>);
-  table.add("select_edges", {"Select edges", "Edges"}, "Select edges of the cage.", {key('2')}, hand_is_free,
+            no_drag_runs, select_by<ElementKind::vertex>);
+  table.add("select_edges", {"Select edges", "Edges"}, "Select edges of the cage.", {key('2')}, no_drag_runs,
             select_by<ElementKind::edge>);
-  table.add("select_faces", {"Select faces", "Faces"}, "Select faces of the cage.", {key('3')}, hand_is_free,
+  table.add("select_faces", {"Select faces", "Faces"}, "Select faces of the cage.", {key('3')}, no_drag_runs,
             select_by<ElementKind::face>);
-  table.add("select_probes", {"Select probes", "Probes"}, "Select probes.", {key('4')}, hand_is_free,
+  table.add("select_probes", {"Select probes", "Probes"}, "Select probes.", {key('4')}, no_drag_runs,
             select_by<ElementKind::probe>);
   table
       .add("select_all", {"Select all", "All"}, "Select the whole cage, or all probes.", {key('A')},
-           with_free_hand<has_elements>, select_everything)
+           without_drag<has_elements>, select_everything)
       .or_by({key('A'), true});
   table.add("select_none", {"Select nothing", "None"}, "Select nothing.", {key('A'), false, true},
-            with_free_hand<has_selection>, select_nothing);
+            without_drag<has_selection>, select_nothing);
   table.add("invert_selection", {"Invert selection", "Invert"}, "Select what is not selected.",
-            {key('I'), true}, with_free_hand<has_elements>, invert_selection);
+            {key('I'), true}, without_drag<has_elements>, invert_selection);
   table
       .add("select_linked", {"Select linked", "Linked"},
            "Select what is connected with it or with what is under the cursor.", {key('L')},
-           with_free_hand<has_selection_or_hover>, select_linked)
+           without_drag<has_selection_or_hover>, select_linked)
       .or_by({key('L'), true});
   table.add("select_box", {"Select with a box", "Box"},
             "Draw a box from anywhere, also from on a vertex; Shift adds, Ctrl removes.", {key('B')},
@@ -179,35 +179,35 @@ void add_select_commands(CommandTable& table) {
            {Key::escape}, is_armed, passing(disarm))
       .or_by({Key::enter});
   table.add("select_more", {"Grow selection", "Grow"}, "Select what is next to it, too.", {Key::up, true},
-            with_free_hand<has_selection_of_cage>, change_selection<grown>);
+            without_drag<has_selection_of_cage>, change_selection<grown>);
   table.add("select_less", {"Shrink selection", "Shrink"}, "Leave out what is next to what is not selected.",
-            {Key::down, true}, with_free_hand<has_selection_of_cage>, change_selection<shrunk>);
+            {Key::down, true}, without_drag<has_selection_of_cage>, change_selection<shrunk>);
   table.add("select_loop", {"Select loop", "Loop"},
             "Select the loop of an edge, or of two neighbouring vertices or faces.", {key('L'), false, true},
-            with_free_hand<has_selection_of_cage>, select_loop);
+            without_drag<has_selection_of_cage>, select_loop);
   table.add("select_ring", {"Select ring", "Ring"},
             "Select edges that lie opposite, across quads and pairs of triangles that make one.",
-            {key('R'), false, true}, with_free_hand<has_selection_of_cage>, select_ring);
+            {key('R'), false, true}, without_drag<has_selection_of_cage>, select_ring);
   table.add("select_similar", {"Select similar", "Similar"},
             "Select vertices with as many edges, edges as long, faces as large.", {key('S'), false, true},
-            with_free_hand<has_selection_of_cage>, select_like<similar>);
+            without_drag<has_selection_of_cage>, select_like<similar>);
   table.add("select_facing", {"Select what faces alike", "Facing"},
             "Select faces that look the same way, or edges that are parallel, within 15 degrees.",
-            with_free_hand<has_selection_of_cage>, select_like<facing>);
+            without_drag<has_selection_of_cage>, select_like<facing>);
   for (const int axis : {0, 1, 2}) {
     for (const bool positive : {false, true}) add_side_command(table, axis, positive);
   }
   table.add("hide_selected", {"Hide selected", "Hide"},
             "Hide what is selected: it is not touched until all is shown again.", {key('H'), false, true},
-            with_free_hand<has_selection_of_cage>, change_groups<hide_selected>);
+            without_drag<has_selection_of_cage>, change_groups<hide_selected>);
   table.add("hide_others", {"Hide all but selected", "Only these"},
             "Hide everything of the cage but what is selected.", {key('H'), true, true},
-            with_free_hand<has_selection_of_cage>, change_groups<hide_others>);
+            without_drag<has_selection_of_cage>, change_groups<hide_others>);
   table.add("show_hidden", {"Show all that is hidden", "Show all"}, "Show everything of the cage again.",
-            {key('H'), true}, with_free_hand<has_hidden>, change_groups<show_all>);
+            {key('H'), true}, without_drag<has_hidden>, change_groups<show_all>);
   table.add("save_set", {"Keep selection as a set", "Keep as set"},
             "Keep what is selected as a set, to be selected again by its name.",
-            with_free_hand<has_selection_of_cage>, change_groups<save_set>);
+            without_drag<has_selection_of_cage>, change_groups<save_set>);
   table.add("toggle_select_visible", {"Select visible only", "Visible only"},
             "The mouse selects only what neither model nor cage hide.", {key('Z')}, always,
             switches(&ViewOptions::select_visible));

@@ -16,7 +16,7 @@ namespace viete::scene {
 namespace {
 
 constexpr Condition can_pose{
-    [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !in_hand(w); },
+    [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a cage, add a probe or import shapes first, and pose it rather than edit it (Tab)."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
                                     "Choose a pose of the list first; Keep pose makes one of what is there."};
@@ -40,13 +40,13 @@ constexpr Condition can_average{[](const Workspace& w) {
                                 "Mix in poses first, more above than below 0 %."};
 constexpr Condition has_time{[](const Workspace& w) {
                                return !w.document.timeline.empty() && !is_editing_cage(w.document) &&
-                                      !in_hand(w);
+                                      !is_dragging(w);
                              },
                              "There are no keys: pose the model and set one (I)."};
-// Keys of the keyboard that change time do nothing where time is not seen.
+// Timeline shortcuts are disabled while the timeline is hidden.
 constexpr Condition shows_time{[](const Workspace& w) {
-                                 return has_model(w) && w.remembered.layout.timeline &&
-                                        !is_editing_cage(w.document) && !in_hand(w);
+                                 return has_model(w) && w.preferences.layout.timeline &&
+                                        !is_editing_cage(w.document) && !is_dragging(w);
                                },
                                "Show the timeline first."};
 constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && shows_time(w); },
@@ -54,7 +54,7 @@ constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && sh
 constexpr Condition has_pose_keys{
     [](const Workspace& w) { return has_time(w) && !w.document.timeline.keys.empty(); },
     "There are no keys: pose the model and set one (I)."};
-constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !in_hand(w); },
+constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !is_dragging(w); },
                                    "Open a model first."};
 constexpr Condition has_selected_keys{
     [](const Workspace& w) { return has_time(w) && !selected_keys(w).empty(); },
@@ -63,7 +63,7 @@ constexpr Condition deletes_keys{
     [](const Workspace& w) { return has_selected_keys(w) && w.time_view.hovered; },
     "Select keys in the timeline first, and leave the pointer there."};
 
-// What cannot be done is said, and changes nothing.
+// Reports an edit that fails, without a change.
 template <class Edit>
 void try_edit(Workspace& w, const char* what, Edit edit) {
   try {
@@ -108,10 +108,10 @@ void move_down(Workspace& w) {
   ++*w.chosen_pose;
 }
 
-// Opens the timeline, in which all keys are in sight if it was closed.
+// Opens the timeline, and fits all keys if it was closed.
 void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
-    const bool shown = w.remembered.layout.timeline && !w.document.timeline.empty();
+    const bool shown = w.preferences.layout.timeline && !w.document.timeline.empty();
     stop_playing(w);
     set();
     if (!shown) show_timeline(w);
@@ -186,7 +186,7 @@ void change_play(Workspace& w, const auto& change) {
   set_play(w.document, play);
 }
 
-// What plays begins at the first key and ends at the last one.
+// Fits the playback range to the first and last key.
 void fit_range(Workspace& w) {
   const std::vector<int> frames = key_frames(w.document.timeline);
   change_play(w, [&](Play& play) { play.first = frames.front(), play.last = frames.back(); });
@@ -280,8 +280,8 @@ void add_time_commands(CommandTable& table) {
        [](const Workspace& w) { return w.document.timeline.straight; }});
   table.add("toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.",
             {key('T'), false, true}, always,
-            {[](Workspace& w) { w.remembered.layout.timeline = !w.remembered.layout.timeline; },
-             [](const Workspace& w) { return w.remembered.layout.timeline; }});
+            {[](Workspace& w) { w.preferences.layout.timeline = !w.preferences.layout.timeline; },
+             [](const Workspace& w) { return w.preferences.layout.timeline; }});
 }
 
 }  // namespace viete::scene

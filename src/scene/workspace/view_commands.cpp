@@ -1,4 +1,4 @@
-// Commands of what is seen: panels, shading, maps and several views.
+// Commands for the display: panels, shading, maps and split views.
 #include <algorithm>
 #include <utility>
 
@@ -14,17 +14,17 @@ namespace viete::scene {
 
 namespace {
 
-// With the panels, where they are hidden.
+// Shows the panels too if they are hidden.
 template <Column Which>
 void toggle_column_of(Workspace& w) {
   const bool hidden = !std::exchange(w.view.panels, true);
-  if (!hidden || !(shown_columns(w.remembered.layout, w.viewport.window.x).of(Which) > 0))
-    toggle_column(w.remembered.layout, Which, w.viewport.window.x);
+  if (!hidden || !(shown_columns(w.preferences.layout, w.viewport.window.x).of(Which) > 0))
+    toggle_column(w.preferences.layout, Which, w.viewport.window.x);
 }
 
 template <Column Which>
 bool column_shown(const Workspace& w) {
-  return w.view.panels && shown_columns(w.remembered.layout, w.viewport.window.x).of(Which) > 0;
+  return w.view.panels && shown_columns(w.preferences.layout, w.viewport.window.x).of(Which) > 0;
 }
 
 void choose_shading(Workspace& w, Shading shading) {
@@ -106,12 +106,12 @@ void add_view_commands(CommandTable& table) {
             "Show the cage at rest, faintly, while it is posed.", {key('H')}, always,
             switches(&ViewOptions::ghost));
   table.add("toggle_theme", "Dark theme", "Switch between the dark and the light theme.", {key('T')}, always,
-            {[](Workspace& w) { w.remembered.dark = w.view.dark = !w.view.dark; },
+            {[](Workspace& w) { w.preferences.dark = w.view.dark = !w.view.dark; },
              [](const Workspace& w) { return w.view.dark; }});
   table.add(
       "toggle_coarse_motion", "Coarse in motion",
       "Draw what moves at half the resolution, and sharp again at rest: faster where a processor draws.",
-      always, {[](Workspace& w) { w.remembered.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
+      always, {[](Workspace& w) { w.preferences.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
   table.add("toggle_panels", {"Show the panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
             switches(&ViewOptions::panels));
   table.add("toggle_full_screen", "Full screen", "Let the window fill the screen, or give it its size back.",
@@ -175,7 +175,7 @@ void choose_field(Workspace& w, Field field) {
 void show_sum_at(Workspace& w, std::optional<std::uint32_t> vertex) {
   w.vertex.vertex = vertex;
   w.vertex.appearing = true;
-  PanelLayout& layout = w.remembered.layout;
+  PanelLayout& layout = w.preferences.layout;
   for (const char* section : {"Analysis", "Vertex inspector"}) layout.sections[section] = true;
   if (shown_columns(layout, w.viewport.window.x).methods <= 0)
     toggle_column(layout, Column::methods, w.viewport.window.x);
