@@ -60,8 +60,8 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
       // What was only to better a preview that is no longer there, or is posed, is not wanted any more.
       const bool wanted = effort_ == cages::Effort::preview || scene::goes_on(w.document, w.making);
       if (result->value && wanted) take(w, *std::move(result->value));
-      if (result->value) w.messages.succeeded("make a cage");
-      if (!result->problem.empty()) w.messages.error(result->problem, {"make a cage", scene::Scope::model});
+      if (result->value) w.messages.succeeded("make cage");
+      if (!result->problem.empty()) w.messages.error(result->problem, {"make cage", scene::Scope::model});
       wants_full_ &= result->value.has_value();
     }
     // A preview that runs comes to its end first: else a hand that does not rest would see none.

@@ -163,7 +163,7 @@ void help_overlay(const Context& ui) {
       {.at = {middle, 0.5f * (display.y + scene::PanelLayout::menu_height - status_height)}},
       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize,
       &open);
-  note(ui, "Keys of " + preset_label(ui) + ".  Help, Change keys gives any command another one.");
+  note(ui, "Keymap: " + preset_label(ui) + ".  Help, Change keys gives any command another one.");
   table(ui, "hands", hands);
   if (both < display.x - 40) ImGui::SameLine(0, gap);
   table(ui, "settings", settings);

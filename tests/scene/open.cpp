@@ -424,12 +424,12 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Sets of the cage before are gone: \"Set 1\"; kept.viete has them"));
-    CHECK(said("Poses of the cage before are gone: 1 pose; kept.viete has them"));
+    CHECK(said("Selection sets of the previous cage were removed: \"Set 1\"; kept.viete has them"));
+    CHECK(said("Poses of the previous cage were removed: 1 pose; kept.viete has them"));
   }
   SUBCASE("nowhere") {
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Poses of the cage before are gone: 1 pose"));
+    CHECK(said("Poses of the previous cage were removed: 1 pose"));
     CHECK_FALSE(said("has them"));
   }
   SUBCASE("another_model_is_no_loss_that_would_have_to_be_told") {

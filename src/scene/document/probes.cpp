@@ -90,7 +90,7 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
   deform::Probe probe;
   probe.place = at_rest(document, posed, at);
   probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
-  edit(document, "add a probe").all.push_back(probe);
+  edit(document, "add probe").all.push_back(probe);
   document.carried.clear();
   select(document, document.probes.all.size() - 1, document.probes.all.size());
   return true;
@@ -103,7 +103,7 @@ bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at)
   const auto found = static_cast<std::size_t>(std::ranges::find_if(all, pins_it) - all.begin());
   if (found == all.size()) {
     if (all.size() >= most_probes) return false;
-    edit(document, "add a pin").all.push_back(pin_of(document, vertex));
+    edit(document, "pin vertex").all.push_back(pin_of(document, vertex));
     document.carried.clear();
   }
   select(document, found, found + 1);

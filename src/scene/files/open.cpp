@@ -351,12 +351,12 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins
   if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
       mesh::same_faces(s, current.cage->surface)) {
     Opened opened = open_pose(surface.path, current);
-    opened.taken_as = "Took " + name + " as a pose: it has the vertices and faces of the cage";
+    opened.taken_as = "Imported " + name + " as a pose: it has the vertices and faces of the cage";
     return opened;
   }
   if (is_shape_of(current, s) && !same_file(surface.path, current.model.path)) {
     Opened opened = open_shapes({surface.path}, current, nullptr);
-    opened.taken_as = "Took " + name + " as a shape: it has the vertices and faces of the model";
+    opened.taken_as = "Imported " + name + " as a shape: it has the vertices and faces of the model";
     return opened;
   }
   const bool cage = current.model.surface && !current.has_cage() &&
@@ -364,12 +364,12 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins
                     encloses(s, *current.model.surface);
   if (cage) {
     Opened opened = open_cage(std::move(surface), current, fins);
-    opened.taken_as = "Took " + name + " as the cage: it encloses the model";
+    opened.taken_as = "Imported " + name + " as the cage: it encloses the model";
     return opened;
   }
   Opened opened;
   opened.document = document_of(std::move(surface));
-  opened.taken_as = "Took " + name + " as a new model";
+  opened.taken_as = "Imported " + name + " as a new model";
   take_warnings(opened);
   return opened;
 }
@@ -384,7 +384,7 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage, Fins fins) {
   }
   Opened opened;
   opened.taken_as =
-      "Took " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
+      "Imported " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
   opened.document = document_of(std::move(model));
   set_cage(*opened.document, std::move(cage), fins);
   take_warnings(opened);
@@ -402,7 +402,7 @@ bool is_cache_of(const fs::path& file, const Document& current) {
 Opened open_dropped_shapes(const std::vector<fs::path>& files, const Document& current,
                            base::Progress* progress) {
   Opened opened = open_shapes(files, current, progress);
-  opened.taken_as = "Took " + base::counted(opened.shapes.size(), "shape") + " of the model";
+  opened.taken_as = "Imported " + base::counted(opened.shapes.size(), "shape") + " of the model";
   return opened;
 }
 

@@ -73,7 +73,7 @@ inline constexpr Condition selects_of_cage{
     "Open a cage, and choose its vertices, edges or faces first."};
 inline constexpr Condition has_selection_of_cage{
     [](const Workspace& w) { return selects_of_cage(w) && has_selection(w); },
-    "Select something of the cage first."};
+    "Select part of the cage first."};
 inline constexpr Condition has_hidden{[](const Workspace& w) { return !w.document.groups.hidden.empty(); },
                                       "Nothing of the cage is hidden."};
 inline constexpr Condition can_draw_selection{

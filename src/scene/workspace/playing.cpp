@@ -15,7 +15,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr const char* leave_label = "go to another frame";
+constexpr const char* leave_label = "go to frame";
 
 // That pose is there. Locked probes are no part of it.
 bool is_there(const Workspace& w, const WholePose& pose) {
@@ -73,7 +73,7 @@ bool leaves_unkeyed(Workspace& w) {
 void leave_for(Workspace& w, double frame) {
   if (leaves_unkeyed(w)) {
     replace_pose(w, [&] { record_edit(w.document, leave_label); });
-    w.messages.info("The pose was in no key; undo leads back to it.");
+    w.messages.info("The previous pose was not keyed; undo restores it.");
   }
   show_frame(w, frame);
   see(w);
@@ -210,8 +210,8 @@ void lead_back_to_unkeyed(Workspace& w, bool show) {
   const bool shown = show && shows_keys;
   if (shown) undo(document);
   see(w);
-  w.messages.info(shown ? "The pose of this frame is in no key; set one (I) to keep it."
-                        : "Undo leads back to " + base::counted(count, "pose") + " in no key.");
+  w.messages.info(shown ? "The pose at this frame is not keyed; set a key (I) to keep it."
+                        : "Undo restores " + base::counted(count, "pose") + " in no key.");
 }
 
 void show_timeline(Workspace& w) {

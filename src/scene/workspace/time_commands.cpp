@@ -42,7 +42,7 @@ constexpr Condition has_time{[](const Workspace& w) {
                                return !w.document.timeline.empty() && !is_editing_cage(w.document) &&
                                       !in_hand(w);
                              },
-                             "There are no keys: pose the model and set one (I)."};
+                             "No keys yet: pose the model and set a key (I)."};
 // Keys of the keyboard that change time do nothing where time is not seen.
 constexpr Condition shows_time{[](const Workspace& w) {
                                  return has_model(w) && w.remembered.layout.timeline &&
@@ -53,7 +53,7 @@ constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && sh
                                "Show the timeline and set a key first (I)."};
 constexpr Condition has_pose_keys{
     [](const Workspace& w) { return has_time(w) && !w.document.timeline.keys.empty(); },
-    "There are no keys: pose the model and set one (I)."};
+    "No keys yet: pose the model and set a key (I)."};
 constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !in_hand(w); },
                                    "Open a model first."};
 constexpr Condition has_selected_keys{
