@@ -338,7 +338,7 @@ TEST_CASE("a_number_that_leads_out_of_range_moves_nothing_and_says_so") {
   d.type_in("transform_y", "1e15");
   d.press_key(scene::Key::enter);
   d.frame(2);
-  CHECK(d.last_message() == "Turned by 360,000 degrees, the most at once");
+  CHECK(d.last_message() == "Turned by 360,000 degrees, the maximum at once");
 }
 
 TEST_CASE("what_is_painted_stays_while_the_cage_moves_and_ctrl_and_undo_let_it_follow_again") {

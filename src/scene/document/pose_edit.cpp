@@ -251,7 +251,7 @@ std::string free_name(const PoseLibrary& library, const std::string& wish) {
 
 std::size_t keep_pose(Document& document, const std::string& name) {
   check_room_for_poses(document.library, 1);
-  record_edit(document, "keep a pose");
+  record_edit(document, "save pose");
   document.library.poses.push_back({free_name(document.library, name), shared_pose(document)});
   return document.library.poses.size() - 1;
 }
@@ -371,7 +371,7 @@ bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
 
 bool clear_mix(Document& document, KnownVectors& vectors) {
   if (!document.library.mixes()) return true;
-  const auto record = [&] { record_edit(document, "clear the mix"); };
+  const auto record = [&] { record_edit(document, "clear weights"); };
   return remix(document, vectors, record, [](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight = 0, named.part.clear();
   });
@@ -400,7 +400,7 @@ SharedPose mixed_by(const Document& document, KnownVectors& vectors, bool straig
 
 bool set_straight(Document& document, KnownVectors& vectors, bool straight) {
   if (document.timeline.straight == straight) return true;
-  const auto record = [&] { record_edit(document, straight ? "straight lines" : "log space"); };
+  const auto record = [&] { record_edit(document, straight ? "linear interpolation" : "log space"); };
   const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
   if (document.library.mixes()) return remix(document, vectors, record, change);
   record();

@@ -95,7 +95,7 @@ int current_frame(const Document& document) {
 void set_key(Document& document, int frame, std::span<const double> weights) {
   Timeline timeline = document.timeline;
   put_key(timeline, frame, document, weights);
-  record_edit(document, "set a key");
+  record_edit(document, "set key");
   document.timeline = std::move(timeline);
 }
 
@@ -114,14 +114,14 @@ void set_camera_key(Document& document, int frame, const CameraPose& camera) {
     key.camera.yaw = before + static_cast<float>(std::remainder(double(camera.yaw) - before, whole_turn));
   }
   include(timeline, frame);
-  record_edit(document, "set a camera key");
+  record_edit(document, "set camera key");
   document.timeline = std::move(timeline);
 }
 
 void set_turntable(Document& document, const CameraPose& camera, int turns) {
   constexpr int most_turns = 100;
   turns = std::clamp(turns, -most_turns, most_turns);
-  record_edit(document, "set a turntable");
+  record_edit(document, "set turntable");
   Timeline& t = document.timeline;
   const int middle = t.first + (t.last - t.first) / 2;
   t.cameras.clear();
