@@ -64,7 +64,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
           [&frames](const std::string& text) {
             frames = frame_range(text);
             if (!frames)
-              throw CLI::ValidationError("--frames", "needs first-last, such as 1-48, not " + text);
+              throw CLI::ValidationError("--frames", "needs FIRST-LAST, such as 1-48, not " + text);
           },
           "First and last frame; frames are independent, so that several programs can share them")
       ->option_text("A-B")
@@ -88,8 +88,8 @@ scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scen
   timeline.straight |= options.straight;
   if (!options.keys.empty()) {
     if (!document.has_cage())
-      throw base::Error(options.inputs.model.string(), "keys need a cage, and the session has none",
-                        "open it and add one");
+      throw base::Error(options.inputs.model.string(), "keys need a cage and the session has none",
+                        "open it in the window and add a cage");
     scene::ImportedKeys keys =
         scene::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});
     opened.warnings.insert(opened.warnings.end(), keys.warnings.begin(), keys.warnings.end());
@@ -138,11 +138,11 @@ PictureRun picture_run(const AnimateOptions& options, const scene::Timeline& tim
 
 int write_pictures(const AnimateOptions& options) {
   if (!base::NumberedName::is_pattern(options.output))
-    throw base::Error(options.output.string(), "a picture holds one frame",
-                      "write numbered pictures, frame_####.png");
+    throw base::Error(options.output.string(), "a picture shows a single frame",
+                      "write numbered pictures: frame_####.png");
   scene::Opened opened = opened_for(options, scene::check_drawable);
   if (opened.document->timeline.empty() && !options.turntable)
-    throw base::Error(options.inputs.model.string(), "there are no keys in time, so that nothing moves",
+    throw base::Error(options.inputs.model.string(), "the timeline has no keys, so nothing moves",
                       "set keys on the timeline and save the session, or add --turntable");
   base::check_replaceable(base::NumberedName(options.output).file(1));
   PictureOptions picture = options.picture;
@@ -166,7 +166,7 @@ int animate(const AnimateOptions& options) {
     check_output(options, std::move(named));
     return mesh::extension_of(options.output) == "png" ? write_pictures(options) : write_models(options);
   } catch (const base::Cancelled&) {
-    throw base::Error(options.output.string(), "stopped", "whole files stay");
+    throw base::Error(options.output.string(), "stopped", "files written so far are complete");
   }
 }
 

@@ -41,8 +41,8 @@ void spread_sequence(std::vector<std::filesystem::path>& files) {
   std::vector<std::filesystem::path> all;
   for (const auto& file : name.find()) all.push_back(file.path);
   if (all.empty())
-    throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
-                      "check the name; as many # as the numbers have digits");
+    throw base::Error(name.pattern(), "no file matches this name with digits in place of #",
+                      "check the name and use one # for each digit");
   all.insert(all.end(), files.begin() + 1, files.end());
   files = std::move(all);
 }
@@ -57,7 +57,7 @@ Way open_way(const BetweenOptions& options, Content content, const scene::FrameS
   const bool first_is_rest = options.rest.empty();
   if (first_is_rest && mesh::point_cache_format(options.files.front()))
     throw base::Error(options.files.front().string(), "a point cache has no faces",
-                      "name the model that it is of by --rest");
+                      "give its model with --rest");
   const auto& model = first_is_rest ? options.files.front() : options.rest;
   const auto shapes = std::span(options.files).subspan(first_is_rest ? 1 : 0);
   Way way{open_shapes(model, shapes, {options.output, content, options.force}, frames), {}};
@@ -65,8 +65,8 @@ Way open_way(const BetweenOptions& options, Content content, const scene::FrameS
   for (const auto& of_file : way.opened.of_files)
     for (const scene::NamedShape& shape : of_file) way.shapes.push_back(shape.shape);
   if (way.shapes.size() < 2)
-    throw base::Error(options.files.front().string(), "there is one shape alone, and nothing between",
-                      "name another one");
+    throw base::Error(options.files.front().string(), "a single shape cannot be interpolated",
+                      "give another shape");
   if (options.loop) way.shapes.push_back(way.shapes.front());
   return way;
 }
@@ -117,7 +117,7 @@ int write_frames(const BetweenOptions& options) {
   const Way way = open_way(options, Content::animation, &steps);
   if (static_cast<std::size_t>(options.frames) < way.shapes.size())
     throw base::Error(options.output.string(),
-                      std::to_string(options.frames) + " frames are too few: some shape would have none",
+                      std::to_string(options.frames) + " frames are fewer than the shapes",
                       "ask for " + std::to_string(way.shapes.size()) + " or more");
   scene::AnimationExport what = scene::animation_export_of(*way.opened.model.document, options.output);
   what.timeline = timeline_of(options, way, 1, options.frames);
@@ -140,7 +140,7 @@ int between(BetweenOptions options) {
     return options.at ? write_moment(options) : write_frames(options);
   } catch (const base::Cancelled&) {
     throw base::Error(options.output.string(), "stopped",
-                      options.at ? "no file was changed" : "whole files stay");
+                      options.at ? "no file was changed" : "files written so far are complete");
   }
 }
 

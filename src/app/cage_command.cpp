@@ -70,10 +70,8 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
     }
   }
   if (fits && cages::soundness(cage, model, pool).sound()) return;
-  throw base::Error(
-      file.string(),
-      "glTF's numbers have 7 digits, of which too few are left here to place the cage's vertices",
-      "write it as " + mesh::format_extensions(mesh::keeps_order));
+  throw base::Error(file.string(), "glTF's 7 digits are too few for the cage's vertices",
+                    "write it as " + mesh::format_extensions(mesh::keeps_order));
 }
 
 // Options of other kinds of cages.
@@ -82,8 +80,8 @@ void refuse_what_does_nothing(const CLI::App& command, const cages::Wish& wish) 
   if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
   for (const std::string& name : idle) {
     if (command.get_option(name)->count() == 0) continue;
-    throw CLI::ValidationError(
-        name, "does nothing where the kind of cage is " + std::string(cages::entry(wish.kind).name));
+    throw CLI::ValidationError(name,
+                               "has no effect with --kind " + std::string(cages::entry(wish.kind).name));
   }
 }
 

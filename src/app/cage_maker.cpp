@@ -97,14 +97,13 @@ void CageMaker::take(scene::Workspace& w, Made&& made) {
   if (!w.making.closing) return;
   // The panel that shows the notes is not there any more.
   for (const std::string& note : w.making.notes)
-    w.messages.warn("The cage made here: " + note + ".", {.scope = scene::Scope::cage});
+    w.messages.warn("New cage: " + note + ".", {.scope = scene::Scope::cage});
 }
 
 void CageMaker::close(scene::Workspace& w) {
   if (is_preview_ && scene::shows_made(w.document, w.making))
     w.messages.warn(
-        "The cage is kept as its preview was, since it was posed or the work stopped: it encloses the model, "
-        "nearer to it in places than the margin says.",
+        "The preview of the cage was kept. It encloses the model, in places closer than the margin.",
         {.scope = scene::Scope::cage});
   w.making = {.wish = w.making.wish};
 }
@@ -113,7 +112,7 @@ void CageMaker::stop(scene::Workspace& w) {
   if (!job_.running()) return;
   job_.cancel();
   wants_full_ = false;
-  w.messages.info("Stopped making the cage; it is as it was.");
+  w.messages.info("Cancelled making the cage; it is unchanged.");
 }
 
 }  // namespace viete::app

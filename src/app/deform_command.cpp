@@ -39,14 +39,14 @@ deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
     char* end = nullptr;
     shares.push_back(std::strtof(word.c_str(), &end));
     if (*end != '\0' || !(shares.back() >= 0 && shares.back() <= 1))
-      throw base::Error(file.string(), "number " + std::to_string(shares.size()) + " is no share",
-                        "give numbers from 0 to 1");
+      throw base::Error(file.string(), "number " + std::to_string(shares.size()) + " is not between 0 and 1",
+                        "use numbers from 0 to 1");
   }
   if (shares.size() != vertices)
     throw base::Error(file.string(),
                       "it has " + base::counted(shares.size(), "share") + " for " +
                           base::with_thousands(vertices) + " vertices",
-                      "give one for each vertex of the model");
+                      "give one number for each vertex of the model");
   return std::make_shared<const std::vector<float>>(std::move(shares));
 }
 
@@ -56,12 +56,13 @@ void take_mask(const DeformOptions& options, scene::Export& what) {
 
 int stream(const DeformOptions& options) {
   if (isatty(STDOUT_FILENO))
-    throw base::Error("--stream", "positions would go to the terminal",
-                      "send them to a program, or to a file");
+    throw base::Error("--stream", "positions would be written to the terminal",
+                      "redirect the output to a program or a file");
   const scene::Opened opened = open(options.inputs, scene::check_deformable);
   print_notes(opened.warnings);
   if (!opened.document->has_cage())
-    throw base::Error(options.inputs.model.string(), "the session has no cage", "open it and add one");
+    throw base::Error(options.inputs.model.string(), "the session has no cage",
+                      "open it in the window and add a cage");
   scene::Export what = scene::export_of(*opened.document, {});
   take_mask(options, what);
   stream_poses(what, stdin, stdout);

@@ -192,9 +192,9 @@ std::string wrong_count(const std::string& words) {
     return words.substr(from, words.find(' ', from) - from);
   };
   if (const std::string least = number_after("At least "); !least.empty())
-    return option + " needs " + least + " values or more";
+    return option + " needs " + least + " or more values";
   if (const std::string most = number_after("At Most "); !most.empty() && most != "1")
-    return option + " takes no more than " + most + " values";
+    return option + " takes at most " + most + " values";
   return option + (words.find("missing") == words.npos ? " is given more than once" : " needs a value");
 }
 

@@ -23,7 +23,7 @@ fs::path manual_folder() {
   const fs::path program = program_folder();
   for (const fs::path& folder : {program / "manual", program / ".." / "share" / "viete" / "manual"})
     if (fs::exists(folder / "index.html", ignored)) return fs::weakly_canonical(folder);
-  throw base::Error("the manual", "its pages were not made",
+  throw base::Error("the manual", "its pages are not built",
                     "read assets/manual/README.md in the sources, or install cmark-gfm and build again");
 }
 

@@ -70,8 +70,8 @@ scene::SharedShape shape_of(const Share& share, const std::vector<scene::NamedSh
   }
   throw base::Error(
       share.file.string(),
-      share.name.empty() ? "it holds several shapes" : "it holds no shape of the name " + share.name,
-      "name one of them behind a colon: " + names + (shapes.size() > most ? " ..." : ""));
+      share.name.empty() ? "it contains several shapes" : "it contains no shape named " + share.name,
+      "append one of these names after a colon: " + names + (shapes.size() > most ? " ..." : ""));
 }
 
 std::vector<std::string> write_mix(MixOptions options) {

@@ -101,7 +101,7 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
 void print_missing(const scene::Workspace& w) {
   if (scene::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
-                 " here: it needs a cage and a blend in log space, or something that moves"});
+                 " here: it needs a cage and a blend in log space, or motion"});
   if (!w.field.problem.empty()) throw base::Error("", w.field.problem);
   for (const scene::SideView& side : w.split.sides)
     for (const std::string& problem : {side.problem, side.shown.problem})
@@ -116,13 +116,13 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   if (session && session->window && !options.size_given) viewer.size = *session->window;
   const glm::dvec2 pixels = static_cast<double>(viewer.scale) * glm::dvec2(viewer.size);
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
-    throw base::Error("picture", "it would have more than 268 million pixels",
-                      "ask for a smaller size or scale");
+    throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
   const int most = offscreen->viewer().longest_side();
   if (pixels.x > most || pixels.y > most)
-    throw base::Error("picture", "no side may be longer than " + std::to_string(most) + " pixels here",
-                      "ask for a smaller size or scale");
+    throw base::Error("picture",
+                      "a side is longer than " + std::to_string(most) + " pixels, the limit of this renderer",
+                      "use a smaller --size or --scale");
   scene::Workspace& workspace = offscreen->viewer().workspace();
   scene::take(workspace, std::move(opened));
   workspace.view = view_of(options, session);

@@ -73,16 +73,17 @@ void check_pins(const PoseOptions& options, const mesh::Surface& model) {
   for (const Pin& pin : options.pins) {
     if (pin.vertex >= model.positions.size())
       throw base::Error(options.rest.string(),
-                        "there is no vertex " + std::to_string(pin.vertex) +
-                            ": they are numbered from 0 to " + std::to_string(model.positions.size() - 1),
-                        "pin one of them");
+                        "vertex " + std::to_string(pin.vertex) +
+                            " does not exist: vertices are numbered 0 to " +
+                            std::to_string(model.positions.size() - 1),
+                        "choose one of these");
     vertices.push_back(pin.vertex);
   }
   std::ranges::sort(vertices);
   const auto twice = std::ranges::adjacent_find(vertices);
   if (twice != vertices.end())
     throw base::Error(options.rest.string(), "vertex " + std::to_string(*twice) + " is pinned twice",
-                      "pin it to one place");
+                      "pin it to a single position");
 }
 
 struct Posed {
@@ -145,7 +146,7 @@ int write_pose(const PoseOptions& options) {
   std::vector<std::string> notes = write_shape(what, "the pose", &work->progress());
   work.reset();  // its line gives way to what is said
   if (result.steps == most_steps)
-    notes.push_back("it still moves after " + std::to_string(most_steps) + " steps, and was left there");
+    notes.push_back("not converged after " + std::to_string(most_steps) + " steps; this is the last step");
   print_notes(notes);
   say(options, result, examples);
   return exit_ok;

@@ -28,7 +28,7 @@ void values_first([[maybe_unused]] CLI::App& app) {
 void note_kernel() {
   const char* kernel = std::getenv("VIETE_KERNEL");
   if (kernel && sym3::kernel_name() != kernel) {
-    std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is no kernel of this machine; running %s\n", kernel,
+    std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is not available on this machine; using %s\n", kernel,
                  std::string(sym3::kernel_name()).c_str());
   }
 }
@@ -60,7 +60,7 @@ int run(const Program& program, std::vector<std::string> arguments) {
   }
   const int code = action();
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-    std::fprintf(stderr, "viete: the output could not be written\n");
+    std::fprintf(stderr, "viete: standard output could not be written; check the disk space\n");
     return exit_failed;
   }
   return code;
@@ -72,7 +72,7 @@ int run_program(int argc, char** argv, const Program& program) {
   try {
     return run(program, {argv + 1, argv + argc});
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "viete: there is not enough memory; close other programs, or use a smaller model\n");
+    std::fprintf(stderr, "viete: not enough memory; close other programs or use a smaller model\n");
     return exit_failed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "viete: %s\n", error.what());

@@ -24,8 +24,8 @@ struct RenderOptions {
 
 int render(const RenderOptions& options) {
   if (mesh::extension_of(options.output) != "png")
-    throw base::Error(options.output.string(), "pictures are not written in this format",
-                      "give the file the extension .png");
+    throw base::Error(options.output.string(), "pictures can only be written as PNG",
+                      "use the extension .png");
   const auto offscreen = viewer_of(options.picture, open(options.inputs, scene::check_drawable,
                                                          {options.output, Content::picture, options.force}));
   offscreen->settle();

@@ -27,9 +27,9 @@ glm::dmat3 map_of(const sym3::Sym3<double>& stretch, const mesh::Vec3& turn) {
 std::string words_of(Method method, const sym3::Route& route) {
   if (method == Method::diag) return "eigenvectors by QR";
   if (method == Method::fast) {
-    if (route.by_jacobi) return "left to Jacobi's method";
+    if (route.by_jacobi) return "Jacobi's method";
     const std::string degree = "degree " + std::to_string(route.degree);
-    if (route.squarings == 0) return degree + ", not halved";
+    if (route.squarings == 0) return degree + ", without squaring";
     return degree + ", squared " + std::to_string(route.squarings) +
            (route.squarings == 1 ? " time" : " times");
   }

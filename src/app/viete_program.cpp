@@ -28,9 +28,9 @@ void check_first_word(const std::string& word, const CLI::App& app) {
   std::error_code ignored;
   if (word.find_first_of("./") != word.npos || std::filesystem::exists(word, ignored)) return;
   const std::string meant = nearest(word, command_names(app));
-  throw CLI::ParseError(word + ": there is neither a command nor a file of this name" +
-                            (meant.empty() ? "" : "; did you mean viete " + meant + "?"),
-                        exit_usage);
+  throw CLI::ParseError(
+      word + ": no such command or file" + (meant.empty() ? "" : "; did you mean viete " + meant + "?"),
+      exit_usage);
 }
 
 // The benchmarks are a program of their own, beside this one, which takes over.

@@ -25,7 +25,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   try {
     base::check_replaceable(picture);
   } catch (const base::Error& error) {
-    throw base::Error("", "no window (" + reason + "), and no picture instead: " + error.what());
+    throw base::Error("", "no window (" + reason + ") and no picture instead: " + error.what());
   }
   ViewerOptions viewer_options;
   viewer_options.samples = 4;
@@ -39,7 +39,8 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   motion.finish(workspace);
   offscreen.settle();
   render::write_png(picture, offscreen.viewer().picture());
-  std::fprintf(stderr, "viete: no window (%s); its picture is in %s\n", reason.c_str(), picture.c_str());
+  std::fprintf(stderr, "viete: no window (%s); wrote a picture to %s instead\n", reason.c_str(),
+               picture.c_str());
   return exit_ok;
 }
 

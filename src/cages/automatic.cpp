@@ -295,11 +295,11 @@ private:
     if (mirrored) made_.mirror = mirror_;
     if (shell.triangles.size() > wish_.triangles)
       made_.notes.push_back("no fewer than " + base::counted(shell.triangles.size(), "triangle") +
-                            " were found to enclose the model so");
+                            " enclose the model in this way");
     if (wish_.kind == Kind::automatic && 10 * shell.triangles.size() < 9 * wish_.triangles)
       made_.notes.push_back("it has " + base::counted(shell.triangles.size(), "triangle") + ", not " +
                             base::with_thousands(wish_.triangles) +
-                            ": no place for more was found that draws it in");
+                            ": more would not bring it closer to the model");
     tell(gap);
     return std::move(made_);
   }
@@ -307,7 +307,7 @@ private:
   void tell(double gap) {
     if (too_near_ > 0)
       made_.notes.push_back("no room for the margin at " + base::counted(too_near_, "triangle") +
-                            ", which the model is nearer to");
+                            ", which are closer to the model");
     if (gap > wish_.gap && first_ && (first_->handles > last_.handles || first_->parts > last_.parts)) {
       made_.notes.push_back("closed gaps up to " + percent(2 * gap) + " of the model's diagonal: of " +
                             base::counted(first_->parts, "part") + " and " +

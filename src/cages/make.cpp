@@ -132,7 +132,7 @@ Made box_instead(const mesh::Surface& model, Wish wish) {
   wish.own_axes = false;
   Made made = make_box(model, wish);
   made.notes.push_back("no cage of " + base::counted(wish.triangles, "triangle") +
-                       " that follows the model was found: this is its box; ask for more triangles");
+                       " encloses the model closely: made its box instead; use more triangles");
   return made;
 }
 
@@ -145,7 +145,7 @@ void section(base::Progress* progress, double from, double to) {
 Maker::Maker(std::shared_ptr<const mesh::Surface> model) : kept_(std::make_unique<Kept>()) {
   kept_->box = model->triangles.empty() ? mesh::bounds(model->positions) : mesh::used_bounds(*model);
   if (!(kept_->box.diagonal() > 0))
-    throw base::Error("", "the model is a single point, around which no cage is made",
+    throw base::Error("", "the model is a single point and cannot have a cage",
                       "open a model with an extent");
   kept_->model = std::move(model);
 }

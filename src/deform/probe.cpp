@@ -14,32 +14,27 @@ namespace viete::deform {
 namespace {
 
 constexpr FalloffEntry falloffs[] = {
-    {{"smooth", "Smooth", "Full near the probe, and smoothly less to the end of the radius"},
-     Falloff::smooth},
-    {{"round", "Round", "Like a ball: much of it nearly up to the radius"}, Falloff::round},
-    {{"linear", "Linear", "Evenly less to the end of the radius"}, Falloff::linear},
-    {{"sharp", "Sharp", "A peak: most of it close to the probe"}, Falloff::sharp},
-    {{"even", "Even", "All of it, up to the radius, where it ends at once"}, Falloff::even},
-    {{"endless", "Endless", "A half at the radius, and less without end"}, Falloff::endless},
-    {{"none", "Off", "Nothing of it"}, Falloff::none},
+    {{"smooth", "Smooth", "Smooth falloff from the probe to the radius"}, Falloff::smooth},
+    {{"round", "Round", "Round falloff, strong almost up to the radius"}, Falloff::round},
+    {{"linear", "Linear", "Linear falloff to the radius"}, Falloff::linear},
+    {{"sharp", "Sharp", "Sharp falloff, strong only close to the probe"}, Falloff::sharp},
+    {{"even", "Even", "Constant up to the radius, zero beyond"}, Falloff::even},
+    {{"endless", "Endless", "Unlimited falloff, one half at the radius"}, Falloff::endless},
+    {{"none", "Off", "No influence"}, Falloff::none},
 };
 
 constexpr ProbeMixEntry mixes[] = {
     {{"added", "Added",
-      "Each adds what it does: one that was not moved changes nothing, and two that move together move twice "
-      "as far"},
+      "Adds the effects of all probes. Unmoved probes have no effect; two moved together count twice"},
      ProbeMix::added},
     {{"partial", "Divided",
-      "Where the weights of several probes sum to more than one they are divided by their sum: two that move "
-      "together move once"},
+      "Divides weights by their sum where it exceeds one. Two probes moved together count once"},
      ProbeMix::partial},
     {{"whole", "Whole",
-      "Weights sum to one where any probe reaches, and end at once where none does: one that was not moved "
-      "holds what is near it"},
+      "Normalises weights to one within reach of any probe. Unmoved probes keep their neighbourhood at rest"},
      ProbeMix::whole},
     {{"softmax", "Nearest",
-      "The softmax of the weights, which end at once where no probe reaches: the one that is nearest has "
-      "nearly all of it"},
+      "Takes the softmax of the weights within reach of any probe. The nearest probe dominates"},
      ProbeMix::softmax},
 };
 

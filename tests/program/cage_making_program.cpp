@@ -179,7 +179,8 @@ TEST_CASE("a preview that is stopped or posed on its way to all care is kept, an
   d.frame(2);
   CHECK_FALSE(d.workspace().making.open);
   CHECK(d.document().cage == preview);
-  CHECK(d.workspace().messages.all().back().text.find("as its preview was") != std::string::npos);
+  CHECK(d.workspace().messages.all().back().text.find("The preview of the cage was kept") !=
+        std::string::npos);
 }
 
 TEST_CASE("a pose is kept beside a cage that is made anew: undo brings both back") {

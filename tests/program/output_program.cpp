@@ -43,7 +43,7 @@ TEST_CASE("what_is_read_is_not_written_over_whatever_it_is_called") {
         std::string("render model.obj -o link.png"), std::string("bench exp --json a.svg --plot a.svg")}) {
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "is one of those that are read"), line << '\n' << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, "is an input file"), line << '\n' << outcome.text);
     for (std::size_t i = 0; i < before.size(); ++i) CHECK(file_bytes(files / names[i]) == before[i]);
   }
   CHECK(files.run(deform + "pose.obj --force").code == 0);
@@ -76,7 +76,7 @@ TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys") {
     fs::copy_file(files / "cage.obj", files / "other.obj", fs::copy_options::overwrite_existing);
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "is one of those that are read ("), line << '\n' << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, "is an input file ("), line << '\n' << outcome.text);
     for (const auto& [name, bytes] : before)
       CHECK_MESSAGE(file_bytes(files / name) == bytes, line << " changed " << name);
   }
@@ -120,7 +120,7 @@ TEST_CASE("where_results_go_is_looked_at_before_the_work_starts") {
         {"deform none.obj cage.obj --pose pose.obj -o locked.obj --force",
          "locked.obj: this file is write-pro"},
         {"render none.obj -o none/a.png", "none/a.png: cannot be written"},
-        {"render none.obj -o a.jpg", "a.jpg: pictures are not written in this format"},
+        {"render none.obj -o a.jpg", "a.jpg: pictures can only be written as PNG"},
         {"bench exp --json none/a", "none/a: cannot be written"},
         {"bench frame --json none/a", "none/a: cannot be written"},
         {"bench bind --json none/a", "none/a: cannot be written"}}) {

@@ -70,14 +70,13 @@ void show(Driver& d, const std::string& name) {
 
 void visit_questions(Driver& d, const std::string& look) {
   auto& w = d.workspace();
-  w.question =
-      scene::ask_before_closing(scene::name_of_work(w),
-                                "/home/somebody/.local/state/viete/recovery: unsaved work cannot be kept "
-                                "here: Not a directory; save often");
+  w.question = scene::ask_before_closing(scene::name_of_work(w),
+                                         "/home/somebody/.local/state/viete/recovery: unsaved edits cannot "
+                                         "be saved here for recovery: Not a directory; save often");
   d.frame(2);
   show(d, look + "_question_close");
   REQUIRE(d.viewer().recorder().find("question_go_on"));
-  w.question = scene::ask_before_opening(scene::name_of_work(w), "There is no home folder to keep them in.");
+  w.question = scene::ask_before_opening(scene::name_of_work(w), "There is no home folder to save them in.");
   w.question->chosen = 2;
   d.frame(2);
   show(d, look + "_question_open");

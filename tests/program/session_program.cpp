@@ -175,14 +175,14 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
         "animate a.viete --turntable --frames 1-1 --size 64x48 -o a_#.png", "view a.viete"}) {
     const std::string refused = said(line);
     CHECK_MESSAGE(
-        refused.find("small.ply: there is no such file; name it with --model FILE") < refused.size(),
+        refused.find("small.ply: there is no such file; give it with --model FILE") < refused.size(),
         refused);
     const std::string done = said(line + " --model new.ply");
     CHECK_MESSAGE(done.starts_with("0 "), line << done);
   }
   fs::rename(small.cage, folder / "grid.obj");
   const std::string refused = said("deform a.viete -o b.ply --model new.ply");
-  CHECK_MESSAGE(refused.find("there is no such file; name it with --cage FILE") < refused.size(), refused);
+  CHECK_MESSAGE(refused.find("there is no such file; give it with --cage FILE") < refused.size(), refused);
   CHECK(said("deform a.viete -o b.ply --model new.ply --cage grid.obj").starts_with("0 "));
   CHECK(file_bytes(folder / "b.ply") == file_bytes(folder / "a.ply"));
   CHECK(said("deform a.viete -o new.ply --model new.ply --cage grid.obj").starts_with("1 "));
@@ -251,7 +251,7 @@ TEST_CASE("a_permuted_pose_is_refused_and_a_mirrored_one_told_by_the_command_lin
   CHECK_MESSAGE(
       (permuted.starts_with("1 ") && permuted.find("pose.stl: STL keeps no order") < permuted.size()),
       permuted);
-  CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("as by a mirror") < mirrored.size()), mirrored);
+  CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("mirrored") < mirrored.size()), mirrored);
 }
 
 TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {

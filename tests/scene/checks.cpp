@@ -189,7 +189,7 @@ TEST_CASE("a_cage_that_would_fit_when_it_is_turned_is_said_to") {
   CHECK_FALSE(outside(larger));
   REQUIRE(outside(turned));
   CHECK(outside(turned)->turned);
-  CHECK(meaning(*outside(turned)).ends_with("Turned, the cage fits clearly better."));
+  CHECK(meaning(*outside(turned)).ends_with("Rotated, the cage fits clearly better."));
   REQUIRE(outside(elsewhere));
   CHECK_FALSE(outside(elsewhere)->turned);
 }
@@ -247,11 +247,11 @@ TEST_CASE("a_mirrored_cage_is_told_as_such") {
   for (int axis = 0; axis < 3; ++axis) {
     const auto said = notes(cage_of(1), 8, [&](mesh::Point& p) { p[axis] = -2 * p[axis]; });
     REQUIRE(said.size() == 1);
-    CHECK_MESSAGE(holds(said[0], "The cage is turned inside out in this pose, as by a mirror"), said[0]);
+    CHECK_MESSAGE(holds(said[0], "The cage is mirrored in this pose"), said[0]);
   }
   const auto through_a_point = notes(cage_of(1), 8, [](mesh::Point& p) { p = {-p[0], -p[1], -p[2]}; });
   REQUIRE(through_a_point.size() == 1);
-  CHECK(holds(through_a_point[0], "inside out"));
+  CHECK(holds(through_a_point[0], "mirrored"));
 }
 
 TEST_CASE("a_cage_that_is_turned_stretched_or_bent_is_no_mirror_image") {
@@ -264,5 +264,5 @@ TEST_CASE("a_cage_that_is_turned_stretched_or_bent_is_no_mirror_image") {
 TEST_CASE("of_several_parts_those_that_are_mirrored_are_counted") {
   const auto said = notes(cage_of(2), 8, [](mesh::Point& p) { p[1] = -p[1]; });
   REQUIRE_FALSE(said.empty());
-  CHECK_MESSAGE(holds(said[0], "1 of 2 parts of the cage is turned inside out"), said[0]);
+  CHECK_MESSAGE(holds(said[0], "1 of 2 parts of the cage is mirrored"), said[0]);
 }

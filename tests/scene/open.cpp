@@ -175,7 +175,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   CHECK_FALSE(w.document.history.can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
-  CHECK(said(w, "name the cage too"));
+  CHECK(said(w, "give the cage, too"));
 }
 
 TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
@@ -305,7 +305,7 @@ TEST_CASE("settings_that_do_not_go_together_open_nothing") {
   Workspace w;
   CHECK_FALSE(open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK_FALSE(w.document.model.surface);
-  CHECK(said(w, "do not go together"));
+  CHECK(said(w, "cannot be combined"));
 }
 
 TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_have_them") {
@@ -434,7 +434,7 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   }
   SUBCASE("another_model_is_no_loss_that_would_have_to_be_told") {
     REQUIRE(open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
-    CHECK_FALSE(said("are gone"));
+    CHECK_FALSE(said("were removed"));
   }
   CHECK(w.document.groups.sets.empty());
 }

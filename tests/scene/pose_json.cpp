@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "scene/document/edit.h"
-#include "scene/document/record.h"
 #include "scene/document/probes.h"
+#include "scene/document/record.h"
 #include "scene/files.h"
 #include "scene/files/open.h"
 #include "scene/files/session.h"
@@ -172,7 +172,7 @@ TEST_CASE("what_is_damaged_of_a_pose_costs_that_pose_or_less") {
     CHECK(count(pose("a", weight), 1, "weight").document.library.poses[0].weight == 0);
   for (const char* part : {"\"weight\": 10, \"part\": [8],", "\"weight\": 10, \"part\": 5,",
                            "\"weight\": 10, \"part\": [-1],"}) {
-    const Workspace w = count(pose("a", part), 1, "made by hand");
+    const Workspace w = count(pose("a", part), 1, "edited directly");
     CHECK(w.document.library.poses[0].weight == 0);
     CHECK(w.document.library.poses[0].part.empty());
   }

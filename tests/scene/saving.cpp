@@ -205,7 +205,7 @@ TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
     return w.messages.all().back().text;
   };
   CHECK(test::mentions(refuses(save_pose, files.cage),
-                       "(the cage), and would be replaced; choose another name"));
+                       "(the cage) and would be replaced; choose another name"));
   CHECK(test::mentions(refuses(save_pose, files / "link.obj"), "such as link-2.obj"));
   CHECK(test::mentions(refuses(save_pose, files / "way/model.obj"), "(the model)"));
   CHECK(test::mentions(refuses(save_pose, files / "key_9.obj"), "(the keys)"));

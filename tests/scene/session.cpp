@@ -408,7 +408,8 @@ TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
   test::put_file(files / "a.viete", R"({"version": 1, "model": "model.obj"})");
   CHECK(mentions(refusal(files / "a.viete"), "not a session"));
   test::put_file(files / "a.viete", R"({"format": "viete session", "version": 2, "model": "model.obj"})");
-  CHECK(mentions(refusal(files / "a.viete"), "version: the session has version 2, this program reads 1"));
+  CHECK(mentions(refusal(files / "a.viete"),
+                 "version: the session has version 2, this version of Viete reads 1"));
   for (const char* text : {"", "[]", "3", "{", "null", "\xff\xfe{}"}) {
     test::put_file(files / "a.viete", text);
     CHECK_MESSAGE(mentions(refusal(files / "a.viete"), "a.viete"), text);
@@ -451,7 +452,7 @@ TEST_CASE("a_model_or_cage_that_has_changed_since_is_said_when_the_session_is_op
   CHECK_MESSAGE(
       (mentions(said[0], "a.viete: cage: ") && mentions(said[0], "cage.obj is another one than when")),
       said[0]);
-  CHECK(mentions(said[0], "bring back the older one"));
+  CHECK(mentions(said[0], "restore the older file"));
 
   mesh::write(files.model, test::cube(1.25));
   said = said_on_opening(files / "a.viete");
@@ -481,7 +482,7 @@ TEST_CASE("a_pose_that_is_cut_short_is_not_blamed_on_the_cage") {
   Workspace w = worked(files);
   w.document.pose.positions.pop_back();
   REQUIRE(save_session(w, files / "a.viete"));
-  CHECK(mentions(refusal(files / "a.viete"), "take an older copy"));
+  CHECK(mentions(refusal(files / "a.viete"), "use an older copy"));
   mesh::write(files.cage, test::cube(1.25));
   CHECK(mentions(refusal(files / "a.viete"), "the cage has changed"));
 }

@@ -15,7 +15,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr const char* no_room_for_poses = "there are as many poses as a document can have";
+constexpr const char* no_room_for_poses = "the pose list is full";
 
 // What of a pose acts on some vertices of the cage: of a triangle as many thirds as it has corners there.
 deform::LogVector limited_to(const deform::Cage& cage, const deform::LogVector& vector,
@@ -357,7 +357,7 @@ bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
   if ((played.empty() ? named.weight : played[pose]) == weight) return true;
-  const auto record = [&, label = "mix in " + named.name] {
+  const auto record = [&, label = "weight of " + named.name] {
     record_step(document, label, {EditKind::mix, pose});
   };
   const auto change = [&](DocumentState& state) {
@@ -381,7 +381,7 @@ bool average_mix(Document& document, KnownVectors& vectors) {
   double sum = 0;
   for (const NamedPose& named : document.library.poses) sum += named.weight;
   if (!(sum > 0)) return false;
-  const auto record = [&] { record_edit(document, "average poses"); };
+  const auto record = [&] { record_edit(document, "average weighted poses"); };
   return remix(document, vectors, record, [sum](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight /= sum;
   });

@@ -34,8 +34,7 @@ template <class Key>
 Key& key_for(std::vector<Key>& keys, int frame) {
   const auto place = place_for(keys, frame);
   if (place != keys.end() && place->frame == frame) return *place;
-  if (keys.size() >= Timeline::most_keys)
-    throw base::Error("", "there are as many keys as a document can have", "delete some");
+  if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some");
   return *keys.insert(place, Key{frame});
 }
 
@@ -174,7 +173,7 @@ Play play_of(const Timeline& t) {
 
 void set_play(Document& document, const Play& play) {
   if (play == play_of(document.timeline)) return;
-  record_step(document, "change what plays", {EditKind::play});
+  record_step(document, "change playback", {EditKind::play});
   Timeline& t = document.timeline;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);

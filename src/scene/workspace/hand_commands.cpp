@@ -114,7 +114,7 @@ void add_hand_commands(CommandTable& table) {
   table.add("grab", {"Move selection", "Move"},
             "Move the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
             grab<Tool::move>);
-  table.add("grab_rotate", {"Rotate selection", "Turn"},
+  table.add("grab_rotate", {"Rotate selection", "Rotate"},
             "Rotate the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
             grab<Tool::rotate>);
   table.add("grab_scale", {"Scale selection", "Scale"},
