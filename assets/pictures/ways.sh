@@ -12,6 +12,6 @@ picture() {  # NAME OPTION...
     --look front --size 420x400 --no-grid --force -o "$here/way_$name.png" 2>/dev/null
 }
 
-picture mean_value --way mean-value
-picture published --way paper
+picture mean_value --deformer mean-value
+picture published --deformer paper
 picture default

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
@@ -147,34 +148,33 @@ int between(BetweenOptions options) {
 }  // namespace
 
 void add_between_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("between", "Write what lies between shapes of a model");
+  auto* command = app.add_subcommand("between", "Interpolate between shapes of a model");
   auto o = std::make_shared<BetweenOptions>();
   command
       ->add_option("SHAPES", o->files,
-                   "A model, and other files of the same faces: models, numbered ones (pose_##.obj), point "
-                   "caches, glTF files with morph targets")
+                   "Model and other shapes with the same faces: meshes, numbered meshes (pose_##.obj), point "
+                   "caches or glTF morph targets")
       ->required();
   add_file_option(
       *command, "-o,--output", o->output,
-      "File to write; the extension chooses the format: numbered models (out_###.obj), .pc2, .mdd, "
-      ".glb or .gltf with morph targets; with --at any model")
+      "File to write: numbered meshes (out_###.obj), .pc2, .mdd, .glb or .gltf; with --at a mesh file")
       ->required();
-  auto* frames = command->add_option("--frames", o->frames, "How many, from the first shape to the last");
+  auto* frames = command->add_option("--frames", o->frames, "Number of frames");
   whole_in_range(frames, 2, most_frames)->default_str("25");
   auto* at = command->add_option_function<double>(
       "--at", [o](double at) { o->at = at; },
-      "One moment: 0 is the first shape, 1 the second, 1.5 halfway from there to the third");
+      "Single time: 0 is the first shape, 1 the second, 1.5 halfway to the third");
   in_range(at, 0, most_frames)->excludes(frames);
-  add_file_option(*command, "--rest", o->rest,
-                  "The model at rest, which turns and stretches are told from; else the first shape");
-  command->add_flag("--loop", o->loop, "The last shape goes on to the first one");
-  command->add_flag("--linear", o->linear,
-                    "Straight from shape to shape in log space; else three shapes and more flow smoothly");
-  command->add_flag("--straight", o->straight, "Vertices go in straight lines, as in other programs");
-  auto* rate = command->add_option("--rate", o->rate, "Frames a second, of .mdd and glTF");
+  add_file_option(*command, "--rest", o->rest, "Rest shape")->default_str("the first shape");
+  command->add_flag("--loop", o->loop, "Continue from the last shape to the first");
+  command->add_flag("--linear", o->linear, "Linear instead of smooth interpolation in log space");
+  command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
+  auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");
   in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)->default_str("24");
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
+  add_examples(*command, {"between rest.obj smile.obj --frames 25 -o motion.pc2",
+                          "between rest.obj smile.obj --at 0.5 -o half.obj"});
   command->callback([o, &action] { action = [o] { return between(*o); }; });
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/pose_stream.h"
@@ -85,24 +86,21 @@ int deform_file(const DeformOptions& options) {
 }  // namespace
 
 void add_deform_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("deform", "Deform a mesh by a posed cage and write it");
+  auto* command = app.add_subcommand("deform", "Deform a mesh by a posed cage and write the result");
   auto o = std::make_shared<DeformOptions>();
   add_input_options(*command, o->inputs);
-  auto* output =
-      add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format");
-  add_file_option(
-      *command, "--mask", o->mask,
-      "How much of its motion each vertex makes: a file of numbers from 0 to 1, in the order of the "
-      "model's vertices");
-  auto* stream_option = command->add_flag(
-      "--stream", o->stream,
-      "In place of a pose and a file: poses come on standard input, three float64 a vertex of the cage, and "
-      "positions go to standard output, three float32 a vertex of the model, until the input ends. Bound "
-      "once; a frame takes what it does in the window");
+  auto* output = add_file_option(*command, "-o,--output", o->output,
+                                 "Mesh file to write; the extension sets the format");
+  add_file_option(*command, "--mask", o->mask, "File with one weight from 0 (rest) to 1 per vertex");
+  auto* stream_option = command->add_flag("--stream", o->stream,
+                                          "Read poses from standard input (3 float64 per cage vertex) and "
+                                          "write positions to standard output (3 float32 per model vertex)");
   stream_option->excludes(output);
   if (auto* pose = command->get_option_no_throw("--pose")) stream_option->excludes(pose);
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
+  add_examples(*command, {"deform model.obj cage.obj --pose pose.obj -o deformed.obj",
+                          "deform scene.viete --deformer arap -o deformed.ply"});
   command->callback([o, &action] {
     if (o->stream) o->inputs.use = Use::animation;  // poses come in place of one
     if (!o->stream && o->output.empty()) throw CLI::RequiredError("--output");

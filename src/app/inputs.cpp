@@ -21,23 +21,19 @@ namespace fs = std::filesystem;
 namespace {
 
 void add_files(CLI::App& app, Inputs& inputs) {
-  auto* model =
-      add_file_option(app, "MODEL", inputs.model,
-                      mesh::a_mesh() + ", or a session (.viete), which names its own cage and pose");
+  auto* model = add_file_option(app, "MODEL", inputs.model, mesh::a_mesh() + " or session (.viete)");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
-  add_file_option(app, "CAGE", inputs.cage, "Cage around it, at rest");
-  add_file_option(app, "--model", inputs.located.model,
-                  "Use this model instead of the one that the session names");
-  add_file_option(app, "--cage", inputs.located.cage,
-                  "Use this cage instead of the one that the session names");
+  add_file_option(app, "CAGE", inputs.cage, "Cage at rest");
+  add_file_option(app, "--model", inputs.located.model, "Model to use instead of the session's");
+  add_file_option(app, "--cage", inputs.located.cage, "Cage to use instead of the session's");
   if (inputs.use == Use::animation) return;
-  add_file_option(app, "--pose", inputs.pose, "Posed version of the cage, same vertices in the same order");
+  add_file_option(app, "--pose", inputs.pose, "Posed cage (same vertices, same order)");
 }
 
 void add_amount_option(CLI::App& app, const std::string& name, const std::string& what,
                        std::optional<double>& amount) {
   add_percent_option(app, name, amount, deform::amount_from_percent, 200,
-                     "How much of the cage's " + what + " acts, in percent, 0 to 200: 0 leaves it out")
+                     "Amount of the cage's " + what + ", 0 to 200")
       ->default_str("100");
 }
 

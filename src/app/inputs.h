@@ -51,7 +51,7 @@ struct Inputs {
   std::vector<std::filesystem::path> files() const { return {model, cage, pose}; }
 };
 
-/// MODEL, CAGE, --pose, --model and --cage of a session, --method, --way or --weights and
+/// MODEL, CAGE, --pose, --model and --cage of a session, --method, --deformer or --weights and
 /// --blend, --radius, --turn and --stretch, --stitched and what holds a stitched mesh: those
 /// that the use has. The target must outlive parsing.
 void add_input_options(CLI::App& app, Inputs& inputs);

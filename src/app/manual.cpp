@@ -9,6 +9,7 @@
 #include "app/aside.h"
 #include "app/assets.h"
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/options.h"
 #include "base/error.h"
 
@@ -71,10 +72,11 @@ int show_manual(const std::string& chapter) {
 }  // namespace
 
 void add_manual_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("manual", "Show the manual in the browser");
+  auto* command = app.add_subcommand("manual", "Open the manual in the browser");
   auto chapter = std::make_shared<std::string>();
-  command->add_option("CHAPTER", *chapter, "Such as cages, blending or python")
+  command->add_option("CHAPTER", *chapter, "Chapter, for example cages, blending or python")
       ->default_str("the first page");
+  add_examples(*command, {"manual", "manual cages"});
   command->callback([chapter, &action] { action = [chapter] { return show_manual(*chapter); }; });
 }
 

@@ -15,8 +15,10 @@ namespace viete::app {
 namespace {
 
 constexpr const char* footer =
-    "Exit codes: 0 done; 1 a file could not be read or written, or the work failed (the reason is on "
-    "stderr); 2 wrong command line.";
+    "Exit codes:\n"
+    "  0  success\n"
+    "  1  a file could not be read or written, or the work failed (see stderr)\n"
+    "  2  wrong command line";
 
 // A value that is wrong is told before what is missing, in every version of CLI11.
 void values_first([[maybe_unused]] CLI::App& app) {
@@ -34,15 +36,14 @@ void note_kernel() {
 }
 
 int run(const Program& program, std::vector<std::string> arguments) {
-  CLI::App app("Viete: deform a mesh by its cage, through the exponential of symmetric 3x3 matrices",
-               "viete");
+  CLI::App app("Viete: cage-based mesh deformation with exponentials of symmetric 3x3 matrices", "viete");
   app.set_version_flag("--version",
                        std::string("viete ") + version() + "\n" + build_type() + ", kernel " +
                            std::string(sym3::kernel_name()),
-                       "Say version, build, compiler and kernel, and exit");
+                       "Show version information and exit");
   app.footer(footer);
   app.formatter(help_formatter());
-  app.set_help_flag("-h,--help", "Say this and exit");
+  app.set_help_flag("-h,--help", "Show this help and exit");
   app.require_subcommand(1);
   values_first(app);  // before the commands, which take it over
   Action action;

@@ -181,7 +181,7 @@ TEST_CASE("deform_with_the_rest_cage_as_pose_gives_the_model") {
   const fs::path out = scratch.path() / "out.ply";
   for (const char* way : {"paper", "mean-value"}) {
     const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(cage) +
-                             " -o " + quoted(out) + " --way " + way);
+                             " -o " + quoted(out) + " --deformer " + way);
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
     const auto rest = mesh::read(dragon).surface, same = mesh::read(out).surface;
     const double diagonal = mesh::bounds(rest.positions).diagonal();
@@ -327,7 +327,7 @@ TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused"
     last = count;
   }
   CHECK(2 * last < rest.size());
-  const auto none = run("render " + scene + " -o x.png --way mean-value --radius 3");
+  const auto none = run("render " + scene + " -o x.png --deformer mean-value --radius 3");
   CHECK(none.code == 1);
   CHECK_MESSAGE(mentions(none, "these weights have no radius"), none.text);
 }
@@ -343,11 +343,11 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   };
   const auto usual = deformed("");
   CHECK(deformed(" --weights biharmonic --blend srl") == usual);
-  const auto published = deformed(" --way paper");
+  const auto published = deformed(" --deformer paper");
   CHECK(published != usual);
   CHECK(deformed(" --weights inverse --blend srl") == published);
-  CHECK(deformed(" --radius 25") == deformed(" --way local"));  // a setting that only these weights have
-  const auto mean_values = deformed(" --way mean-value");
+  CHECK(deformed(" --radius 25") == deformed(" --deformer local"));  // a setting that only these weights have
+  const auto mean_values = deformed(" --deformer mean-value");
   CHECK(mean_values != usual);
   CHECK(deformed(" --weights mean-value") == mean_values);
   CHECK(deformed(" --weights mean-value --blend linear") == mean_values);
@@ -370,7 +370,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   CHECK(apart.code == 1);
   CHECK_MESSAGE(mentions(apart, "cannot be combined"), apart.text);
   CHECK_MESSAGE(mentions(apart, "mean value coordinates move points"), apart.text);
-  CHECK(run(scene + " --way mean-value --blend srl").code == 2);
+  CHECK(run(scene + " --deformer mean-value --blend srl").code == 2);
   CHECK(run(scene + " --blend magic").code == 2);
   CHECK_FALSE(fs::exists(scratch.path() / "x.ply"));
 }

@@ -110,7 +110,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   REQUIRE(run_viete("render a.viete -o b.png --size 320x200 --light --look top", folder.path())
               .starts_with("0 "));
   CHECK(test::read_png(folder / "b.png").width == 320);
-  CHECK(run_viete("deform a.viete -o b.obj --way mean-value", folder.path()).starts_with("0 "));
+  CHECK(run_viete("deform a.viete -o b.obj --deformer mean-value", folder.path()).starts_with("0 "));
   CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
 }
 
