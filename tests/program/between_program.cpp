@@ -66,7 +66,8 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
 TEST_CASE("an_old_file_that_is_not_among_the_shapes_between_is_told_of") {
   const ShapeFiles f;
   CHECK_FALSE(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 3"), "existed"));
-  CHECK(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 2 --force"), "f_3.ply already existed"));
+  CHECK(
+      mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 2 --force"), "f_3.ply already existed"));
 }
 
 TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
@@ -234,7 +235,7 @@ TEST_CASE("wrong_words_of_between_and_mix_are_said_before_anything_is_read") {
   f.refused("between rest.obj a.obj -o m.ply --at 1 --frames 3", 2, "excludes");
   f.refused("between rest.obj a.obj -o m.pc2 --rate 0", 2, "needs a number from 1 to 240, not 0");
   f.refused("mix rest.obj -o m.ply", 2, "--shape is required");
-  f.refused("mix rest.obj --shape a.obj=1 b.obj=1 -o m.ply", 2, "more than viete mix takes: b.obj=1");
+  f.refused("mix rest.obj --shape a.obj=1 b.obj=1 -o m.ply", 2, "unexpected arguments of viete mix: b.obj=1");
   for (const char* bad : {"a.obj", "a.obj=", "=1", "a.obj=x", "a.obj=nan", "a.obj=4", "a.obj=-2.5", "''"})
     f.refused("mix rest.obj -o m.ply --shape " + std::string(bad), 2,
               "needs FILE=WEIGHT, such as smile.obj=0.5, with a weight from -2 to 3, not ");

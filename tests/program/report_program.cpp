@@ -71,8 +71,8 @@ TEST_CASE("what_is_wrong_with_a_report_is_said_before_it_is_measured") {
   const auto no_cage = run("report " + quoted(dragon) + " -o " + quoted(scratch / "out"));
   CHECK(no_cage.code == 2);
   CHECK(mentions(no_cage, "CAGE is required"));
-  CHECK(mentions(run("report -o " + quoted(scratch / "file")), "this is no folder"));
-  CHECK(mentions(run("report -o " + quoted(scratch / "none/out")), "the folder cannot be made"));
+  CHECK(mentions(run("report -o " + quoted(scratch / "file")), "this is not a folder"));
+  CHECK(mentions(run("report -o " + quoted(scratch / "none/out")), "the folder cannot be created"));
   const auto other = run("report --quick " + model.files + " none.obj -o " + quoted(scratch / "out"));
   CHECK(other.code == 1);
   CHECK(mentions(other, "none.obj"));

@@ -87,7 +87,7 @@ TEST_CASE("what_is_no_file_of_this_program_is_refused_before_it_takes_memory") {
         std::string::npos);
   CHECK_MESSAGE(test::problem_of([&] {
                   readable({{"a", std::string(most_json_bytes, 'x')}}, "f");
-                }).find("more than this program reads") != std::string::npos,
+                }).find("exceed the limit") != std::string::npos,
                 "nor is it written");
 }
 

@@ -202,7 +202,7 @@ void add_select_commands(CommandTable& table) {
             {key('H'), true, true}, with_free_hand<has_selection_of_cage>, change_groups<hide_others>);
   table.add("show_hidden", {"Show hidden", "Show hidden"}, "Show all hidden elements of the cage again.",
             {key('H'), true}, with_free_hand<has_hidden>, change_groups<show_all>);
-  table.add("save_set", {"Save selection set", "Save selection set"},
+  table.add("save_set", {"Save selection set", "Save set"},
             "Save the selection as a named set to select again later.", with_free_hand<has_selection_of_cage>,
             change_groups<save_set>);
   table.add("toggle_select_visible", {"Select visible only", "Visible only"},

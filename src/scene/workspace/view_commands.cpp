@@ -206,7 +206,7 @@ void add_map_commands(CommandTable& table) {
   table.add("pick_vertex", {"Inspect vertex", "Inspect"},
             "Show weights, matrices and the result of each method for the vertex under the pointer.",
             {key('Y'), false, false, true}, has_model, pick_vertex);
-  table.add("pick_worst", {"Inspect largest value", "Inspect largest value"},
+  table.add("pick_worst", {"Inspect largest value", "Largest value"},
             "Open the vertex inspector for the vertex with the largest value of the map.", has_map,
             [](Workspace& w) { show_sum_at(w, w.field.stats.worst); });
   table.add("drop_vertex", {"Close vertex inspector", "Close"}, "Close the vertex inspector.", has_vertex,
