@@ -164,10 +164,9 @@ void add_pose_command(CLI::App& app, Action& action) {
   auto o = std::make_shared<PoseOptions>();
   command->add_option("REST", o->rest, mesh::a_mesh())->required();
   command
-      ->add_option(
-          "--examples", o->examples,
-          "Example shapes: mesh with the same faces, numbered meshes (pose_##.obj), point cache or glTF "
-          "morph targets; repeatable. Without examples the model deforms as rigidly as possible")
+      ->add_option("--examples", o->examples,
+                   "Example shapes: meshes, numbered meshes (pose_##.obj), point cache or glTF morph "
+                   "targets; repeatable (default: none, as rigid as possible)")
       ->allow_extra_args(false)
       ->option_text("FILE ...");
   add_pins_option(*command, "--pin", true, "Vertex number, from 0, and its exact position", o);

@@ -193,7 +193,7 @@ void check_names(const fs::path& path, const fs::path& target) {
   if (stat(target.c_str(), &existing) != 0 || existing.st_nlink == 1) return;
   throw Error(path.string(),
               "this file has " + std::to_string(existing.st_nlink) +
-                  " names (hard links), which replacing it would part",
+                  " names (hard links), which replacing it would separate",
               "choose another name, or remove this one first");
 }
 
@@ -203,11 +203,11 @@ fs::path checked_target(const fs::path& path) {
   std::error_code code;
   const fs::file_status status = fs::status(target, code);
   if (status.type() == fs::file_type::directory)
-    throw Error(path.string(), "this is a folder", "name a file in it");
+    throw Error(path.string(), "this is a folder", "choose a file in it");
   if (fs::exists(status) && status.type() != fs::file_type::regular) {
     throw Error(path.string(), "this is not a regular file", "choose another name");
   }
-  if (target.empty()) throw Error("", "no file is named", "name a file");
+  if (target.empty()) throw Error("", "no file is named", "give a file name");
   check_rights(path, target);
   return target;
 }

@@ -121,8 +121,8 @@ std::string in_one_line(const std::string& lines) {
 
 void ChildProgram::fail() {
   const std::string text = in_one_line(said());
-  throw Error(name_, text.empty() ? "it ended before its work was done" : "it says: " + printable(text, 600),
-              "check that its installation is whole, and the disk has space");
+  throw Error(name_, text.empty() ? "it ended early" : "it says: " + printable(text, 600),
+              "check its installation and the disk space");
 }
 
 std::string ChildProgram::said() const {

@@ -63,8 +63,8 @@ NumberedName::NumberedName(const fs::path& pattern) : folder_(pattern.parent_pat
   const auto places = places_in(name);
   if (places.size() != 1)
     throw Error(pattern.string(),
-                places.empty() ? "its name has no place for the number of a frame"
-                               : "its name has more than one place for the number of a frame",
+                places.empty() ? "its name has no place for the frame number"
+                               : "its name has more than one place for the frame number",
                 "write the number as ####, for example frame_####" + fs::path(name).extension().string());
   before_ = name.substr(0, places[0].begin);
   after_ = name.substr(places[0].end);

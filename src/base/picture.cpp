@@ -76,7 +76,7 @@ std::size_t check_size(const std::string& place, std::size_t width, std::size_t 
     return width * height;
   throw Error(place,
               "the picture is " + std::to_string(width) + " x " + std::to_string(height) +
-                  " pixels large, 64 million are shown",
+                  " pixels, the limit is 64 million",
               "make it smaller");
 }
 
@@ -98,7 +98,7 @@ Picture decode_picture(const std::string& place, std::string_view bytes, int cha
     check_size(place, word_at(bytes, 16), word_at(bytes, 20));
   if (!is_known(bytes) ||
       stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0)
-    throw Error(place, "this is not a picture that can be read here", "save it as PNG or JPEG");
+    throw Error(place, "unsupported picture format", "save it as PNG or JPEG");
   const std::size_t pixels =
       check_size(place, static_cast<std::size_t>(picture.width), static_cast<std::size_t>(picture.height));
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(

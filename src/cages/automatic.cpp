@@ -294,8 +294,8 @@ private:
     made_.gap = gap;
     if (mirrored) made_.mirror = mirror_;
     if (shell.triangles.size() > wish_.triangles)
-      made_.notes.push_back("no fewer than " + base::counted(shell.triangles.size(), "triangle") +
-                            " enclose the model in this way");
+      made_.notes.push_back("the cage needs " + base::counted(shell.triangles.size(), "triangle") +
+                            " to enclose the model");
     if (wish_.kind == Kind::automatic && 10 * shell.triangles.size() < 9 * wish_.triangles)
       made_.notes.push_back("it has " + base::counted(shell.triangles.size(), "triangle") + ", not " +
                             base::with_thousands(wish_.triangles) +
@@ -313,7 +313,7 @@ private:
                             base::counted(first_->parts, "part") + " and " +
                             base::counted(first_->handles, "handle") + " the cage keeps " +
                             std::to_string(last_.parts) + " and " + std::to_string(last_.handles) +
-                            "; more triangles keep more");
+                            "; use more triangles to keep more");
     }
   }
 

@@ -61,13 +61,12 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
   if (weights != Weights::mean_value) return warnings;
   if (!cage.sides.closed) {
     warnings.push_back(
-        "mean value coordinates need a closed cage; with this one the model does not follow rotations and "
-        "stretches exactly");
+        "mean value coordinates need a closed cage; the model follows rotation and stretch of this one only "
+        "approximately");
   }
   if (const std::size_t other = seen_otherwise(cage); other > 0) {
-    warnings.push_back("mean value coordinates turn, or leave out, " + std::to_string(other) + " of " +
-                       std::to_string(cage.element_count()) +
-                       " cage triangles, so that all show one side outwards");
+    warnings.push_back("mean value coordinates flip or ignore " + std::to_string(other) + " of " +
+                       std::to_string(cage.element_count()) + " cage triangles to orient all faces outward");
   }
   if (failed > 0) {
     warnings.push_back(std::to_string(failed) + " of " + std::to_string(vertices) +
@@ -168,8 +167,8 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   if (weighting.weights == Weights::mean_value && cage.sides.triangles.empty())
     throw base::Error(
-        "", "mean value coordinates need a cage with an outside, and faces of this one cannot agree on it",
-        "turn or remove the faces that disagree, or use other weights");
+        "", "mean value coordinates need consistently oriented faces, which is not possible for this cage",
+        "flip or remove these faces, or use other weights");
   Binding binding;
   binding.weighting = weighting;
   binding.vertices = model.positions.size();

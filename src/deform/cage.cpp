@@ -143,7 +143,7 @@ double thickness(const Cage& cage) {
 // edge nor an inside.
 void refuse_squashed(const Cage& cage, const DualGraph& graph) {
   if (graph.open > 0 || thickness(cage) > flat_shape) return;
-  throw base::Error("", "the cage is squashed flat: it closes around no volume",
+  throw base::Error("", "the cage is flat and encloses no volume",
                     "choose a surface that encloses the model");
 }
 
@@ -154,7 +154,7 @@ void refuse_fins(const DualGraph& graph) {
   throw base::Error("",
                     "the cage has a fin: an odd number of triangles meet at edge " + std::to_string(a) + "-" +
                         std::to_string(b) + (others ? " and at " + std::to_string(others) + " more" : "") +
-                        " (vertices from 0), so that it has no inside there",
+                        " (vertices from 0)",
                     "remove the faces that stick out");
 }
 

@@ -159,13 +159,14 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   const auto& rest = logs.rest();
   if (pins.size() > most_pins)
     throw base::Error("",
-                      base::with_thousands(pins.size()) + " pins are more than the " +
-                          base::with_thousands(most_pins) + " that hold a model at once",
+                      base::with_thousands(pins.size()) + " pins exceed the maximum of " +
+                          base::with_thousands(most_pins),
                       "pin fewer vertices");
   for (const PosingPin& pin : pins) {
     if (logs.parts().loose[pin.vertex])
-      throw base::Error("", "vertex " + std::to_string(pin.vertex) + " (from 0) is of no triangle with area",
-                        "pin one that is");
+      throw base::Error("",
+                        "vertex " + std::to_string(pin.vertex) + " (from 0) belongs to no triangle with area",
+                        "pin another vertex");
   }
   base::require_memory(
       {static_cast<double>(pins.size()) *

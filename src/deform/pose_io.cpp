@@ -61,7 +61,7 @@ std::vector<Vec3> read_turns(const std::vector<std::string>& comments, const Cag
       any = true;
     } else {
       warnings.push_back(
-          file + ": this line on turns does not fit the cage and was left out: " + comment.substr(0, 80));
+          file + ": this line of rotations does not fit the cage and was skipped: " + comment.substr(0, 80));
     }
   }
   return any ? turns : std::vector<Vec3>{};
@@ -80,14 +80,14 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
   if (count == 0) return;
   warnings.push_back(file + ": " + std::to_string(count) + " of " + std::to_string(cage.element_count()) +
                      " cage triangles have no area in this pose (the first is " + std::to_string(first) +
-                     "); their stretch is kept above a floor");
+                     "); a minimum stretch is used");
 }
 
 void check_count(std::size_t found, std::size_t expected, const std::string& file) {
   if (found == expected) return;
   throw base::Error(
       file, "the pose has " + std::to_string(found) + " vertices, the cage has " + std::to_string(expected),
-      "choose a pose that was made from this cage");
+      "choose a pose made from this cage");
 }
 
 // Its reader joins loose triangles, so that vertices stand in the order in which the faces name them first:
@@ -95,9 +95,7 @@ void check_count(std::size_t found, std::size_t expected, const std::string& fil
 void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::string& file) {
   const mesh::Format* format = mesh::format_of_description(read.format);
   if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;
-  throw base::Error(file,
-                    std::string(format->name) +
-                        " keeps no order of the vertices, so that those of the cage are not found again",
+  throw base::Error(file, std::string(format->name) + " files do not preserve the vertex order of the cage",
                     "export the pose as " + mesh::format_names(mesh::keeps_order));
 }
 

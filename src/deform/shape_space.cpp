@@ -30,16 +30,15 @@ Mat transposed(const Mat& m) {
 
 void refuse_positions(std::span<const mesh::Point> positions, std::size_t expected) {
   if (positions.size() != expected)
-    throw base::Error(
-        "",
-        "a shape of " + std::to_string(positions.size()) + " vertices is none of " + std::to_string(expected),
-        "choose a shape of the same model");
+    throw base::Error("",
+                      "the shape has " + std::to_string(positions.size()) + " vertices, the model has " +
+                          std::to_string(expected),
+                      "choose a shape of the same model");
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (!std::isfinite(squared_norm(positions[v])))
-      throw base::Error("",
-                        "vertex " + std::to_string(v) +
-                            " (from 0) of the shape is nowhere: its position is not a finite number",
-                        "repair the file");
+      throw base::Error(
+          "", "vertex " + std::to_string(v) + " (from 0) of the shape has a position that is not finite",
+          "repair the file");
   }
 }
 

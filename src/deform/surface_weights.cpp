@@ -73,7 +73,7 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                              base::WorkerPool& pool) {
   auto used = used_vertices(model);
   if (used.empty()) {
-    throw base::Error("", "the model has no triangles, along which these weights could spread",
+    throw base::Error("", "these weights need a model with triangles",
                       "choose weights inverse, or another model");
   }
   const mesh::PointTree tree(model.positions, std::move(used));

@@ -229,7 +229,7 @@ void apply(scene::Workspace& workspace, int axis, double value) {
   }
   if (scene::transform_selection(document, tool, grip, transform)) return;
   workspace.messages.warn(tool == scene::Tool::rotate
-                              ? "The cage cannot make more whole turns; nothing was changed"
+                              ? "The cage cannot rotate any further; nothing was changed"
                               : "This position is too far from the model; nothing was moved");
 }
 

@@ -70,7 +70,7 @@ void side_rows(const Context& ui, std::size_t number, scene::SideView& side) {
         ui.workspace.document.timeline.straight ? "In log space" : "Linear interpolation";
     ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_lines);
     record(ui, name + "/lines");
-    hint("Interpolate keys and weights the other way than in the first view.");
+    hint("Use the other interpolation than the first view: linear or log space.");
   }
   if (!side.problem.empty()) note(ui, side.problem, ui.colors.bad);
 }

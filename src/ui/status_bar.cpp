@@ -54,8 +54,8 @@ std::string mouse_text(const scene::Workspace& w) {
                               : "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or "
                                 "right button cancels";
   if (w.time_view.hovered)
-    return "Drag in the ruler to change frames,  on a key to move it,  elsewhere to select;  wheel zooms,  "
-           "middle drag pans,  right click on a key for easing";
+    return "Drag the ruler to change frames,  a key to move it,  elsewhere to select;  wheel zooms,  middle "
+           "drag pans";
   if (w.interaction.grab) return "Move the pointer into the view to start;  Esc cancels";
   if (w.interaction.placing_pivot)
     return "Click a vertex, an edge or the model to place the pivot;  Esc cancels";

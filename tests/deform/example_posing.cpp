@@ -193,7 +193,7 @@ TEST_CASE("a_vertex_of_no_triangle_is_no_pin") {
   const auto loose = std::uint32_t(model.positions.size() - 1);
   CHECK_THROWS_WITH_AS(Posing(model, {}, {0, loose}), doctest::Contains("no triangle"), base::Error);
   CHECK_THROWS_WITH_AS(Posing(model, {}, std::vector<std::uint32_t>(most_pins + 1)),
-                       doctest::Contains("1,001 pins are more than the 1,000"), base::Error);
+                       doctest::Contains("1,001 pins exceed the maximum of 1,000"), base::Error);
 }
 
 // The bars of the published gallop: seven vertices and six of its frames give the others.

@@ -97,7 +97,7 @@ TEST_CASE("off_colours_that_the_head_does_not_name_are_kept") {
     const ReadResult odd =
         test::read_text("OFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 " + std::string(row) + "\n0 1 0\n3 0 1 2\n", "off");
     CHECK(odd.attributes == nullptr);
-    CHECK(holds(odd.warnings.at(0), "passed over what stands behind the positions of 1 row"));
+    CHECK(holds(odd.warnings.at(0), "skipped data after the positions of 1 row"));
   }
 }
 

@@ -431,7 +431,7 @@ TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
   CHECK(holds(refused({}), "without keys"));
   CHECK(holds(refused({{0, "", rest}, {0, "", rest}}), "key 1: its time"));
   CHECK(holds(refused({{std::nan(""), "", rest}}), "key 0: its time"));
-  CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is no place"));
+  CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is not finite"));
   CHECK(folder.entries() == 0);
   base::Progress progress;
   progress.cancel();

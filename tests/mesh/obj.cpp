@@ -139,7 +139,7 @@ TEST_CASE("obj_oddities_are_told_as_warnings") {
   REQUIRE(odd.warnings.size() == 3);
   CHECK(odd.surface.polygon_count() == 1);
   CHECK(holds(odd.warnings[0], "1 free-form element cannot be shown"));
-  CHECK(holds(odd.warnings[1], "given.obj:7: passed over 2 lines"));
+  CHECK(holds(odd.warnings[1], "given.obj:7: skipped 2 lines"));
   CHECK(holds(odd.warnings[2], "left out 1 face with fewer than three corners"));
 }
 

@@ -135,9 +135,9 @@ TEST_CASE("ply_what_a_header_or_a_row_holds_beyond_is_passed_over_and_said") {
   CHECK(r.surface.corners == std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2, 3});
   CHECK(r.surface.positions[1] == Point{1, 0, 0});
   REQUIRE(r.warnings.size() == 2);
-  CHECK(holds(r.warnings[0], "given.ply:3: passed over a line of the header that starts with \"made\""));
+  CHECK(holds(r.warnings[0], "given.ply:3: skipped a header line that starts with \"made\""));
   CHECK_MESSAGE(
-      holds(r.warnings[1], "given.ply:12: passed over what stands behind the header's properties in 3 rows"),
+      holds(r.warnings[1], "given.ply:12: skipped what stands behind the header's properties in 3 rows"),
       r.warnings[1]);
   const std::string bytes =
       ascii(vertices4 + faces2, "0 0 0 7 #\n1 0 0\n1 1 0\n0 1 0 7 8\n3 0 1 2 9\n4 0 1 2 3\n");

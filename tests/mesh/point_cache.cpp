@@ -125,7 +125,7 @@ TEST_CASE("truncated_and_hostile_caches_are_refused_before_memory_is_taken") {
     CHECK(cache_refusal(both) != "");
   }
   CHECK(test::holds(cache_refusal(test::file_bytes(folder / "a.pc2").substr(0, 60)),
-                    "shorter than its head says: 1 whole of 3 frames of 2 points"));
+                    "shorter than its header says: 1 whole of 3 frames of 2 points"));
   CHECK(test::holds(cache_refusal("v 1 2 3\nv 4 5 6\n"), "check that it is the right file"));
   CHECK_THROWS_AS(PointCache(folder / "none.pc2"), base::Error);
   CHECK_THROWS_AS(PointCache(folder.path()), base::Error);
@@ -139,7 +139,8 @@ TEST_CASE("numbers_that_are_none_are_told_by_frame_and_point") {
   const PointCache cache("given", bytes);
   CHECK(cache.frame(0).size() == 2);
   CHECK_THROWS_WITH_AS(cache.frame(1),
-                       doctest::Contains("given: frame 1: the position of point 1 is no place"), base::Error);
+                       doctest::Contains("given: frame 1: the position of point 1 is not finite"),
+                       base::Error);
   put_cache_word(bytes, 24, {0, 0, 0xC0, 0x7F});  // a rate that is no number
   bytes += "more";
   const PointCache odd("given", bytes);

@@ -80,7 +80,7 @@ TEST_CASE("stl_errors_name_line_or_triangle") {
 TEST_CASE("stl_that_may_be_cut_short_or_has_a_tail_is_told") {
   CHECK(holds(test::read_text("solid a\n" + facet, "stl").warnings.at(0), "may be cut short"));
   CHECK(holds(test::read_text(binary_stl(test::sphere(1), "a") + "tail", "stl").warnings.at(0),
-              "4 bytes behind"));
+              "4 bytes after"));
 }
 
 namespace {
@@ -109,12 +109,12 @@ TEST_CASE("stl_attributes_behind_triangles_are_passed_over_and_kept") {
     CHECK(r.surface.positions.size() == s.positions.size());
     CHECK(r.surface.triangles.size() == s.triangles.size());
     CHECK(r.attributes == nullptr);
-    CHECK(holds(r.warnings.at(0), "attributes behind triangles"));
+    CHECK(holds(r.warnings.at(0), "attributes after triangles"));
     CHECK(test::written_again(r, r.surface.positions) == bytes);
     const std::string moved = test::written_again(r, test::moved(r.surface, 2).positions);
     CHECK(moved.size() == bytes.size());
     CHECK(test::read_text(moved, "stl").surface.positions == test::moved(r.surface, 2).positions);
-    CHECK(holds(test::read_text(bytes + "tail", "stl").warnings.at(1), "4 bytes behind"));
+    CHECK(holds(test::read_text(bytes + "tail", "stl").warnings.at(1), "4 bytes after"));
     const std::string cut = test::refusal(bytes.substr(0, bytes.size() - 3), "stl");
     CHECK_MESSAGE(holds(cut, "the header announces 32 triangles"), cut);
   }
@@ -123,7 +123,7 @@ TEST_CASE("stl_attributes_behind_triangles_are_passed_over_and_kept") {
   CHECK(holds(test::refusal(none, "stl"), "announces 0 triangles, and 1600 bytes follow"));
   none[80] = 31;
   CHECK(
-      holds(test::read_text(none, "stl").warnings.at(0), "50 bytes behind the 31 triangles that the header"));
+      holds(test::read_text(none, "stl").warnings.at(0), "50 bytes after the 31 triangles that the header"));
 }
 
 TEST_CASE("stl_a_normal_that_is_no_direction_becomes_the_triangles_where_it_moves") {

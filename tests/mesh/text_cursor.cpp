@@ -90,16 +90,16 @@ TEST_CASE("what_stands_where_a_number_should_is_explained") {
   const std::pair<const char*, const char*> words[] = {{"3,5", "with a point"},
                                                        {"\xE2\x88\x92"
                                                         "3.5",
-                                                        "minus sign of ASCII"},
+                                                        "ASCII minus sign"},
                                                        {"3.1e\xE2\x88\x92"
                                                         "2",
-                                                        "minus sign of ASCII"},
+                                                        "ASCII minus sign"},
                                                        {"3.1e+-2", "two signs"},
                                                        {"--3.1", "two signs"},
                                                        {"+-3.1", "two signs"},
                                                        {"3.1d+2", "Fortran"},
-                                                       {"3.1+2", "sign in its middle"},
-                                                       {"0.5-0.25", "sign in its middle"},
+                                                       {"3.1+2", "contains a sign"},
+                                                       {"0.5-0.25", "contains a sign"},
                                                        {"1.#QNAN", "no number"},
                                                        {"0x1p3", "hexadecimal"},
                                                        {"abc", "repair or export"}};

@@ -153,7 +153,7 @@ TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
     positions[9][0] = bad;
     for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl", "a.glb", "a.gltf"}) {
       CHECK_THROWS_WITH_AS(write(folder / name, s, positions),
-                           doctest::Contains("the position of vertex 7 is no place"), base::Error);
+                           doctest::Contains("the position of vertex 7 is not finite"), base::Error);
       CHECK(folder.entries() == 0);
     }
     for (const std::string extension : {"obj", "ply", "off", "stl"}) {
@@ -162,7 +162,7 @@ TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
       positions[3][1] = bad;
       CHECK_THROWS_WITH_AS(
           write(folder / ("a." + extension), {kept.surface, positions, {}}, kept.original.get(), {}),
-          doctest::Contains("the position of vertex 3 is no place"), base::Error);
+          doctest::Contains("the position of vertex 3 is not finite"), base::Error);
       CHECK(folder.entries() == 0);
     }
   }

@@ -134,7 +134,7 @@ TEST_CASE("a_cage_whose_faces_disagree_turns_its_model_in_the_window_and_from_a_
   d.settle();
   bool said = false;
   for (const auto& m : d.workspace().messages.all())
-    said |= m.text.find("mean value coordinates turn") != std::string::npos;
+    said |= m.text.find("mean value coordinates flip") != std::string::npos;
   CHECK(said);
   CHECK(d.drawn_error() < 1e-5);
   CHECK(largest_difference(turned(ball.positions), d.viewer().deformer()->positions()) < 1e-5);

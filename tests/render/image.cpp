@@ -114,7 +114,7 @@ TEST_CASE("pictures_of_hostile_size_or_none_at_all_are_refused_before_they_are_d
     return std::string();
   };
   CHECK(refusal(head).find("20000 x 10000 pixels") != std::string::npos);
-  CHECK(refusal("nonsense").find("not a picture") != std::string::npos);
+  CHECK(refusal("nonsense").find("unsupported picture format") != std::string::npos);
   CHECK(refusal("").find("given: ") == 0);
   head[18] = head[19] = 0;  // 0 x 10000
   CHECK(refusal(head) != "");

@@ -175,7 +175,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   CHECK_FALSE(w.document.history.can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
-  CHECK(said(w, "give the cage, too"));
+  CHECK(said(w, "give the cage as well"));
 }
 
 TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {

@@ -274,7 +274,7 @@ constexpr double least_pivot = 1e-14;
 
 [[noreturn]] void refuse_row(std::size_t row) {
   throw base::Error("row " + std::to_string(row), "the system to be solved does not determine it",
-                    "hold the part of the model that it belongs to");
+                    "pin the part of the model that it belongs to");
 }
 
 double diagonal(const SparseMatrix& matrix, std::uint32_t row) {

@@ -261,7 +261,7 @@ private:
       Point p{numbers[i], numbers[i + 1], numbers[i + 2]};
       if (moves) p = map.of_point(p);
       if (!is_place(p))
-        accessors_.fail("accessor", accessor, "position " + std::to_string(i / 3) + " is no place");
+        accessors_.fail("accessor", accessor, "position " + std::to_string(i / 3) + " is not finite");
       points.push_back(p);
     }
   }

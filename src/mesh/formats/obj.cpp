@@ -328,7 +328,7 @@ private:
                     " cannot be shown");
     }
     if (unknown_ > 0) {
-      builder_.warn(text_.place(first_unknown_line_) + ": passed over " + base::counted(unknown_, "line") +
+      builder_.warn(text_.place(first_unknown_line_) + ": skipped " + base::counted(unknown_, "line") +
                     " that OBJ does not know, the first starts with " + first_unknown_);
     }
   }

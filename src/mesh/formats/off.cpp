@@ -305,7 +305,7 @@ private:
     to_unit_range(colors_);
     for (const OffColor& c : colors_) found_.colors.push_back(c.color);
     if (unknown_rows_ > 0) {
-      builder_.warn(source_.name + ": passed over what stands behind the positions of " +
+      builder_.warn(source_.name + ": skipped data after the positions of " +
                     base::counted(unknown_rows_, "row") + " and is not named at its head");
     } else if (!unnamed_colors_.empty()) {
       found_.colors = spread(unnamed_colors_, builder_.vertex_count());

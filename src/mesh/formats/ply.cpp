@@ -239,8 +239,7 @@ public:
       }
     }
     if (values_.longer_rows() > 0)
-      builder_.warn(values_.place_of_longer() +
-                    ": passed over what stands behind the header's properties in " +
+      builder_.warn(values_.place_of_longer() + ": skipped what stands behind the header's properties in " +
                     base::counted(values_.longer_rows(), "row"));
     Attributes found = attributes_.finish(builder_.surface());
     face_attributes_.finish(builder_.surface(), header_.texture_files, source_.folder, found);

@@ -74,7 +74,7 @@ void check_room(const PlyHeader& header, const TextCursor& text, const Source& s
       throw base::Error(source.name,
                         "the header announces " + std::to_string(e.count) + " elements " + in_quotes(e.name) +
                             ", the file has room for " + std::to_string(left / row),
-                        "it seems to be cut short: export or copy it again");
+                        "it seems to be truncated: export or copy it again");
     }
     left -= e.count * row;
   }
@@ -102,7 +102,7 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
     if (++header.unknown_lines > most)
       text.fail("a PLY header cannot hold " + in_quotes(word), "export the model again");
     if (header.unknown_lines == 1)
-      builder.warn(text.place() + ": passed over a line of the header that starts with " + in_quotes(word));
+      builder.warn(text.place() + ": skipped a header line that starts with " + in_quotes(word));
   }
   return true;
 }

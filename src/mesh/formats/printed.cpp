@@ -125,7 +125,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& place, std::size_t vertex, const Point& p, double largest) {
   std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(), "the position of vertex %zu is no place (%.3g %.3g %.3g)", vertex,
+  std::snprintf(text.data(), text.size(), "the position of vertex %zu is not finite (%.3g %.3g %.3g)", vertex,
                 p[0], p[1], p[2]);
   if (!is_place(p))
     throw base::Error(place, text.data(), "use other weights or another blend, or a pose nearer to rest");
@@ -142,7 +142,7 @@ void check_written(const std::string& place, std::size_t vertex, const Point& p,
 
 void check_written(const std::string& place, std::span<const Point> positions, double largest) {
   if (positions.empty())
-    throw base::Error(place, "there are no vertices to write", "name a mesh that has some");
+    throw base::Error(place, "there are no vertices to write", "choose a mesh with vertices");
   for (std::size_t v = 0; v < positions.size(); ++v) check_written(place, v, positions[v], largest);
 }
 

@@ -16,7 +16,7 @@ namespace viete::mesh {
 namespace {
 
 [[noreturn]] void refuse_length(const Source& source, const std::string& problem) {
-  throw base::Error(source.name, problem, "it seems to be cut short or damaged: export or copy it again");
+  throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
 }
 
 // Read from a wrong place, bytes give numbers of no size that a model, or a normal, has.
@@ -197,10 +197,10 @@ ReadResult read_binary(const Source& source) {
     if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles.count()));
   }
   if (triangles.have_attributes()) {
-    builder.warn(source.name + ": passed over the attributes behind triangles");
+    builder.warn(source.name + ": skipped the attributes after triangles");
   }
   if (const std::size_t behind = source.bytes.size() - triangles.end(); behind > 0) {
-    builder.warn(source.name + ": passed over " + std::to_string(behind) + " bytes behind the " +
+    builder.warn(source.name + ": skipped " + std::to_string(behind) + " bytes after the " +
                  std::to_string(triangles.count()) + " triangles that the header announces");
   }
   ReadResult result = builder.finish("STL binary");
@@ -221,7 +221,7 @@ public:
       if (++lines_ % 16384 == 0) source_.report(text_.done());
     }
     if (in_facet_)
-      text_.fail("the file ends within a facet", "it seems to be cut short: export or copy it again");
+      text_.fail("the file ends within a facet", "it seems to be truncated: export or copy it again");
     if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
     ReadResult result = builder_.finish("STL ascii");
     if (source_.owner) result.original = stl_original(source_, false);

@@ -34,17 +34,17 @@ std::string advice_on(std::string_view word) {
   const auto holds = [&](std::string_view part) { return word.find(part) != std::string_view::npos; };
   if (holds(",")) return "write decimals with a point";
   if (holds("\xE2\x88\x92") || holds("\xE2\x80\x93"))
-    return "its sign is a dash of typography: write the minus sign of ASCII, -";
+    return "its sign is a typographic dash: use the ASCII minus sign -";
   if (holds("#") || holds("ind") || holds("IND"))
-    return "a program wrote it for a result that is no number: repair it, or export again";
+    return "it stands for NaN or infinity: repair it or export again";
   if (word.starts_with("0x") || word.starts_with("-0x")) return "it is hexadecimal: write it in decimals";
   const std::string_view signs = "+-";
   for (std::size_t i = 1; i < word.size(); ++i) {
     if (signs.find(word[i]) == std::string_view::npos) continue;
     if (signs.find(word[i - 1]) != std::string_view::npos) return "it has two signs: keep one";
-    if (word[i - 1] == 'd' || word[i - 1] == 'D') return "its exponent is that of Fortran: write e for d";
+    if (word[i - 1] == 'd' || word[i - 1] == 'D') return "it has a Fortran exponent: write e instead of d";
     if (word[i - 1] != 'e' && word[i - 1] != 'E')
-      return "it has a sign in its middle: put a blank between numbers, or e before an exponent";
+      return "it contains a sign: separate numbers by a blank or write e before the exponent";
   }
   return "repair or export the file again";
 }
@@ -93,7 +93,7 @@ bool TextCursor::next_filled_line() {
 
 void TextCursor::need_word(std::string_view what) {
   if (!next_filled_line()) {
-    fail("the file ends before " + std::string(what), "it seems to be cut short: export or copy it again");
+    fail("the file ends before " + std::string(what), "it seems to be truncated: export or copy it again");
   }
 }
 

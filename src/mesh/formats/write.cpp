@@ -72,9 +72,9 @@ public:
         (copy(file, name) ? copied : others).insert(name.string());
       }
     }
-    tell("copied beside it, where it looks for them: ", copied);
-    tell("other files of these names are beside it already, and stayed: ", others);
-    tell("stayed where they are, and it may not find them: ", stayed);
+    tell("copied to its folder: ", copied);
+    tell("existing files of these names were not replaced: ", others);
+    tell("not copied, so it may not find them: ", stayed);
   }
 
   // With what a person should know of them and of the result.
@@ -130,7 +130,8 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   }
   const Format& format = surface_format(path);
   if (!format.holds(held::points) && content.surface.triangles.empty())
-    throw base::Error(path.string(), std::string(format.name) + " holds triangles alone, and there are none",
+    throw base::Error(path.string(),
+                      std::string(format.name) + " stores only triangles, but the model has none",
                       "write " + format_extensions([](const Format& f) { return f.holds(held::points); }));
   std::vector<std::string> notes;
   const Attributes now = converted(format, content, original, notes);
@@ -193,7 +194,7 @@ void check_motion(const MorphMotion& motion, std::size_t vertices) {
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     const bool ascends = i == 0 || static_cast<float>(seconds[i]) > static_cast<float>(seconds[i - 1]);
     if (!std::isfinite(seconds[i]) || !ascends)
-      throw base::Error("key " + std::to_string(i), "its time does not come after that of the key before it",
+      throw base::Error("key " + std::to_string(i), "its time is not after the previous key",
                         "give each key its own time");
   }
   if (motion.moves.size() != vertices || motion.weights.size() != seconds.size() * motion.targets.size())

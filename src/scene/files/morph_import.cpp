@@ -51,7 +51,7 @@ std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::S
     if (taken[v] || mesh::norm(found.positions[v] - p) > near)
       throw base::Error(
           file,
-          std::string("its rest shape is not ") + of.what + ": no vertex of its own is at that of vertex " +
+          std::string("its rest shape is not ") + of.what + ": it has no vertex at the position of vertex " +
               std::to_string(order.size()),
           std::string("export ") + of.what + " itself, as it is at rest, in the same axes and unit");
     taken[v] = true;

@@ -88,7 +88,7 @@ Opened open_model(const std::vector<fs::path>& files, base::Progress* progress, 
   take_warnings(opened);
   if (named(2).empty()) return opened;
   if (!opened.document->has_cage()) {
-    throw base::Error(named(2).string(), "a pose needs a cage, and none is given", "give the cage, too");
+    throw base::Error(named(2).string(), "a pose needs a cage, and none is given", "give the cage as well");
   }
   opened.document->pose = deform::read_pose(named(2), *opened.document->cage, opened.warnings);
   opened.document->also_read.push_back({named(2), the_pose});
