@@ -149,7 +149,7 @@ TEST_CASE("numbers_that_are_none_are_told_by_frame_and_point") {
   write_cache(folder / "a.mdd", cache_head(PointCacheFormat::mdd, 3));
   bytes = test::file_bytes(folder / "a.mdd");
   put_cache_word(bytes, 12, {0x7F, 0xC0, 0, 0});
-  CHECK(test::holds(cache_refusal(bytes), "frame 1: its time is no number"));
+  CHECK(test::holds(cache_refusal(bytes), "frame 1: its time is not a number"));
 }
 
 TEST_CASE("what_a_cache_cannot_hold_is_refused_and_the_older_one_stays") {

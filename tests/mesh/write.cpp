@@ -131,7 +131,7 @@ TEST_CASE("points_become_no_stl_and_are_not_left_out_unsaid") {
   const test::TemporaryFolder folder;
   Surface points;
   points.positions = {{1, 2, 3}, {4, 5, 6}};
-  CHECK_THROWS_WITH_AS(write(folder / "a.stl", points), doctest::Contains("STL holds triangles alone"),
+  CHECK_THROWS_WITH_AS(write(folder / "a.stl", points), doctest::Contains("STL stores only triangles"),
                        base::Error);
   CHECK(folder.entries() == 0);
   Surface some = test::sphere(0);

@@ -102,8 +102,7 @@ TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes
     f.done("between --rest rest.obj " + name + " -o 'n_#.obj' --frames 9 --force");
     CHECK(distance(f.read("n_9.obj"), f.shape(170, 1)) < 1e-6);
   }
-  CHECK(mentions(f.done("between rest.obj a.obj b.obj -o c.glb"),
-                 "morph targets with straight lines between them"));
+  CHECK(mentions(f.done("between rest.obj a.obj b.obj -o c.glb"), "morph targets with linear interpolation"));
   f.done("between rest.obj c.glb -o m.obj --at 1");
   CHECK(distance(f.read("m.obj"), f.cube.positions) > 0.1);
   f.done("between s_#.obj -o smooth.pc2 --frames 9");
@@ -134,7 +133,7 @@ TEST_CASE("what_the_model_holds_beside_positions_is_kept_between_shapes") {
 TEST_CASE("between_replaces_no_numbered_file_unasked") {
   const ShapeFiles f;
   put_file(f / "f_07.obj", "mine");
-  f.refused("between rest.obj b.obj -o 'f_##.obj' --frames 9", 1, "f_07.obj: this file is there already");
+  f.refused("between rest.obj b.obj -o 'f_##.obj' --frames 9", 1, "f_07.obj: this file already exists");
   CHECK(file_bytes(f / "f_07.obj") == "mine");
   f.done("between rest.obj b.obj -o 'f_##.obj' --frames 9 --force");
   CHECK(file_bytes(f / "f_07.obj") != "mine");
@@ -148,7 +147,7 @@ TEST_CASE("between_that_is_stopped_leaves_whole_files") {
           .code == 0);
   const std::string line = "between " + quoted(dragon) + " a.ply -o 'f_##.ply' --frames 30";
   const Outcome ended = ended_by("INT", folder.path(), line, "f_03.ply", "f_*");
-  CHECK_MESSAGE(mentions(ended, "f_##.ply: stopped; whole files stay"), ended.text);
+  CHECK_MESSAGE(mentions(ended, "f_##.ply: stopped; files written so far are complete"), ended.text);
   const base::NumberedName name(folder / "f_##.ply");
   CHECK(name.find().size() < 30);
   for (const auto& file : name.find()) CHECK(mesh::read(file.path).surface.positions.size() == 3000);
@@ -210,10 +209,10 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
   f.refused("between s.viete a.obj -o m.ply --at 1", 1, "s.viete: this is a session");
   f.refused("mix s.viete --shape a.obj=1 -o m.ply", 1, "s.viete: this is a session");
   f.refused("between rest.obj -o m.ply --at 1", 1, "a single shape cannot be interpolated");
-  f.refused("between rest.obj a.obj -o rest.obj --at 1", 1, "one of those that are read (the model)");
-  f.refused("between rest.obj a.obj -o a.obj --at 1", 1, "one of those that are read (a shape)");
-  f.refused("mix rest.obj --shape a.obj=1 -o a.obj", 1, "one of those that are read (a shape)");
-  f.refused("between rest.obj 's_#.obj' -o 's_#.obj' --force", 1, "s_1.obj: this file is one of those");
+  f.refused("between rest.obj a.obj -o rest.obj --at 1", 1, "an input file (the model)");
+  f.refused("between rest.obj a.obj -o a.obj --at 1", 1, "an input file (a shape)");
+  f.refused("mix rest.obj --shape a.obj=1 -o a.obj", 1, "an input file (a shape)");
+  f.refused("between rest.obj 's_#.obj' -o 's_#.obj' --force", 1, "s_1.obj: this is an input file");
   f.refused("between rest.obj a.obj -o m.obj", 1, "this format stores a single frame; write numbered");
   f.refused("between rest.obj a.obj -o m.png", 1, "unknown extension .png");
   f.refused("between rest.obj a.obj -o m.pc2 --at 1", 1, "unknown extension .pc2");

@@ -180,7 +180,7 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     w.leftovers = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
     w.offers_leftovers = true;
     w.question = scene::ask_before_closing(
-        scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
+        scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved edits cannot be saved here");
     d.frame(5);
     CAPTURE(size.x);
     std::size_t seen = 0;

@@ -220,10 +220,10 @@ TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one
   test::put_file(folder / "a.viete",
                  head + R"("window": [8192, 8192], "camera": {"target": [1e308, null, 0], "distance": 1}})");
   const std::string said = run_viete("render a.viete -o a.png", folder.path());
-  CHECK_MESSAGE(
-      (said.starts_with("0 ") && said.find("a.viete: window: no window has this size") < said.size() &&
-       said.find("a.viete: camera.target[1]: found null") < said.size()),
-      said);
+  CHECK_MESSAGE((said.starts_with("0 ") &&
+                 said.find("a.viete: window: this is not a valid window size") < said.size() &&
+                 said.find("a.viete: camera.target[1]: found null") < said.size()),
+                said);
   CHECK(test::read_png(folder / "a.png").width == 1280);
   const std::string bombs[] = {
       std::string(20 << 20, '['), head + "\"pose\": " + std::string(1 << 20, '['),
@@ -248,9 +248,9 @@ TEST_CASE("a_permuted_pose_is_refused_and_a_mirrored_one_told_by_the_command_lin
         folder.path());
   };
   const std::string permuted = deform("pose.stl"), mirrored = deform("mirrored.obj");
-  CHECK_MESSAGE(
-      (permuted.starts_with("1 ") && permuted.find("pose.stl: STL keeps no order") < permuted.size()),
-      permuted);
+  CHECK_MESSAGE((permuted.starts_with("1 ") &&
+                 permuted.find("pose.stl: STL files do not preserve the vertex order") < permuted.size()),
+                permuted);
   CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("mirrored") < mirrored.size()), mirrored);
 }
 

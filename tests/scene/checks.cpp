@@ -141,7 +141,7 @@ TEST_CASE("vertices_at_one_place_are_named_and_do_not_open_the_cage") {
   const auto found = check_in(with_triangles(s, triangles));
   check_only(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex);
   CHECK(found[0].elements == List{8});
-  CHECK(title(found[0]) == "1 vertex on top of another");
+  CHECK(title(found[0]) == "1 duplicate vertex");
 }
 
 TEST_CASE("a_vertex_without_a_face_is_said_and_does_not_matter") {

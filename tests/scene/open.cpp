@@ -76,7 +76,7 @@ TEST_CASE("a_cage_that_most_of_the_model_is_outside_of_is_named_whichever_way_it
   for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
   mesh::write(files / "far.obj", far_away);
   mesh::write(files / "inside_out.obj", mesh::from_triangles(inside_out.positions, inside_out.triangles));
-  const std::string warning = "far.obj: all of model.obj is outside of this cage";
+  const std::string warning = "far.obj: all of model.obj is outside this cage";
   Workspace w;
   REQUIRE(test::load_model(w, files.model, files / "far.obj"));
   CHECK(said(w, warning));
@@ -148,7 +148,7 @@ TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   CHECK(other.document.has_cage());
   const auto* surface = other.document.model.surface.get();
   CHECK_FALSE(drop(other, {files.model, files.cage, files.pose}));
-  CHECK(said(other, "3 files were dropped, and this is no shape of the model"));
+  CHECK(said(other, "3 files were dropped, and this one is not a shape of the model"));
   CHECK_FALSE(drop(other, {files / "a.viete", files.model}));
   CHECK_FALSE(drop(other, {}));
   CHECK_FALSE(drop(other, {files.broken}));

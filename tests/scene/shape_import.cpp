@@ -104,7 +104,7 @@ TEST_CASE("faces_tell_vertices_that_stand_in_another_order") {
   const ImportedShapes read = f.read("a.obj");
   CHECK(*read.shapes.at(0).shape == surface.positions);
   REQUIRE(read.warnings.size() == 1);
-  CHECK(mentions(read.warnings[0], "a.obj: its vertices stand in another order"));
+  CHECK(mentions(read.warnings[0], "a.obj: its vertices are in another order"));
 }
 
 TEST_CASE("polygons_are_told_by_the_triangles_that_they_are_cut_into") {
@@ -156,7 +156,7 @@ TEST_CASE("a_numbered_name_stands_for_its_files_by_number") {
     CHECK(*read.shapes[std::size_t(at)].shape == f.moved(10 * n));
   }
   CHECK(read.files.size() == 3);
-  CHECK(mentions(f.problem("q_##.ply"), "q_##.ply: there is no file of this name, with a number"));
+  CHECK(mentions(f.problem("q_##.ply"), "q_##.ply: no file matches this name with digits"));
   f.write("p_3.ply", test::cube(1));
   CHECK(mentions(f.problem("p_#.ply"), "p_3.ply: the number of vertices is 8"));
 }
