@@ -110,8 +110,7 @@ void key_prompt(const Context& ui) {
   const Window window("New key", {.at = middle_at(ui, v.origin.y + 0.4f * v.size.y)}, sized_flags);
   const std::string now = scene::text(w.remembered.keymap.of(*command).first);
   ImGui::TextUnformatted(("Press the new key for \"" + std::string(command->label) + '"').c_str());
-  note(ui, (now.empty() ? "No key now" : "Now " + now + " now") +
-               std::string(";  Delete removes it, Esc cancels"));
+  note(ui, (now.empty() ? "No key now" : "Now " + now) + std::string(";  Delete removes it, Esc cancels"));
 }
 
 }  // namespace viete::ui

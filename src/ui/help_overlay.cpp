@@ -187,7 +187,7 @@ std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, co
   const scene::Shortcut preset = plain.of(command).first;
   const auto losers = keymap.losers(command.name, preset);
   if (losers.empty() || keymap.of(command).first == preset) return "";
-  return "\n" + scene::text(preset) + " was taken from \"" + std::string(losers.front()->label) + "\" now";
+  return "\n" + scene::text(preset) + " is used by \"" + std::string(losers.front()->label) + '"';
 }
 
 void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {

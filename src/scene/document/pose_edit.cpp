@@ -251,7 +251,7 @@ std::string free_name(const PoseLibrary& library, const std::string& wish) {
 
 std::size_t keep_pose(Document& document, const std::string& name) {
   check_room_for_poses(document.library, 1);
-  record_edit(document, "save pose");
+  record_edit(document, "add pose");
   document.library.poses.push_back({free_name(document.library, name), shared_pose(document)});
   return document.library.poses.size() - 1;
 }

@@ -118,8 +118,8 @@ void add_cage_commands(CommandTable& table) {
   table.add("merge_vertices", {"Merge vertices", "Merge"}, "Merge the selected vertices into one.",
             has_cage_selected, change_cage<merge_selected>);
   table.add("remove_elements", {"Remove from cage", "Remove"},
-            "Remove the selected elements. Without vertices or edges the cage stays closed; removed faces "
-            "leave a hole.",
+            "Remove the selected elements. The cage stays closed after removing vertices or edges; removing "
+            "faces leaves a hole.",
             {Key::delete_key}, has_cage_selected, change_cage<remove_selected>);
   table.add("subdivide_cage", {"Subdivide cage", "Subdivide"},
             "Divide the faces of the cage into about four times as many.", can_edit_cage,

@@ -211,7 +211,7 @@ void lead_back_to_unkeyed(Workspace& w, bool show) {
   if (shown) undo(document);
   see(w);
   w.messages.info(shown ? "The pose at this frame is not keyed; set a key (I) to keep it."
-                        : "Undo restores " + base::counted(count, "pose") + " in no key.");
+                        : "Undo restores " + base::counted(count, "unkeyed pose") + ".");
 }
 
 void show_timeline(Workspace& w) {

@@ -19,17 +19,17 @@ constexpr Condition can_pose{
     [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !in_hand(w); },
     "Open a cage, add a probe or import shapes first, and leave cage editing (Tab)."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
-                                    "Choose a pose in the list first. Save pose adds the current one."};
+                                    "Choose a pose in the list first. Add pose adds the current one."};
 constexpr Condition can_export_pose{[](const Workspace& w) { return has_chosen_pose(w) && has_cage(w); },
                                     "Choose a pose in the list first."};
 constexpr Condition is_not_first_pose{
     [](const Workspace& w) { return has_chosen_pose(w) && *w.chosen_pose > 0; },
-    "Choose a pose below the first one first."};
+    "Choose a pose other than the first one."};
 constexpr Condition is_not_last_pose{[](const Workspace& w) {
                                        return has_chosen_pose(w) &&
                                               *w.chosen_pose + 1 < w.document.library.poses.size();
                                      },
-                                     "Choose a pose above the last one first."};
+                                     "Choose a pose other than the last one."};
 constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
                             "All weights are 0 %: move the slider of a pose first."};
 constexpr Condition can_average{[](const Workspace& w) {
@@ -211,8 +211,7 @@ void change_mix(Workspace& w, const std::function<bool()>& change) {
 
 void add_time_commands(CommandTable& table) {
   table.heading("Poses");
-  table.add("keep_pose", {"Save pose", "Save pose"}, "Add the current pose to the list under a name.",
-            can_pose, keep);
+  table.add("keep_pose", "Add pose", "Add the current pose to the list under a name.", can_pose, keep);
   table.add("apply_pose", {"Apply pose", "Apply"}, "Set model, cage and probes to the chosen pose.",
             has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
   table.add("update_pose", {"Update pose", "Update"}, "Replace the chosen pose by the current one.",
@@ -225,7 +224,7 @@ void add_time_commands(CommandTable& table) {
             move_up);
   table.add("pose_down", {"Move pose down", "Move down"}, "Move the chosen pose down in the list.",
             is_not_last_pose, move_down);
-  table.add("export_pose", {"Export pose", "Export pose"},
+  table.add("export_pose", {"Export chosen pose", "Export pose"},
             "Write the cage in the chosen pose to a mesh file.", can_export_pose, browse_to_save_named_pose);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits stay.", has_mix,
             [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
@@ -245,7 +244,7 @@ void add_time_commands(CommandTable& table) {
             "Set a key for the current camera at this frame.", {key('I'), false, true}, can_key_camera,
             key_camera);
   table.add("turntable", {"Set turntable", "Turntable"},
-            "Orbit the camera once around the model over the playback range. Replaces its other keys.",
+            "Orbit the camera once around the model over the playback range. Replaces other camera keys.",
             can_key_camera, key_turntable);
   table.add("delete_keys", {"Delete selected keys", "Delete keys"},
             "Delete the selected keys. The shortcut works while the pointer is over the timeline.",
