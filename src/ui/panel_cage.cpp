@@ -131,7 +131,7 @@ void share(const Context& ui, const char* text, const char* name, double& share,
 
 void cells(const Context& ui, scene::CageWish& wish) {
   constexpr const char* names[] = {"cage_cells_x", "cage_cells_y", "cage_cells_z"};
-  constexpr const char* labels[] = {"Cells X", "y", "z"};
+  constexpr const char* labels[] = {"Cells X", "Y", "Z"};
   for (std::size_t k = 0; k < 3; ++k) {
     auto value = static_cast<float>(wish.cells[k]);
     const Slid slid = slider_row(ui, labels[k], names[k], value, 1, 12, 0, count(wish.cells[k]),

@@ -190,7 +190,7 @@ void way_choice(const Context& ui) {
   const bool straight = ui.workspace.document.timeline.straight;
   const scene::Command& command = *scene::find_command("toggle_straight");
   const char* labels[] = {"Log space", "Linear"};
-  const char* hints[] = {"Interpolate maps between poses in log space: halfway to a 180° turn is a 90° turn.",
+  const char* hints[] = {"Interpolate maps between poses in log space: halfway to 180 degrees is 90 degrees.",
                          "Interpolate vertex positions linearly between poses. Rotating parts shrink."};
   ImGui::BeginDisabled(!command.enabled(ui.workspace));
   for (int i = 0; i < 2; ++i) {

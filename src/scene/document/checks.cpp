@@ -308,7 +308,7 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
     const auto& [a, b] = report.torn.front();
     notes.push_back(
         base::counted(report.torn.size(), "pair") +
-        " of neighbouring cage faces rotated by more than 120° relative to each other (first: faces " +
+        " of neighbouring cage faces rotated by more than 120 degrees relative to each other (first: faces " +
         std::to_string(a) + ", " + std::to_string(b) + "); the model may fold there");
   }
   return notes;

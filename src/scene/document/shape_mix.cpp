@@ -87,7 +87,7 @@ std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> report
                     text(folded, of_folded));
   if (torn > 0)
     notes.push_back(
-        "pairs of neighbouring triangles that rotate more than 180° relative to each other, where the "
+        "pairs of neighbouring triangles that rotate more than 180 degrees relative to each other, where the "
         "rotation direction is ambiguous: " +
         text(torn, of_torn));
   return notes;
