@@ -181,15 +181,12 @@ void add_animate_command(CLI::App& app, Action& action) {
       *command, "-o,--output", o->output,
       "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)")
       ->required();
-  add_file_option(*command, "--keys", o->keys,
-                  "Keys to use instead of the session's: numbered posed cages, or point cache or animated "
-                  "glTF of the cage");
+  add_file_option(*command, "--keys", o->keys, "Keys: numbered cages, point cache or animated glTF");
   add_frames_option(*command, o->frames);
   auto* step = command->add_option("--step", o->step, "Frame step");
   whole_in_range(step, 1, 1'000'000)->default_str("1");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second");
-  in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)
-      ->default_str("as in the session");
+  in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)->default_str("the session's");
   auto* tolerance =
       command->add_option("--tolerance", o->tolerance, "Morph targets: maximum error in model diagonals");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");

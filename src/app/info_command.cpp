@@ -110,7 +110,7 @@ void add_info_command(CLI::App& app, Action& action) {
   auto cage = std::make_shared<fs::path>();
   command->add_option("FILE", *files,
                       mesh::format_names(mesh::holds_surface) + " files (default: the bundled dragon)");
-  add_file_option(*command, "--cage", *cage, "Also check this cage around them");
+  add_file_option(*command, "--cage", *cage, "Cage to check around the meshes");
   add_examples(*command, {"info model.obj", "info model.obj --cage cage.obj"});
   command->callback([files, cage, &action] {
     action = [files, cage] {

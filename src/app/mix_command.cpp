@@ -124,7 +124,7 @@ void add_mix_command(CLI::App& app, Action& action) {
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
   add_examples(*command, {"mix rest.obj --shape smile.obj=0.5 -o mixed.obj",
-                          "mix rest.obj --shape face.glb:smile=1 --shape frown.obj=-0.2 -o mixed.ply"});
+                          "mix rest.obj --shape face.glb:smile=1 --shape sad.obj=-0.2 -o mix.ply"});
   command->callback([o, &action] { action = [o] { return mix(*o); }; });
 }
 

@@ -165,7 +165,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   for (const sym3::Method method : scene::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "straight"});
   auto* compare = command.add_option("--compare", options.compare,
-                                     "Two to four deformers or methods side by side, or log,straight");
+                                     "Compare 2 to 4 deformers or methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--error-map", options.error_map, "Same as --map exp-error");
   auto* width = command.add_option_function<double>(

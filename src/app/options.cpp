@@ -105,8 +105,11 @@ std::string deformers_help() {
   list("Deformers (--deformer)", deform::all_ways());
   list("Weights (--weights)", deform::all_weights());
   list("Blends (--blend)", deform::all_blends());
-  list("Methods (--method)", sym3::methods());
   list("Falloffs of probes", deform::all_falloffs());
+  text += "\nMethods (--method):\n";
+  for (const sym3::Method method : scene::compared_methods)
+    text += help_line(std::string(sym3::name(method)),
+                      std::ranges::find(sym3::methods(), method, &sym3::MethodEntry::method)->sentence);
   text += "\nMaps (--map):\n";
   for (const base::Choice& map : choices(lab::Field::none))
     text += help_line(std::string(map.word), std::string(map.hint));

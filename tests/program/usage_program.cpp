@@ -1,4 +1,5 @@
 // What the command line says about itself and of wrong words, options and numbers.
+#include <algorithm>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -33,7 +34,9 @@ TEST_CASE("help_of_every_command_is_there_and_fits_eighty_columns") {
     const Outcome help = run(command + " --help");
     CHECK(help.code == 0);
     check_width(help);
+    CHECK_MESSAGE(std::ranges::count(help.text, '\n') <= 60, command);
     CHECK(mentions(help, "Usage: viete " + command));
+    CHECK(mentions(help, command == "bench" ? "Commands:" : "Examples:\n  viete " + command));
     CHECK(run("help " + command).text == help.text);
   }
   for (const std::string& bench : benches) {
@@ -43,6 +46,10 @@ TEST_CASE("help_of_every_command_is_there_and_fits_eighty_columns") {
     CHECK(run("help bench " + bench).text == help.text);
   }
   CHECK(run("help").text == top.text);
+  const Outcome choices = run("help deformers");
+  CHECK(choices.code == 0);
+  check_width(choices);
+  CHECK(mentions(choices, "\n  mls-rigid "));
   CHECK(mentions(run("render --help"), "-o, --output FILE"));
   CHECK(mentions(run("render --help"), "Device pixels per logical pixel, 0.5 to 4 (default: 1)"));
 }
