@@ -78,9 +78,9 @@ std::string mouse_text(const scene::Workspace& w) {
   if (w.interaction.hovered)
     return hovered_text(w.document.selection, *w.interaction.hovered, w.interaction.crowded);
   if (w.document.selection.kind() == scene::ElementKind::probe && !w.document.probes.empty())
-    return "Drag a probe moves it,  " + empty_space_words(keymap);
+    return "Drag a probe to move it,  " + empty_space_words(keymap);
   if (w.document.has_cage())
-    return "Drag a vertex, edge or selected face moves it,  " + empty_space_words(keymap);
+    return "Drag a vertex, edge or selected face to move it,  " + empty_space_words(keymap);
   std::string words = looking_words(keymap);
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   return words;

@@ -112,7 +112,7 @@ void add_file_commands(CommandTable& table) {
             {key('O'), true}, always, browse_for_model);
   table.add("open_cage", "Open cage", "Open a cage for the model.", {key('O'), true, true}, has_model,
             [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model.path); });
-  table.add("open_cage_beside", {"Open cage next to the model", "Open"},
+  table.add("open_cage_beside", {"Open cage next to the model", "Open this cage"},
             "Open the file in the model's folder that looks like its cage.", has_cage_beside,
             passing([](Workspace& w) {
               w.requests.open = OpenRequest{OpenRequest::What::cage, {w.document.cage_beside}};
