@@ -74,8 +74,7 @@ void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) 
 void Analysis::follow_report(scene::Workspace& workspace) {
   if (const auto result = report_.poll()) {
     if (result->value) workspace.messages.succeeded("report"), workspace.messages.info(*result->value);
-    if (!result->problem.empty())
-      workspace.messages.error("There is no report: " + result->problem, {"report"});
+    if (!result->problem.empty()) workspace.messages.error("Report failed: " + result->problem, {"report"});
     shows_news_ = true;
   }
   workspace.reporting.running = report_.running();
@@ -98,8 +97,7 @@ void Analysis::take_checks(scene::Workspace& workspace, bool wait) {
   if (!result) return;
   shows_news_ = true;
   if (!result->value)
-    return workspace.messages.error("The checks came to no end: " + result->problem,
-                                    {"checks", scene::Scope::cage});
+    return workspace.messages.error("Checks failed: " + result->problem, {"checks", scene::Scope::cage});
   workspace.messages.succeeded("checks");
   scene::take_findings(workspace.checks, *std::move(result->value));
 }

@@ -46,7 +46,8 @@ void make_folder(const fs::path& folder) {
   std::error_code code;
   fs::create_directories(folder, code);
   if (code)
-    throw base::Error(folder.string(), "unsaved work cannot be kept here: " + code.message(), "save often");
+    throw base::Error(folder.string(), "unsaved edits cannot be saved here for recovery: " + code.message(),
+                      "save your work often");
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ bool Autosave::set_aside(scene::Workspace& workspace) {
 }
 
 std::string Autosave::problem() const {
-  if (folder_.empty()) return "There is no home folder to keep them in.";
+  if (folder_.empty()) return "There is no home folder to save them in.";
   if (writing_.valid()) return file_.string() + ": still being written";
   return problem_;
 }
@@ -168,12 +169,12 @@ bool Autosave::move_aside(scene::Workspace& workspace) {
   const fs::path aside = scene::set_aside_file(folder_);
   fs::rename(file_, aside, code);
   if (code) {
-    problem_ = file_.string() + ": unsaved work could not be set aside: " + code.message();
+    problem_ = file_.string() + ": unsaved edits could not be saved for recovery: " + code.message();
     return false;
   }
   workspace.recovery_files.insert(workspace.recovery_files.begin(), scene::describe_recovery_file(aside));
   workspace.messages.info("Unsaved edits of " + workspace.recovery_files.front().name +
-                          " are kept; File > Restore recovered edits brings them back.");
+                          " were saved; File > Restore recovered edits restores them.");
   return true;
 }
 

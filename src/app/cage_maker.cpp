@@ -61,8 +61,8 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
       const bool wanted =
           effort_ == cages::Effort::preview || scene::can_replace_generated(w.document, w.making);
       if (result->value && wanted) take(w, *std::move(result->value));
-      if (result->value) w.messages.succeeded("make a cage");
-      if (!result->problem.empty()) w.messages.error(result->problem, {"make a cage", scene::Scope::model});
+      if (result->value) w.messages.succeeded("make cage");
+      if (!result->problem.empty()) w.messages.error(result->problem, {"make cage", scene::Scope::model});
       wants_full_ &= result->value.has_value();
     }
     // A running preview finishes first: otherwise continuous changes would never show one.
@@ -98,14 +98,13 @@ void CageMaker::take(scene::Workspace& w, Made&& made) {
   if (!w.making.closing) return;
   // The panel with the notes is closed: show them as messages.
   for (const std::string& note : w.making.notes)
-    w.messages.warn("The cage made here: " + note + ".", {.scope = scene::Scope::cage});
+    w.messages.warn("New cage: " + note + ".", {.scope = scene::Scope::cage});
 }
 
 void CageMaker::close(scene::Workspace& w) {
   if (is_preview_ && scene::shows_generated(w.document, w.making))
     w.messages.warn(
-        "The cage is kept as its preview was, since it was posed or the work stopped: it encloses the model, "
-        "nearer to it in places than the margin says.",
+        "The preview of the cage was kept. It encloses the model, in places closer than the margin.",
         {.scope = scene::Scope::cage});
   w.making = {.wish = w.making.wish};
 }
@@ -114,7 +113,7 @@ void CageMaker::stop(scene::Workspace& w) {
   if (!job_.running()) return;
   job_.cancel();
   wants_full_ = false;
-  w.messages.info("Stopped making the cage; it is as it was.");
+  w.messages.info("Cancelled making the cage; it is unchanged.");
 }
 
 }  // namespace viete::app

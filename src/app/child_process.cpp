@@ -41,7 +41,7 @@ Said said_by(const base::ChildProgram& child) {
 
 // The first process reports whether there is a browser.
 void open_in_browser(const fs::path& page) {
-  const std::string advice = "open the page by hand";
+  const std::string advice = "open the page yourself";
   base::ChildProgram({"xdg-open", "--version"}, advice).finish();
   base::ChildProgram({"setsid", "--fork", "xdg-open", page.string()}, advice).finish();
 }
@@ -78,9 +78,9 @@ std::string create_and_show_report(const fs::path& program, const fs::path& stat
   try {
     open_in_browser(page);
   } catch (const base::Error& error) {
-    return "The report is " + page.string() + ". No browser was opened: " + error.what();
+    return "The report is " + page.string() + ". No browser could be opened: " + error.what();
   }
-  return "The report is open in the browser: " + page.string();
+  return "Opened the report in the browser: " + page.string();
 }
 
 }  // namespace viete::app

@@ -23,7 +23,7 @@ public:
   ScratchFolder() {
     std::string name = (fs::temp_directory_path() / "viete-XXXXXX").string();
     if (!mkdtemp(name.data()))
-      throw base::Error(name, "no folder can be made there", "set TMPDIR to one with space");
+      throw base::Error(name, "no folder can be created there", "set TMPDIR to one with space");
     path_ = name;
   }
   ~ScratchFolder() {
@@ -64,7 +64,7 @@ void Exporter::add(scene::Export what, std::vector<std::string> shown_notes) {
 void Exporter::add(scene::AnimationExport what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.model.file;
   const bool numbered = base::NumberedName::is_pattern(file);
-  add({file, numbered ? "frames that are there are whole" : "no file was changed",
+  add({file, numbered ? "frames written so far are complete" : "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
          scene::AnimationReport report = scene::write_animation(what, &progress);
          const std::string name = what.model.file.filename().string();
@@ -75,7 +75,7 @@ void Exporter::add(scene::AnimationExport what, std::vector<std::string> shown_n
 
 void Exporter::add(PictureExport what) {
   const std::filesystem::path file = what.file;
-  add({file, "pictures that are there are whole", [what = std::move(what)](base::Progress& progress) {
+  add({file, "pictures written so far are complete", [what = std::move(what)](base::Progress& progress) {
          return Written{"", write_pictures_in_child(what, progress)};
        }});
 }
@@ -118,7 +118,7 @@ std::optional<Exporter::Failure> Exporter::follow(scene::Messages& messages, boo
     messages.succeeded("export");
     tell(messages, *std::move(result->value));
   } else if (result->stopped) {
-    messages.info("Stopped exporting " + now_.file.filename().string() + "; " + now_.stopped + ".");
+    messages.info("Cancelled exporting " + now_.file.filename().string() + "; " + now_.stopped + ".");
   } else {
     failure = {now_.file, result->problem};
   }
@@ -148,7 +148,7 @@ void MorphSizes::follow(scene::Workspace& w) {
   const auto result = job_.poll();
   if (!result) return;
   browser.morph_size = result->value ? base::counted(result->value->targets, "morph target") + ", about " +
-                                           base::memory_size(result->value->bytes) + " beside the model"
+                                           base::memory_size(result->value->bytes) + " plus the model"
                                      : result->problem;
 }
 

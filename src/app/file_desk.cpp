@@ -37,7 +37,7 @@ FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace, fs::path 
   try {
     workspace.preferences = scene::read_preferences(preferences_file(state_));
   } catch (const base::Error& error) {
-    workspace.messages.warn(std::string(error.what()) + "; starting without it");
+    workspace.messages.warn(std::string(error.what()) + "; starting without this file");
   }
   workspace.view.hints = workspace.preferences.hints;
   workspace.view.dark = workspace.preferences.dark;
@@ -135,8 +135,8 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     waiting_ = std::move(result->value);
     w.question = scene::ask_before_opening(scene::name_of_work(w), autosave_.problem());
   } else if (result->stopped) {
-    w.messages.info(loader_.was_binding() ? "Stopped binding; everything is as it was."
-                                          : "Stopped reading; everything is as it was.",
+    w.messages.info(loader_.was_binding() ? "Cancelled binding; nothing was changed."
+                                          : "Cancelled reading; nothing was changed.",
                     {"open"});
   } else {
     scene::report_refusal(w, reading_, result->problem, "open");
@@ -194,7 +194,7 @@ void FileDesk::give_up(scene::Workspace& w) {
   w.after_saving.reset();
   const bool unopened = std::exchange(w.unopened, std::nullopt).has_value();
   if (std::exchange(waiting_, std::nullopt) || unopened)
-    w.messages.info("Opened nothing; everything is as it was.");
+    w.messages.info("Cancelled opening; nothing was changed.");
 }
 
 void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over_changes) {

@@ -24,8 +24,13 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
 /// "a", "a or b", "a, b or c".
 std::string listed(const std::vector<std::string>& names);
 
-/// Formats --help, 80 columns wide. A command's usage line lists its options; the program's own line is
-/// `usage`.
+/// One entry of a list in the help, 80 columns wide, with its line break.
+std::string help_line(const std::string& name, const std::string& text);
+/// Ends the help of a command by examples.
+void add_examples(CLI::App& command, const std::vector<std::string>& lines);
+
+/// Writes --help, 80 columns wide. A command's usage line is made of its options, unless `usage` is given for
+/// the program itself.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 /// "viete bench exp": the command parsed so far.

@@ -7,6 +7,7 @@
 
 #include "app/assets.h"
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/options.h"
 #include "base/error.h"
 #include "base/text.h"
@@ -104,13 +105,13 @@ int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("info", "Say what surface files hold, and what is odd about them");
+  auto* command = app.add_subcommand("info", "Show facts about meshes and check them for problems");
   auto files = std::make_shared<std::vector<fs::path>>();
   auto cage = std::make_shared<fs::path>();
-  command->add_option(
-      "FILE", *files,
-      mesh::format_names(mesh::holds_surface) + " files (default: the bundled model in its cage)");
-  add_file_option(*command, "--cage", *cage, "Check this cage around them too");
+  command->add_option("FILE", *files,
+                      mesh::format_names(mesh::holds_surface) + " files (default: the bundled dragon)");
+  add_file_option(*command, "--cage", *cage, "Cage to check around the meshes");
+  add_examples(*command, {"info model.obj", "info model.obj --cage cage.obj"});
   command->callback([files, cage, &action] {
     action = [files, cage] {
       if (!files->empty()) return info(*files, *cage);

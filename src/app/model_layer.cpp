@@ -122,12 +122,12 @@ private:
                     place, mesh::FileBytes(file.path, nullptr, mesh::most_image_bytes).view(), longest_side);
       pixels_ += static_cast<std::size_t>(decoded.width) * static_cast<std::size_t>(decoded.height);
       if (pixels_ > most_pixels_)
-        throw base::Error(place, "the pictures of the model have more than 128 million pixels together",
-                          "make them smaller");
+        throw base::Error(place, "the model's textures have more than 128 million pixels in total",
+                          "reduce their size");
       made_.looks.images.push_back(std::move(decoded));
       at->second = static_cast<int>(made_.looks.images.size()) - 1;
     } catch (const base::Error& error) {
-      made_.warnings.push_back(std::string(error.what()) + "; shown without it");
+      made_.warnings.push_back(std::string(error.what()) + "; shown without this texture");
     }
     return at->second;
   }

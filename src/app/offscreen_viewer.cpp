@@ -101,7 +101,7 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
 void print_missing(const scene::Workspace& w) {
   if (scene::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
-                 " here: it needs a cage and a blend in log space, or something that moves"});
+                 " here: it needs a cage and a blend in log space, or motion"});
   if (!w.field.problem.empty()) throw base::Error("", w.field.problem);
   for (const scene::SideView& side : w.split.sides)
     for (const std::string& problem : {side.problem, side.shown.problem})
@@ -116,13 +116,13 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   if (session && session->window && !options.size_given) viewer.size = *session->window;
   const glm::dvec2 pixels = static_cast<double>(viewer.scale) * glm::dvec2(viewer.size);
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
-    throw base::Error("picture", "it would have more than 268 million pixels",
-                      "ask for a smaller size or scale");
+    throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
   const int most = offscreen->viewer().longest_side();
   if (pixels.x > most || pixels.y > most)
-    throw base::Error("picture", "no side may be longer than " + std::to_string(most) + " pixels here",
-                      "ask for a smaller size or scale");
+    throw base::Error("picture",
+                      "a side is longer than " + std::to_string(most) + " pixels, the limit of this renderer",
+                      "use a smaller --size or --scale");
   scene::Workspace& workspace = offscreen->viewer().workspace();
   scene::apply_opened(workspace, std::move(opened));
   workspace.view = view_of(options, session);
@@ -148,36 +148,35 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   in_range(scale, 0.5, 4)->default_str("1");
   auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
-  add_file_option(command, "--camera", options.camera, "Seen as that session is");
+  add_file_option(command, "--camera", options.camera, "Camera of this session");
   auto* shading = command.add_option("--shading", options.shading,
-                                     "clay, porcelain, jade, file (as it says), checker, normals or zebra");
+                                     "clay, porcelain, jade, file, checker, normals or zebra");
   one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
   command.add_flag("--show-cage", options.cage, "Draw the cage");
-  command.add_flag("--panels", options.panels, "With the panels");
+  command.add_flag("--panels", options.panels, "Draw the panels of the window");
   command.add_flag("--light", options.light, "Light theme");
-  command.add_flag("--wireframe", options.wireframe, "With the edges of the mesh");
+  command.add_flag("--wireframe", options.wireframe, "Draw the edges of the mesh");
   std::vector<std::string> maps;
   for (const base::Choice& choice : choices(lab::Field::none)) maps.emplace_back(choice.word);
-  auto* map = command.add_option("--map", options.map, "Colour the mesh by this map");
+  auto* map = command.add_option("--map", options.map, "Colour map, see 'viete help deformers'");
   one_of(map, maps)->default_str("none");
   std::vector<std::string> compared;
   for (const deform::WayEntry& entry : deform::all_ways()) compared.emplace_back(entry.name);
   for (const sym3::Method method : scene::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "straight"});
-  auto* compare = command.add_option(
-      "--compare", options.compare,
-      "Two to four ways or methods, such as smooth,rigid; or log,straight: a view of each");
+  auto* compare = command.add_option("--compare", options.compare,
+                                     "Compare 2 to 4 deformers or methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
-  command.add_flag("--error-map", options.error_map, "The same as --map exp-error");
+  command.add_flag("--error-map", options.error_map, "Same as --map exp-error");
   auto* width = command.add_option_function<double>(
       "--line-width",
       [&options](double points) {
         constexpr double pixels_per_point = 96.0 / 72;
         options.viewer.cage_width = options.viewer.wire_width = static_cast<float>(points * pixels_per_point);
       },
-      "Of the cage and the edges of the mesh, in points: 72 are an inch, as 96 logical pixels are");
+      "Line width in points");
   in_range(width, 0.05, 20)->default_str("0.94");
-  command.add_flag("--no-grid", options.no_grid, "Without the ground grid");
+  command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }
 
 void take_given(const CLI::App& command, PictureOptions& options) {

@@ -28,15 +28,12 @@ CLI::Option* in_range(CLI::Option* option, double low, double high);
 CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t high);
 /// Accepts one of these words.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
-/// Accepts a name in the table; its sentences are shown in the help.
+/// Takes a name of the table.
 template <class Entry, class Target>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string text,
+CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::string& text,
                         std::span<const Entry> table, Target& target) {
   std::vector<std::string> words;
-  for (const Entry& e : table) {
-    text += (words.empty() ? ": " : ", ") + std::string(e.name) + " (" + std::string(e.sentence) + ")";
-    words.emplace_back(e.name);
-  }
+  for (const Entry& e : table) words.emplace_back(e.name);
   const auto take = [&target, table](const std::string& word) {
     target = std::ranges::find(table, word, &Entry::name)->value;
   };
@@ -60,6 +57,9 @@ CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way);
 
 /// --weights and --blend, with the names in the tables.
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice);
+
+/// The choices of these options, of --method, --map and of probes, with a sentence each.
+std::string deformers_help();
 
 /// --radius PERCENT.
 void add_radius_option(CLI::App& app, std::optional<double>& asked);

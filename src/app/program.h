@@ -10,7 +10,7 @@ namespace viete::app {
 
 /// Descriptions of `viete bench` and `viete report`, used by both.
 inline constexpr const char* bench_text = "Measure speed and accuracy on this machine";
-inline constexpr const char* report_text = "Write a page of figures, measured on this machine";
+inline constexpr const char* report_text = "Write a report of figures measured on this machine";
 
 struct Program {
   void (*add_commands)(CLI::App& app, Action& action);

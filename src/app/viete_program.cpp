@@ -12,6 +12,7 @@
 #include "app/assets.h"
 #include "app/command_line.h"
 #include "app/help.h"
+#include "app/options.h"
 #include "base/error.h"
 
 namespace viete::app {
@@ -28,9 +29,9 @@ void check_first_word(const std::string& word, const CLI::App& app) {
   std::error_code ignored;
   if (word.find_first_of("./") != word.npos || std::filesystem::exists(word, ignored)) return;
   const std::string meant = nearest(word, command_names(app));
-  throw CLI::ParseError(word + ": there is neither a command nor a file of this name" +
-                            (meant.empty() ? "" : "; did you mean viete " + meant + "?"),
-                        exit_usage);
+  throw CLI::ParseError(
+      word + ": no such command or file" + (meant.empty() ? "" : "; did you mean viete " + meant + "?"),
+      exit_usage);
 }
 
 // The benchmarks are a separate program next to this one, which replaces the process.
@@ -49,6 +50,7 @@ void check_first_word(const std::string& word, const CLI::App& app) {
 std::vector<std::string> with_command(std::vector<std::string> words, const CLI::App& app) {
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
+    if (!words.empty() && words.front() == "deformers") throw CLI::CallForVersion(deformers_help(), exit_ok);
     if (!words.empty() && !is_command(words.front(), app)) check_first_word(words.front(), app);
     words.emplace_back("--help");
   }

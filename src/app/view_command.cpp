@@ -6,6 +6,7 @@
 #include "app/assets.h"
 #include "app/command_line.h"
 #include "app/first_motion.h"
+#include "app/help.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
 #include "app/window_viewer.h"
@@ -25,7 +26,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   try {
     base::check_replaceable(picture);
   } catch (const base::Error& error) {
-    throw base::Error("", "no window (" + reason + "), and no picture instead: " + error.what());
+    throw base::Error("", "no window (" + reason + ") and no picture instead: " + error.what());
   }
   ViewerOptions viewer_options;
   viewer_options.samples = 4;
@@ -39,7 +40,8 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   motion.finish(workspace);
   offscreen.settle();
   render::write_png(picture, offscreen.viewer().picture());
-  std::fprintf(stderr, "viete: no window (%s); its picture is in %s\n", reason.c_str(), picture.c_str());
+  std::fprintf(stderr, "viete: no window (%s); wrote a picture to %s instead\n", reason.c_str(),
+               picture.c_str());
   return exit_ok;
 }
 
@@ -59,14 +61,15 @@ int view(WindowOptions options) {
 }  // namespace
 
 void add_view_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("view", "Open the viewer (this is what `viete` alone does)");
+  auto* command = app.add_subcommand("view", "Open the viewer (default without a command)");
   auto options = std::make_shared<WindowOptions>();
   add_input_options(*command, options->inputs);
   in_range(command->add_option("--scale", options->scale, "Device pixels per logical pixel"), 0.5, 4)
-      ->default_str("what the display says");
-  whole_in_range(command->add_option("--frames", options->frames, "Close after so many frames"), 0,
+      ->default_str("as the display");
+  whole_in_range(command->add_option("--frames", options->frames, "Close after this number of frames"), 0,
                  1'000'000'000)
       ->default_str("never");
+  add_examples(*command, {"view model.obj cage.obj", "view scene.viete --method diag"});
   command->callback([options, &action] {
     check_usage(options->inputs);
     action = [options] { return view(*options); };

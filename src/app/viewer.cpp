@@ -217,7 +217,7 @@ void Viewer::take_requests() {
   }
   cages_.follow(workspace_, !pointer_.active());
   if (std::exchange(workspace_.requests.stop_work, false) && model_.binding()) {
-    model_.stop_binding(workspace_, "Stopped binding; everything is as it was.", scene::Severity::info);
+    model_.stop_binding(workspace_, "Cancelled binding; nothing was changed.", scene::Severity::info);
     settle(3);
   }
 }

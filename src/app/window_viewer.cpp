@@ -94,8 +94,8 @@ void WindowViewer::follow_full_screen() {
   exposed_ = true;
   if (!w.full_screen) return;
   const scene::Command& command = *scene::find_command("toggle_full_screen");
-  const std::string key = scene::text(w.preferences.keymap.of(command).first);
-  w.messages.info(key.empty() ? "The menu View leaves full screen." : key + " leaves full screen.");
+  const std::string key = scene::text(w.remembered.keymap.of(command).first);
+  w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
 }
 
 // The window may be hidden when closing is requested.
@@ -161,14 +161,14 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   Viewer& viewer = shown.viewer();
   scene::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
-    workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
-  // Applies to another document too, if this one cannot be opened.
+    workspace.messages.warn("There is no home folder: unsaved edits cannot be recovered. Save often.");
+  // Also for what is opened instead, if this cannot be.
   if (!options.inputs.session()) scene::put_settings(workspace.document, options.inputs.settings);
   workspace.requests.open = options.inputs.request();
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
   if (viewer.keeping()) {
-    std::fprintf(stderr, "viete: unsaved edits are kept; the next start offers to bring them back\n");
+    std::fprintf(stderr, "viete: unsaved edits were saved; the next start offers to restore them\n");
   }
   return true;
 }

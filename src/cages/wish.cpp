@@ -5,16 +5,16 @@ namespace viete::cages {
 namespace {
 
 constexpr KindEntry kinds[] = {
-    {Kind::automatic, "automatic", "follows the model, with the given number of triangles"},
-    {Kind::box, "box", "a box of quads, divided into cells"},
+    {Kind::automatic, "automatic", "encloses the model with the given number of triangles"},
+    {Kind::box, "box", "box of quads, divided into cells"},
 };
 
 constexpr SymmetryEntry symmetries[] = {
     {Symmetry::automatic, "auto", "the model's plane of symmetry, if any"},
-    {Symmetry::none, "none", "not symmetric"},
-    {Symmetry::x, "x", "perpendicular to x, through the centre of the model's box"},
-    {Symmetry::y, "y", "perpendicular to y"},
-    {Symmetry::z, "z", "perpendicular to z"},
+    {Symmetry::none, "none", "no plane"},
+    {Symmetry::x, "x", "across x through the centre of the model's box"},
+    {Symmetry::y, "y", "across y"},
+    {Symmetry::z, "z", "across z"},
 };
 
 }  // namespace

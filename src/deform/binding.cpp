@@ -61,8 +61,8 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
   if (weights != Weights::mean_value) return warnings;
   if (!cage.sides.closed) {
     warnings.push_back(
-        "mean value coordinates need a closed cage; with this one the model does not follow rotations and "
-        "stretches exactly");
+        "mean value coordinates need a closed cage; the model follows rotation and stretch of this one only "
+        "approximately");
   }
   if (const std::size_t other = seen_otherwise(cage); other > 0) {
     warnings.push_back("mean value coordinates flip, or leave out, " + std::to_string(other) + " of " +

@@ -61,7 +61,7 @@ std::vector<Vec3> read_turns(const std::vector<std::string>& comments, const Cag
       any = true;
     } else {
       warnings.push_back(
-          file + ": this line on turns does not fit the cage and was left out: " + comment.substr(0, 80));
+          file + ": this line of rotations does not fit the cage and was skipped: " + comment.substr(0, 80));
     }
   }
   return any ? turns : std::vector<Vec3>{};
@@ -80,14 +80,14 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
   if (count == 0) return;
   warnings.push_back(file + ": " + std::to_string(count) + " of " + std::to_string(cage.element_count()) +
                      " cage triangles have no area in this pose (the first is " + std::to_string(first) +
-                     "); their stretch is kept above a floor");
+                     "); a minimum stretch is used");
 }
 
 void check_count(std::size_t found, std::size_t expected, const std::string& file) {
   if (found == expected) return;
   throw base::Error(
       file, "the pose has " + std::to_string(found) + " vertices, the cage has " + std::to_string(expected),
-      "choose a pose that was made from this cage");
+      "choose a pose made from this cage");
 }
 
 // The STL reader welds loose triangles, so vertices are in the order of their first use by faces: the cage's

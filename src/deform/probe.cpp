@@ -14,31 +14,27 @@ namespace viete::deform {
 namespace {
 
 constexpr FalloffEntry falloffs[] = {
-    {{"smooth", "Smooth", "Full near the probe, decreasing smoothly to 0 at the radius"}, Falloff::smooth},
-    {{"round", "Round", "Like a ball: strong nearly up to the radius"}, Falloff::round},
-    {{"linear", "Linear", "Decreases linearly to 0 at the radius"}, Falloff::linear},
-    {{"sharp", "Sharp", "A peak: strong only close to the probe"}, Falloff::sharp},
-    {{"even", "Even", "Full up to the radius, 0 beyond"}, Falloff::even},
-    {{"endless", "Endless", "Half at the radius, decreasing without end"}, Falloff::endless},
+    {{"smooth", "Smooth", "Smooth falloff from the probe to the radius"}, Falloff::smooth},
+    {{"round", "Round", "Round falloff, strong almost up to the radius"}, Falloff::round},
+    {{"linear", "Linear", "Linear falloff to the radius"}, Falloff::linear},
+    {{"sharp", "Sharp", "Sharp falloff, strong only close to the probe"}, Falloff::sharp},
+    {{"even", "Even", "Constant up to the radius, zero beyond"}, Falloff::even},
+    {{"endless", "Endless", "Unlimited falloff, one half at the radius"}, Falloff::endless},
     {{"none", "Off", "No influence"}, Falloff::none},
 };
 
 constexpr ProbeMixEntry mixes[] = {
     {{"added", "Added",
-      "Adds the motions: a probe at rest changes nothing, and two that move together move vertices twice as "
-      "far"},
+      "Adds the effects of all probes. Unmoved probes have no effect; two moved together count twice"},
      ProbeMix::added},
     {{"partial", "Divided",
-      "Divides weights by their sum where that exceeds one: two probes that move together move vertices "
-      "once"},
+      "Divides weights by their sum where it exceeds one. Two probes moved together count once"},
      ProbeMix::partial},
     {{"whole", "Whole",
-      "Weights sum to one within reach of any probe and end abruptly: a probe at rest keeps its "
-      "surroundings at rest"},
+      "Normalises weights to one within reach of any probe. Unmoved probes keep their neighbourhood at rest"},
      ProbeMix::whole},
     {{"softmax", "Nearest",
-      "Softmax of the weights, ending abruptly out of reach: the nearest probe has nearly all of the "
-      "influence"},
+      "Takes the softmax of the weights within reach of any probe. The nearest probe dominates"},
      ProbeMix::softmax},
 };
 

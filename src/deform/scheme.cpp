@@ -13,36 +13,34 @@ namespace viete::deform {
 namespace {
 
 constexpr std::array weights_table = {
-    WeightsEntry{{"inverse", "Inverse distance", "1/d^2, d the distance to the element"}, Weights::inverse},
-    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2, 0 beyond: vertices out of reach stay at rest"},
-                 Weights::cut_off},
+    WeightsEntry{{"inverse", "Inverse distance", "1/d^2 with d the distance to the element"},
+                 Weights::inverse},
+    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2 within the radius, 0 beyond it"}, Weights::cut_off},
     WeightsEntry{{"harmonic", "Harmonic",
-                  "1 at the model's vertex nearest to the element, harmonic along the surface elsewhere"},
+                  "harmonic along the model's surface, 1 at the vertex nearest to the element"},
                  Weights::harmonic,
                  true},
-    WeightsEntry{{"biharmonic", "Biharmonic",
-                  "like harmonic, but as a thin plate on springs: smoother; negative weights become 0"},
-                 Weights::biharmonic,
-                 true},
+    WeightsEntry{
+        {"biharmonic", "Biharmonic",
+         "biharmonic along the model's surface, smoother than harmonic; negative values are set to 0"},
+        Weights::biharmonic,
+        true},
     WeightsEntry{{"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
                  Weights::mean_value},
 };
 
 constexpr std::array blend_table = {
-    BlendEntry{{"srl", "Log space", "blends logs of stretches and rotations, about the blended centre"},
+    BlendEntry{{"srl", "Log space", "sums logarithms of rotation and stretch about the blended centre"},
                Blend::srl},
     BlendEntry{
-        {"mls-affine", "Least squares (MLS)", "the affine map that best fits the motion of the points"},
-        Blend::mls_affine,
+        {"mls-affine", "Least squares (MLS)", "affine map fitted by least squares"}, Blend::mls_affine, true},
+    BlendEntry{
+        {"mls-similarity", "Least squares, similar", "rotation and uniform scale fitted by least squares"},
+        Blend::mls_similarity,
         true},
-    BlendEntry{{"mls-similarity", "Least squares, similar",
-                "the rotation and scale that best fit the motion of the points"},
-               Blend::mls_similarity,
-               true},
-    BlendEntry{{"mls-rigid", "Least squares, rigid", "the rotation that best fits the motion of the points"},
-               Blend::mls_rigid,
-               true},
-    BlendEntry{{"linear", "Linear (LBS)", "averages the maps themselves"}, Blend::linear},
+    BlendEntry{
+        {"mls-rigid", "Least squares, rigid", "rotation fitted by least squares"}, Blend::mls_rigid, true},
+    BlendEntry{{"linear", "Linear (LBS)", "weighted mean of the maps"}, Blend::linear},
 };
 
 template <class Table, class Value>
@@ -74,9 +72,9 @@ const BlendEntry& entry(Blend blend) {
 
 std::optional<std::string_view> conflict(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value && scheme.blend != Blend::linear)
-    return "mean value coordinates only move points, which are blended linearly";
+    return "mean value coordinates move points and need the blend linear";
   if (scheme.stitched() && !scheme.has_maps())
-    return "points give triangles no maps to follow, so there is nothing to stitch";
+    return "cage vertices give no maps that triangles could follow, so stitching is not possible";
   return std::nullopt;
 }
 
@@ -134,34 +132,28 @@ constexpr Scheme scheme(Elements elements, Weights weights, Blend blend, int ite
 }
 
 constexpr std::array ways_table = {
-    WayEntry{{"smooth", "Smooth",
-              "spreads along the model's surface, keeps shapes and connects parts: for most models"},
-             Way::smooth,
-             scheme(Elements::face, Weights::biharmonic, Blend::srl)},
-    WayEntry{{"paper", "As published",
-              "as published: each triangle rotates and stretches the whole model, weighted by distance"},
-             Way::paper,
-             scheme(Elements::face, Weights::inverse, Blend::srl)},
     WayEntry{
-        {"mean-value", "Mean value",
-         "the cage's vertices only translate (mean value coordinates): follows affine poses exactly, and "
-         "collapses where parts rotate"},
-        Way::mean_value,
-        scheme(Elements::point, Weights::mean_value, Blend::linear)},
+        {"smooth", "Smooth", "weights along the surface, maps blended in log space: best for most models"},
+        Way::smooth,
+        scheme(Elements::face, Weights::biharmonic, Blend::srl)},
     WayEntry{
-        {"rigid", "Rigid",
-         "rotates without stretching (rigid least squares): keeps details and sizes, even where the cage "
-         "grows"},
-        Way::rigid,
-        scheme(Elements::point, Weights::biharmonic, Blend::mls_rigid)},
+        {"paper", "As published", "the paper's method: inverse-distance weights, maps blended in log space"},
+        Way::paper,
+        scheme(Elements::face, Weights::inverse, Blend::srl)},
+    WayEntry{{"mean-value", "Mean value",
+              "mean value coordinates: exact for affine poses, loses volume where parts rotate"},
+             Way::mean_value,
+             scheme(Elements::point, Weights::mean_value, Blend::linear)},
+    WayEntry{{"rigid", "Rigid", "rigid least squares: rotates without stretching, keeps sizes of details"},
+             Way::rigid,
+             scheme(Elements::point, Weights::biharmonic, Blend::mls_rigid)},
     WayEntry{{"arap", "As rigid as possible",
-              "solves for the whole model at once (ARAP): preserves details best; frames take longer"},
+              "global as-rigid-as-possible solve: preserves details best, slower frames"},
              Way::arap,
              scheme(Elements::face, Weights::biharmonic, Blend::srl, 1)},
-    WayEntry{
-        {"local", "Local", "ends at a radius: vertices out of reach of the cage's triangles stay at rest"},
-        Way::local,
-        scheme(Elements::face, Weights::cut_off, Blend::srl)},
+    WayEntry{{"local", "Local", "weights end at a radius: vertices out of reach stay at rest"},
+             Way::local,
+             scheme(Elements::face, Weights::cut_off, Blend::srl)},
 };
 
 bool same_choices(const Scheme& a, const Scheme& b) {
@@ -203,8 +195,8 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   if (conflict(s) && !choice.blend) s.blend = Blend::linear;
   if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
   if (const auto reason = conflict(s))
-    throw base::Error("", "these weights and this blend do not go together: " + std::string(*reason),
-                      "leave out one of them to have it chosen automatically");
+    throw base::Error("", "these weights and this blend cannot be combined: " + std::string(*reason),
+                      "omit one of them to have it chosen automatically");
   s.weighting.elements = elements_of(s.weighting.weights, s.blend);
   if (s.has_maps()) s.iterations = preferred.iterations;
   return s;
@@ -217,11 +209,11 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   if (choice.any()) scheme = complete(choice, scheme);
   scheme.weighting.radius = asked.radius.value_or(scheme.weighting.radius);
   if (asked.radius && !scheme.weighting.partial())
-    throw base::Error("--radius", "these weights have no radius", "leave it out, or choose --weights cutoff");
+    throw base::Error("--radius", "these weights have no radius", "omit it, or choose --weights cutoff");
   if ((asked.turn || asked.stretch) && !scheme.has_maps()) {
     throw base::Error(asked.turn ? "--turn" : "--stretch",
-                      "points of the cage only translate: they do not rotate or stretch",
-                      "leave it out, or choose another deformer or blend");
+                      "the cage vertices of this deformer only move, without rotation or stretch",
+                      "omit it, or choose another deformer or blend");
   }
   scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);
   scheme.amounts.stretch = asked.stretch.value_or(scheme.amounts.stretch);
@@ -229,11 +221,10 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   scheme.holding.radius = asked.pins.value_or(scheme.holding.radius);
   scheme.holding.weight = asked.hold.value_or(scheme.holding.weight);
   if ((asked.pins || asked.hold) && !scheme.stitched())
-    throw base::Error(asked.pins ? "--pins" : "--hold", "only stitched models have pins and holds",
-                      "leave it out, or add --stitched");
+    throw base::Error(asked.pins ? "--pins" : "--hold", "this option needs a stitched model",
+                      "omit it, or add --stitched");
   if (const auto reason = conflict(scheme))
-    throw base::Error("--stitched", std::string(*reason),
-                      "leave it out, or choose another deformer or blend");
+    throw base::Error("--stitched", std::string(*reason), "omit it, or choose another deformer or blend");
   return scheme;
 }
 

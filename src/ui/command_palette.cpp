@@ -88,10 +88,10 @@ void command_palette(const Context& ui) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (row(ui, *found[i], i, steps != 0)) chosen = found[i], palette.highlighted = i;
   }
-  if (found.empty()) note(ui, "No command has that in its name.");
+  if (found.empty()) note(ui, "No command matches.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  note(ui, "Right click on a command gives it another key;  Help, Change keys lists every one");
+  note(ui, "Right click a command to change its key;  Help, Change keys lists all");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
@@ -108,10 +108,9 @@ void key_prompt(const Context& ui) {
   if (!command || w.key_list.open) return;  // the list shows it itself
   const scene::Viewport& v = w.viewport;
   const Window window("New key", {.at = middle_at(ui, v.origin.y + 0.4f * v.size.y)}, sized_flags);
-  const std::string now = scene::text(w.preferences.keymap.of(*command).first);
-  ImGui::TextUnformatted(("Press the new key of \"" + std::string(command->label) + '"').c_str());
-  note(ui, (now.empty() ? "It has none now" : "It is " + now + " now") +
-               std::string(";  Delete takes it away, Esc leaves it"));
+  const std::string now = scene::text(w.remembered.keymap.of(*command).first);
+  ImGui::TextUnformatted(("Press the new key for \"" + std::string(command->label) + '"').c_str());
+  note(ui, (now.empty() ? "No key now" : "Now " + now) + std::string(";  Delete removes it, Esc cancels"));
 }
 
 }  // namespace viete::ui

@@ -19,20 +19,20 @@ using What = scene::OpenRequest::What;
 
 const char* title(Purpose purpose) {
   switch (purpose) {
-    case Purpose::model: return "Open a model or a session###file_panel";
-    case Purpose::cage: return "Open a cage###file_panel";
-    case Purpose::pose: return "Open a pose###file_panel";
-    case Purpose::poses: return "Import poses: a file, or all of its folder###file_panel";
-    case Purpose::shapes: return "Import shapes of the model: a file, or all of its folder###file_panel";
-    case Purpose::animation: return "Import an animation of the cage or the model###file_panel";
-    case Purpose::locate_model: return "Locate the model of the session###file_panel";
-    case Purpose::locate_cage: return "Locate the cage of the session###file_panel";
-    case Purpose::save_session: return "Save the session###file_panel";
-    case Purpose::save_pose: return "Save the posed cage###file_panel";
-    case Purpose::save_named_pose: return "Export the chosen pose###file_panel";
-    case Purpose::save_cage: return "Save the cage at rest###file_panel";
-    case Purpose::save_model: return "Export the deformed mesh###file_panel";
-    case Purpose::save_animation: return "Export the animation###file_panel";
+    case Purpose::model: return "Open model or session###file_panel";
+    case Purpose::cage: return "Open cage###file_panel";
+    case Purpose::pose: return "Open pose###file_panel";
+    case Purpose::poses: return "Import poses from a file or its folder###file_panel";
+    case Purpose::shapes: return "Import shapes from a file or its folder###file_panel";
+    case Purpose::animation: return "Import animation###file_panel";
+    case Purpose::locate_model: return "Locate model of the session###file_panel";
+    case Purpose::locate_cage: return "Locate cage of the session###file_panel";
+    case Purpose::save_session: return "Save session###file_panel";
+    case Purpose::save_pose: return "Save pose###file_panel";
+    case Purpose::save_named_pose: return "Export pose###file_panel";
+    case Purpose::save_cage: return "Save cage###file_panel";
+    case Purpose::save_model: return "Export deformed mesh###file_panel";
+    case Purpose::save_animation: return "Export animation###file_panel";
   }
   return "###file_panel";
 }
@@ -129,8 +129,7 @@ void path_field(const Context& ui) {
   const std::string before = browser.path;
   const bool enter = text_field("##path", "", browser.path, flags);
   record(ui, "file_path");
-  hint(browser.saves() ? "The file to write; its extension chooses the format."
-                       : "Type or paste a path; Enter opens it.");
+  hint(browser.saves() ? "File to write. The extension sets the format." : "File to open. Enter opens it.");
   if (browser.path != before) {
     browser.problem.clear();
     browser.highlighted = browser.saves() ? Browser::none : 0;
@@ -168,7 +167,7 @@ void filter_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   if (ImGui::Button("Up")) scene::enter(browser, browser.folder.parent_path());
   record(ui, "file_up");
-  hint("To the folder above.  (Backspace)");
+  hint("Go to the parent folder.  (Backspace)");
   ImGui::SameLine();
   if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
   const auto formats = browser.saves() ? browser.formats() : std::vector<std::string_view>();
@@ -211,9 +210,9 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   if (!entries.empty()) return clicked;
   const bool sessions = ui.workspace.browser.purpose == Purpose::save_session;
   note(ui, scene::filters_by_path(ui.workspace.browser) ? "Enter goes to this path."
-           : !ui.workspace.browser.filter.empty()       ? "Nothing here has that in its name."
-           : sessions                                   ? "No session here yet."
-                      : "No " + scene::format_list(ui.workspace.browser) + " file here.");
+           : !ui.workspace.browser.filter.empty()       ? "No file matches."
+           : sessions                                   ? "No session in this folder."
+                      : "No " + scene::format_list(ui.workspace.browser) + " file in this folder.");
   return clicked;
 }
 
@@ -274,22 +273,22 @@ bool shows_pictures(const Browser& browser) {
 void morph_row(const Context& ui) {
   scene::MorphChoice& morphs = ui.workspace.browser.morphs;
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Off by up to");
+  ImGui::TextUnformatted("Tolerance");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(64);
   if (const auto percent = number_field(ui, "morph_tolerance", 100 * morphs.tolerance))
     morphs.tolerance = std::clamp(*percent / 100, 1e-7, 1.0);
   record(ui, "morph_tolerance");
-  hint("How far what is played may be from the motion, in percent of the model's diagonal.");
+  hint("Maximum playback error, in percent of the model's diagonal.");
   ImGui::SameLine();
   ImGui::TextUnformatted("%");
   ImGui::SameLine(0, 18);
   ImGui::Checkbox("Normals", &morphs.normals);
   record(ui, "morph_normals");
-  hint("Light follows the motion in every player. Without, the file is half as large.");
+  hint("Export normals, for correct shading in every player. Doubles the file size.");
   ImGui::SameLine(0, 18);
   const std::string& size = ui.workspace.browser.morph_size;
-  note(ui, size.empty() ? "finding out the size" : size);
+  note(ui, size.empty() ? "computing size" : size);
   record(ui, "morph_size");
 }
 
@@ -304,8 +303,8 @@ void picture_choices(const Context& ui) {
   };
   box("Cage", "picture_cage", choice.cage, "Draw the cage.");
   box("Grid", "picture_grid", choice.grid, "Draw the ground grid.");
-  box("Light", "picture_light", choice.light, "On a light background.");
-  box("Panels", "picture_panels", choice.panels, "Draw the columns and bars of the window, too.");
+  box("Light theme", "picture_light", choice.light, "Use the light theme.");
+  box("Panels", "picture_panels", choice.panels, "Include the panels and bars of the window.");
   const auto side = [&](const char* name, int& pixels) {
     ImGui::SetNextItemWidth(64);
     if (const auto typed = number_field(ui, name, pixels))
@@ -350,8 +349,8 @@ void path_note(const Context& ui) {
   } else if (browser.replaces()) {
     const std::string name = scene::chosen_file(browser).filename().string();
     note(ui,
-         name + (browser.warned == browser.path ? " is there already; Enter again replaces it."
-                                                : " is there already and will be replaced."),
+         name + (browser.warned == browser.path ? " already exists; press Enter again to replace it."
+                                                : " already exists and will be replaced."),
          ui.colors.warn);
     record(ui, "file_replaces");
   }
@@ -370,10 +369,10 @@ void button_row(const Context& ui) {
   record(ui, "file_cancel");
   if (browser.purpose == Purpose::poses || browser.purpose == Purpose::shapes) {
     ImGui::SameLine();
-    if (ImGui::Button("All of this folder")) ask(ui.workspace, browser.folder);
+    if (ImGui::Button("Import folder")) ask(ui.workspace, browser.folder);
     record(ui, "file_folder");
-    hint(browser.purpose == Purpose::poses ? "Every model of this folder that is a pose of the cage."
-                                           : "Every model of this folder that is a shape of the model.");
+    hint(browser.purpose == Purpose::poses ? "Import all posed versions of the cage in this folder."
+                                           : "Import all shapes of the model in this folder.");
   }
   if (!confirmed) return;
   const auto entries = scene::shown(browser);

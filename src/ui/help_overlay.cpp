@@ -26,7 +26,7 @@ void add_looking(const scene::Keymap& keymap, std::vector<MouseLine>& lines) {
     lines.push_back({"Middle, right or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"});
   }
   lines.push_back({"Wheel", "zoom to the cursor"});
-  lines.push_back({"Double click", "orbit about that place from now on"});
+  lines.push_back({"Double click", "orbit about this point"});
 }
 
 }  // namespace
@@ -40,20 +40,19 @@ std::string key_or_label(const scene::Keymap& keymap, std::string_view name) {
 std::vector<MouseLine> mouse_lines(const scene::Keymap& keymap) {
   std::vector<MouseLine> lines = {
       {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
-      {"Left drag on it", "move the selection (faces, and crowded vertices: once selected)"}};
+      {"Left drag on it", "move the selection (select faces and dense vertices first)"}};
   if (keymap.left_orbits()) {
-    lines.push_back({"Left drag elsewhere", "orbit; select with a box after " +
-                                                key_or_label(keymap, "select_box") + ", with Shift or Ctrl"});
+    lines.push_back({"Left drag elsewhere", "orbit; box select after " + key_or_label(keymap, "select_box") +
+                                                ", with Shift or Ctrl"});
   } else {
-    lines.push_back(
-        {"Left drag elsewhere", "select with a box; from anywhere with Shift (adds) or Ctrl (removes)"});
+    lines.push_back({"Left drag elsewhere", "box select; with Shift (add) or Ctrl (remove) start anywhere"});
   }
-  lines.push_back({"Left drag on a handle", "move, rotate or scale along what it points at"});
-  lines.push_back({"Ctrl, Shift while dragging", "snap to steps; go a tenth of the way"});
-  lines.push_back({"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, done"});
-  lines.push_back({"Esc or right button", "during a drag: everything as it was"});
-  lines.push_back({"Double click on a slider", "type its number (or Ctrl+click)"});
-  lines.push_back({"Right click", "a menu of what can be done there"});
+  lines.push_back({"Left drag on a handle", "move, rotate or scale along its axis"});
+  lines.push_back({"Ctrl, Shift while dragging", "snap to steps; move at a tenth of the speed"});
+  lines.push_back({"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, confirm"});
+  lines.push_back({"Esc or right button", "cancel the drag"});
+  lines.push_back({"Double click on a slider", "type a number (or Ctrl+click)"});
+  lines.push_back({"Right click", "context menu"});
   add_looking(keymap, lines);
   return lines;
 }
@@ -163,7 +162,7 @@ void help_overlay(const Context& ui) {
       {.at = {middle, 0.5f * (display.y + scene::PanelLayout::menu_height - status_height)}},
       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize,
       &open);
-  note(ui, "Keys of " + preset_label(ui) + ".  Help, Change keys gives any command another one.");
+  note(ui, "Keymap: " + preset_label(ui) + ".  Help, Change keys assigns other keys.");
   table(ui, "hands", hands);
   if (both < display.x - 40) ImGui::SameLine(0, gap);
   table(ui, "settings", settings);
@@ -188,7 +187,7 @@ std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, co
   const scene::Shortcut preset = plain.of(command).first;
   const auto losers = keymap.losers(command.name, preset);
   if (losers.empty() || keymap.of(command).first == preset) return "";
-  return "\n" + scene::text(preset) + " is of \"" + std::string(losers.front()->label) + "\" now";
+  return "\n" + scene::text(preset) + " is used by \"" + std::string(losers.front()->label) + '"';
 }
 
 void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
@@ -201,8 +200,8 @@ void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::
   record(ui, "key/" + name);
   if (waits) ImGui::PopStyleColor();
   if (waits || !ImGui::IsItemHovered()) return;
-  hint("Click, and press the new key; Delete takes it away, Esc leaves it." +
-       lost_key(w.preferences.keymap, plain, command));
+  hint("Click and press the new key. Delete removes it, Esc cancels." +
+       lost_key(w.remembered.keymap, plain, command));
 }
 
 void give_back(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
@@ -213,7 +212,7 @@ void give_back(const Context& ui, const scene::Keymap& plain, const scene::Comma
   if (ImGui::Button(("Reset##" + std::string(command.name)).c_str(), {back_width, 0}))
     keymap.take_back(command.name);
   record(ui, "key/" + std::string(command.name) + "/reset");
-  hint("As the keys of the preset have it: " + (preset.empty() ? "none" : preset));
+  hint("Reset to the key of the keymap: " + (preset.empty() ? "none" : preset));
 }
 
 void key_row(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
@@ -253,7 +252,7 @@ void key_rows(const Context& ui) {
   }
   const auto found = scene::find_commands(ui.workspace, typed);
   for (const scene::Command* command : found) key_row(ui, plain, *command);
-  if (found.empty()) note(ui, "No command has that in its name.");
+  if (found.empty()) note(ui, "No command matches.");
 }
 
 // Removes all changes at once; can be undone while the list is open.
@@ -263,7 +262,7 @@ void reset_all_button(const Context& ui) {
   if (!keymap.changes().empty()) list.taken_back.reset();
   const bool brings = list.taken_back.has_value();
   ImGui::BeginDisabled(!brings && keymap.changes().empty());
-  if (ImGui::Button(brings ? "Bring changes back" : "Reset all")) {
+  if (ImGui::Button(brings ? "Restore changes" : "Reset all")) {
     if (brings) {
       keymap.put(*std::exchange(list.taken_back, std::nullopt));
     } else {
@@ -273,7 +272,7 @@ void reset_all_button(const Context& ui) {
   }
   record(ui, "reset_keys", brings || !keymap.changes().empty());
   ImGui::EndDisabled();
-  hint(brings ? "The changes that were just taken back." : "All keys as the preset has them.");
+  hint(brings ? "Restore the changes that were just reset." : "Reset all keys to the keymap.");
 }
 
 void close_keys(scene::Workspace& w) {
@@ -288,7 +287,7 @@ void key_list(const Context& ui) {
   if (!w.key_list.open) return;
   const scene::Viewport& v = w.viewport;
   bool open = true;
-  const Window window("All keys",
+  const Window window("Change keys",
                       {.at = {0.5f * v.window.x, v.origin.y + 0.5f * v.size.y},
                        .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)}},
                       dialog_flags, &open);
@@ -315,9 +314,10 @@ float key_question(const Context& ui, float bottom) {
   if (!w.ask_keys || !w.view.panels || w.view.help || w.loading.running || w.browser.open || w.question ||
       offers_next_step(w))
     return bottom;
-  const Window window(
-      "Which keys", {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}}, card_flags);
-  ImGui::TextUnformatted("Whose keys do your hands know?");
+  const Window window("Choose keymap",
+                      {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}},
+                      card_flags);
+  ImGui::TextUnformatted("Choose a keymap");
   const auto presets = scene::choices(scene::KeyPreset{});
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -326,12 +326,12 @@ float key_question(const Context& ui, float bottom) {
       w.ask_keys = false;
     }
     record(ui, "ask_keys/" + std::string(presets[i].word));
-    hint(std::string(presets[i].hint) + " Help, Change keys has them all, at any time.");
+    hint(std::string(presets[i].hint) + " Change it later in Help, Keymap.");
   }
   ImGui::SameLine();
   if (ImGui::Button("x")) w.ask_keys = false;
   record(ui, "ask_keys/close");
-  hint("Those of Viete.");
+  hint("Use the keymap Viete.");
   return ImGui::GetWindowPos().y + 28;
 }
 

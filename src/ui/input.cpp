@@ -37,7 +37,7 @@ void set_key(scene::Workspace& workspace) {
   std::string losers;
   for (const scene::Command* loser :
        none ? std::vector<const scene::Command*>{} : keymap.losers(name, *pressed))
-    losers += (losers.empty() ? " It was of \"" : ", \"") + std::string(loser->label) + '"';
+    losers += (losers.empty() ? " It was taken from \"" : ", \"") + std::string(loser->label) + '"';
   keymap.change(name, none ? scene::Shortcut{} : *pressed);
   workspace.messages.info('"' + std::string(command->label) + "\" has " +
                           (none ? "no key now." : "the key " + scene::text(*pressed) + " now.") + losers +

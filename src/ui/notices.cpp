@@ -22,7 +22,7 @@ namespace {
 const char* word_of(scene::Severity severity) {
   switch (severity) {
     case scene::Severity::error: return "Error: ";
-    case scene::Severity::warning: return "Note: ";
+    case scene::Severity::warning: return "Warning: ";
     case scene::Severity::info: break;
   }
   return "";
@@ -53,17 +53,17 @@ void message_log(const Context& ui) {
   const Window window("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
   const auto& all = w.messages.all();
   ImGui::BeginChild("list", {0, -(ImGui::GetFrameHeight() + 8)});
-  if (all.empty()) note(ui, "Nothing was said.");
+  if (all.empty()) note(ui, "No messages.");
   for (std::size_t i = all.size(); i-- > 0;) {
     note(ui, message_text(all[i]), severity_color(ui, all[i].severity));
     record(ui, "message/" + std::to_string(all.size() - 1 - i));
     if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all[i].text.c_str());
-    hint("Click to copy it.");
+    hint("Click to copy the message.");
   }
   ImGui::EndChild();
   if (ImGui::Button("Clear")) w.messages.clear();
   record(ui, "clear_messages");
-  hint("Remove these messages.");
+  hint("Clear the list of messages.");
   ImGui::SameLine();
   if (ImGui::Button("Close") || key_pressed(scene::Key::escape)) open = false;
   record(ui, "close_messages");
@@ -106,7 +106,7 @@ void recovery_text(const Context& ui) {
 // The last thing shown before closing.
 void closing_notice(const Context& ui) {
   const Window window("Farewell", {.at = middle_of_view(ui), .padding = {24, 16}}, sized_flags);
-  ImGui::TextUnformatted("Unsaved edits are kept; the next start offers to bring them back.");
+  ImGui::TextUnformatted("Unsaved edits were saved for recovery; the next start offers to restore them.");
   record(ui, "farewell");
 }
 
@@ -210,7 +210,7 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
     record(ui, toast.name + "/close");
     cross(draw, {high.x - 0.5f * close_width - 2, 0.5f * (low.y + high.y)},
           ImGui::IsItemHovered() ? ui.colors.text : ui.colors.faint);
-    hint("Put it away; it stays in the list of messages.");
+    hint("Dismiss. The message stays in Help, Show messages.");
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
@@ -341,7 +341,7 @@ constexpr double silent_seconds = 0.2;  // shorter work shows no bar
 // Rounded according to its uncertainty.
 std::string words_of(std::optional<double> left) {
   if (!left) return "";
-  if (*left < 1) return "a moment";
+  if (*left < 1) return "a few seconds left";
   if (*left > 90) return std::to_string(std::lround(*left / 60)) + " min left";
   const double step = *left > 10 ? 5 : 1;
   return std::to_string(std::lround(step * std::ceil(*left / step))) + " s left";
@@ -396,7 +396,7 @@ void show_button(const Context& ui, const scene::CheckBadge& badge) {
   if (ImGui::Button(shown ? "Hide##badge" : "Show##badge")) scene::toggle_finding(ui.workspace, *at);
   ImGui::EndDisabled();
   record(ui, "badge/show", at.has_value());
-  hint("Where they are in the view; the section Checks steps through them.");
+  hint("Show or hide the problems in the view. Checks steps through them.");
 }
 
 void helping_button(const Context& ui, const scene::Command& command) {
@@ -432,7 +432,7 @@ float check_badge(const Context& ui, float bottom) {
   if (ImGui::Button("x##badge")) scene::dismiss_badge(w.checks);
   ImGui::PopStyleColor();
   record(ui, "badge/close");
-  hint("Put it away; the section Checks still has it.");
+  hint("Dismiss. The section Checks still lists it.");
   return ImGui::GetWindowPos().y - 8;
 }
 

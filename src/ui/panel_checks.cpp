@@ -22,9 +22,9 @@ std::size_t mattering(const scene::CheckState& checks) {
 std::string summary(const scene::CheckState& checks, std::size_t of_pose) {
   if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
   const std::size_t n = checks.findings.size() + of_pose;
-  if (n == 0) return "all is well";
+  if (n == 0) return "no problems";
   if (mattering(checks) + of_pose == 0) return n == 1 ? "1 note" : count(n) + " notes";
-  return n == 1 ? "1 finding" : count(n) + " findings";
+  return n == 1 ? "1 problem" : count(n) + " problems";
 }
 
 float wrapped_height(const std::string& text, float width) {
@@ -76,7 +76,7 @@ void card(const Context& ui, std::size_t index) {
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.text, elements.c_str(), nullptr,
                wrap);
   ImGui::PopFont();
-  hint(shown ? "Click to hide them again." : "Click to see them in the view.");
+  hint(shown ? "Click to hide them." : "Click to show them in the view.");
   if (clicked) scene::toggle_finding(ui.workspace, index);
 }
 
@@ -92,14 +92,14 @@ void stepper(const Context& ui) {
     record(ui, name);
     hint(tip);
   };
-  step("<##finding", "finding_previous", -1, "Show the one before alone.");
+  step("<##finding", "finding_previous", -1, "Show the previous one only.");
   const std::string text = checks.element ? count(*checks.element + 1) + " of " + count(finding.size())
                                           : "all " + count(finding.size());
   ImGui::SameLine(left + 0.5f * (width - ImGui::CalcTextSize(text.c_str()).x));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text.c_str());
   ImGui::SameLine(left + width - button);
-  step(">##finding", "finding_next", 1, "Show the next one alone.");
+  step(">##finding", "finding_next", 1, "Show the next one only.");
 }
 
 // Findings of the cage before those of the model; important ones are sorted first anyway.
@@ -127,8 +127,8 @@ void fit_buttons(const Context& ui) {
     return command_row(ui, {"show_outside"});
   }
   note(ui,
-       outside + "Enclose moves the cage outward there, Fit brings all of it to the model" +
-           (found.turned ? "; turned, it fits clearly better." : "."),
+       outside + "Enclose moves the cage outward there; Fit moves and scales the whole cage" +
+           (found.turned ? "; rotated, it fits clearly better." : "."),
        ui.colors.warn);
   if (!found.turned) return command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
   command_row(ui, {"show_outside", "enclose_model"});
@@ -151,10 +151,10 @@ void panel_checks(const Context& ui) {
     note(ui, of_pose[i], ui.colors.warn);
     record(ui, "pose_note/" + std::to_string(i));
   }
-  if (checks.running) return note(ui, "Model and cage are being looked through.");
+  if (checks.running) return note(ui, "Checking model and cage.");
   if (checks.findings.empty()) {
-    note(ui, ui.workspace.document.has_cage() ? "Model and cage are closed, oriented manifolds; the cage "
-                                                "does not cut itself and encloses the model."
+    note(ui, ui.workspace.document.has_cage() ? "Model and cage are closed, oriented manifolds. The cage "
+                                                "encloses the model without self-intersections."
                                               : "The model is a closed, oriented manifold.");
   }
   fit_buttons(ui);

@@ -44,17 +44,18 @@ void range_fields(const Context& ui) {
   ImGui::SetNextItemWidth(width);
   const auto typed_low = number_field(ui, "map/low", low);
   record(ui, "map/low");
-  hint("The value at the first colour.");
+  hint("Value of the first colour.");
   ImGui::SameLine();
   ImGui::TextUnformatted("to");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
   const auto typed_high = number_field(ui, "map/high", high);
   record(ui, "map/high");
-  hint("The value at the last colour.");
+  hint("Value of the last colour.");
   low = typed_low.value_or(low), high = typed_high.value_or(high);
   if (!typed_low && !typed_high) return;
-  if (!(low < high)) return ui.workspace.messages.warn("The first value of a range is below the last one.");
+  if (!(low < high))
+    return ui.workspace.messages.warn("The first value of the range must be below the last one.");
   shown.stats.low = static_cast<decltype(shown.stats.low)>(low);
   shown.stats.high = static_cast<decltype(shown.stats.high)>(high);
   lab::fit_counts(*shown.values, shown.stats);
@@ -70,11 +71,13 @@ void panel_map(const Context& ui) {
   section_note(ui, wanted == lab::Field::none ? "" : std::string(base::entry_of(wanted).label));
   if (!open) return;
   choice_list(ui, "map", std::optional(wanted), ImGui::GetContentRegionAvail().x);
-  if (wanted == lab::Field::none) return note(ui, "Colours the mesh by what the deformation does to it.");
+  if (wanted == lab::Field::none) return note(ui, "Colours the model by a measure of the deformation.");
   if (scene::shown_field(w) == lab::Field::none)
-    return note(ui, "There is none here: it needs a cage, and a blend in log space.");
+    return note(ui, "Not available here: this map needs a cage and the blend Log space.");
   const bool needs_selection = wanted == lab::Field::influence && w.document.selection.empty();
-  note_within(ui, 2, needs_selection ? "Select something." : std::string(base::entry_of(wanted).hint));
+  note_within(
+      ui, 2,
+      needs_selection ? "Select part of the cage or a probe." : std::string(base::entry_of(wanted).hint));
   command_toggle(ui, "hold_map_range");
   range_fields(ui);
   command_button(ui, "frame_worst", ImGui::GetContentRegionAvail().x);
@@ -182,7 +185,7 @@ std::string extent(const scene::FieldView& shown, float room) {
   const lab::FieldStats& stats = shown.stats;
   if (!shown.problem.empty()) return shortened(shown.problem, room);
   if (!shown.values) return "computing";
-  if (stats.is_nan) return "some are not numbers";
+  if (stats.is_nan) return "some values are NaN";
   const std::string ends = lab::text(stats.field, stats.least) + " to " + lab::text(stats.field, stats.most);
   const std::string with_median = ends + ", median " + lab::text(stats.field, stats.median);
   return ImGui::CalcTextSize(with_median.c_str()).x <= room ? with_median : ends;

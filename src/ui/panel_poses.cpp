@@ -65,7 +65,7 @@ void picture(const Context& ui, std::size_t row, const scene::NamedPose& named, 
   record(ui, id);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered && ImGui::IsMouseDoubleClicked(0)) wish.applied = row;
-  hint("Click chooses it, a double click applies it, a drag moves it in the list");
+  hint("Click to choose, double click to apply, drag to reorder.");
   drag_row(row, wish);
   draw_pose(ui, named, low, ui.workspace.chosen_pose == row, hovered);
 }
@@ -83,14 +83,14 @@ void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, d
   });
   if (done.moved) wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
   if (done.typed) wish.weight = std::pair(row, 0.01 * *done.typed);
-  const std::string part = named.part.empty() ? "" : " It moves " + moves + ": those that were selected.";
-  hint("How much of it is mixed in, in log space: 0 % none, 100 % all, also beyond and below." + part);
+  const std::string part = named.part.empty() ? "" : " It affects only " + moves + ".";
+  hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate." + part);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(percent_width);
   if (const auto typed = number_field(ui, id + "/typed", percent))
     wish.weight = std::pair(row, 0.01 * *typed);
   record(ui, id + "/typed");
-  hint("The same in percent, from -200 to 300");
+  hint("Weight in percent, from -200 to 300.");
 }
 
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
@@ -103,7 +103,7 @@ void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 1});
   const float width = ImGui::GetContentRegionAvail().x;
   if (const auto name =
-          name_field(ui, "pose_name/" + id, named.name, width, "The name of the pose; type another one"))
+          name_field(ui, "pose_name/" + id, named.name, width, "Name of the pose. Type to rename it."))
     wish.name = std::pair(index, *name);
   weight(ui, index, named, shown, wish);
   ImGui::PopStyleVar(2);
@@ -129,7 +129,7 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
 }
 
 void no_poses(const Context& ui) {
-  note(ui, "Keep what you have posed under a name; then sliders mix poses, and keys play them.");
+  note(ui, "Add poses to combine them with sliders or use them as keys.");
   command_row(ui, {"keep_pose"});
   if (scene::find_command("add_example")->enabled(ui.workspace)) command_row(ui, {"add_example"});
 }

@@ -36,8 +36,8 @@ bool radius_slider(const Context& ui, const std::string& name, double& radius, b
   };
   const Slid slid = slider(ui, name, percent, least, most, draw, used);
   hint(
-      "How far it reaches at rest, in percent of the model's diagonal. The circle in the view is the largest "
-      "of the three.");
+      "Radius of influence at rest, in percent of the model's diagonal. The circle in the view shows the "
+      "largest of the three.");
   value_beside(right, std::to_string(std::lround(percent)) + " %");
   ImGui::EndDisabled();
   if (slid.moved) radius = unit * static_cast<double>(std::round(percent));
@@ -75,13 +75,15 @@ void freedom(const Context& ui) {
   });
   if (slid.moved) value = 0.01 * std::round(static_cast<double>(percent));
   if (slid.typed) value = 0.01 * *slid.typed;
-  hint("How far pins take the model off the shapes of the list: 0 % as these do, 100 % as rigid as can be.");
+  hint(
+      "How freely pins may leave the shapes in the pose list: 0 % follows them, 100 % is as rigid as "
+      "possible.");
   value_beside(right, std::to_string(std::lround(100 * value)) + " %");
 }
 
 void mix(const Context& ui) {
   scene::Document& document = ui.workspace.document;
-  row_label("Together", probe_label);
+  row_label("Combine", probe_label);
   ImGui::SetNextItemWidth(-1);
   const auto chosen = entry_list(ui, "probe_mix", scene::all_probe_mixes(), document.probes.mix);
   if (chosen) scene::set_mix(document, *chosen);
@@ -102,9 +104,9 @@ void panel_probes(const Context& ui) {
   if (selected && scene::has_pins_selected(ui.workspace)) {
     command_toggle(ui, "toggle_pulls");
   } else if (selected) {
-    influence(ui, "Turns", "turn", &scene::Probe::turn);
-    influence(ui, "Stretches", "stretch", &scene::Probe::stretch);
-    influence(ui, "Moves", "move", &scene::Probe::move);
+    influence(ui, "Rotation", "turn", &scene::Probe::turn);
+    influence(ui, "Stretch", "stretch", &scene::Probe::stretch);
+    influence(ui, "Translation", "move", &scene::Probe::move);
   } else {
     note(ui, document.selection.kind() == scene::ElementKind::probe
                  ? "Click a probe in the view to select it."

@@ -111,11 +111,11 @@ void panel_method(const Context& ui) {
   }
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
-  note(ui, !used                                  ? "This deformer takes no exponential."
+  note(ui, !used                                  ? "This deformer uses no exponential."
            : scene::differs_from_rest(w.document) ? "Per matrix; largest error in this pose"
                                                   : "At rest every method is exact.");
   hint("Medians over " + count(w.methods.matrices) +
-       " matrices of this frame. Errors are relative, against 106 bits. Colour marks the best, and errors "
+       " matrices of this frame. Errors are relative to 106-bit results. Colour marks the best and errors "
        "above 1e-10.");
 }
 
@@ -126,10 +126,10 @@ const char* stage_hint(scene::Link stage) {
       "Weighted sums of the logarithms at each vertex.",
       "Exponentials of symmetric 3x3 matrices, one per vertex, by the chosen method.",
       "Stretch, rotation and translation of each vertex.",
-      "Weighted sums at a few pivots of each block of vertices, from compressed weights.",
+      "Weighted sums at pivot vertices of each block, from compressed weights.",
       "Sums, exponential and application in one pass over the vertices, in single precision.",
       "Rotation and stretch of each triangle of the model, fitted to the blended vertices.",
-      "Sparse linear system for the positions whose triangles follow these maps best.",
+      "Sparse linear solve for the positions whose triangles follow these maps best.",
       "Probes, applied after the cage.",
       "Vertex normals, from the triangles around each vertex."};
   return hints[static_cast<std::size_t>(stage)];
@@ -184,7 +184,7 @@ Stage bar(const Context& ui, std::size_t index, double longest) {
   }
   if (all.measured)
     ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint,
-                                        "large weights: choose it to measure");
+                                        "large weights: choose this method to measure it");
   return std::nullopt;
 }
 
@@ -256,9 +256,8 @@ void rest_of_frame(const Context& ui) {
   }
   ImGui::Dummy({width, 2 * line});
   hint(
-      "The rest of a frame in milliseconds, medians of the last half second. The total has the deformation "
-      "too. "
-      "On a software renderer, drawing uses the processor.");
+      "Other parts of a frame in milliseconds, medians of the last half second. The total includes the "
+      "deformation.");
 }
 
 // The errors of the exponential and of the drawn positions.
@@ -277,9 +276,8 @@ void errors(const Context& ui) {
   text_in(ui.colors.faint, text);
   record(ui, "errors");
   hint(
-      "exp: largest relative error of the exponentials. frame: largest distance of the drawn vertices from "
-      "the "
-      "same frame in double precision, in diagonals of the cage.");
+      "exp: largest relative error of the exponentials. frame: largest error against double precision, in "
+      "diagonals of the cage.");
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ void partial_sums(const Context& ui, const VertexView& view) {
 void ways(const Context& ui, const VertexView& view) {
   for (const auto& way : view.ways) {
     value_row(ui, (method_label(way.method) + ": " + way.route).c_str(), error(way.error));
-    hint("What the method decides by this matrix. Its error is relative, against 106 bits.");
+    hint("Path the method takes for this matrix. Errors are relative to 106-bit results.");
   }
 }
 
@@ -113,19 +113,19 @@ void panel_vertex(const Context& ui) {
   const VertexView& view = w.vertex;
   if (!view.vertex)
     return note(ui, "Point at the model and press " +
-                        scene::text(w.preferences.keymap.of(*scene::find_command("pick_vertex")).first) +
-                        " to see what is summed there.");
+                        scene::text(w.remembered.keymap.of(*scene::find_command("pick_vertex")).first) +
+                        " to inspect a vertex.");
   value_row(ui, "Vertex", std::to_string(*view.vertex));
   command_row(ui, {"pick_worst", "drop_vertex"});
-  if (view.terms.empty()) return note(ui, "The cage does not reach it.");
+  if (view.terms.empty()) return note(ui, "The cage does not influence this vertex.");
   note(ui, "Weights", ui.colors.text);
   weights(ui, view);
-  if (!view.has_logs) return note(ui, "This blend sums no logarithms.");
+  if (!view.has_logs) return note(ui, "This blend uses no logarithms.");
   note(ui, "Eigenvalues of the sum, term by term", ui.colors.text);
   partial_sums(ui, view);
   char turn[24];
   std::snprintf(turn, sizeof turn, "%.2f\u00b0", view.degrees);
-  value_row(ui, "It turns by", turn);
+  value_row(ui, "Rotation angle", turn);
   note(ui, "exp of the sum", ui.colors.text);
   ways(ui, view);
 }

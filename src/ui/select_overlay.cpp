@@ -98,15 +98,14 @@ void select_overlay(const Context& ui) {
 
 std::string select_hint(const scene::Workspace& w) {
   const auto& hand = w.interaction;
-  if (hand.box || hand.lasso || hand.brushing) return "Release to select, Esc to take it back";
+  if (hand.box || hand.lasso || hand.brushing) return "Release to select, Esc to cancel";
   if (!hand.armed) return "";
   switch (*hand.armed) {
-    case SelectShape::box: return "Box:  drag from anywhere,  Shift adds,  Ctrl removes;  Esc puts it away";
-    case SelectShape::lasso:
-      return "Lasso:  drag around what it selects,  Shift adds,  Ctrl removes;  Esc puts it away";
+    case SelectShape::box: return "Box:  drag from anywhere,  Shift adds,  Ctrl removes;  Esc ends";
+    case SelectShape::lasso: return "Lasso:  drag around elements,  Shift adds,  Ctrl removes;  Esc ends";
     case SelectShape::brush: break;
   }
-  return "Brush:  drag over what it selects,  Ctrl removes,  wheel changes its size;  Esc puts it away";
+  return "Brush:  drag over elements,  Ctrl removes,  wheel changes its size;  Esc ends";
 }
 
 }  // namespace viete::ui

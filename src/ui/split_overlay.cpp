@@ -22,7 +22,7 @@ constexpr float least_room = 170;  // minimum for a caption next to the axes; ot
 std::string blending_words(const scene::Workspace& w, bool other) {
   const auto has_other = [](const scene::SideView& side) { return side.other_blending; };
   if (std::ranges::none_of(w.split.sides, has_other)) return "";
-  return w.document.timeline.straight != other ? "straight lines" : "log space";
+  return w.document.timeline.straight != other ? "linear interpolation" : "log space";
 }
 
 // One line if the text fits.
@@ -41,7 +41,7 @@ void add(Text& text, std::string part) {
 
 std::string way_words(const scene::Scheme& scheme) {
   const auto way = scene::way_of(scheme);
-  return way ? std::string(scene::entry(*way).label) : "A way of your own";
+  return way ? std::string(scene::entry(*way).label) : "Custom";
 }
 
 // "1.9 ms", "exp 3e-16", "frame 2e-08".

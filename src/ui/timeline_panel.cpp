@@ -108,7 +108,7 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
 void frame_shown(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   const double shown = std::round(w.document.frame * 10) / 10;
-  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "The frame that is shown")) {
+  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "Current frame")) {
     scene::stop_playing(w);
     scene::go_to_frame(w, *frame);
   }
@@ -146,7 +146,7 @@ void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece>
   for (const float x : {-5.0f, 0.0f, 5.0f})
     ImGui::GetWindowDrawList()->AddCircleFilled({0.5f * (low.x + high.x) + x, 0.5f * (low.y + high.y)}, 1.6f,
                                                 ui.colors.text);
-  hint("What there is no room for beside it.");
+  hint("More timeline settings.");
   if (!ImGui::BeginPopup(name)) return;
   if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
   for (const ToolPiece& piece : others) piece.in_menu();
@@ -189,10 +189,9 @@ void transport(const Context& ui, float right) {
 void way_choice(const Context& ui) {
   const bool straight = ui.workspace.document.timeline.straight;
   const scene::Command& command = *scene::find_command("toggle_straight");
-  const char* labels[] = {"Log space", "Straight"};
-  const char* hints[] = {
-      "Between poses the logs of maps are blended: halfway to a half turn is a quarter turn.",
-      "Between poses vertices go in straight lines, as in other programs: what turns shrinks."};
+  const char* labels[] = {"Log space", "Linear"};
+  const char* hints[] = {"Interpolate maps between poses in log space: halfway to 180 degrees is 90 degrees.",
+                         "Interpolate vertex positions linearly between poses. Rotating parts shrink."};
   ImGui::BeginDisabled(!command.enabled(ui.workspace));
   for (int i = 0; i < 2; ++i) {
     if (i > 0) ImGui::SameLine(0, 2);
@@ -213,7 +212,7 @@ void rate_field(const Context& ui) {
   scene::Play play = scene::play_of(document.timeline);
   const auto rate = number_field(ui, "time/rate", play.rate);
   record(ui, "time/rate");
-  hint("Frames a second, 1 to 240");
+  hint("Playback rate in frames per second, 1 to 240.");
   ImGui::SameLine(0, 4);
   ImGui::AlignTextToFramePadding();
   text_in(ui.colors.faint, "fps");
@@ -227,19 +226,21 @@ void easing_choice(const Context& ui) {
   const std::vector<int> eased = scene::eased_keys(w);
   const scene::PoseKey* key = eased.empty() ? nullptr : scene::key_at(w.document.timeline, eased.front());
   ImGui::BeginDisabled(!key);
-  choice_list(
-      ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 92,
-      {"time/", "Easing", "How the selected keys, or the one before this frame, come to the next one"});
+  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 92,
+              {"time/", "Easing",
+               "Interpolation from the selected keys, or from the key before this frame, to the next key."});
   ImGui::EndDisabled();
 }
 
 void range(const Context& ui, float right) {
   scene::Document& document = ui.workspace.document;
   scene::Play play = scene::play_of(document.timeline);
-  if (const auto first = frame_field(ui, "From", "time/first", play.first, 52, "The first frame that plays"))
+  if (const auto first =
+          frame_field(ui, "From", "time/first", play.first, 52, "First frame of the playback range."))
     play.first = *first, play.last = std::max(play.last, *first + 1);
   ImGui::SameLine(0, 8);
-  if (const auto last = frame_field(ui, "to", "time/last", play.last, 52, "The last frame that plays"))
+  if (const auto last =
+          frame_field(ui, "to", "time/last", play.last, 52, "Last frame of the playback range."))
     play.last = *last, play.first = std::min(play.first, *last - 1);
   scene::set_play(document, play);
   const ToolPiece pieces[] = {{76, 8, [&] { rate_field(ui); }},

@@ -185,10 +185,12 @@ void take_mouse(const Track& t) {
 void way_in(const Track& t, ImDrawList& draw) {
   const scene::Workspace& w = t.ui.workspace;
   if (!w.document.timeline.empty()) return;
-  const char* text = w.document.is_movable()
-                         ? "Pose the model and press I: a key. Go on to another frame, pose, press I."
-                         : "With a cage, probes or shapes there is something to key.";
-  const char* brief = w.document.is_movable() ? "Pose the model and press I: a key." : "Nothing to key yet.";
+  const char* text =
+      w.document.is_movable()
+          ? "Pose the model and press I to set a key. Go to another frame, pose and press I again."
+          : "Open a cage, add probes or import shapes to set keys.";
+  const char* brief =
+      w.document.is_movable() ? "Pose the model and press I to set a key." : "Nothing to key yet.";
   if (ImGui::CalcTextSize(text).x > t.high.x - t.low.x) text = brief;
   const ImVec2 size = ImGui::CalcTextSize(text);
   draw.AddText({0.5f * (t.low.x + t.high.x - size.x), t.key_y() - 0.5f * size.y}, t.ui.colors.faint, text);

@@ -109,7 +109,7 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
   typed.copy(text, sizeof text - 1);
   if (std::exchange(appearing, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##typed", "Find a command", text, sizeof text);
+  ImGui::InputTextWithHint("##typed", "Find command", text, sizeof text);
   record(ui, name);
   typed = text;
 }

@@ -134,7 +134,7 @@ TEST_CASE("a_folder_that_cannot_be_made_is_a_message_and_a_reason") {
   test::put_file(k.folder, "a file");
   k.edit(0.25);
   CHECK_FALSE(k.autosave.keep_now(k.workspace));
-  CHECK(k.autosave.problem().find("cannot be kept") != std::string::npos);
+  CHECK(k.autosave.problem().find("cannot be saved") != std::string::npos);
   CHECK_FALSE(k.workspace.messages.all().empty());
 }
 

@@ -320,7 +320,7 @@ TEST_CASE("opening_another_model_offers_no_recovered_edits_but_tells_that_edits_
   d.frame();
   CHECK_FALSE(d.workspace.offers_recovery);
   CHECK(d.last_message() ==
-        "Unsaved edits of model.obj are kept; File > Restore recovered edits brings them back.");
+        "Unsaved edits of model.obj were saved; File > Restore recovered edits restores them.");
   d.open_cubes();
   CHECK(d.workspace.messages.all().size() == 1);
 }
@@ -345,7 +345,7 @@ TEST_CASE("unreadable_preferences_give_a_message_and_defaults") {
   test::put_file(d.state / "remembered.json", "nonsense");
   d.begin();
   CHECK(d.workspace.messages.all().back().severity == scene::Severity::warning);
-  CHECK(d.last_message().ends_with("; starting without it"));
+  CHECK(d.last_message().ends_with("; starting without this file"));
   CHECK(d.workspace.view.hints);
 }
 
@@ -364,7 +364,7 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     CHECK(d.workspace.question->why.find("model.obj: there is no such file") != std::string::npos);
     CHECK(d.workspace.messages.all().empty());
     d.answer(scene::Answer::cancel);
-    CHECK(d.last_message() == "Opened nothing; everything is as it was.");
+    CHECK(d.last_message() == "Cancelled opening; nothing was changed.");
     d.open({d.files / "a.viete"}, what);
     for (const auto& [kind, name] : {std::pair{QuestionKind::locate_model, "new.obj"},
                                      std::pair{QuestionKind::locate_cage, "grid.obj"}}) {
@@ -402,7 +402,7 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
   d.desk->finish_loading(d.workspace);
   REQUIRE(d.workspace.document.has_cage());
   CHECK(d.workspace.document.cage->surface.positions.size() == 8);
-  CHECK(d.last_message().find("1 face of fin.obj that stuck out removed") != std::string::npos);
+  CHECK(d.last_message().find("1 face of fin.obj that stuck out were removed") != std::string::npos);
 }
 
 TEST_CASE("an_export_overwrites_no_open_file") {

@@ -52,9 +52,9 @@ TEST_CASE("every_use_requires_its_inputs") {
 TEST_CASE("a_session_names_its_cage_and_pose_itself") {
   for (const Use use : {Use::window, Use::picture, Use::file, Use::animation}) {
     CHECK(refusal(use, "s.viete").empty());
-    CHECK(mentions(refusal(use, "s.viete c.obj"), "CAGE: the session s.viete names its own"));
+    CHECK(mentions(refusal(use, "s.viete c.obj"), "CAGE: the session s.viete has its own"));
   }
-  CHECK(mentions(refusal(Use::file, "s.viete --pose p.obj"), "--pose: the session s.viete names its own"));
+  CHECK(mentions(refusal(Use::file, "s.viete --pose p.obj"), "--pose: the session s.viete has its own"));
 }
 
 TEST_CASE("files_of_a_session_can_be_located_and_no_others") {
@@ -63,9 +63,8 @@ TEST_CASE("files_of_a_session_can_be_located_and_no_others") {
     CHECK(inputs.request().located.model == "m.ply");
     CHECK(inputs.request().located.cage == "c.obj");
   }
-  CHECK(mentions(refusal(Use::picture, "a.obj --model m.ply"), "--model: can only be used with a session"));
-  CHECK(mentions(refusal(Use::animation, "a.obj c.obj --cage d.obj"),
-                 "--cage: can only be used with a session"));
+  CHECK(mentions(refusal(Use::picture, "a.obj --model m.ply"), "--model: requires a session"));
+  CHECK(mentions(refusal(Use::animation, "a.obj c.obj --cage d.obj"), "--cage: requires a session"));
 }
 
 TEST_CASE("every_method_that_has_a_name_is_taken_and_none_is_asked_for_by_itself") {

@@ -143,8 +143,8 @@ TEST_CASE("a_refusal_names_the_files_kind_and_another_name") {
   };
   CHECK(refused("a.obj", scene::Force::offered) ==
         (files / "a.obj").string() +
-            ": this file is one of those that are read (the model), and would be replaced; choose another "
-            "name, such as a-2-2.obj, or add --force");
+            ": this is an input file (the model) and would be replaced; choose another name, such as "
+            "a-2-2.obj, or add --force");
   CHECK(refused("a.obj", scene::Force::none).ends_with("such as a-2-2.obj"));
   CHECK(refused("gone/../a.obj", scene::Force::none) != "");
   in_use.add(files / "not_there.obj", scene::the_cage);

@@ -218,7 +218,7 @@ def baked_frames_are_those_of_the_program():
         baked = np.frombuffer(file.read_bytes(), ">f4", offset=8 + 4 * 100).reshape(100, -1, 3)
         engine.write_obj(FOLDER / "model.obj", rest, engine.corners_of(obj.data))
         for frame in checked:
-            subprocess.run([PROGRAM, "deform", "model.obj", "rest_cage.obj", "--pose", "cage_%03d.obj" % frame, "--way", "smooth", "-o",
+            subprocess.run([PROGRAM, "deform", "model.obj", "rest_cage.obj", "--pose", "cage_%03d.obj" % frame, "--deformer", "smooth", "-o",
                             "posed.obj", "--force"], cwd=FOLDER, check=True, capture_output=True)
             lines = (FOLDER / "posed.obj").read_text().splitlines()
             posed = np.array([line.split()[1:4] for line in lines if line.startswith("v ")], float)

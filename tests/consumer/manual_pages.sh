@@ -3,7 +3,7 @@
 set -eu
 program=$1
 unset DISPLAY WAYLAND_DISPLAY  # no browser
-page=$("$program" manual 2>&1) || { case $page in *"were not made"*) echo "skipped: $page"; exit 77 ;; esac; echo "$page"; exit 1; }
+page=$("$program" manual 2>&1) || { case $page in *"are not built"*) echo "skipped: $page"; exit 77 ;; esac; echo "$page"; exit 1; }
 folder=$(dirname "$page")
 for chapter in window cages blending time shapes files command_line python blender cpp figures; do
   [ "$("$program" manual $chapter)" = "$folder/$chapter.html" ] || { echo "there is no chapter $chapter"; exit 1; }

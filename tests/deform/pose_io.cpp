@@ -57,7 +57,7 @@ TEST_CASE("a_pose_in_stl_is_refused_unless_its_faces_are_the_cages") {
     read(folder / "pose.stl", cage);
     FAIL("accepted");
   } catch (const viete::base::Error& error) {
-    CHECK(mentions(error.what(), "pose.stl: STL keeps no order of the vertices"));
+    CHECK(mentions(error.what(), "pose.stl: STL files do not preserve the vertex order"));
     CHECK(mentions(error.what(), "export the pose as OBJ, PLY or OFF"));
   }
   CHECK_THROWS_AS(write_pose(folder / "own.stl", cage, rest_pose(cage)), viete::base::Error);

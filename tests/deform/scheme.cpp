@@ -134,8 +134,8 @@ TEST_CASE("incompatible_choices_are_rejected_with_the_reason") {
       complete({.weights = Weights::mean_value, .blend = blend});
       FAIL("was not refused");
     } catch (const viete::base::Error& error) {
-      CHECK(mentions(error.what(), "do not go together"));
-      CHECK(mentions(error.what(), "only move points"));
+      CHECK(mentions(error.what(), "cannot be combined"));
+      CHECK(mentions(error.what(), "move points"));
     }
   }
 }

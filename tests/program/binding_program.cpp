@@ -74,7 +74,7 @@ TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
   CHECK(d.document().cage.get() == cage);
   CHECK(test::edit_count(d.document().history) == 1);
   CHECK(deformed_positions(d) == before);
-  CHECK(d.workspace().messages.all().back().text.starts_with("Stopped "));
+  CHECK(d.workspace().messages.all().back().text.starts_with("Cancelled "));
 }
 
 TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {

@@ -179,7 +179,8 @@ TEST_CASE("a_stopped_or_posed_preview_stays_and_is_labelled_as_preview") {
   d.frame(2);
   CHECK_FALSE(d.workspace().making.open);
   CHECK(d.document().cage == preview);
-  CHECK(d.workspace().messages.all().back().text.find("as its preview was") != std::string::npos);
+  CHECK(d.workspace().messages.all().back().text.find("The preview of the cage was kept") !=
+        std::string::npos);
 }
 
 TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {

@@ -89,15 +89,15 @@ TEST_CASE("an_invalid_stream_names_the_pose") {
   CHECK(file_bytes(scratch / "frames").size() == 12 * mesh::read(dragon).surface.positions.size());
   put_file(scratch / "poses", poses);
   if (fs::exists("/dev/full"))
-    CHECK(mentions(streamed(scratch, "/dev/full"), "standard output: it takes no more"));
+    CHECK(mentions(streamed(scratch, "/dev/full"), "standard output: it cannot be written"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::memcpy(poses.data() + 5 * sizeof(mesh::Point), &nan, sizeof nan);
   put_file(scratch / "poses", poses);
-  CHECK(mentions(streamed(scratch), "pose 1: vertex 5 is at no place"));
+  CHECK(mentions(streamed(scratch), "pose 1: vertex 5 has no finite position"));
   const double far = 1e50;
   std::memcpy(poses.data() + 5 * sizeof(mesh::Point), &far, sizeof far);
   put_file(scratch / "poses", poses);
-  CHECK(mentions(streamed(scratch), "pose 1: a position is beyond what floats hold"));
+  CHECK(mentions(streamed(scratch), "pose 1: a position is out of the range of float32"));
   CHECK(file_bytes(scratch / "frames").empty());
   CHECK(mentions(run("deform a b --stream -o a.ply"), "--stream"));
   CHECK(run("deform a b --stream -o a.ply").code == 2);
@@ -167,8 +167,8 @@ TEST_CASE("a_mask_holds_vertices_and_is_checked") {
   CHECK(deform(zeros).code == 0);
   CHECK(mesh::read(scratch / "a.ply").surface.positions == model);
   CHECK(mentions(deform("1 1 1"), "mask.txt: it has 3 shares for 3,000 vertices"));
-  CHECK(mentions(deform("1 0.5 2"), "mask.txt: number 3 is no share"));
-  CHECK(mentions(deform("1 nan"), "mask.txt: number 2 is no share"));
+  CHECK(mentions(deform("1 0.5 2"), "mask.txt: number 3 is not between 0 and 1"));
+  CHECK(mentions(deform("1 nan"), "mask.txt: number 2 is not between 0 and 1"));
   fs::remove(scratch / "mask.txt");
   CHECK(mentions(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
                          " --mask none.txt -o a.ply --force",
@@ -181,7 +181,7 @@ TEST_CASE("deform_with_the_rest_cage_as_pose_gives_the_model") {
   const fs::path out = scratch.path() / "out.ply";
   for (const char* way : {"paper", "mean-value"}) {
     const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(cage) +
-                             " -o " + quoted(out) + " --way " + way);
+                             " -o " + quoted(out) + " --deformer " + way);
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
     const auto rest = mesh::read(dragon).surface, same = mesh::read(out).surface;
     const double diagonal = mesh::bounds(rest.positions).diagonal();
@@ -242,7 +242,7 @@ TEST_CASE("deform_says_what_a_method_loses_and_only_where_it_does") {
   };
   const auto lost = deform(close, "sd");
   CHECK_MESSAGE(lost.code == 0, lost.text);
-  for (const char* part : {"viete: note: ", "method sd are off by up to ", "fast"})
+  for (const char* part : {"viete: note: ", "method sd have errors up to ", "fast"})
     CHECK_MESSAGE(mentions(lost, part), lost.text);
   for (const char* method : {"diag", "fast"}) CHECK_FALSE(mentions(deform(close, method), "method"));
   CHECK_FALSE(mentions(deform(pose, "sd"), "method"));
@@ -327,7 +327,7 @@ TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused"
     last = count;
   }
   CHECK(2 * last < rest.size());
-  const auto none = run("render " + scene + " -o x.png --way mean-value --radius 3");
+  const auto none = run("render " + scene + " -o x.png --deformer mean-value --radius 3");
   CHECK(none.code == 1);
   CHECK_MESSAGE(mentions(none, "these weights have no radius"), none.text);
 }
@@ -343,11 +343,11 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   };
   const auto usual = deformed("");
   CHECK(deformed(" --weights biharmonic --blend srl") == usual);
-  const auto published = deformed(" --way paper");
+  const auto published = deformed(" --deformer paper");
   CHECK(published != usual);
   CHECK(deformed(" --weights inverse --blend srl") == published);
-  CHECK(deformed(" --radius 25") == deformed(" --way local"));  // a setting used only by these weights
-  const auto mean_values = deformed(" --way mean-value");
+  CHECK(deformed(" --radius 25") == deformed(" --deformer local"));  // a setting that only these weights have
+  const auto mean_values = deformed(" --deformer mean-value");
   CHECK(mean_values != usual);
   CHECK(deformed(" --weights mean-value") == mean_values);
   CHECK(deformed(" --weights mean-value --blend linear") == mean_values);
@@ -368,9 +368,9 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
                             " -o " + quoted(scratch.path() / "x.ply");
   const auto apart = run(scene + " --blend srl --weights mean-value");
   CHECK(apart.code == 1);
-  CHECK_MESSAGE(mentions(apart, "do not go together"), apart.text);
-  CHECK_MESSAGE(mentions(apart, "mean value coordinates only move points"), apart.text);
-  CHECK(run(scene + " --way mean-value --blend srl").code == 2);
+  CHECK_MESSAGE(mentions(apart, "cannot be combined"), apart.text);
+  CHECK_MESSAGE(mentions(apart, "mean value coordinates move points"), apart.text);
+  CHECK(run(scene + " --deformer mean-value --blend srl").code == 2);
   CHECK(run(scene + " --blend magic").code == 2);
   CHECK_FALSE(fs::exists(scratch.path() / "x.ply"));
 }

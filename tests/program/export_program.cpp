@@ -75,7 +75,7 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   d.workspace().requests.stop_export = true;  // in the frame that starts it, before it can finish
   d.ask_for(file);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-  CHECK(d.last_message() == "Stopped exporting out.obj; no file was changed.");
+  CHECK(d.last_message() == "Cancelled exporting out.obj; no file was changed.");
   CHECK(test::file_bytes(file) == old);
   CHECK(folder.entries() == before);
 
@@ -118,7 +118,7 @@ TEST_CASE("an_animation_is_exported_aside_and_stopped_without_a_trace") {
   CHECK(d.workspace().exporting.what == "Exporting out.pc2");
   d.workspace().requests.stop_export = true;
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-  CHECK(d.last_message() == "Stopped exporting out.pc2; no file was changed.");
+  CHECK(d.last_message() == "Cancelled exporting out.pc2; no file was changed.");
   CHECK(folder.entries() == before);
   d.workspace().requests.save_animation = file;
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));

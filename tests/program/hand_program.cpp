@@ -88,7 +88,7 @@ std::vector<mesh::Point> turned(const std::vector<mesh::Point>& points, const gl
 TEST_CASE("a_ring_of_the_whole_posed_cage_tells_to_orbit_instead") {
   Interaction d;
   const auto tells = [&] {
-    return ui::mouse_text(d.workspace()).find("orbit to see another side") != std::string::npos;
+    return ui::mouse_text(d.workspace()).find("slightly change the model's shape") != std::string::npos;
   };
   d.select_whole_cage();
   d.move(d.on_ring(1, 12).first);
@@ -338,7 +338,7 @@ TEST_CASE("a_number_that_leads_out_of_range_moves_nothing_and_says_so") {
   d.type_in("transform_y", "1e15");
   d.press_key(scene::Key::enter);
   d.frame(2);
-  CHECK(d.last_message() == "Turned by 360,000 degrees, the most at once");
+  CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum at once");
 }
 
 TEST_CASE("painted_vertices_stay_until_ctrl_or_undo") {

@@ -102,7 +102,8 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   CHECK(d.workspace().view.grid == grid);
   CHECK(key_of(d, "toggle_wireframe") == "G");
   CHECK(key_of(d, "toggle_grid").empty());
-  CHECK(d.workspace().messages.all().back().text.find("It was of \"Show the grid\"") != std::string::npos);
+  CHECK(d.workspace().messages.all().back().text.find("It was taken from \"Show grid\"") !=
+        std::string::npos);
   d.frame(2);
   keep_picture(d, "key_list.png");
   d.click("key/toggle_wireframe/reset");
@@ -171,7 +172,7 @@ TEST_CASE("mouse_help_matches_the_preset") {
   choose_preset(d, scene::KeyPreset::maya);
   CHECK(says(ui::mouse_lines(keymap(d)), "Alt+left, middle, right drag: orbit, pan, zoom"));
   choose_preset(d, scene::KeyPreset::viete);
-  CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: select with a box"));
+  CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: box select"));
   keymap(d).change("help", {scene::Key::f7});
   CHECK(ui::key_or_label(keymap(d), "help") == "F7");
   keymap(d).change("help", {});

@@ -48,7 +48,7 @@ TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
   const std::string here = without_display(scratch.path());
   const std::string scene = "view " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose);
   std::vector<std::vector<std::uint8_t>> pictures;
-  for (const char* settings : {"", " --radius 10", " --way mean-value"}) {
+  for (const char* settings : {"", " --radius 10", " --deformer mean-value"}) {
     const auto outcome = run(scene + settings, here);
     REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
     pictures.push_back(test::read_png(scratch / "viete.png").rgba);
@@ -57,7 +57,7 @@ TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
   CHECK(pictures[0] != pictures[1]);
   CHECK(pictures[0] != pictures[2]);
   CHECK(pictures[1] != pictures[2]);
-  const auto both = run("view --way mean-value --radius 3", here);
+  const auto both = run("view --deformer mean-value --radius 3", here);
   CHECK(both.code == 1);
   CHECK(mentions(both, "these weights have no radius"));
 }

@@ -43,7 +43,7 @@ TEST_CASE("inputs_are_not_overwritten_under_any_name") {
         std::string("render model.obj -o link.png"), std::string("bench exp --json a.svg --plot a.svg")}) {
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "is one of those that are read"), line << '\n' << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, "is an input file"), line << '\n' << outcome.text);
     for (std::size_t i = 0; i < before.size(); ++i) CHECK(file_bytes(files / names[i]) == before[i]);
   }
   CHECK(files.run(deform + "pose.obj --force").code == 0);
@@ -76,7 +76,7 @@ TEST_CASE("dependencies_and_key_files_are_not_overwritten") {
     fs::copy_file(files / "cage.obj", files / "other.obj", fs::copy_options::overwrite_existing);
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "is one of those that are read ("), line << '\n' << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, "is an input file ("), line << '\n' << outcome.text);
     for (const auto& [name, bytes] : before)
       CHECK_MESSAGE(file_bytes(files / name) == bytes, line << " changed " << name);
   }
@@ -120,7 +120,7 @@ TEST_CASE("outputs_are_checked_before_the_work") {
         {"deform none.obj cage.obj --pose pose.obj -o locked.obj --force",
          "locked.obj: this file is write-pro"},
         {"render none.obj -o none/a.png", "none/a.png: cannot be written"},
-        {"render none.obj -o a.jpg", "a.jpg: pictures are not written in this format"},
+        {"render none.obj -o a.jpg", "a.jpg: pictures can only be written as PNG"},
         {"bench exp --json none/a", "none/a: cannot be written"},
         {"bench frame --json none/a", "none/a: cannot be written"},
         {"bench bind --json none/a", "none/a: cannot be written"}}) {

@@ -70,14 +70,13 @@ void show(Driver& d, const std::string& name) {
 
 void visit_questions(Driver& d, const std::string& look) {
   auto& w = d.workspace();
-  w.question =
-      scene::ask_before_closing(scene::name_of_work(w),
-                                "/home/somebody/.local/state/viete/recovery: unsaved work cannot be kept "
-                                "here: Not a directory; save often");
+  w.question = scene::ask_before_closing(scene::name_of_work(w),
+                                         "/home/somebody/.local/state/viete/recovery: unsaved edits cannot "
+                                         "be saved here for recovery: Not a directory; save often");
   d.frame(2);
   show(d, look + "_question_close");
   REQUIRE(d.viewer().recorder().find("question_go_on"));
-  w.question = scene::ask_before_opening(scene::name_of_work(w), "There is no home folder to keep them in.");
+  w.question = scene::ask_before_opening(scene::name_of_work(w), "There is no home folder to save them in.");
   w.question->chosen = 2;
   d.frame(2);
   show(d, look + "_question_open");
@@ -183,7 +182,7 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     w.recovery_files = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
     w.offers_recovery = true;
     w.question = scene::ask_before_closing(
-        scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
+        scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved edits cannot be saved here");
     d.frame(5);
     CAPTURE(size.x);
     std::size_t seen = 0;

@@ -480,7 +480,8 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   desktop.xdotool("key ctrl+q");
   REQUIRE(wait_until([&] { return again.finished(); }));
   CHECK(again.exit_code() == 0);
-  CHECK(test::file_bytes(desktop.folder / "second.log").find("unsaved edits are kept") != std::string::npos);
+  CHECK(test::file_bytes(desktop.folder / "second.log").find("unsaved edits were saved") !=
+        std::string::npos);
   REQUIRE(ended().size() == 1);
   CHECK_FALSE(ended()[0].restored);
 }

@@ -49,7 +49,7 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
   put_file(folder / "notes.txt", "mine");
   const auto refused = run(command);
   CHECK(refused.code == 1);
-  CHECK(mentions(refused, "not a page of a report"));
+  CHECK(mentions(refused, "not a report page"));
   CHECK(file_bytes(folder / "index.html") == "<html>mine</html>");
   CHECK(file_bytes(folder / "notes.txt") == "mine");
 }

@@ -27,7 +27,7 @@ TEST_CASE("a_report_is_measured_in_the_background_and_opened_in_the_browser") {
   setenv("PATH", path.c_str(), 1);
   REQUIRE(d.workspace().messages.all().size() == 1);
   const std::string message = d.workspace().messages.all().back().text,
-                    begin = "The report is open in the browser: ";
+                    begin = "Opened the report in the browser: ";
   REQUIRE_MESSAGE(message.starts_with(begin), message);
   const std::string page = message.substr(begin.size());
   CHECK(page == (scratch / "state/report/index.html").string());

@@ -110,7 +110,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   REQUIRE(run_viete("render a.viete -o b.png --size 320x200 --light --look top", folder.path())
               .starts_with("0 "));
   CHECK(test::read_png(folder / "b.png").width == 320);
-  CHECK(run_viete("deform a.viete -o b.obj --way mean-value", folder.path()).starts_with("0 "));
+  CHECK(run_viete("deform a.viete -o b.obj --deformer mean-value", folder.path()).starts_with("0 "));
   CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
 }
 
@@ -175,14 +175,14 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
         "animate a.viete --turntable --frames 1-1 --size 64x48 -o a_#.png", "view a.viete"}) {
     const std::string refused = said(line);
     CHECK_MESSAGE(
-        refused.find("small.ply: there is no such file; name it with --model FILE") < refused.size(),
+        refused.find("small.ply: there is no such file; give it with --model FILE") < refused.size(),
         refused);
     const std::string done = said(line + " --model new.ply");
     CHECK_MESSAGE(done.starts_with("0 "), line << done);
   }
   fs::rename(small.cage, folder / "grid.obj");
   const std::string refused = said("deform a.viete -o b.ply --model new.ply");
-  CHECK_MESSAGE(refused.find("there is no such file; name it with --cage FILE") < refused.size(), refused);
+  CHECK_MESSAGE(refused.find("there is no such file; give it with --cage FILE") < refused.size(), refused);
   CHECK(said("deform a.viete -o b.ply --model new.ply --cage grid.obj").starts_with("0 "));
   CHECK(file_bytes(folder / "b.ply") == file_bytes(folder / "a.ply"));
   CHECK(said("deform a.viete -o new.ply --model new.ply --cage grid.obj").starts_with("1 "));
@@ -220,10 +220,10 @@ TEST_CASE("a_damaged_session_is_drawn_with_a_warning_and_a_bomb_is_refused") {
   test::put_file(folder / "a.viete",
                  head + R"("window": [8192, 8192], "camera": {"target": [1e308, null, 0], "distance": 1}})");
   const std::string said = run_viete("render a.viete -o a.png", folder.path());
-  CHECK_MESSAGE(
-      (said.starts_with("0 ") && said.find("a.viete: window: no window has this size") < said.size() &&
-       said.find("a.viete: camera.target[1]: found null") < said.size()),
-      said);
+  CHECK_MESSAGE((said.starts_with("0 ") &&
+                 said.find("a.viete: window: this is not a valid window size") < said.size() &&
+                 said.find("a.viete: camera.target[1]: found null") < said.size()),
+                said);
   CHECK(test::read_png(folder / "a.png").width == 1280);
   const std::string bombs[] = {
       std::string(20 << 20, '['), head + "\"pose\": " + std::string(1 << 20, '['),
@@ -248,10 +248,10 @@ TEST_CASE("the_command_line_refuses_a_permuted_pose_and_notes_a_mirrored_one") {
         folder.path());
   };
   const std::string permuted = deform("pose.stl"), mirrored = deform("mirrored.obj");
-  CHECK_MESSAGE(
-      (permuted.starts_with("1 ") && permuted.find("pose.stl: STL keeps no order") < permuted.size()),
-      permuted);
-  CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("as by a mirror") < mirrored.size()), mirrored);
+  CHECK_MESSAGE((permuted.starts_with("1 ") &&
+                 permuted.find("pose.stl: STL files do not preserve the vertex order") < permuted.size()),
+                permuted);
+  CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("mirrored") < mirrored.size()), mirrored);
 }
 
 TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {

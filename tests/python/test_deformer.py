@@ -57,10 +57,10 @@ class Dragon(WithFolder):
     def bound(self, **words):
         return viete.Deformer(self.dragon.vertices, self.dragon.faces, self.cage.vertices, self.cage.faces, **words)
 
-    def test_deform_has_the_bits_of_the_command_line(self):
-        for words, options in [({}, []), ({"way": "mean-value"}, ["--way", "mean-value"]),
+    def test_it_has_the_bits_of_the_command_line(self):
+        for words, options in [({}, []), ({"way": "mean-value"}, ["--deformer", "mean-value"]),
                                ({"way": "paper", "method": "improved_sd", "turn": 0.5},
-                                ["--way", "paper", "--method", "improved_sd", "--turn", "50"])]:
+                                ["--deformer", "paper", "--method", "improved_sd", "--turn", "50"])]:
             out = self.folder / "out.ply"
             run("deform", ASSETS / "dragon.ply", ASSETS / "cage.obj", "--pose", ASSETS / "pose_alert.obj", *options,
                 "-o", out, "--force")

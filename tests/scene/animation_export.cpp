@@ -302,7 +302,7 @@ TEST_CASE("names_that_say_nothing_that_can_be_written_are_refused_with_what_to_d
     return problem_of(animation_export_of(cube.document, cube / name));
   };
   CHECK(test::mentions(problem("a.obj"), "a_####.obj"));
-  CHECK(test::mentions(problem("a_##.pc2"), "leave the ####"));
+  CHECK(test::mentions(problem("a_##.pc2"), "remove ####"));
   CHECK(test::mentions(problem("a.xyz"), "unknown extension .xyz"));
   CHECK(test::mentions(problem("none/a.pc2"), "none/a.pc2"));
   cube.document.timeline.keys.clear();
@@ -332,7 +332,7 @@ TEST_CASE("an_existing_frame_is_never_overwritten_without_force") {
   AnimationExport what = animation_export_of(cube.document, cube / "f_##.ply");
   test::put_file(cube / "f_05.ply", "of a user");
   const std::string problem = problem_of(what);
-  CHECK(test::mentions(problem, "f_05.ply: this file is there already, and would be replaced; choose"));
+  CHECK(test::mentions(problem, "f_05.ply: this file already exists and would be replaced; choose"));
   CHECK_FALSE(test::mentions(problem, "--"));  // unless a caller offers it
   CHECK_FALSE(fs::exists(cube / "f_01.ply"));
   CHECK(test::file_bytes(cube / "f_05.ply") == "of a user");
@@ -341,7 +341,7 @@ TEST_CASE("an_existing_frame_is_never_overwritten_without_force") {
   CHECK(mesh::read(cube / "f_05.ply").surface.positions == exact_frame(cube, 5));
   what.force = Force::offered;
   CHECK(test::mentions(problem_of(what),
-                       "f_01.ply: this file is there already, and would be replaced, as 16 more"));
+                       "f_01.ply: this file already exists and would be replaced, as 16 more"));
 }
 
 TEST_CASE("a_cancelled_export_leaves_whole_files_or_none") {

@@ -76,8 +76,8 @@ TEST_CASE("numbered_posed_cages_are_keys_at_their_numbers") {
       CHECK(keys[i].pose->cage.positions == m.pose(keys[i].frame).cage.positions);
     }
   }
-  CHECK(test::mentions(m.problem(m / "q_#.obj"), "there is no file of this name"));
-  CHECK(test::mentions(m.problem(m.cage), "its name has no number"));
+  CHECK(test::mentions(m.problem(m / "q_#.obj"), "no file matches this name"));
+  CHECK(test::mentions(m.problem(m.cage), "its name has no frame number"));
 }
 
 TEST_CASE("point_caches_of_the_cage_are_keys_at_every_frame") {

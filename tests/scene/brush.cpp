@@ -125,7 +125,7 @@ TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
                {"[255, 0]", "mask: it is of 0 vertices, the model has 20"},
                {"[255, 4294967295]", "mask: it is of 4294967295 vertices, the model has 20"},
                {"[0, 4294967295, 1, 4294967295]", "mask: it is of 8589934590 vertices"},
-               {"[255]", "mask: a share without the number of its vertices"},
+               {"[255]", "mask: a share lacks the number of its vertices"},
                {"[-1, 8]", "mask[0]"},
                {"\"all\"", "mask: found a text"}};
   for (const auto& c : cases) {

@@ -141,7 +141,7 @@ TEST_CASE("vertices_at_one_place_are_named_and_do_not_open_the_cage") {
   const auto found = check_in(with_triangles(s, triangles));
   check_only(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex);
   CHECK(found[0].elements == List{8});
-  CHECK(title(found[0]) == "1 vertex on top of another");
+  CHECK(title(found[0]) == "1 duplicate vertex");
 }
 
 TEST_CASE("an_unused_vertex_is_reported_as_information") {
@@ -189,7 +189,7 @@ TEST_CASE("a_cage_that_fits_when_rotated_is_reported_as_such") {
   CHECK_FALSE(outside(larger));
   REQUIRE(outside(turned));
   CHECK(outside(turned)->turned);
-  CHECK(meaning(*outside(turned)).ends_with("Turned, the cage fits clearly better."));
+  CHECK(meaning(*outside(turned)).ends_with("Rotated, the cage fits clearly better."));
   REQUIRE(outside(elsewhere));
   CHECK_FALSE(outside(elsewhere)->turned);
 }
@@ -247,11 +247,11 @@ TEST_CASE("a_mirrored_cage_is_reported_as_mirrored") {
   for (int axis = 0; axis < 3; ++axis) {
     const auto said = notes(cage_of(1), 8, [&](mesh::Point& p) { p[axis] = -2 * p[axis]; });
     REQUIRE(said.size() == 1);
-    CHECK_MESSAGE(holds(said[0], "The cage is turned inside out in this pose, as by a mirror"), said[0]);
+    CHECK_MESSAGE(holds(said[0], "The cage is mirrored in this pose"), said[0]);
   }
   const auto through_a_point = notes(cage_of(1), 8, [](mesh::Point& p) { p = {-p[0], -p[1], -p[2]}; });
   REQUIRE(through_a_point.size() == 1);
-  CHECK(holds(through_a_point[0], "inside out"));
+  CHECK(holds(through_a_point[0], "mirrored"));
 }
 
 TEST_CASE("a_cage_that_is_turned_stretched_or_bent_is_no_mirror_image") {
@@ -264,5 +264,5 @@ TEST_CASE("a_cage_that_is_turned_stretched_or_bent_is_no_mirror_image") {
 TEST_CASE("mirrored_parts_are_counted") {
   const auto said = notes(cage_of(2), 8, [](mesh::Point& p) { p[1] = -p[1]; });
   REQUIRE_FALSE(said.empty());
-  CHECK_MESSAGE(holds(said[0], "1 of 2 parts of the cage is turned inside out"), said[0]);
+  CHECK_MESSAGE(holds(said[0], "1 of 2 parts of the cage is mirrored"), said[0]);
 }

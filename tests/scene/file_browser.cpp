@@ -259,7 +259,7 @@ TEST_CASE("files_in_use_are_neither_proposed_nor_accepted") {
   for (const char* name : {"Beta.obj", "./Beta.obj", "link.obj", "Beta"}) {
     browser.path = name;
     CHECK_FALSE(browser.replaces());
-    CHECK(problem_of_name(browser).find("is open (the model) and stays as it is; ") != std::string::npos);
+    CHECK(problem_of_name(browser).find("is open (the model) and cannot be replaced; ") != std::string::npos);
   }
   browser.path = "alpha.obj";
   CHECK(problem_of_name(browser) == "");

@@ -76,7 +76,7 @@ TEST_CASE("a_cage_with_most_of_the_model_outside_is_reported_for_either_orientat
   for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
   mesh::write(files / "far.obj", far_away);
   mesh::write(files / "inside_out.obj", mesh::from_triangles(inside_out.positions, inside_out.triangles));
-  const std::string warning = "far.obj: all of model.obj is outside of this cage";
+  const std::string warning = "far.obj: all of model.obj is outside this cage";
   Workspace w;
   REQUIRE(test::load_model(w, files.model, files / "far.obj"));
   CHECK(said(w, warning));
@@ -148,7 +148,7 @@ TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   CHECK(other.document.has_cage());
   const auto* surface = other.document.model.surface.get();
   CHECK_FALSE(drop(other, {files.model, files.cage, files.pose}));
-  CHECK(said(other, "3 files were dropped, and this is no shape of the model"));
+  CHECK(said(other, "3 files were dropped, and this one is not a shape of the model"));
   CHECK_FALSE(drop(other, {files / "a.viete", files.model}));
   CHECK_FALSE(drop(other, {}));
   CHECK_FALSE(drop(other, {files.broken}));
@@ -175,7 +175,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   CHECK_FALSE(w.document.history.can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
-  CHECK(said(w, "name the cage too"));
+  CHECK(said(w, "give the cage as well"));
 }
 
 TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
@@ -305,7 +305,7 @@ TEST_CASE("settings_that_do_not_go_together_open_nothing") {
   Workspace w;
   CHECK_FALSE(open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK_FALSE(w.document.model.surface);
-  CHECK(said(w, "do not go together"));
+  CHECK(said(w, "cannot be combined"));
 }
 
 TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_have_them") {
@@ -424,17 +424,17 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Sets of the cage before are gone: \"Set 1\"; kept.viete has them"));
-    CHECK(said("Poses of the cage before are gone: 1 pose; kept.viete has them"));
+    CHECK(said("Selection sets of the previous cage were removed: \"Set 1\"; kept.viete has them"));
+    CHECK(said("Poses of the previous cage were removed: 1 pose; kept.viete has them"));
   }
   SUBCASE("nowhere") {
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Poses of the cage before are gone: 1 pose"));
+    CHECK(said("Poses of the previous cage were removed: 1 pose"));
     CHECK_FALSE(said("has them"));
   }
   SUBCASE("another_model_is_no_loss_that_would_have_to_be_told") {
     REQUIRE(open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
-    CHECK_FALSE(said("are gone"));
+    CHECK_FALSE(said("were removed"));
   }
   CHECK(w.document.groups.sets.empty());
 }

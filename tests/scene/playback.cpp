@@ -136,7 +136,7 @@ TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
     return test::run_command(p.w, command) && p.w.preferences.layout.timeline;
   };
   CHECK(opens_by("set_key"));
-  CHECK(said() == "Key at frame 1 replaced; undo brings the old one back.");
+  CHECK(said() == "Key at frame 1 replaced; undo restores the old one.");
   CHECK(opens_by("set_camera_key"));
   CHECK(said() == "Camera key set at frame 1.");
   go_to_frame(p.w, 40);

@@ -172,7 +172,7 @@ TEST_CASE("a_damaged_pose_affects_no_other_pose") {
     CHECK(count(pose("a", weight), 1, "weight").document.library.poses[0].weight == 0);
   for (const char* part : {"\"weight\": 10, \"part\": [8],", "\"weight\": 10, \"part\": 5,",
                            "\"weight\": 10, \"part\": [-1],"}) {
-    const Workspace w = count(pose("a", part), 1, "made by hand");
+    const Workspace w = count(pose("a", part), 1, "edited directly");
     CHECK(w.document.library.poses[0].weight == 0);
     CHECK(w.document.library.poses[0].part.empty());
   }

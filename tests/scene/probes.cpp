@@ -350,7 +350,7 @@ TEST_CASE("damaged_probes_cost_themselves_alone_and_say_so") {
       {with("stretched", "[99, 0, 0, 0, 0, 0]"), "probes.all[1].stretched: a number is too large"},
       {with("moved", "[1e40, 0, 0]"), "probes.all[1].moved: a number is too large"},
       {R"({"place": [0, 0, 1], "turn": {"falloff": "magic", "radius": 1}})", "\"magic\" is not known"},
-      {R"({"place": [0, 0, 1], "turn": {"falloff": "smooth", "radius": 0}})", "a radius must be above 0"},
+      {R"({"place": [0, 0, 1], "turn": {"falloff": "smooth", "radius": 0}})", "the radius must be above 0"},
       {"7", "probes.all[1]"}};
   for (const auto& c : cases) {
     INFO(c.probe);

@@ -205,7 +205,7 @@ TEST_CASE("saving_overwrites_no_open_file_except_its_own_source") {
     return w.messages.all().back().text;
   };
   CHECK(test::mentions(refuses(save_pose, files.cage),
-                       "(the cage), and would be replaced; choose another name"));
+                       "(the cage) and would be replaced; choose another name"));
   CHECK(test::mentions(refuses(save_pose, files / "link.obj"), "such as link-2.obj"));
   CHECK(test::mentions(refuses(save_pose, files / "way/model.obj"), "(the model)"));
   CHECK(test::mentions(refuses(save_pose, files / "key_9.obj"), "(the keys)"));

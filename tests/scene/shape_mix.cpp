@@ -95,7 +95,7 @@ TEST_CASE("notes_about_shapes_are_shown_once") {
   CHECK(notes.empty());
   s.mixed({{flat, 0.5}}, false, &notes);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "triangles fold over or collapse, and move as their neighbours do: 36");
+  CHECK(notes[0] == "triangles that fold over or collapse, which follow their neighbours: 36");
   s.mixed({{flat, 0.5}, {flat, 0.25}}, false, &notes);
   CHECK(mentions(notes.at(0), "up to 36 in each of 2 shapes"));
   notes.clear();

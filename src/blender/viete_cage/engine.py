@@ -63,7 +63,7 @@ class ByProgram:
         place = pathlib.Path(self.folder.name)
         write_obj(place / "model.obj", vertices, faces)
         write_obj(place / "cage.obj", cage, cage_faces)
-        words = ["viete", "deform", "model.obj", "cage.obj", "--stream", "--way", way]
+        words = ["viete", "deform", "model.obj", "cage.obj", "--stream", "--deformer", way]
         if stitched:
             words += ["--stitched", "--iterations", "3"]
         if mask is not None:

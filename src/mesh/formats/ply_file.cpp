@@ -74,7 +74,7 @@ void check_room(const PlyHeader& header, const TextCursor& text, const Source& s
       throw base::Error(source.name,
                         "the header announces " + std::to_string(e.count) + " elements " + in_quotes(e.name) +
                             ", the file has room for " + std::to_string(left / row),
-                        "it seems to be cut short: export or copy it again");
+                        "it seems to be truncated: export or copy it again");
     }
     left -= e.count * row;
   }

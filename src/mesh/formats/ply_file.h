@@ -162,7 +162,7 @@ public:
 
 private:
   const char* bytes(std::size_t size) {
-    if (at_.size() < size) fail("the file ends here", "it seems to be cut short: export or copy it again");
+    if (at_.size() < size) fail("the file ends here", "it seems to be truncated: export or copy it again");
     const char* const from = at_.data();
     at_.remove_prefix(size);
     return from;

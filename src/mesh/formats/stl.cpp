@@ -16,7 +16,7 @@ namespace viete::mesh {
 namespace {
 
 [[noreturn]] void refuse_length(const Source& source, const std::string& problem) {
-  throw base::Error(source.name, problem, "it seems to be cut short or damaged: export or copy it again");
+  throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
 }
 
 // Bytes read at a wrong offset give implausible coordinates and normals.
@@ -222,7 +222,7 @@ public:
       if (++lines_ % 16384 == 0) source_.report(text_.done());
     }
     if (in_facet_)
-      text_.fail("the file ends within a facet", "it seems to be cut short: export or copy it again");
+      text_.fail("the file ends within a facet", "it seems to be truncated: export or copy it again");
     if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
     ReadResult result = builder_.finish("STL ascii");
     if (source_.owner) result.original = stl_original(source_, false);

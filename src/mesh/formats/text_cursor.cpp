@@ -44,7 +44,7 @@ std::string advice_on(std::string_view word) {
     if (signs.find(word[i - 1]) != std::string_view::npos) return "it has two signs: keep one";
     if (word[i - 1] == 'd' || word[i - 1] == 'D') return "it has a Fortran exponent: write e for d";
     if (word[i - 1] != 'e' && word[i - 1] != 'E')
-      return "it has a sign in its middle: put a blank between numbers, or e before an exponent";
+      return "it contains a sign: separate numbers by a blank or write e before the exponent";
   }
   return "repair or export the file again";
 }
@@ -93,7 +93,7 @@ bool TextCursor::next_filled_line() {
 
 void TextCursor::need_word(std::string_view what) {
   if (!next_filled_line()) {
-    fail("the file ends before " + std::string(what), "it seems to be cut short: export or copy it again");
+    fail("the file ends before " + std::string(what), "it seems to be truncated: export or copy it again");
   }
 }
 

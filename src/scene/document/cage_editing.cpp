@@ -150,25 +150,25 @@ bool commit_cage_edit(Document& document) {
     while (document.history.can_undo() && is_editing_cage(document) &&
            document.pose.positions != document.cage->surface.positions)
       undo(document);
-    throw base::Error("", "this would be no cage: " + error.problem(), "it is as it was before");
+    throw base::Error("", "the result is not a valid cage: " + error.problem(), "the cage was not changed");
   }
 }
 
 void split_selected(Document& document) {
   const auto edges = selected_edges(document);
-  require(!edges.empty(), "no edge of the cage is selected", "select edges, or both ends of some");
+  require(!edges.empty(), "no edge of the cage is selected", "select edges, or both end vertices of an edge");
   put_edited(document, cages::split_edges(document.cage->surface, edges), "split edges");
 }
 
 void cut_selected(Document& document) {
   const auto polygons = selected_polygons(document);
-  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
   put_edited(document, cages::cut_polygons(document.cage->surface, polygons), "cut faces");
 }
 
 void merge_selected(Document& document) {
   const auto vertices = selected_vertices(*document.cage, document.selection);
-  require(vertices.size() > 1, "fewer than two vertices are selected", "select those that are to be one");
+  require(vertices.size() > 1, "fewer than two vertices are selected", "select the vertices to merge");
   put_edited(document, cages::merge_vertices(document.cage->surface, vertices), "merge vertices");
 }
 
@@ -176,8 +176,8 @@ void remove_selected(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   const Selection& selection = document.selection;
   const auto put = [&](cages::Edited edited, const char* label) {
-    require(edited.surface.corners != cage.corners, "what is selected cannot be removed",
-            "there is no single loop around it; remove faces instead");
+    require(edited.surface.corners != cage.corners, "the selection cannot be removed",
+            "it is not enclosed by a single loop; remove faces instead");
     put_edited(document, std::move(edited), label);
   };
   if (selection.kind() == ElementKind::vertex)
@@ -190,7 +190,7 @@ void remove_selected(Document& document) {
 void extrude_selected(Document& document) {
   constexpr double distance = 0.05;  // relative to the cage's diagonal
   const auto polygons = selected_polygons(document);
-  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
   put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
              "extrude");
 }
@@ -198,7 +198,7 @@ void extrude_selected(Document& document) {
 void subdivide_cage(Document& document) {
   constexpr std::size_t most_vertices = 20000;
   require(document.cage->surface.positions.size() < most_vertices / 4, "the cage would be too fine to pose",
-          "it can have 20,000 vertices");
+          "a cage has at most 20,000 vertices");
   put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
 }
 
@@ -218,8 +218,8 @@ void mirror_cage(Document& document) {
 namespace {
 
 const mesh::Surface& model_to_fit(const Document& document) {
-  require(document.model.bounds.diagonal() > 0, "all of the model is at one place, and a cage fits no point",
-          "move the cage by hand");
+  require(document.model.bounds.diagonal() > 0, "the model is a single point, so no cage can be fitted",
+          "move the cage yourself");
   return *document.model.surface;
 }
 
@@ -238,15 +238,15 @@ void fit_cage(Document& document) {
 double fit_cage_turned(Document& document) {
   cages::Fitted fitted = cages::best_fit(document.cage->surface, model_to_fit(document), fit_margin);
   const double degrees = fitted.degrees;
-  put_fitted(document, std::move(fitted), degrees > 0 ? "fit the cage, turned" : "fit the cage");
+  put_fitted(document, std::move(fitted), degrees > 0 ? "fit the cage with rotation" : "fit the cage");
   return degrees;
 }
 
 SnapResult snap_selected(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   const auto vertices = selected_vertices(*document.cage, document.selection);
-  require(!document.model.surface->triangles.empty(), "the model has no faces, so that nothing is within it",
-          "move the cage by hand");
+  require(!document.model.surface->triangles.empty(), "the model has no faces and therefore no inside",
+          "move the cage yourself");
   auto snapped = cages::snap_outside(cage, vertices, *document.model.surface, snug_margin);
   const Selection selection = document.selection;
   if (snapped.moved > 0) {
@@ -258,7 +258,7 @@ SnapResult snap_selected(Document& document) {
 
 std::size_t enclose_model(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
-  require(document.cage->closed, "the cage is open, so that nothing is within it", "close it first");
+  require(document.cage->closed, "the cage is open and therefore has no inside", "close its holes first");
   cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
   if (enclosing.positions != cage.positions)
     put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");

@@ -22,17 +22,18 @@ bool can_replace_generated(const Document& document, const CageMaking& making) {
 }
 
 void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
-                   std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
+               std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
   const bool again = shows_generated(document, making);
-  record_step(document, "make a cage", make_cage, again);
+  record_step(document, "make cage", make_cage, again);
   deform::Pose pose = deform::rest_pose(*cage);
   making.made = cage;
   making.notes = std::move(notes);
   if (!again) making.lost.clear();
   if (const std::string lost = lost_sets(document.groups, {}); !lost.empty())
-    making.lost.push_back("Sets of the cage before are gone: " + lost + "; undo brings them back");
+    making.lost.push_back("Selection sets of the previous cage were removed: " + lost +
+                          "; undo restores them");
   if (const std::string lost = drop_poses(document, *cage); !lost.empty())
-    making.lost.push_back("Poses of the cage before are gone: " + lost + "; undo brings them back");
+    making.lost.push_back("Poses of the previous cage were removed: " + lost + "; undo restores them");
   document.kept_pose.reset();
   document.replace_cage(std::move(surface), std::move(cage), std::move(pose));
 }

@@ -58,9 +58,9 @@ void check_sizes(const Document& document, const SizeRange& range) {
   for (const PoseKey& key : document.timeline.keys)
     check_pose("the key of frame " + std::to_string(key.frame), *key.pose, range);
   for (const PoseKey& left : document.timeline.unkeyed)
-    check_pose("the pose in no key of frame " + std::to_string(left.frame), *left.pose, range);
+    check_pose("the unkeyed pose of frame " + std::to_string(left.frame), *left.pose, range);
   if (document.library.unmixed)
-    check_pose("the pose before others are mixed in", *document.library.unmixed, range);
+    check_pose("the pose before weighted poses", *document.library.unmixed, range);
   if (document.shape) check_pose("the shape of the model", *document.shape, range);
   if (document.cage_file.surface)
     check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
@@ -71,7 +71,7 @@ void check_sizes(const Document& document, const SizeRange& range) {
 OpenedSurface generated_surface(mesh::Surface surface, std::string made) {
   OpenedSurface opened;
   opened.made = std::move(made);
-  opened.format = "in no file";
+  opened.format = "not saved";
   opened.summary = mesh::summarize(surface);
   opened.bounds = mesh::used_bounds(surface);
   opened.content = mesh::content_key(surface);
@@ -179,7 +179,7 @@ OpenedSurface without_fins(OpenedSurface cage) {
   OpenedSurface made = generated_surface(std::move(rest), name_of(cage) + ", without its fins");
   made.warnings = std::move(cage.warnings);
   made.warnings.push_back(base::counted(removed, "face") + " of " + name_of(cage) +
-                          " that stuck out removed; save the cage to keep it so");
+                          " that stuck out were removed; save the cage to keep this");
   return made;
 }
 

@@ -76,7 +76,7 @@ void set_radius(Document& document, double radius) {
 }
 
 void set_amounts(Document& document, const deform::Amounts& amounts) {
-  slide(document, "change how much turns and stretches", {EditKind::amounts}, amounts,
+  slide(document, "change rotation and stretch amounts", {EditKind::amounts}, amounts,
         [](deform::Scheme& scheme) { return &scheme.amounts; });
 }
 
@@ -86,7 +86,7 @@ void set_iterations(Document& document, int iterations) {
 }
 
 void set_holding(Document& document, const deform::Holding& holding) {
-  slide(document, "change what holds the model", binding_step(Setting::holding), holding,
+  slide(document, "change stitching constraints", binding_step(Setting::holding), holding,
         [](deform::Scheme& scheme) { return &scheme.holding; });
 }
 

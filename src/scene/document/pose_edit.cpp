@@ -15,7 +15,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr const char* no_room_for_poses = "there are as many poses as a document can have";
+constexpr const char* no_room_for_poses = "the pose list is full";
 
 // The part of a pose that acts on some cage vertices: a triangle counts in thirds, one per corner in the
 // part.
@@ -252,7 +252,7 @@ std::string free_name(const PoseLibrary& library, const std::string& wish) {
 
 std::size_t keep_pose(Document& document, const std::string& name) {
   check_room_for_poses(document.library, 1);
-  record_edit(document, "keep a pose");
+  record_edit(document, "add pose");
   document.library.poses.push_back({free_name(document.library, name), shared_pose(document)});
   return document.library.poses.size() - 1;
 }
@@ -358,7 +358,7 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
   if ((played.empty() ? named.weight : played[pose]) == weight) return true;
-  const auto record = [&, label = "mix in " + named.name] {
+  const auto record = [&, label = "weight of " + named.name] {
     record_step(document, label, {EditKind::mix, pose});
   };
   const auto change = [&](DocumentState& state) {
@@ -372,7 +372,7 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
 
 bool clear_mix(Document& document, VectorCache& vectors) {
   if (!document.library.mixes()) return true;
-  const auto record = [&] { record_edit(document, "clear the mix"); };
+  const auto record = [&] { record_edit(document, "clear weights"); };
   return remix(document, vectors, record, [](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight = 0, named.part.clear();
   });
@@ -382,7 +382,7 @@ bool average_mix(Document& document, VectorCache& vectors) {
   double sum = 0;
   for (const NamedPose& named : document.library.poses) sum += named.weight;
   if (!(sum > 0)) return false;
-  const auto record = [&] { record_edit(document, "average poses"); };
+  const auto record = [&] { record_edit(document, "average weighted poses"); };
   return remix(document, vectors, record, [sum](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight /= sum;
   });
@@ -401,7 +401,7 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straigh
 
 bool set_straight(Document& document, VectorCache& vectors, bool straight) {
   if (document.timeline.straight == straight) return true;
-  const auto record = [&] { record_edit(document, straight ? "straight lines" : "log space"); };
+  const auto record = [&] { record_edit(document, straight ? "linear interpolation" : "log space"); };
   const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
   if (document.library.mixes()) return remix(document, vectors, record, change);
   record();

@@ -90,7 +90,7 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
   deform::Probe probe;
   probe.place = at_rest(document, posed, at);
   probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
-  edit(document, "add a probe").all.push_back(probe);
+  edit(document, "add probe").all.push_back(probe);
   document.carried.clear();
   select(document, document.probes.all.size() - 1, document.probes.all.size());
   return true;
@@ -103,7 +103,7 @@ bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at)
   const auto found = static_cast<std::size_t>(std::ranges::find_if(all, pins_it) - all.begin());
   if (found == all.size()) {
     if (all.size() >= most_probes) return false;
-    edit(document, "add a pin").all.push_back(pin_of(document, vertex));
+    edit(document, "pin vertex").all.push_back(pin_of(document, vertex));
     document.carried.clear();
   }
   select(document, found, found + 1);
@@ -115,7 +115,7 @@ bool has_pins(const Document& document) {
 }
 
 void set_pulls(Document& document, bool pulls) {
-  change_selected(document, pulls ? "pull by pins" : "hold by pins", [pulls](deform::Probe& p) {
+  change_selected(document, pulls ? "pull with pins" : "fix with pins", [pulls](deform::Probe& p) {
     if (p.pin) p.pin->pulls = pulls;
   });
 }
@@ -191,9 +191,9 @@ void set_locked(Document& document, bool locked) {
 namespace {
 
 std::string part_label(Part part) {
-  return part == &deform::Probe::turn      ? "change where probes turn"
-         : part == &deform::Probe::stretch ? "change where probes stretch"
-                                           : "change where probes move";
+  return part == &deform::Probe::turn      ? "change rotation of probes"
+         : part == &deform::Probe::stretch ? "change stretch of probes"
+                                           : "change translation of probes";
 }
 
 }  // namespace
@@ -212,7 +212,7 @@ void set_radius(Document& document, Part part, double radius) {
 }
 
 void set_mix(Document& document, deform::ProbeMix mix) {
-  if (document.probes.mix != mix) edit(document, "change how probes share").mix = mix;
+  if (document.probes.mix != mix) edit(document, "change combination of probes").mix = mix;
 }
 
 double least_probe_radius(const Document& document) {

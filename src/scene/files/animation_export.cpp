@@ -39,7 +39,7 @@ std::array<double, 3> sample_frames(const std::vector<int>& frames) {
 
 std::string engine_text(const AnimatedModel& model) {
   if (model.precision() == AnimatedModel::Precision::exact) return "deformed in double";
-  return "deformed in float, off by up to " + at_most(model.fast_error()) + " of the cage's diagonal";
+  return "deformed in float, error up to " + at_most(model.fast_error()) + " of the cage's diagonal";
 }
 
 // Collects notes without repeating those of earlier frames.
@@ -54,7 +54,7 @@ public:
     if (all_.size() > most) {
       const std::size_t left = all_.size() - most + 1;
       all_.resize(most - 1);
-      all_.push_back("and " + base::with_thousands(left) + " more notes of other frames");
+      all_.push_back("and " + base::with_thousands(left) + " more notes about other frames");
     }
     return std::move(all_);
   }
@@ -269,9 +269,9 @@ public:
     AnimationReport report{.frames = plan.frames.size()};
     report.notes = notes_.take();
     report.summary = base::counted(plan.targets.size(), "morph target") +
-                     " with straight lines between them, off by up to " +
-                     plain(std::max(what_.tolerance, least_tolerance)) +
-                     " of the model's diagonal at any frame; " + engine_text(*model_);
+                     " with linear interpolation, error up to " +
+                     plain(std::max(what_.tolerance, least_tolerance)) + " of the model's diagonal; " +
+                     engine_text(*model_);
     return report;
   }
 
@@ -388,12 +388,13 @@ void check_animation_export(const AnimationExport& what) {
                           mesh::format_extensions(mesh::holds_morphs) +
                           ", or numbered models or pictures (frame_####.obj, frame_####.png)");
   if (!is_numbered(what) && !is_animation_format(extension))
-    throw base::Error(file.string(), "a file of this format holds one frame",
+    throw base::Error(file.string(), "this format stores a single frame",
                       "write numbered files, " + (file.stem() += "_####." + extension).string());
   if (is_numbered(what) && mesh::point_cache_format(file))
-    throw base::Error(file.string(), "a point cache holds all frames", "leave the #### out of its name");
+    throw base::Error(file.string(), "a point cache stores all frames in one file",
+                      "remove #### from the name");
   if (what.timeline.keys.empty())
-    throw base::Error("", "there are no keys in time, so that nothing moves",
+    throw base::Error("", "the timeline has no keys, so nothing moves",
                       "set keys on the timeline, and save the session");
   base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);
 }
@@ -420,9 +421,9 @@ std::vector<std::string> other_files_note(const base::NumberedName& name, std::s
   for (const base::NumberedFile& file : name.find())
     if (!std::ranges::binary_search(frames, file.number)) others.push_back(file.path.filename().string());
   if (others.empty()) return {};
-  if (others.size() == 1) return {others.front() + " was there before and is not one of these frames"};
+  if (others.size() == 1) return {others.front() + " already existed and is not one of these frames"};
   return {base::counted(others.size(), "file") + " from " + others.front() + " to " + others.back() +
-          " were there before and are not among these frames"};
+          " already existed and are not among these frames"};
 }
 
 }  // namespace viete::scene

@@ -106,9 +106,9 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
 }
 
 std::string gltf_note(UpAxis up) {
-  return up == UpAxis::z
-             ? "other programs take Y of a glTF file as up; here it is Z: turn by -90 degrees about X there"
-             : "";
+  return up == UpAxis::z ? "this glTF file has Z as up axis, other programs expect Y: rotate it by -90 "
+                           "degrees about X there"
+                         : "";
 }
 
 std::string at_most(double error) {
@@ -123,8 +123,8 @@ std::string method_note(sym3::Method method, double worst_error) {
   if (worst_error <= matters) return "";
   const std::string name(sym3::name(method));
   if (!std::isfinite(worst_error))
-    return "method " + name + " gave no numbers in this pose; use method fast or diag";
-  return "exponentials by method " + name + " are off by up to " + at_most(worst_error) +
+    return "method " + name + " gives NaN in this pose; use method fast or diag";
+  return "exponentials by method " + name + " have errors up to " + at_most(worst_error) +
          " (relative) in this pose, where eigenvalues nearly coincide; methods fast and diag are exact to "
          "1e-14";
 }

@@ -88,15 +88,14 @@ private:
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view text, std::size_t byte,
                          const std::string& problem) {
   throw base::Error(file.string() + ":" + line_of(text, byte), problem,
-                    "correct the file or take an older copy of it");
+                    "correct the file or use an older copy");
 }
 
 void check_length(std::size_t bytes, const std::filesystem::path& file) {
   if (bytes <= most_json_bytes) return;
-  throw base::Error(
-      file.string(),
-      std::to_string(bytes) + " bytes are more than this program reads: " + std::to_string(most_json_bytes),
-      "take another file");
+  throw base::Error(file.string(),
+                    std::to_string(bytes) + " bytes exceed the limit of " + std::to_string(most_json_bytes),
+                    "choose another file");
 }
 
 // The same text with numbers in the range of double, and checked against the limits.
@@ -107,14 +106,13 @@ std::string surveyed(std::string_view bytes, const std::filesystem::path& file) 
     Survey survey;
     if (json::sax_parse(text, &survey)) return text;
     if (survey.too_deep) {
-      throw base::Error(file.string(),
-                        "lists and objects in it stand more than " + std::to_string(most_json_depth) +
-                            " deep in each other",
-                        "take another file");
+      throw base::Error(
+          file.string(),
+          "lists and objects are nested more than " + std::to_string(most_json_depth) + " levels deep",
+          "choose another file");
     }
     if (survey.size == 0) refuse(file, text, survey.error_at, "this is not valid JSON");
-    if (corrected == most_corrected)
-      refuse(file, text, survey.error_at, "this and other numbers are too large");
+    if (corrected == most_corrected) refuse(file, text, survey.error_at, "this number is too large");
     text.replace(survey.too_large_at, survey.size, text[survey.too_large_at] == '-' ? "-1e300" : "1e300");
   }
 }
@@ -149,7 +147,7 @@ std::string readable(const ordered_json& value, const std::filesystem::path& fil
   try {
     put(out, value, "");
   } catch (const ordered_json::type_error&) {
-    throw base::Error(file.string(), "the name of a file in it is not UTF-8", "rename that file");
+    throw base::Error(file.string(), "a file name in it is not UTF-8", "rename the file");
   }
   out += '\n';
   check_length(out.size(), file);
@@ -219,7 +217,7 @@ double JsonReader::number(double least, double most, const char* problem) const 
 std::array<double, 3> JsonReader::place(double farthest) const {
   const auto place = numbers<3>();
   for (const double x : place)
-    if (!(std::abs(x) <= farthest)) fail("this is too far away");
+    if (!(std::abs(x) <= farthest)) fail("this coordinate is too large");
   return place;
 }
 
@@ -240,7 +238,7 @@ std::string JsonReader::text() const {
   if (!value_.is_string()) expected("a text");
   const auto& text = value_.get_ref<const std::string&>();
   if (text.size() > longest_text) {
-    fail("a text of " + std::to_string(text.size()) + " bytes is longer than any that belongs here (" +
+    fail("a text of " + std::to_string(text.size()) + " bytes is longer than allowed (" +
          std::to_string(longest_text) + ")");
   }
   return text;
@@ -259,7 +257,7 @@ std::filesystem::path JsonReader::path() const {
   if (!encoded) expected("the name of a file");
   bool whole = true;
   const std::string name = base::percent_decoded(encoded->text(), &whole);
-  if (!whole) encoded->fail("two hexadecimal digits belong behind each %");
+  if (!whole) encoded->fail("each % must be followed by two hexadecimal digits");
   return name;
 }
 

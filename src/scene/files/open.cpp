@@ -70,10 +70,9 @@ void take_cage_warnings(Opened& opened) {
   if (!document.has_cage() || !document.cage->closed) return;
   const Outside found = outside(document.cage->surface, *document.model.surface);
   if (2 * found.count <= found.of) return;
-  opened.warnings.push_back(
-      place_of(document.cage_file) + ": " + (found.count == found.of ? "all" : "most") + " of " +
-      document.model.path.filename().string() +
-      " is outside of this cage; see that both are of the same size and at the same place");
+  opened.warnings.push_back(place_of(document.cage_file) + ": " + (found.count == found.of ? "all" : "most") +
+                            " of " + document.model.path.filename().string() +
+                            " is outside this cage; check that both have the same scale and position");
 }
 
 void take_warnings(Opened& opened) {
@@ -88,7 +87,7 @@ Opened open_model(const std::vector<fs::path>& files, base::Progress* progress, 
   take_warnings(opened);
   if (named(2).empty()) return opened;
   if (!opened.document->has_cage()) {
-    throw base::Error(named(2).string(), "a pose needs a cage and none is named", "name the cage too");
+    throw base::Error(named(2).string(), "a pose needs a cage, and none is given", "give the cage as well");
   }
   opened.document->pose = deform::read_pose(named(2), *opened.document->cage, opened.warnings);
   opened.document->also_read.push_back({named(2), the_pose});
@@ -108,14 +107,14 @@ Opened open_cage(OpenedSurface cage, const Document& current, Fins fins) {
 
 Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress, Fins fins) {
   if (!current.model.surface) {
-    throw base::Error(file.string(), "a cage needs a model and none is open", "open the model first");
+    throw base::Error(file.string(), "a cage needs a model, and none is open", "open the model first");
   }
   return open_cage(open_surface(file, progress), current, fins);
 }
 
 Opened open_pose(const fs::path& file, const Document& current) {
   if (!current.has_cage()) {
-    throw base::Error(file.string(), "a pose needs a cage and none is open", "open the cage first");
+    throw base::Error(file.string(), "a pose needs a cage, and none is open", "open the cage first");
   }
   Opened opened;
   opened.file = file;
@@ -131,7 +130,7 @@ Opened open_pose(const fs::path& file, const Document& current) {
 
 Opened of_open_cage(const fs::path& file, const Document& current) {
   if (!current.has_cage())
-    throw base::Error(file.string(), "poses need a cage and none is open", "open the cage first");
+    throw base::Error(file.string(), "poses need a cage, and none is open", "open the cage first");
   Opened opened;
   opened.file = file;
   opened.pose_of = current.cage;
@@ -203,7 +202,7 @@ void take_shapes(Opened& opened, std::vector<fs::path> files, const Document& cu
 
 Opened open_shapes(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
   if (!current.model.surface)
-    throw base::Error(files.front().string(), "a shape needs its model and none is open",
+    throw base::Error(files.front().string(), "a shape needs its model, and none is open",
                       "open the model first");
   Opened opened;
   opened.file = files.front();
@@ -350,12 +349,12 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins
   if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
       mesh::same_faces(s, current.cage->surface)) {
     Opened opened = open_pose(surface.path, current);
-    opened.taken_as = "Took " + name + " as a pose: it has the vertices and faces of the cage";
+    opened.taken_as = "Imported " + name + " as a pose: it has the cage's vertices and faces";
     return opened;
   }
   if (is_shape_of(current, s) && !same_file(surface.path, current.model.path)) {
     Opened opened = open_shapes({surface.path}, current, nullptr);
-    opened.taken_as = "Took " + name + " as a shape: it has the vertices and faces of the model";
+    opened.taken_as = "Imported " + name + " as a shape: it has the model's vertices and faces";
     return opened;
   }
   const bool cage = current.model.surface && !current.has_cage() &&
@@ -363,12 +362,12 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins
                     encloses(s, *current.model.surface);
   if (cage) {
     Opened opened = open_cage(std::move(surface), current, fins);
-    opened.taken_as = "Took " + name + " as the cage: it encloses the model";
+    opened.taken_as = "Imported " + name + " as the cage: it encloses the model";
     return opened;
   }
   Opened opened;
   opened.document = document_of(std::move(surface));
-  opened.taken_as = "Took " + name + " as a new model";
+  opened.taken_as = "Imported " + name + " as a new model";
   take_warnings(opened);
   return opened;
 }
@@ -383,7 +382,7 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage, Fins fins) {
   }
   Opened opened;
   opened.taken_as =
-      "Took " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
+      "Imported " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
   opened.document = document_of(std::move(model));
   set_cage(*opened.document, std::move(cage), fins);
   take_warnings(opened);
@@ -401,7 +400,7 @@ bool is_cache_of(const fs::path& file, const Document& current) {
 Opened open_dropped_shapes(const std::vector<fs::path>& files, const Document& current,
                            base::Progress* progress) {
   Opened opened = open_shapes(files, current, progress);
-  opened.taken_as = "Took " + base::counted(opened.shapes.size(), "shape") + " of the model";
+  opened.taken_as = "Imported " + base::counted(opened.shapes.size(), "shape") + " of the model";
   return opened;
 }
 
@@ -418,8 +417,8 @@ Opened open_dropped(const std::vector<fs::path>& files, const Document& current,
     try {
       return open_dropped_shapes(files, current, progress);
     } catch (const base::Error& error) {
-      throw base::Error(error.place(), dropped + ", and this is no shape of the model: " + error.problem(),
-                        advice);
+      throw base::Error(error.place(),
+                        dropped + ", and this one is not a shape of the model: " + error.problem(), advice);
     }
   }
   if (files.size() == 1 && mesh::point_cache_format(files[0])) {
@@ -474,7 +473,7 @@ void check(const Opened& opened, void (*check_document)(const Document&)) {
 
 SessionFileError::SessionFileError(const fs::path& session, std::string_view of, const fs::path& named)
     : base::Error(session.string() + ": " + std::string(of), named.string() + ": there is no such file",
-                  "open the session in the window, and locate the file there"),
+                  "open the session in the window and locate the file there"),
       key(of),
       file(named) {}
 

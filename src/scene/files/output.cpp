@@ -49,8 +49,8 @@ bool may_be_replaced(const fs::path& file, const mesh::Beginning& beginning, Con
 }
 
 std::string name_of(const fs::path& file, Content content) {
-  constexpr const char* names[] = {"", "a PNG picture", "measurements by Viete", "a drawing (SVG)",
-                                   "", "a session",     "a page of a report"};
+  constexpr const char* names[] = {"", "a PNG picture", "Viete measurements", "a drawing (SVG)",
+                                   "", "a session",     "a report page"};
   const std::string name = names[static_cast<std::size_t>(content)];
   if (!name.empty()) return name;
   const mesh::Format* format = mesh::find_format(file);
@@ -75,7 +75,7 @@ std::string name_of_found(const fs::path& file, const mesh::Beginning& beginning
 
 [[noreturn]] void refuse_in_use(const fs::path& file, const std::string& what, const fs::path& named,
                                 Force force) {
-  refuse(file, "this file is one of those that are read (" + what + "), and would be replaced", named, force);
+  refuse(file, "this is an input file (" + what + ") and would be replaced", named, force);
 }
 
 }  // namespace
@@ -117,9 +117,9 @@ void check_frames_are_new(const base::NumberedName& name, std::span<const int> f
   if (there.empty()) return;
   const std::size_t more = there.size() - 1;
   throw base::Error(there.front().string(),
-                    "this file is there already, and would be replaced" +
+                    "this file already exists and would be replaced" +
                         (more > 0 ? ", as " + base::with_thousands(more) + " more would" : std::string()),
-                    std::string("choose another name, or move them away") +
+                    std::string("choose another name, or move the files") +
                         (force == Force::offered ? ", or add --force" : ""));
 }
 

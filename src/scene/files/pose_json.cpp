@@ -104,9 +104,9 @@ NamedPose named_pose_of(const JsonReader& json, std::span<const SharedShape> sha
                         std::vector<std::string>& warnings) {
   NamedPose named{json.at("name").text(), whole_pose_of(json, shapes, warnings)};
   if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
-  take_part(json, "weight", named.weight, weight_of, "it counts as made by hand", warnings);
+  take_part(json, "weight", named.weight, weight_of, "it counts as edited directly", warnings);
   const std::size_t told = warnings.size();
-  take_part(json, "part", named.part, &JsonReader::indices, "it counts as made by hand", warnings);
+  take_part(json, "part", named.part, &JsonReader::indices, "it counts as edited directly", warnings);
   if (warnings.size() > told) named.weight = 0;
   return named;
 }
@@ -115,7 +115,7 @@ PoseKey key_of(const JsonReader& json, std::span<const SharedShape> shapes,
                std::vector<std::string>& warnings) {
   PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, shapes, warnings)};
   take_part(json, "easing", key.easing, choice_of<Easing>, "smooth instead", warnings);
-  take_part(json, "mix", key.mix, mix_of, "it counts as made by hand", warnings);
+  take_part(json, "mix", key.mix, mix_of, "it counts as edited directly", warnings);
   return key;
 }
 
@@ -172,10 +172,10 @@ deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings)
   deform::Pose pose{std::move(points.all), {}};
   const auto turns_of = [&](const JsonReader& turns) {
     Points read = points_of(turns, largest_turn, 0);
-    warn_of_unread(turns, read.unread, "part", "without whole turns instead", warnings);
+    tell_unread(turns, read.unread, "part", "without full rotations instead", warnings);
     return std::move(read.all);
   };
-  take_part(json, "turns", pose.turns, turns_of, "no part has made a whole turn", warnings);
+  take_part(json, "turns", pose.turns, turns_of, "without full rotations", warnings);
   return pose;
 }
 
@@ -215,7 +215,7 @@ template <class T>
 SharedShape shape_of_bytes(const JsonReader& json) {
   using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
   const std::string bytes = json.base64();
-  if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("there are not three numbers for each vertex");
+  if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("its size is not three numbers for each vertex");
   std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
   for (std::size_t n = 0; n < 3 * points.size(); ++n) {
     Bits bits = 0;
@@ -386,7 +386,7 @@ void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cag
         std::erase_if(all, [&](const auto& keyed) { return !fits(*keyed.pose, cage, model); });
     if (dropped > 0)
       warnings.push_back(file + ": " + key + ": " + std::to_string(dropped) + ' ' + what +
-                         (dropped == 1 ? " is" : "s are") + " of another cage or model, and dropped");
+                         (dropped == 1 ? " is" : "s are") + " of another cage or model and dropped");
     if (cage)
       for (auto& keyed : all) rest_unread(keyed.pose, *cage);
   };
@@ -399,7 +399,7 @@ void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cag
     const auto unknown = [&](auto v) { return !cage || v >= cage->surface.positions.size(); };
     if (std::ranges::none_of(named.part, unknown)) continue;
     warnings.push_back(file + ": poses: " + mesh::in_quotes(named.name) +
-                       " is mixed into vertices that the cage does not have; it counts as made by hand");
+                       " has weights for vertices that the cage does not have; it counts as edited directly");
     named.part.clear(), named.weight = 0;
   }
 }

@@ -113,7 +113,7 @@ ordered_json probe_json(const deform::Probe& probe) {
 deform::Influence influence_of(const JsonReader& json) {
   const auto falloff = [](auto name) { return deform::find_by_name(deform::all_falloffs(), name); };
   const double radius = json.at("radius").number();
-  if (!(radius > 0 && radius <= most_drawn)) json.at("radius").fail("a radius must be above 0");
+  if (!(radius > 0 && radius <= most_drawn)) json.at("radius").fail("the radius must be above 0");
   return {word_of(json.at("falloff"), falloff), radius};
 }
 
@@ -140,7 +140,8 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
   const auto mix_of = [](const JsonReader& v) {
     return word_of(v, [](auto name) { return deform::find_by_name(deform::all_probe_mixes(), name); });
   };
-  take_part(json, "mix", probes.mix, mix_of, "added instead, of added, partial, whole and softmax", warnings);
+  take_part(json, "mix", probes.mix, mix_of,
+            "added instead (choices: added, partial, whole, softmax)", warnings);
   take_items(json.at("all"), most_probes, "this probe is left out", warnings,
              [&](const JsonReader& item) { probes.all.push_back(probe_of(item)); });
   return probes;
@@ -211,7 +212,7 @@ std::string names(std::span<const Entry> table) {
 
 deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warnings) {
   const auto take_choice = [&](const char* key, auto& choice, auto table) {
-    const std::string instead = "what fits the others instead, of " + names(table);
+    const std::string instead = "a matching one instead, one of " + names(table);
     const auto find = [&](auto name) { return deform::find_by_name(table, name); };
     const auto read = [&](const auto& v) { return word_of(v, find); };
     take_part(json, key, choice, read, instead.c_str(), warnings);

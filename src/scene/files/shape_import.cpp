@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 void check_shape_count(const std::string& file, std::size_t count, const mesh::Surface& model) {
   if (count > Timeline::most_keys)
     throw base::Error(file,
-                      "there are " + base::counted(count, "shape") + ", and a timeline holds " +
+                      "there are " + base::counted(count, "shape") + ", and a timeline can have " +
                           base::with_thousands(Timeline::most_keys),
                       "choose fewer");
   // Positions and their log vectors.
@@ -32,7 +32,7 @@ void check_shape_count(const std::string& file, std::size_t count, const mesh::S
 
 namespace {
 
-constexpr const char* advice = "choose a shape of the same model: the same vertices and faces, moved";
+constexpr const char* advice = "choose a shape of the same model (same vertices and faces)";
 
 // The corners of faces in the form common to both surfaces: polygons or triangles.
 struct Faces {
@@ -82,7 +82,7 @@ private:
     if (found == expected) return;
     throw base::Error(file_,
                       std::string("the number of ") + of + " is " + base::with_thousands(found) +
-                          ", and of the model it is " + base::with_thousands(expected),
+                          ", in the model it is " + base::with_thousands(expected),
                       advice);
   }
 
@@ -100,8 +100,8 @@ private:
     if (same(face)) face = 0;
     while (same(face)) ++face;
     throw base::Error(file_,
-                      "face " + std::to_string(face) + " (from 0) joins the vertices " +
-                          face_text(found_, face) + ", and that of the model " + face_text(model_, face),
+                      "face " + std::to_string(face) + " (from 0) has the vertices " +
+                          face_text(found_, face) + ", in the model " + face_text(model_, face),
                       advice);
   }
 
@@ -152,8 +152,8 @@ private:
   void add_sequence(const base::NumberedName& name) {
     const auto files = name.find();
     if (files.empty())
-      throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
-                        "check the name; as many # as the numbers have digits");
+      throw base::Error(name.pattern(), "no file matches this name with digits in place of #",
+                        "check the name and use one # for each digit");
     check_shape_count(name.pattern(), files.size(), model_);
     for (std::size_t i = 0; i < files.size(); ++i) {
       if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
@@ -171,7 +171,7 @@ private:
         add(files[i]);
         drop_rest();
       } catch (const base::Error& error) {
-        refused.push_back(std::string(error.what()) + "; left out");
+        refused.push_back(std::string(error.what()) + "; skipped");
       }
     }
     if (all_.shapes.size() == before)
@@ -179,7 +179,7 @@ private:
           folder.string(),
           files.empty() ? "there is no model in this folder"
                         : "none of its " + base::counted(files.size(), "model") + " is a shape of this model",
-          "choose a folder of shapes of the model: the same vertices and faces, moved");
+          "choose a folder with shapes of the model (same vertices and faces)");
     all_.warnings.insert(all_.warnings.end(), refused.begin(), refused.end());
   }
 
@@ -232,7 +232,7 @@ private:
       positions.push_back(found.positions[v]);
     }
     if (moved)
-      all_.warnings.push_back(name + ": its vertices stand in another order; the faces told which is which");
+      all_.warnings.push_back(name + ": its vertices are in another order; they were matched by the faces");
     return positions;
   }
 

@@ -165,11 +165,11 @@ std::string handle_name(Tool tool, const Constraint& handle) {
   const std::string plane = letters.substr(0, handle.axis) + letters.substr(handle.axis + 1);
   const bool free = handle.kind == Kind::free;
   switch (tool) {
-    case Tool::rotate: return free ? "Rotate in the view" : "Rotate about " + axis;
+    case Tool::rotate: return free ? "Rotate in the view plane" : "Rotate about " + axis;
     case Tool::scale:
-      return free ? "Scale evenly" : "Scale along " + (handle.kind == Kind::axis ? axis : plane);
+      return free ? "Scale uniformly" : "Scale along " + (handle.kind == Kind::axis ? axis : plane);
     default:
-      return free                        ? "Move in the view"
+      return free                        ? "Move in the view plane"
              : handle.kind == Kind::axis ? "Move along " + axis
                                          : "Move in " + plane;
   }

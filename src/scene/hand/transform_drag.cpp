@@ -325,7 +325,8 @@ std::string TransformDrag::readout() const {
     std::string word(name(grip_.shaping.shape));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
     const std::string refused =
-        along_way_ ? std::string("   ") + static_cast<char>('X' + *along_way_) + " is along it" : "";
+        along_way_ ? std::string("   ") + static_cast<char>('X' + *along_way_) + " is the direction of motion"
+                   : "";
     return word + ' ' + axis_names() + (entry_.empty() ? shaped_amount() : entry_.text() + '_') + refused +
            beyond;
   }

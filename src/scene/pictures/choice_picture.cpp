@@ -119,8 +119,7 @@ ChoicePicture choice_picture(deform::Weights weights) {
   const Example e = fork();
   const auto& at = e.cage->surface.positions;
   const PictureView view({}, {at, choice_picture_size, 8});
-  ChoicePicture picture{
-      {}, "How much each place follows the marked end of the cage: yellow all of it, blue none."};
+  ChoicePicture picture{{}, "Influence of the marked end of the cage: yellow full, blue none."};
   add(picture, weighed_model(view, e.model, held_weights(e, scheme_with(weights).weighting)));
   add(picture, cage_lines(view, *e.cage, at, Ink::cage));
   for (const std::size_t p : facing(view, e.cage->surface, at)) {
@@ -138,7 +137,7 @@ ChoicePicture bar_picture(const deform::Scheme& scheme) {
   std::vector<Point> room = e.pose.positions;
   room.push_back({0, 2 * grip / arch + 1.6, 0});
   const PictureView view({-20, 18}, {room, choice_picture_size, 8});
-  ChoicePicture picture{{}, "A bar between two grips: one is twisted against the other, and larger."};
+  ChoicePicture picture{{}, "A bar between two handles: one is twisted and larger."};
   add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::behind));
   add(picture, lit_model(view, e.model, deformed(e, scheme)));
   add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::cage));

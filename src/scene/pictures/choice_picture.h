@@ -50,7 +50,7 @@ private:
     try {
       return choice_picture(choice);
     } catch (const base::Error&) {
-      return {{}, "There is no memory for a picture."};
+      return {{}, "Not enough memory for a picture."};
     }
   }
 

@@ -35,8 +35,8 @@ void report_losses(Workspace& w, const std::string& poses, bool in_file) {
   const std::string where = in_file && !file.empty() ? "; " + file + " has them" : "";
   const Concern concern{.scope = Scope::cage};
   if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
-    w.messages.warn("Sets of the cage before are gone: " + sets + where, concern);
-  if (!poses.empty()) w.messages.warn("Poses of the cage before are gone: " + poses + where, concern);
+    w.messages.warn("Selection sets of the previous cage were removed: " + sets + where, concern);
+  if (!poses.empty()) w.messages.warn("Poses of the previous cage were removed: " + poses + where, concern);
 }
 
 void take_document(Workspace& w, Document&& document, bool keep_settings) {
@@ -111,8 +111,8 @@ bool take_poses(Workspace& w, Opened& opened) {
   const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
   put_keys(w.document, std::move(opened.keys), "Import animation");
   show_timeline(w);
-  w.messages.info("Took " + base::counted(count, "key") + " of " + name +
-                  (before > 0 ? "; undo brings the " + std::to_string(before) + " before back." : "."));
+  w.messages.info("Imported " + base::counted(count, "key") + " of " + name +
+                  (before > 0 ? "; undo restores the previous " + std::to_string(before) + "." : "."));
   return true;
 }
 
@@ -141,10 +141,11 @@ void frame_first(Workspace& w) {
 void apply_opened(Workspace& w, Opened&& opened) {
   if (opened.pose_of && opened.pose_of != w.document.cage)
     return w.messages.error(
-        opened.file.string() + ": the cage was changed while this pose was read; open it again", {"open"});
+        opened.file.string() + ": the cage changed while this pose was being read; open it again", {"open"});
   if (!opened.document && opened.shapes_of && opened.shapes_of != w.document.model.surface)
     return w.messages.error(
-        opened.file.string() + ": the model was changed while this shape was read; open it again", {"open"});
+        opened.file.string() + ": the model changed while this shape was being read; open it again",
+        {"open"});
   report(w, opened);
   if (opened.shapes_of) {
     w.playback.vectors.follow_model(opened.shapes_of);
@@ -210,7 +211,7 @@ bool add_motion(Workspace& w, const std::filesystem::path& file) {
     };
     if (!document.has_cage() || !is_same(session.model, document.model.path) ||
         !is_same(session.cage, document.cage_file.path))
-      throw base::Error(file.string(), "its poses are of another model or cage",
+      throw base::Error(file.string(), "its poses belong to another model or cage",
                         "open " + session.model.string() + " in " + session.cage.string() + " first");
     fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface, file.string(),
               session.warnings);

@@ -214,18 +214,19 @@ std::string problem_of_name(const FileBrowser& browser) {
   const bool sequence = browser.purpose == Purpose::shapes || browser.purpose == Purpose::animation;
   if (sequence && base::NumberedName::is_pattern(file)) return "";
   if (!browser.saves())
-    return fs::exists(file, ignored) ? "" : name + " is not there; choose one of the list, or another path";
-  if (name.empty() || fs::is_directory(file, ignored)) return "Give the file a name.";
+    return fs::exists(file, ignored)
+               ? ""
+               : name + " does not exist; choose a file from the list or enter another path";
+  if (name.empty() || fs::is_directory(file, ignored)) return "Enter a file name.";
   if (!fs::is_directory(file.parent_path(), ignored))
-    return file.parent_path().string() + " is no folder; choose another one";
+    return file.parent_path().string() + " is not a folder; choose another folder";
   if (const std::string* used = browser.in_use.find(file))
-    return name + " is open (" + *used + ") and stays as it is; " +
-           base::unused_name(file).filename().string() + " would be free.";
+    return name + " is open (" + *used + ") and cannot be replaced; " +
+           base::unused_name(file).filename().string() + " is a free name.";
   const auto formats = browser.formats();
   const bool known = browser.purpose == Purpose::save_session ||
                      std::find(formats.begin(), formats.end(), mesh::extension_of(file)) != formats.end();
-  return known ? ""
-               : name + " has an extension that is not known: files are written as " + format_list(browser);
+  return known ? "" : name + " has an unknown extension; use " + format_list(browser);
 }
 
 std::string format_list(const FileBrowser& browser) {

@@ -74,7 +74,7 @@ constexpr Condition can_add_example{
              !is_editing_cage(w.document) && !is_dragging(w) &&
              fs::equivalent(model, w.example.parent_path() / model.filename(), ignored);
     },
-    "Only for the bundled dragon without keys: open it, or delete its keys first."};
+    "Requires the bundled dragon without keys: open it or delete its keys first."};
 
 void add_example(Workspace& w) {
   if (!add_motion(w, w.example)) return;
@@ -108,52 +108,55 @@ void browse_to_locate(Workspace& w, Purpose purpose) {
 
 void add_file_commands(CommandTable& table) {
   table.heading("File");
-  table.add("open_model", {"Open a model or session", "Open"}, "Open a mesh to deform, or a session.",
+  table.add("open_model", {"Open model or session", "Open"}, "Open a mesh to deform or a saved session.",
             {key('O'), true}, always, browse_for_model);
-  table.add("open_cage", "Open cage", "Open a cage around the model.", {key('O'), true, true}, has_model,
+  table.add("open_cage", "Open cage", "Open a cage for the model.", {key('O'), true, true}, has_model,
             [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model.path); });
-  table.add("open_cage_beside", {"Open the cage beside the model", "Open it"},
-            "Open the file beside the model that looks like its cage.", has_cage_beside,
+  table.add("open_cage_beside", {"Open cage next to the model", "Open this cage"},
+            "Open the file in the model's folder that looks like its cage.", has_cage_beside,
             passing([](Workspace& w) {
               w.requests.open = OpenRequest{OpenRequest::What::cage, {w.document.cage_beside}};
             }));
-  table.add("open_pose", "Open pose", "Open a posed version of this cage.", {key('P'), true}, has_cage,
+  table.add("open_pose", "Open pose", "Open a posed version of the cage.", {key('P'), true}, has_cage,
             browse_for<Purpose::pose>);
-  table.add("add_example", "Add the dragon's loop",
-            "Add the poses and keys of a loop of five seconds, and play it.", can_add_example, add_example);
+  table.add("add_example", "Add example animation",
+            "Add the dragon's poses and keys of a five-second loop and play it.", can_add_example,
+            add_example);
   table.add("save_session", {"Save session", "Save"},
-            "Save model, cage, pose, settings and camera as a session.", {key('S'), true}, has_model, save);
-  table.add("save_session_as", {"Save session as", "Save as"}, "Save the session under another name.",
+            "Save model, cage, pose, settings and camera in a session file.", {key('S'), true}, has_model,
+            save);
+  table.add("save_session_as", {"Save session as", "Save as"}, "Save the session under a new name.",
             {key('S'), true, true}, has_model, browse_to_save_session);
   table.add(
       "save_pose", "Save pose", "Write the posed cage to a mesh file.", {key('P'), true, true}, has_cage,
       [](Workspace& w) { browse_to_save(w, Purpose::save_pose, file_of_cage(w.document), "_pose.obj"); });
   table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage,
             [](Workspace& w) { browse_to_save(w, Purpose::save_cage, w.document.model.path, "_cage.obj"); });
-  table.add("save_model", {"Export the deformed mesh", "Export"}, "Write the deformed mesh to a file.",
+  table.add("save_model", {"Export deformed mesh", "Export mesh"}, "Write the deformed mesh to a file.",
             {key('E'), true}, is_movable, [](Workspace& w) {
               browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
             });
-  table.add("stop_work", {"Cancel running work", "Cancel"},
-            "Stop reading, making a cage or binding; everything stays as it is.", {Key::escape}, is_working,
+  table.add("stop_work", {"Cancel current task", "Cancel"},
+            "Stop reading, making a cage or binding. Nothing changes.", {Key::escape}, is_working,
             passing([](Workspace& w) { w.requests.stop_work = true; }));
-  table.add("stop_export", {"Cancel the export", "Cancel"},
-            "Stop writing the deformed mesh or its animation; every file is whole or as it was.",
-            is_exporting, passing([](Workspace& w) { w.requests.stop_export = true; }));
-  table.add("restore_leftover", {"Restore recovered edits", "Restore"}, "Open the newest recovered edits.",
-            {key('B'), true}, has_recovery_files, passing([](Workspace& w) {
+  table.add("stop_export", {"Cancel export", "Cancel"},
+            "Stop the export. Each file is either complete or unchanged.", is_exporting,
+            passing([](Workspace& w) { w.requests.stop_export = true; }));
+  table.add("restore_leftover", {"Restore recovered edits", "Restore"},
+            "Open the most recent recovered edits.", {key('B'), true}, has_recovery_files,
+            passing([](Workspace& w) {
               if (!std::exchange(w.offers_recovery, true)) return;
               w.requests.open = OpenRequest{OpenRequest::What::recovery, {w.recovery_files.front().file}};
             }));
-  table.add("discard_leftovers", {"Discard recovered edits", "Discard"}, "Delete all recovered edits.",
-            offers_recovery,
+  table.add("discard_leftovers", {"Discard recovered edits", "Discard"},
+            "Delete all recovered edits permanently.", offers_recovery,
             passing([](Workspace& w) { w.question = ask_before_discarding(w.recovery_files.size()); }));
   table.add("put_off_leftovers", {"Keep recovered edits for later", "Later"},
             "Hide this row. The next start offers the recovered edits again.", offers_recovery,
             passing([](Workspace& w) { w.offers_recovery = false; }));
-  table.add("screenshot", {"Save a screenshot", "Screenshot"}, "Save a picture of the window.", {Key::f12},
-            always, [](Workspace& w) { w.requests.screenshot = true; });
-  table.add("quit", "Quit", "Close the program.", {key('Q'), true}, always,
+  table.add("screenshot", {"Save screenshot", "Screenshot"}, "Save a picture of the window as PNG.",
+            {Key::f12}, always, [](Workspace& w) { w.requests.screenshot = true; });
+  table.add("quit", "Quit", "Close Viete.", {key('Q'), true}, always,
             [](Workspace& w) { w.requests.quit = true; });
 }
 
@@ -161,37 +164,36 @@ namespace {
 
 constexpr Condition can_import{
     [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a cage first, and pose it rather than edit it (Tab)."};
+    "Open a cage first and leave cage editing (Tab)."};
 constexpr Condition can_import_shapes{
     [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a model first, and pose its cage rather than edit it (Tab)."};
+    "Open a model first and leave cage editing (Tab)."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
                                            return is_movable(w) && !w.document.timeline.keys.empty() &&
                                                   !is_editing_cage(w.document);
                                          },
-                                         "There are no keys: pose the model and set one (I)."};
+                                         "No keys yet: pose the model and set a key (I)."};
 
 }  // namespace
 
 void add_animation_file_commands(CommandTable& table) {
   table.heading("Poses");
   table.add("import_poses", "Import poses",
-            "Add posed cages to the list of poses: a file, one with morph targets, or all of a folder.",
-            can_import, browse_for<Purpose::poses>);
-  table.add(
-      "import_shapes", "Import shapes",
-      "Add shapes of the model to the list of poses: the same model in other files, a numbered sequence, a "
-      "point cache (PC2, MDD), morph targets (glTF), or all of a folder.",
-      can_import_shapes, [](Workspace& w) { browse_beside(w, Purpose::shapes, w.document.model.path); });
+            "Add posed cages to the pose list from a file, its morph targets or a folder.", can_import,
+            browse_for<Purpose::poses>);
+  table.add("import_shapes", "Import shapes",
+            "Add shapes of the model to the pose list from mesh files, numbered sequences, point caches "
+            "(PC2, MDD), morph targets (glTF) or a folder.",
+            can_import_shapes,
+            [](Workspace& w) { browse_beside(w, Purpose::shapes, w.document.model.path); });
   table.heading("Time");
-  table.add(
-      "import_animation", "Import animation",
-      "Take keys from numbered posed cages, a point cache of the cage or the model (PC2, MDD), or animated "
-      "morph targets (glTF).",
-      can_import_shapes, browse_for<Purpose::animation>);
+  table.add("import_animation", "Import animation",
+            "Import keys from numbered posed cages, a point cache of cage or model (PC2, MDD) or animated "
+            "morph targets (glTF).",
+            can_import_shapes, browse_for<Purpose::animation>);
   table.add(
       "save_animation", "Export animation",
-      "Write the frames that play: a point cache (PC2, MDD), glTF with morph targets, or numbered models.",
+      "Write the playback range as a point cache (PC2, MDD), glTF with morph targets or numbered models.",
       can_export_animation, save_animation);
 }
 

@@ -125,14 +125,13 @@ PresetChanges changes_of_preset(KeyPreset preset) {
 
 std::span<const Choice> choices(KeyPreset) {
   static constexpr Choice all[] = {
-      {"viete", "Viete", "Q W E R choose tools, single letters switch what is seen."},
+      {"viete", "Viete", "Q W E R choose tools, single letters switch the display."},
       {"blender", "Blender",
-       "G R S move, turn and scale at once; B C A H select and hide; Tab edits the cage; T and N fold the "
+       "G R S move, rotate and scale; B C A H select and hide; Tab edits the cage; T and N fold the "
        "columns."},
       {"maya", "Maya",
-       "Q W E R choose tools, F9 F10 F11 what is selected; F and A frame, Alt and the mouse move the "
-       "camera."},
-      {"viewer", "Viewer", "As Viete, and the left button turns the view where it is pressed on nothing."}};
+       "Q W E R choose tools, F9 F10 F11 the element type; F and A frame; Alt+drag moves the camera."},
+      {"viewer", "Viewer", "Like Viete, but left drag on empty space orbits the view."}};
   return all;
 }
 

@@ -15,7 +15,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr const char* leave_label = "go to another frame";
+constexpr const char* leave_label = "go to frame";
 
 // True if the document has that pose. Ignores locked probes.
 bool is_there(const Workspace& w, const WholePose& pose) {
@@ -73,7 +73,7 @@ bool leaves_unkeyed(Workspace& w) {
 void leave_for(Workspace& w, double frame) {
   if (leaves_unkeyed(w)) {
     replace_pose(w, [&] { record_edit(w.document, leave_label); });
-    w.messages.info("The pose was in no key; undo leads back to it.");
+    w.messages.info("The previous pose was not keyed; undo restores it.");
   }
   show_frame(w, frame);
   see(w);
@@ -210,8 +210,8 @@ void add_unkeyed_to_undo(Workspace& w, bool show) {
   const bool shown = show && shows_keys;
   if (shown) undo(document);
   see(w);
-  w.messages.info(shown ? "The pose of this frame is in no key; set one (I) to keep it."
-                        : "Undo leads back to " + base::counted(count, "pose") + " in no key.");
+  w.messages.info(shown ? "The pose at this frame is not keyed; set a key (I) to keep it."
+                        : "Undo restores " + base::counted(count, "unkeyed pose") + ".");
 }
 
 void show_timeline(Workspace& w) {
