@@ -94,7 +94,7 @@ void WindowViewer::follow_full_screen() {
   exposed_ = true;
   if (!w.full_screen) return;
   const scene::Command& command = *scene::find_command("toggle_full_screen");
-  const std::string key = scene::text(w.remembered.keymap.of(command).first);
+  const std::string key = scene::text(w.preferences.keymap.of(command).first);
   w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
 }
 

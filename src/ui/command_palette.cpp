@@ -108,7 +108,7 @@ void key_prompt(const Context& ui) {
   if (!command || w.key_list.open) return;  // the list shows it itself
   const scene::Viewport& v = w.viewport;
   const Window window("New key", {.at = middle_at(ui, v.origin.y + 0.4f * v.size.y)}, sized_flags);
-  const std::string now = scene::text(w.remembered.keymap.of(*command).first);
+  const std::string now = scene::text(w.preferences.keymap.of(*command).first);
   ImGui::TextUnformatted(("Press the new key for \"" + std::string(command->label) + '"').c_str());
   note(ui, (now.empty() ? "No key now" : "Now " + now) + std::string(";  Delete removes it, Esc cancels"));
 }

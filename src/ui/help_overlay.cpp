@@ -201,7 +201,7 @@ void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::
   if (waits) ImGui::PopStyleColor();
   if (waits || !ImGui::IsItemHovered()) return;
   hint("Click and press the new key. Delete removes it, Esc cancels." +
-       lost_key(w.remembered.keymap, plain, command));
+       lost_key(w.preferences.keymap, plain, command));
 }
 
 void give_back(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {

@@ -113,7 +113,7 @@ void panel_vertex(const Context& ui) {
   const VertexView& view = w.vertex;
   if (!view.vertex)
     return note(ui, "Point at the model and press " +
-                        scene::text(w.remembered.keymap.of(*scene::find_command("pick_vertex")).first) +
+                        scene::text(w.preferences.keymap.of(*scene::find_command("pick_vertex")).first) +
                         " to inspect a vertex.");
   value_row(ui, "Vertex", std::to_string(*view.vertex));
   command_row(ui, {"pick_worst", "drop_vertex"});

@@ -65,7 +65,7 @@ void side_rows(const Context& ui, std::size_t number, scene::SideView& side) {
   if (ui.workspace.document.has_cage()) row("Deformer", way_list, "/way");
   if (side.scheme.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
-  if (side.other_blending || scene::has_lines(ui.workspace)) {
+  if (side.other_blending || scene::has_blended_pose(ui.workspace)) {
     const char* const words =
         ui.workspace.document.timeline.straight ? "In log space" : "Linear interpolation";
     ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_blending);

@@ -81,7 +81,7 @@ bool centered(const Context& ui, float y, const std::string& line, ImU32 color) 
 
 void editing_hint(const Context& ui) {
   const auto& v = ui.workspace.viewport;
-  const std::string key = key_or_label(ui.workspace.remembered.keymap, "edit_cage");
+  const std::string key = key_or_label(ui.workspace.preferences.keymap, "edit_cage");
   centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     " + key + " returns to posing",
            ui.colors.accent);
 }

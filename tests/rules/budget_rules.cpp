@@ -19,24 +19,24 @@ namespace fs = std::filesystem;
 using Budget = std::map<std::string, std::size_t>;
 
 const Budget lines_of_src = {
-    {"app", 8097},        {"base", 2025},          {"bench", 6047},           {"blender", 630},
-    {"cages", 4041},      {"deform", 13103},       {"deform/sparse", 1242},   {"lab", 840},
-    {"library", 1120},    {"mesh", 3072},          {"mesh/formats", 8971},    {"platform", 1097},
-    {"python", 1954},     {"render", 2236},        {"scene/document", 6064},  {"scene/files", 4583},
-    {"scene/hand", 2801}, {"scene/pictures", 736}, {"scene/workspace", 6433}, {"sym3", 6601},
-    {"ui", 7255},
+    {"app", 8112},        {"base", 2019},          {"bench", 6044},           {"blender", 630},
+    {"cages", 4032},      {"deform", 13066},       {"deform/sparse", 1240},   {"lab", 835},
+    {"library", 1119},    {"mesh", 3061},          {"mesh/formats", 8940},    {"platform", 1095},
+    {"python", 1943},     {"render", 2229},        {"scene/document", 6041},  {"scene/files", 4566},
+    {"scene/hand", 2798}, {"scene/pictures", 734}, {"scene/workspace", 6414}, {"sym3", 6570},
+    {"ui", 7247},
 };
-constexpr std::size_t all_lines_of_src = 88'948;
+constexpr std::size_t all_lines_of_src = 88'735;
 
 // support has helpers that were in scene, mesh and deform, each of them twice.
 const Budget lines_of_tests = {
-    {"app", 1658},    {"assets", 366},   {"base", 941},      {"bench", 748},   {"blender", 432},
-    {"cages", 1318},  {"consumer", 530}, {"deform", 8798},   {"fuzz", 366},    {"lab", 316},
-    {"mesh", 5693},   {"platform", 358}, {"program", 10390}, {"python", 994},  {"releases", 184},
-    {"render", 1274}, {"rules", 967},    {"scene", 11319},   {"support", 805}, {"sym3", 4016},
+    {"app", 1657},    {"assets", 366},   {"base", 941},      {"bench", 747},   {"blender", 432},
+    {"cages", 1317},  {"consumer", 530}, {"deform", 8796},   {"fuzz", 365},    {"lab", 316},
+    {"mesh", 5692},   {"platform", 358}, {"program", 10390}, {"python", 994},  {"releases", 184},
+    {"render", 1272}, {"rules", 967},    {"scene", 11313},   {"support", 803}, {"sym3", 4014},
     {"ui", 13},
 };
-constexpr std::size_t all_lines_of_tests = 51'486;
+constexpr std::size_t all_lines_of_tests = 51'467;
 
 constexpr std::size_t words_of_readme = 894, words_of_manual_and_rooms = 15'126;
 

@@ -22,7 +22,7 @@ bool can_replace_generated(const Document& document, const CageMaking& making) {
 }
 
 void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
-               std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
+                   std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
   const bool again = shows_generated(document, making);
   record_step(document, "make cage", make_cage, again);
   deform::Pose pose = deform::rest_pose(*cage);

@@ -172,7 +172,7 @@ deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings)
   deform::Pose pose{std::move(points.all), {}};
   const auto turns_of = [&](const JsonReader& turns) {
     Points read = points_of(turns, largest_turn, 0);
-    tell_unread(turns, read.unread, "part", "without full rotations instead", warnings);
+    warn_of_unread(turns, read.unread, "part", "without full rotations instead", warnings);
     return std::move(read.all);
   };
   take_part(json, "turns", pose.turns, turns_of, "without full rotations", warnings);

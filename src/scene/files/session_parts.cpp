@@ -140,8 +140,8 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
   const auto mix_of = [](const JsonReader& v) {
     return word_of(v, [](auto name) { return deform::find_by_name(deform::all_probe_mixes(), name); });
   };
-  take_part(json, "mix", probes.mix, mix_of,
-            "added instead (choices: added, partial, whole, softmax)", warnings);
+  take_part(json, "mix", probes.mix, mix_of, "added instead (choices: added, partial, whole, softmax)",
+            warnings);
   take_items(json.at("all"), most_probes, "this probe is left out", warnings,
              [&](const JsonReader& item) { probes.all.push_back(probe_of(item)); });
   return probes;

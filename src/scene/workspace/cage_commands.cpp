@@ -177,7 +177,7 @@ void add_blend_commands(CommandTable& table) {
   table.add("toggle_stitched", {"Stitch model (ARAP)", "Stitched (ARAP)"},
             "Solve for vertices whose triangles follow the blended maps (as rigid as possible). Preserves "
             "details; frames take longer.",
-            with_free_hand<has_maps>,
+            without_drag<has_maps>,
             {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
              [](const Workspace& w) { return w.document.scheme.stitched(); }});
   table.heading("Method");

@@ -16,7 +16,7 @@ inline bool is_dragging(const Workspace& w) {
   return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
          (time && time->what == TimeView::What::keys);
 }
-inline constexpr Condition hand_is_free{[](const Workspace& w) { return !is_dragging(w); },
+inline constexpr Condition no_drag_runs{[](const Workspace& w) { return !is_dragging(w); },
                                         "Finish the current drag first."};
 template <const Condition& C>
 inline constexpr Condition without_drag{[](const Workspace& w) { return C(w) && !is_dragging(w); },
@@ -37,11 +37,11 @@ inline constexpr Condition is_movable{[](const Workspace& w) { return w.document
 inline constexpr Condition has_elements{
     [](const Workspace& w) { return element_count(w.document, w.document.selection.kind()) > 0; },
     "Nothing to select: open a cage or add a probe first."};
-inline constexpr Condition has_probe_room{[](const Workspace& w) {
-                                            return has_model(w) &&
-                                                   w.document.probes.all.size() < most_probes && !is_dragging(w);
-                                          },
-                                          "Open a model first. At most 256 probes are possible."};
+inline constexpr Condition has_probe_room{
+    [](const Workspace& w) {
+      return has_model(w) && w.document.probes.all.size() < most_probes && !is_dragging(w);
+    },
+    "Open a model first. At most 256 probes are possible."};
 inline constexpr Condition has_probes_selected{[](const Workspace& w) {
                                                  return w.document.selection.kind() == ElementKind::probe &&
                                                         !w.document.selection.empty() && !is_dragging(w);
@@ -83,9 +83,11 @@ inline constexpr Condition is_armed{[](const Workspace& w) { return w.interactio
 inline constexpr Condition is_working{
     [](const Workspace& w) { return w.loading.running || w.binding.running || w.making_cage.running; },
     "No task is running."};
-inline constexpr Condition can_make_cage{
-    [](const Workspace& w) { return has_model(w) && !w.making.open && !w.loading.running && !is_dragging(w); },
-    "Open a model first and finish making the cage (Done)."};
+inline constexpr Condition can_make_cage{[](const Workspace& w) {
+                                           return has_model(w) && !w.making.open && !w.loading.running &&
+                                                  !is_dragging(w);
+                                         },
+                                         "Open a model first and finish making the cage (Done)."};
 inline constexpr Condition lacks_pairs{
     [](const Workspace& w) { return can_make_cage(w) && mirror_of(w) && mirror_of(w)->unpaired() > 0; },
     "Choose a mirror in the section Transform; the cage must have vertices without a mirror image."};

@@ -78,8 +78,8 @@ void add_key_presets(CommandTable& table) {
     const auto preset = static_cast<KeyPreset>(number++);
     const std::string label(entry.label);
     table
-        .add(choice_command_name(preset), {"Keymap: " + label, label}, std::string(entry.hint), hand_is_free,
-             [preset](Workspace& w) { w.remembered.keymap.set_preset(preset); })
+        .add(choice_command_name(preset), {"Keymap: " + label, label}, std::string(entry.hint), no_drag_runs,
+             [preset](Workspace& w) { w.preferences.keymap.set_preset(preset); })
         .under("Keymap");
   }
 }
@@ -99,8 +99,9 @@ void begin_placing_pivot(Workspace& w) {
   w.interaction.placing_pivot = !w.interaction.placing_pivot;
 }
 
-constexpr Condition has_mirror{[](const Workspace& w) { return mirror_of(w) && has_cage(w) && !is_dragging(w); },
-                               "Choose a mirror first."};
+constexpr Condition has_mirror{
+    [](const Workspace& w) { return mirror_of(w) && has_cage(w) && !is_dragging(w); },
+    "Choose a mirror first."};
 constexpr Condition has_mirrored_selection{[](const Workspace& w) {
                                              return has_mirror(w) && has_selection(w) &&
                                                     w.document.selection.kind() != ElementKind::probe;
@@ -147,13 +148,13 @@ void add_hand_commands(CommandTable& table) {
             "Place the pivot with the next click: on a vertex, an edge or the model's surface.", {key('J')},
             has_model, begin_placing_pivot);
   table.add("next_pivot", "Next pivot", "Switch to the next pivot: median, active element and so on.",
-            {key('.')}, hand_is_free, choose_next<Pivot>);
+            {key('.')}, no_drag_runs, choose_next<Pivot>);
   add_hand_choices<Pivot>(table, "Pivot");
   table.add("next_axes", "Next axes", "Switch to the next axes: world, view, selection and so on.",
-            {key(',')}, hand_is_free, choose_next<Axes>);
+            {key(',')}, no_drag_runs, choose_next<Axes>);
   add_hand_choices<Axes>(table, "Axes");
   table.add("next_mirror", "Next mirror", "Switch to the next mirror: X, Y, Z, best-fit plane or off.",
-            {key('M'), false, true}, hand_is_free, choose_next<MirrorPlane>);
+            {key('M'), false, true}, no_drag_runs, choose_next<MirrorPlane>);
   add_hand_choices<MirrorPlane>(table, "Mirror");
   table.add("mirror_copy", {"Copy pose to other side", "Copy to other side"},
             "Copy the mirrored pose of the selection to the other side.", has_mirrored_selection,
@@ -164,7 +165,7 @@ void add_hand_commands(CommandTable& table) {
   table.add("toggle_soft", {"Soft selection", "Soft selection"},
             "Move neighbours along with the selection, less with distance. The wheel changes the radius "
             "during a drag.",
-            {key('S')}, hand_is_free, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
+            {key('S')}, no_drag_runs, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
   add_hand_choices<SoftCurve>(table, "Falloff");
   add_hand_choices<SoftDistance>(table, "Falloff");
   table.heading("Keys");
@@ -232,9 +233,9 @@ void add_tool_commands(CommandTable& table) {
             "Paint vertices of the model that stay at rest. Ctrl erases.", {key('D')}, is_movable,
             {use_tool<Tool::paint>, [](const Workspace& w) { return w.tool == Tool::paint; }});
   table.add("mask_clear", "Clear paint", "Clear the painted mask so that the whole model follows the cage.",
-            with_free_hand<has_mask>, [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
+            without_drag<has_mask>, [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
   table.add("mask_invert", "Invert paint", "Exchange painted and unpainted vertices.",
-            with_free_hand<is_movable>,
+            without_drag<is_movable>,
             [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); });
   table.heading("Probes");
   table.add("add_probe", {"Add probe", "Add"},

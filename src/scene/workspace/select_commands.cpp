@@ -142,25 +142,25 @@ void add_select_commands(CommandTable& table) {
             has_posed_selection, [](Workspace& w) { reset_selected(w.document, mirror_of(w)); });
   table.heading("Select");
   table.add("select_vertices", {"Select vertices", "Vertices"}, "Select vertices of the cage by clicking.",
-            {key('1')}, hand_is_free, select_by<ElementKind::vertex>);
+            {key('1')}, no_drag_runs, select_by<ElementKind::vertex>);
   table.add("select_edges", {"Select edges", "Edges"}, "Select edges of the cage by clicking.", {key('2')},
-            hand_is_free, select_by<ElementKind::edge>);
+            no_drag_runs, select_by<ElementKind::edge>);
   table.add("select_faces", {"Select faces", "Faces"}, "Select faces of the cage by clicking.", {key('3')},
-            hand_is_free, select_by<ElementKind::face>);
+            no_drag_runs, select_by<ElementKind::face>);
   table.add("select_probes", {"Select probes", "Probes"}, "Select probes by clicking.", {key('4')},
-            hand_is_free, select_by<ElementKind::probe>);
+            no_drag_runs, select_by<ElementKind::probe>);
   table
       .add("select_all", {"Select all", "All"}, "Select the whole cage or all probes.", {key('A')},
-           with_free_hand<has_elements>, select_everything)
+           without_drag<has_elements>, select_everything)
       .or_by({key('A'), true});
   table.add("select_none", {"Deselect all", "None"}, "Clear the selection.", {key('A'), false, true},
-            with_free_hand<has_selection>, select_nothing);
+            without_drag<has_selection>, select_nothing);
   table.add("invert_selection", {"Invert selection", "Invert"}, "Exchange selected and unselected elements.",
-            {key('I'), true}, with_free_hand<has_elements>, invert_selection);
+            {key('I'), true}, without_drag<has_elements>, invert_selection);
   table
       .add("select_linked", {"Select linked", "Linked"},
            "Select everything connected to the selection or the element under the pointer.", {key('L')},
-           with_free_hand<has_selection_or_hover>, select_linked)
+           without_drag<has_selection_or_hover>, select_linked)
       .or_by({key('L'), true});
   table.add("select_box", {"Box select", "Box"},
             "Select with a box, started anywhere. Shift adds, Ctrl removes.", {key('B')}, can_draw_selection,
@@ -177,33 +177,33 @@ void add_select_commands(CommandTable& table) {
            {Key::escape}, is_armed, passing(disarm))
       .or_by({Key::enter});
   table.add("select_more", {"Grow selection", "Grow"}, "Grow the selection by one ring.", {Key::up, true},
-            with_free_hand<has_selection_of_cage>, change_selection<grown>);
+            without_drag<has_selection_of_cage>, change_selection<grown>);
   table.add("select_less", {"Shrink selection", "Shrink"}, "Shrink the selection by one ring.",
-            {Key::down, true}, with_free_hand<has_selection_of_cage>, change_selection<shrunk>);
+            {Key::down, true}, without_drag<has_selection_of_cage>, change_selection<shrunk>);
   table.add("select_loop", {"Select loop", "Loop"},
             "Select the loop through an edge, two neighbouring vertices or two neighbouring faces.",
-            {key('L'), false, true}, with_free_hand<has_selection_of_cage>, select_loop);
+            {key('L'), false, true}, without_drag<has_selection_of_cage>, select_loop);
   table.add("select_ring", {"Select ring", "Ring"},
             "Select the ring of opposite edges across quads, or across pairs of triangles that form quads.",
-            {key('R'), false, true}, with_free_hand<has_selection_of_cage>, select_ring);
+            {key('R'), false, true}, without_drag<has_selection_of_cage>, select_ring);
   table.add("select_similar", {"Select similar", "Similar"},
             "Select vertices with equal valence, edges of similar length or faces of similar area.",
-            {key('S'), false, true}, with_free_hand<has_selection_of_cage>, select_like<similar>);
+            {key('S'), false, true}, without_drag<has_selection_of_cage>, select_like<similar>);
   table.add("select_facing", {"Select facing alike", "Facing"},
             "Select faces with similar normals or parallel edges, within 15 degrees.",
-            with_free_hand<has_selection_of_cage>, select_like<facing>);
+            without_drag<has_selection_of_cage>, select_like<facing>);
   for (const int axis : {0, 1, 2}) {
     for (const bool positive : {false, true}) add_side_command(table, axis, positive);
   }
   table.add("hide_selected", {"Hide selected", "Hide"},
             "Hide the selection. Hidden elements stay unchanged until shown again.", {key('H'), false, true},
-            with_free_hand<has_selection_of_cage>, change_groups<hide_selected>);
+            without_drag<has_selection_of_cage>, change_groups<hide_selected>);
   table.add("hide_others", {"Hide unselected", "Hide others"}, "Hide all unselected elements of the cage.",
-            {key('H'), true, true}, with_free_hand<has_selection_of_cage>, change_groups<hide_others>);
+            {key('H'), true, true}, without_drag<has_selection_of_cage>, change_groups<hide_others>);
   table.add("show_hidden", {"Show hidden", "Show hidden"}, "Show all hidden elements of the cage again.",
-            {key('H'), true}, with_free_hand<has_hidden>, change_groups<show_all>);
+            {key('H'), true}, without_drag<has_hidden>, change_groups<show_all>);
   table.add("save_set", {"Save selection set", "Save set"},
-            "Save the selection as a named set to select again later.", with_free_hand<has_selection_of_cage>,
+            "Save the selection as a named set to select again later.", without_drag<has_selection_of_cage>,
             change_groups<save_set>);
   table.add("toggle_select_visible", {"Select visible only", "Visible only"},
             "Select only elements that neither model nor cage hides.", {key('Z')}, always,

@@ -109,7 +109,7 @@ void add_view_commands(CommandTable& table) {
              [](const Workspace& w) { return w.view.dark; }});
   table.add("toggle_coarse_motion", "Coarse in motion",
             "Draw at half resolution while the view changes. Faster with software rendering.", always,
-            {[](Workspace& w) { w.remembered.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
+            {[](Workspace& w) { w.preferences.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
   table.add("toggle_panels", {"Show panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
             switches(&ViewOptions::panels));
   table.add("toggle_full_screen", "Full screen", "Switch between full screen and window.", {Key::f11}, always,
