@@ -1,4 +1,4 @@
-// What the command line says about itself and of wrong words, options and numbers.
+// Help, and errors for wrong words, options and numbers on the command line.
 #include <algorithm>
 #include <sstream>
 #include <utility>

@@ -33,10 +33,10 @@ const Budget lines_of_tests = {
     {"app", 1657},    {"assets", 366},   {"base", 941},      {"bench", 747},   {"blender", 432},
     {"cages", 1317},  {"consumer", 530}, {"deform", 8796},   {"fuzz", 365},    {"lab", 316},
     {"mesh", 5692},   {"platform", 358}, {"program", 10390}, {"python", 994},  {"releases", 184},
-    {"render", 1272}, {"rules", 967},    {"scene", 11313},   {"support", 803}, {"sym3", 4014},
+    {"render", 1272}, {"rules", 977},    {"scene", 11313},   {"support", 803}, {"sym3", 4014},
     {"ui", 13},
 };
-constexpr std::size_t all_lines_of_tests = 51'467;
+constexpr std::size_t all_lines_of_tests = 51'477;
 
 constexpr std::size_t words_of_readme = 894, words_of_manual_and_rooms = 15'126;
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 
 #include "support/data.h"
@@ -50,5 +51,14 @@ TEST_CASE("headers_say_in_their_first_line_what_they_are_for") {
                         : is_kernel_text ? "defined(HWY_TARGET_TOGGLE)"
                                          : "#pragma once";
     CHECK_MESSAGE(text.find(guard) != std::string::npos, path.string());
+  });
+}
+
+TEST_CASE("no_comment_begins_with_a_relative_clause") {
+  const std::regex opening("\\n *(///?<?|#) (Of|What|Where|Those|That of) [^\\n]*");
+  for_each_source([&](const fs::path& path, const std::string& text) {
+    std::smatch found;
+    const std::string all = "\n" + text;
+    if (std::regex_search(all, found, opening)) FAIL_CHECK(path.string() << ":" << found.str());
   });
 }
