@@ -158,7 +158,7 @@ struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
-  std::function<deform::LinkTimes()> links;  ///< empty: none
+  std::function<deform::LinkTimes()> links;  ///< times of each link of `run`; may be empty
   std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
   std::size_t bytes = 0;                     ///< read once per frame
   int repeats = 1;                           ///< repetitions, for short cases

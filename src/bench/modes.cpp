@@ -252,7 +252,7 @@ public:
     frames_.push_back({&mode, std::move(frame)});
   }
 
-  // Times a few consecutive frames of each, as in a drag.
+  // Times a few consecutive frames of each mode, as in a drag.
   void time_frames(std::size_t rounds, base::Progress& progress) {
     constexpr std::size_t in_a_row = 4;
     std::vector<RoundCase> cases;

@@ -125,9 +125,9 @@ struct ModesOptions {
   std::filesystem::path json;  ///< output of the numbers; empty: none
 };
 
-/// Measures the named deformers and the other valid schemes that agree with the choice, in double, link by
-/// link (stitched ones as they run). Frames of the first pose run as in the program, sequentially, in
-/// interleaved rounds. poses must not be empty. Throws base::Error, base::Cancelled.
+/// Measures named deformers and other valid schemes that match settings.choice. Computes shapes in double,
+/// step by step if not stitched. Times frames of the first pose as in the program, sequentially and in
+/// interleaved rounds. poses must not be empty. Throws base::Error and base::Cancelled.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,
                              base::Progress& progress);

@@ -25,7 +25,7 @@ struct TiledBinding;
 /// order of the model; empty: all 1.
 using Shares = std::vector<double>;
 
-/// A painted share per vertex; null: all 1. Independent of the binding.
+/// The painted share of the deformation that each vertex follows; null: all 1. Independent of the binding.
 using Mask = std::shared_ptr<const std::vector<float>>;
 
 /// Vertex positions before the cage deformation, one per vertex; null: at rest. Weights stay those of the
@@ -72,9 +72,9 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
 /// The memory of a binding of this many bytes, with the text of the error if it is not available.
 base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles);
 
-/// Bytes that bind() requires before it begins, for n vertices and k handles; at most 2^63. For the fused
-/// engine an upper bound, or a quarter of it if weights can be compressed (those of affine maps); the
-/// compressed size is smaller. Weights along the surface are computed for all vertices before compression.
+/// Bytes that bind() requires before it begins, for n vertices and k handles; at most 2^63. An upper bound
+/// for the fused engine; it assumes a quarter of the weights' size if they can be compressed (affine maps
+/// only). Weights along the surface are computed for all vertices before compression.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 

@@ -21,7 +21,7 @@
 
 namespace viete::deform {
 
-/// The staged links from the blend on, for all vertices of a binding: positions.size() of them. Returns the
+/// Runs the links from the blend on for all vertices of a binding; positions has one per vertex. Returns the
 /// largest relative difference (Frobenius norm) between the method's exponentials and those of method `fast`,
 /// which is exact to 1e-15; infinity for NaN, 0 for `fast` and without exponentials.
 double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
@@ -51,8 +51,8 @@ public:
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
 
-  /// Probes are a layer after the cage, see ProbeLayer; the cage deforms the shape. Throws base::Error unless
-  /// the pose has one position per cage vertex, and base::Cancelled.
+  /// The cage deforms the shape (null: the rest model), then the probes deform the result, see ProbeLayer.
+  /// Throws base::Error unless the pose has one position per cage vertex, and base::Cancelled.
   ExactModel deform(const Pose& pose, const Probes& probes = {}, const SharedShape& shape = nullptr,
                     base::Progress* progress = nullptr);
 

@@ -220,7 +220,7 @@ TEST_CASE("numbers_are_typed_in_the_cage_panel") {
 
 namespace {
 
-// A selection, and an uncommitted number in a field.
+// Selects a vertex, and types numbers into fields without committing them.
 struct TypingHand : Interaction {
   std::uint32_t vertex_selected = free_vertex();
   std::vector<mesh::Point> rest = pose();

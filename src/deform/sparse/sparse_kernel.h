@@ -24,9 +24,9 @@
 
 namespace viete::deform {
 
-inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides at once
+inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides that are solved together
 
-inline constexpr std::size_t column_group = 4;  ///< columns at once
+inline constexpr std::size_t column_group = 4;  ///< columns of L that are stored and processed together
 
 /// Columns [first, first + columns) of L, whose entries below these columns lie in the same rows. Values are
 /// stored by column group, row by row: first the rows of the group's own columns, with 0 entries in the
@@ -64,7 +64,7 @@ struct ProductJob {
   Front into, left;     ///< with all of their rows; the first row of both is that of column 0
   std::size_t rows;     ///< a multiple of front_lanes
   const double* right;  ///< [j / column_group][p][column_group], padded with 0
-  std::size_t depth;    ///< range of p
+  std::size_t depth;    ///< number of terms of the sum over p
 };
 
 struct SparseKernel {
