@@ -23,10 +23,10 @@ const Budget lines_of_src = {
     {"cages", 4032},      {"deform", 13065},       {"deform/sparse", 1240},   {"lab", 835},
     {"library", 1119},    {"mesh", 3061},          {"mesh/formats", 8940},    {"platform", 1095},
     {"python", 1943},     {"render", 2229},        {"scene/document", 6041},  {"scene/files", 4566},
-    {"scene/hand", 2798}, {"scene/pictures", 734}, {"scene/workspace", 6413}, {"sym3", 6570},
+    {"scene/hand", 2798}, {"scene/pictures", 734}, {"scene/workspace", 6413}, {"sym3", 6582},
     {"ui", 7249},
 };
-constexpr std::size_t all_lines_of_src = 88'736;
+constexpr std::size_t all_lines_of_src = 88'748;
 
 // support has helpers that were in scene, mesh and deform, each of them twice.
 const Budget lines_of_tests = {
@@ -38,7 +38,7 @@ const Budget lines_of_tests = {
 };
 constexpr std::size_t all_lines_of_tests = 51'477;
 
-constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 15'175;
+constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 15'176;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
