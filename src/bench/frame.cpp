@@ -18,6 +18,7 @@
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "bench/table.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 

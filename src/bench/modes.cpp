@@ -17,6 +17,7 @@
 #include "bench/models.h"
 #include "bench/modes_table.h"
 #include "bench/table.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/pose_io.h"

@@ -21,12 +21,6 @@
 
 namespace viete::deform {
 
-/// Runs the links from the blend on for all vertices of a binding; positions has one per vertex. Returns the
-/// largest relative difference (Frobenius norm) between the method's exponentials and those of method `fast`,
-/// which is exact to 1e-15; infinity for NaN, 0 for `fast` and without exponentials.
-double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
-                      std::span<mesh::Point> positions);
-
 struct ExactModel {
   std::vector<mesh::Point> positions;  ///< one per vertex
   LogReport report;                    ///< as CageState::report()

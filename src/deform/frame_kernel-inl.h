@@ -7,7 +7,7 @@
 #define VIETE_DEFORM_FRAME_KERNEL_INL_H
 #endif
 
-#include "deform/frame_kernel.h"
+#include "deform/frame_jobs.h"
 #include "sym3/exp-inl.h"
 #include "sym3/rotation-inl.h"
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/exact.h"
 #include "deform/maps.h"
 #include "deform/moments.h"
 

@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-#include "deform/frame_kernel.h"
+#include "deform/frame_jobs.h"
 #include "sym3/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

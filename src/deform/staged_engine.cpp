@@ -171,6 +171,19 @@ double place_sums(const Binding& binding, RowForm form, Sums sums, const Vec3& o
   return error && method != sym3::Method::fast ? worst_difference(stretches, logs) : 0;
 }
 
+double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
+                      std::span<mesh::Point> positions) {
+  const std::size_t n = positions.size();
+  if (has_moments(rows.form)) {
+    place_by_moments(binding, binding.shares, rows, {}, 0, n, positions);
+    return 0;
+  }
+  std::vector<double> sums(n * rows.columns());
+  blend(binding, rows, 0, n, sums);
+  share_sums(binding, binding.shares, rows.form, 0, n, sums);
+  return place_sums(binding, rows.form, sums, rows.origin, method, positions, true);
+}
+
 namespace {
 
 constexpr std::size_t vertices_per_block = 256;

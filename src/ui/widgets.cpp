@@ -10,7 +10,7 @@
 #include "scene/document/edit.h"
 #include "scene/hand/number_entry.h"
 #include "scene/workspace/command.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 
 namespace viete::ui {
 

@@ -66,6 +66,7 @@
 #include <utility>
 
 #include "deform/all_maps.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/polar.h"

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "base/error.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
