@@ -4,6 +4,7 @@
 // of ImGui move text; cases that test panels are skipped for other versions. A missing reference, or
 // VIETE_UPDATE_PICTURES=1, writes the picture instead: review it before committing.
 #include <cstdlib>
+#include <functional>
 
 #include "mesh/formats/write.h"
 #include "mesh/triangulation.h"
@@ -38,9 +39,32 @@ struct Tolerance {
   double share = 0.001;  // fraction of pixels that may exceed it
 };
 
-void compare(const std::string& name, render::Image picture, bool panels, float scale,
-             Tolerance tolerance = {}) {
-  if (panels) mask_panels(picture, scale);
+// A kernel with fused multiply-add rounds differently and gives other errors; a line of text has few pixels.
+const Tolerance of_errors{.levels = 24}, of_text{.share = 0.0001};
+
+struct Picture {
+  const char* name;
+  std::function<void(Driver&)> act;
+  glm::ivec2 size{320, 220};
+  bool panels = false, masked = false, dark = true;
+  float scale = 1;
+  Tolerance tolerance{};
+};
+
+void compare(const Picture& p) {
+  auto options = Driver::default_options();
+  options.size = p.size;
+  options.scale = p.scale;
+  Driver d(options, test::with_pixels);
+  d.workspace().has_user = false;  // versions of ImGui move text
+  auto& view = d.workspace().view;
+  view.hints = view.axes = false;
+  view.panels = p.panels;
+  view.dark = p.dark;
+  p.act(d);
+  render::Image picture = d.picture();
+  if (p.masked) mask_panels(picture, p.scale);
+  const std::string name = p.name;
   const fs::path reference = test::source_dir() / "tests" / "program" / "pictures" / (name + ".png");
   if (std::getenv("VIETE_UPDATE_PICTURES")) {
     fs::create_directories(reference.parent_path());
@@ -49,118 +73,33 @@ void compare(const std::string& name, render::Image picture, bool panels, float 
     return;
   }
   REQUIRE_MESSAGE(fs::exists(reference), reference.string());
-  const double differing = test::difference(picture, test::read_png(reference), tolerance.levels);
-  if (differing > tolerance.share) render::write_png(test::build_dir() / (name + "-now.png"), picture);
-  CHECK_MESSAGE(differing <= tolerance.share, name, ": compare with ", name, "-now.png in the build folder");
+  const double differing = test::difference(picture, test::read_png(reference), p.tolerance.levels);
+  if (differing > p.tolerance.share) render::write_png(test::build_dir() / (name + "-now.png"), picture);
+  CHECK_MESSAGE(differing <= p.tolerance.share, name, ": compare with ", name, "-now.png in the build folder");
 }
 
-struct Scene {
-  const char* name;
-  const char* pose;
-  bool panels, dark;
-  float scale;
-};
-
-}  // namespace
-
-TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
-  const Scene scenes[] = {{"rest_dark", "", true, true, 1},
-                          {"rest_light_2x", "", true, false, 2},
-                          {"posed_dark", "pose_alert.obj", false, true, 1}};
-  for (const auto& s : scenes) {
-    CAPTURE(s.name);
-    auto options = Driver::default_options();
-    options.size = {720, 480};
-    options.scale = s.scale;
-    Driver d(options, test::with_pixels);
-    d.workspace().has_user = false;  // versions of ImGui move text
-    d.workspace().view.panels = s.panels;
-    d.workspace().view.dark = s.dark;
-    d.workspace().view.hints = false;
-    d.workspace().view.axes = false;
-    d.open_dragon("", test::bundled_dragon);
-    if (*s.pose) REQUIRE(d.open({test::dragon_cage.parent_path() / s.pose}, Driver::What::pose));
+// The dragon after commands.
+std::function<void(Driver&)> dragon(const char* pose, std::vector<const char*> commands = {}) {
+  return [=](Driver& d) {
+    d.open_dragon(pose, test::bundled_dragon);
+    for (const char* command : commands) CHECK_MESSAGE(test::run_command(d.workspace(), command), command);
     d.settle();
-    compare(s.name, d.picture(), s.panels, s.scale);
-  }
+  };
 }
 
-TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
-  const struct {
-    const char* name;
-    const char* tool;
-    const char* kind;
-    bool dark;
-    float scale;
-  } hands[] = {{"hand_move_dark", "tool_move", "select_faces", true, 1},
-               {"hand_rotate_light_2x", "tool_rotate", "select_edges", false, 2}};
-  for (const auto& h : hands) {
-    CAPTURE(h.name);
-    auto options = Driver::default_options();
-    options.size = {720, 400};
-    options.scale = h.scale;
-    Driver d(options, test::with_pixels);
-    d.workspace().has_user = false;  // versions of ImGui move text
+// Three selected elements without the model.
+std::function<void(Driver&)> handles(const char* kind, const char* tool) {
+  return [=](Driver& d) {
     auto& w = d.workspace();
-    w.view.dark = h.dark;
-    w.view.hints = w.view.model = w.view.grid = false;
+    w.view.axes = true;
+    w.view.model = w.view.grid = false;
     d.open_dragon("", test::bundled_dragon);
-    test::run_command(w, h.kind);
-    test::run_command(w, h.tool);
+    test::run_command(w, kind);
+    test::run_command(w, tool);
     w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, scene::SelectMode::replace);
     d.frame(2);
-    compare(h.name, d.picture(), true, h.scale);
-  }
+  };
 }
-
-namespace {
-
-// Small, without panels or text: the files to open, and the commands to run.
-struct ViewPicture {
-  const char* name;
-  const char* pose;
-  std::vector<const char*> commands;
-};
-
-const ViewPicture views[] = {
-    {"view_front", "", {"view_front"}},
-    {"view_top_orthographic", "", {"view_top", "toggle_orthographic"}},
-    {"view_left_light", "", {"view_left", "toggle_theme"}},
-    {"wireframe", "", {"toggle_wireframe", "toggle_cage"}},
-    {"normals", "pose_alert", {"shading_normals", "toggle_cage"}},
-    {"model_alone", "pose_alert", {"toggle_cage", "toggle_grid"}},
-    {"posed_light", "pose_alert", {"toggle_theme"}},
-    {"ghost", "pose_alert", {"toggle_ghost", "toggle_model"}},
-    {"posed_linear", "pose_alert", {"blend_linear", "toggle_cage"}},
-    {"posed_biharmonic", "pose_alert", {"weights_biharmonic", "toggle_cage"}},
-    {"posed_mean_value", "pose_alert", {"weights_mean_value", "toggle_cage"}},
-    {"vertices_light", "", {"select_vertices", "tool_select", "select_all", "toggle_theme"}},
-    {"edges", "", {"select_edges", "tool_select", "select_all"}},
-    {"faces", "", {"select_faces", "tool_select", "select_all"}},
-    {"tool_move_light", "", {"select_all", "tool_move", "toggle_theme"}},
-    {"tool_rotate", "", {"select_all", "tool_rotate"}},
-    {"tool_scale_light", "", {"select_all", "tool_scale", "toggle_theme", "toggle_model"}},
-};
-
-}  // namespace
-
-TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") {
-  for (const auto& v : views) {
-    CAPTURE(v.name);
-    auto options = Driver::default_options();
-    options.size = {320, 220};
-    Driver d(options, test::with_pixels);
-    d.workspace().has_user = false;  // versions of ImGui move text
-    auto& view = d.workspace().view;
-    view.hints = view.axes = view.panels = false;
-    d.open_dragon(v.pose, test::bundled_dragon);
-    for (const char* command : v.commands) CHECK_MESSAGE(test::run_command(d.workspace(), command), command);
-    d.settle();
-    compare(v.name, d.picture(), false, 1);
-  }
-}
-
-namespace {
 
 // A textured sheet in a glTF, in a box whose right end was pulled forward.
 void open_bent_sheet(Driver& d, const fs::path& folder) {
@@ -212,54 +151,14 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   REQUIRE(d.open({file, folder / "box.obj", folder / "bent.obj"}));
 }
 
-}  // namespace
-
-TEST_CASE("textures_are_drawn_as_they_were_when_someone_looked_at_them") {
-  const struct {
-    const char* name;
-    const char* command;
-  } looks[] = {
-      {"textured", "shading_file"}, {"checker", "shading_checker"}, {"textured_clay", "shading_clay"}};
-  for (const auto& look : looks) {
-    CAPTURE(look.name);
+std::function<void(Driver&)> bent_sheet(const char* shading) {
+  return [=](Driver& d) {
     const test::TemporaryFolder folder;
-    auto options = Driver::default_options();
-    options.size = {320, 220};
-    Driver d(options, test::with_pixels);
-    d.workspace().has_user = false;  // versions of ImGui move text
-    auto& view = d.workspace().view;
-    view.hints = view.axes = view.panels = view.cage = false;
+    d.workspace().view.cage = false;
     open_bent_sheet(d, folder.path());
-    CHECK(test::run_command(d.workspace(), look.command));
+    CHECK(test::run_command(d.workspace(), shading));
     d.settle();
-    compare(look.name, d.picture(), false, 1);
-  }
-}
-
-namespace {
-
-// The actions before the picture.
-struct Picture {
-  const char* name;
-  glm::ivec2 size;
-  void (*act)(Driver&);
-  Tolerance tolerance{};
-};
-
-// A kernel with fused multiply-add rounds differently and gives other errors; a line of text has few pixels.
-const Tolerance of_errors{.levels = 24}, of_text{.share = 0.0001};
-
-void compare_after(const Picture& p, bool panels, bool dark) {
-  auto options = Driver::default_options();
-  options.size = p.size;
-  Driver d(options, test::with_pixels);
-  d.workspace().has_user = false;  // versions of ImGui move text
-  auto& view = d.workspace().view;
-  view.hints = view.axes = false;
-  view.panels = panels;
-  view.dark = dark;
-  p.act(d);
-  compare(p.name, d.picture(), false, 1, p.tolerance);
+  };
 }
 
 void hover_a_vertex(Driver& d) {
@@ -297,19 +196,32 @@ void turn_a_probe(Driver& d) {
   d.settle();
 }
 
-const Picture gestures[] = {{"hovered_vertex", {320, 220}, hover_a_vertex},
-                            {"box_begun", {320, 220}, begin_a_box},
-                            {"painted", {320, 220}, paint_a_stroke},
-                            {"probe", {320, 220}, turn_a_probe},
-                            {"model_without_cage", {320, 220}, open_model_alone}};
-
-}  // namespace
-
-TEST_CASE("gestures_are_drawn_as_they_were_when_someone_looked_at_them") {
-  for (const auto& p : gestures) compare_after(p, false, true);
-}
-
-namespace {
+const Picture views[] = {
+    {"rest_dark", dragon(""), {720, 480}, true, true},
+    {"rest_light_2x", dragon(""), {720, 480}, true, true, false, 2},
+    {"hand_move_dark", handles("select_faces", "tool_move"), {720, 400}, true, true},
+    {"hand_rotate_light_2x", handles("select_edges", "tool_rotate"), {720, 400}, true, true, false, 2},
+    {"view_front", dragon("", {"view_front"})},
+    {"view_top_orthographic", dragon("", {"view_top", "toggle_orthographic"})},
+    {"wireframe", dragon("", {"toggle_wireframe", "toggle_cage"})},
+    {"normals", dragon("pose_alert", {"shading_normals", "toggle_cage"})},
+    {"model_alone", dragon("pose_alert", {"toggle_cage", "toggle_grid"})},
+    {"posed_light", dragon("pose_alert", {"toggle_theme"})},
+    {"ghost", dragon("pose_alert", {"toggle_ghost", "toggle_model"})},
+    {"vertices_light", dragon("", {"select_vertices", "tool_select", "select_all", "toggle_theme"})},
+    {"edges", dragon("", {"select_edges", "tool_select", "select_all"})},
+    {"faces", dragon("", {"select_faces", "tool_select", "select_all"})},
+    {"tool_move_light", dragon("", {"select_all", "tool_move", "toggle_theme"})},
+    {"tool_rotate", dragon("", {"select_all", "tool_rotate"})},
+    {"tool_scale_light", dragon("", {"select_all", "tool_scale", "toggle_theme", "toggle_model"})},
+    {"textured", bent_sheet("shading_file")},
+    {"checker", bent_sheet("shading_checker")},
+    {"textured_clay", bent_sheet("shading_clay")},
+    {"hovered_vertex", hover_a_vertex},
+    {"box_begun", begin_a_box},
+    {"painted", paint_a_stroke},
+    {"probe", turn_a_probe},
+    {"model_without_cage", open_model_alone}};
 
 // Replaces measured numbers and machine names, which differ in each run.
 void put_numbers(Driver& d) {
@@ -377,23 +289,14 @@ void show_browser(Driver& d) {
   put_numbers(d);
 }
 
-void show_choice(Driver& d, const char* chooser, const char* entry) {
+void show_ways(Driver& d) {
   d.frame(3);
   for (const char* title : {"Model", "Cage"}) d.click(std::string("section/") + title);
   put_numbers(d);
-  d.click(chooser);
+  d.click("way");
   d.frame(2);
-  d.move(d.place_of(entry));
+  d.move(d.place_of("way_arap"));
   d.frame(3);
-}
-void show_ways(Driver& d) {
-  show_choice(d, "way", "way_arap");
-}
-void show_weights(Driver& d) {
-  show_choice(d, "weights", "weights_cutoff");
-}
-void show_blend(Driver& d) {
-  show_choice(d, "blend", "blend_linear");
 }
 
 void show_cage_offer(Driver& d) {
@@ -432,31 +335,28 @@ void show_outside(Driver& d) {
 }
 
 const Picture texts[] = {
-    {"panels", {560, 1140}, show_panels},
-    {"checks", {640, 640}, show_checks},
-    {"error_map", {860, 480}, show_error_map, of_errors},
-    {"keys", {1400, 800}, show_keys, of_text},
-    {"browser", {960, 520}, show_browser, of_text},
-    {"choice_way", {640, 480}, show_ways},
-    {"choice_blend", {640, 560}, show_blend},
-    {"cage_offer", {860, 520}, show_cage_offer},
-    {"cage_making", {860, 560}, show_making},
-    {"cage_outside", {860, 800}, show_outside},
-};
-
-const Picture light_texts[] = {
-    {"checks_light", {640, 640}, show_checks},
-    {"choice_weights_light", {640, 480}, show_weights},
-    {"error_map_light", {860, 480}, show_error_map, of_errors},
+    {"panels", show_panels, {560, 1140}, true},
+    {"checks", show_checks, {640, 640}, true},
+    {"checks_light", show_checks, {640, 640}, true, false, false},
+    {"error_map", show_error_map, {860, 480}, true, false, true, 1, of_errors},
+    {"keys", show_keys, {1400, 800}, true, false, true, 1, of_text},
+    {"browser", show_browser, {960, 520}, true, false, true, 1, of_text},
+    {"choice_way", show_ways, {640, 480}, true},
+    {"cage_offer", show_cage_offer, {860, 520}, true},
+    {"cage_making", show_making, {860, 560}, true},
+    {"cage_outside", show_outside, {860, 800}, true},
 };
 
 }  // namespace
+
+TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
+  for (const auto& p : views) compare(p);
+}
 
 // Reference made with ImGui 1.86; other versions move text.
 TEST_CASE("panels_are_drawn_as_they_were_when_someone_looked_at_them" *
           doctest::test_suite(test::if_present)) {
   if (IMGUI_VERSION_NUM != 18600)
     return test::skip("pictures of text are of ImGui 1.86, this is " IMGUI_VERSION);
-  for (const auto& p : texts) compare_after(p, true, true);
-  for (const auto& p : light_texts) compare_after(p, true, false);
+  for (const auto& p : texts) compare(p);
 }

@@ -1,0 +1,526 @@
+// Mouse and keyboard gestures, from the event to the model and its pixels: the gizmo, typed numbers, pivot, soft
+// selection, mirror, bending, selection sets and painting. What a gesture computes is tested in tests/scene.
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "deform/scheme.h"
+#include "program/driver.h"
+#include "scene/document/edit.h"
+#include "scene/document/pose_edit.h"
+#include "scene/hand/shaping.h"
+#include "scene/workspace/pointer.h"
+#include "scene/workspace/saving.h"
+#include "support/edits.h"
+#include "support/folder.h"
+#include "support/grips.h"
+#include "ui/panels.h"
+
+using namespace viete;
+using test::Driver;
+using Kind = scene::Constraint::Kind;
+
+namespace {
+
+struct Hand : Driver {
+  explicit Hand(std::optional<test::WithPixels> pixels = pictures_wanted())
+      : Driver(default_options(), pixels) {
+    open_dragon();
+  }
+
+  const std::vector<mesh::Point>& pose() { return document().pose.positions; }
+  const std::vector<mesh::Point>& rest() { return document().cage->surface.positions; }
+  std::vector<std::uint32_t> moved() {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t v = 0; v < pose().size(); ++v) {
+      if (pose()[v] != rest()[v]) all.push_back(v);
+    }
+    return all;
+  }
+  std::size_t edits() { return test::edit_count(document().history); }
+  std::string last_message() {
+    const auto& all = workspace().messages.all();
+    return all.empty() ? "" : all.back().text;
+  }
+  void select_whole_cage() {
+    press_key('A');
+    press_key('E');
+    frame(2);
+    CHECK(document().selection.size() == pose().size());
+  }
+  // In double; the drawn floats agree with it.
+  std::vector<mesh::Point> mesh() {
+    CHECK(drawn_error() < 2e-5);
+    return exact_positions();
+  }
+  void enter(const char* field, const char* number) {
+    type_in(field, number);
+    press_key(scene::Key::enter);
+    frame(2);
+  }
+  void type_in(const char* field, const char* number) {
+    click(field);
+    press_key('A', true);
+    type(number);
+  }
+};
+
+double farthest_apart(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, mesh::norm(a[i] - b[i]));
+  return largest;
+}
+
+constexpr double radians = std::numbers::pi / 180;
+
+// The points rotated about a vertical line.
+std::vector<mesh::Point> turned(std::vector<mesh::Point> points, const glm::dvec3& center, double degrees) {
+  const double c = std::cos(degrees * radians), s = std::sin(degrees * radians);
+  for (auto& p : points) {
+    const double x = p[0] - center.x, z = p[2] - center.z;
+    p = {center.x + c * x + s * z, p[1], center.z - s * x + c * z};
+  }
+  return points;
+}
+
+std::size_t differing(const render::Image& a, const render::Image& b) {
+  std::size_t count = 0;
+  for (int y = 60; y < 760; ++y) {
+    for (int x = 330; x < 950; ++x) count += a.pixel(x, y) != b.pixel(x, y);
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_rigidly") {
+  Hand d;
+  d.select_whole_cage();
+  const auto rest = d.mesh();
+  const glm::dvec3 center = test::selection_center(d.document());
+  d.press_key(scene::Key::pad7);  // from above the ring about Y is a circle
+  d.settle();
+  const glm::vec2 middle = scene::gizmo_of(d.workspace())->center;
+  const auto on_circle = [&](int i) {
+    const double a = (45 - i * 15) * radians;  // 45 degrees: no other ring crosses there
+    return middle + scene::gizmo_radius * glm::vec2(std::cos(a), std::sin(a));
+  };
+  d.move(on_circle(0));
+  REQUIRE(d.workspace().interaction.handle == scene::Constraint{Kind::axis, 1});
+  d.button(0, true);
+  for (int i = 1; i <= 56; ++i) d.move(on_circle(i));
+  const double degrees = d.workspace().interaction.drag->transform().degrees;
+  CHECK(degrees == doctest::Approx(840).epsilon(1e-3));
+  CHECK(d.workspace().interaction.drag->readout().starts_with("Y 84"));
+  d.button(0, false);
+  d.frame();
+  CHECK(farthest_apart(d.mesh(), turned(rest, center, degrees)) < 1e-12);
+  d.press_key('Z', true);
+  CHECK(d.mesh() == rest);
+  d.press_key('Z', true, true);
+  CHECK(d.document().pose.turns[0][1] == doctest::Approx(degrees * radians).epsilon(1e-9));
+}
+
+TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
+  Hand d;
+  const auto advises = [&] {
+    d.move({1, 1});
+    d.move(scene::gizmo_of(d.workspace())->center + glm::vec2(scene::gizmo_view_ring, 0));
+    d.frame();
+    REQUIRE(d.workspace().interaction.handle);
+    return ui::mouse_text(d.workspace()).find("slightly change the model's shape") != std::string::npos;
+  };
+  d.select_whole_cage();
+  CHECK_FALSE(advises());  // at rest
+  d.document().changed_pose().positions[0][0] += 1;
+  CHECK(advises());
+  d.document().scheme = deform::entry(deform::Way::mean_value).scheme;
+  CHECK_FALSE(advises());
+}
+
+TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
+  Hand d;
+  const auto v = d.free_vertex();
+  const glm::vec2 at = glm::round(d.vertex(v));
+  d.press_and_move(at, at + glm::vec2(30, 30));
+  const auto axes = d.workspace().view.axes;
+  d.key('X', true);  // a shortcut in other situations
+  d.type("x");
+  d.key('X', false);
+  d.type("-0.125");
+  CHECK(d.workspace().view.axes == axes);
+  CHECK(d.pose()[v] == mesh::Point{d.rest()[v][0] - 0.125, d.rest()[v][1], d.rest()[v][2]});
+  d.press_key(scene::Key::backspace);
+  CHECK(d.pose()[v][0] == d.rest()[v][0] - 0.12);
+  for (const char digit : std::string("99999999999")) d.type({digit});
+  CHECK(d.moved().empty());
+  CHECK(d.workspace().interaction.drag->readout().ends_with("   too far"));
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  CHECK(d.moved().empty());
+  CHECK(d.edits() == 0);
+}
+
+TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.click(glm::round(d.vertex(v)));
+  d.enter("transform_y", "1,5");
+  const mesh::Point placed{d.rest()[v][0], 1.5, d.rest()[v][2]};
+  CHECK(d.pose()[v] == placed);
+  d.click("transform_x");
+  d.press_key(scene::Key::enter);  // unchanged
+  const struct {
+    const char *number, *said;
+  } refused[] = {{"1.234,5", "\"1.234.5\" is not a number; nothing was changed"},
+                 {"1e150", "too far"},
+                 {"-1e9", "too far"}};
+  for (const auto& [number, said] : refused) {
+    d.enter("transform_y", number);
+    CHECK(d.pose()[v] == placed);
+    CHECK_MESSAGE(d.last_message().find(said) != std::string::npos, d.last_message());
+  }
+  CHECK(d.edits() == 1);
+  d.run("undo");
+  d.click("select_all");
+  d.click("strip/tool_rotate");
+  const auto before = d.mesh();
+  d.enter("transform_y", "90");
+  CHECK(farthest_apart(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
+  d.enter("transform_y", "1e15");
+  CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum at once");
+}
+
+TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.click(glm::round(d.vertex(v)));
+  d.type_in("transform_y", "1.5");
+  d.frame(3);
+  CHECK(d.moved().empty());
+  d.click("transform_x");  // the field before it, which takes the keyboard first
+  CHECK(d.pose()[v][1] == 1.5);
+  d.type_in("transform_y", "2");
+  d.click(glm::vec2(700, 60));
+  CHECK(d.document().selection.empty());
+  CHECK(d.pose()[v][1] == 2);  // the vertex that was selected until then
+  d.press_key('Z', true);      // restores the selection
+  CHECK_FALSE(d.document().selection.empty());
+  CHECK(d.pose()[v][1] == 2);
+  d.press_key('Z', true);
+  CHECK(d.pose()[v][1] == 1.5);
+  d.type_in("transform_y", "9");
+  for (const bool panels : {false, true}) {
+    d.workspace().view.panels = panels;
+    d.frame(3);
+  }
+  CHECK_MESSAGE(d.pose()[v][1] == 1.5, "a hidden field applies nothing");
+  d.type_in("transform_y", "3");
+  d.click("strip/tool_scale");
+  CHECK(d.pose()[v][1] == 3);
+  CHECK(d.edits() == 2);
+}
+
+TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
+  Hand d;
+  d.press_key('S');
+  REQUIRE(d.workspace().handling.soft.on);
+  const auto v = d.free_vertex();
+  const double before = d.workspace().handling.soft.radius;
+  d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(30, -20));
+  const auto few = d.moved();
+  for (int i = 0; i < 8; ++i) d.wheel(1);
+  CHECK(d.workspace().handling.soft.radius == doctest::Approx(before * std::pow(1.1, 8)));
+  CHECK(d.moved().size() > few.size());
+  CHECK(d.drawn_error() < 2e-5);
+  for (int i = 0; i < 60; ++i) d.wheel(-1);
+  CHECK(d.moved() == std::vector<std::uint32_t>{v});
+  d.button(0, false);
+  d.frame(2);
+  CHECK(d.edits() == 1);
+  CHECK(d.drawn_error() < 2e-5);
+}
+
+TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.press_key('J');
+  d.press_key(scene::Key::escape);
+  CHECK_FALSE(d.workspace().interaction.placing_pivot);
+  CHECK(d.workspace().handling.pivot == scene::Pivot::median);
+  d.press_key('J');
+  CHECK(d.workspace().interaction.placing_pivot);
+  d.click(d.vertex(v) + glm::vec2(3, 2));
+  CHECK_FALSE(d.workspace().interaction.placing_pivot);
+  CHECK(d.workspace().handling.pivot == scene::Pivot::point);
+  CHECK(d.workspace().handling.point == d.pose()[v]);
+  CHECK(d.document().selection.empty());
+  d.select_whole_cage();
+  d.enter("transform_y", "90");
+  CHECK(d.pose()[v] == d.rest()[v]);
+  CHECK(d.moved().size() + 1 == d.pose().size());
+}
+
+TEST_CASE("a_session_stores_handling_and_another_model_resets_the_pivot") {
+  const test::TemporaryFolder folder;
+  Hand d;
+  scene::Handling& hand = d.workspace().handling;
+  const scene::Handling chosen = {scene::Pivot::point,
+                                  mesh::Point{0.25, 1, -3},
+                                  scene::Axes::view,
+                                  scene::MirrorPlane::x,
+                                  {true, 0.4, scene::SoftCurve::sharp, scene::SoftDistance::space}};
+  hand = chosen;
+  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  hand = {};
+  REQUIRE(d.open({folder / "a.viete"}));
+  CHECK(hand == chosen);
+  test::put_file(folder / "other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  REQUIRE(d.open({folder / "other.obj"}));
+  CHECK(hand.pivot == scene::Pivot::median);
+  CHECK_FALSE(hand.point);
+  CHECK(hand.mirror == scene::MirrorPlane::none);
+}
+
+TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_the_move") {
+  Hand d;
+  d.run("keys_blender");
+  const auto v = d.free_vertex();
+  d.click(d.vertex(v));
+  d.move(d.vertex(v) + glm::vec2(60, 60));
+  d.press_key('G');
+  REQUIRE(d.workspace().interaction.drag);
+  d.move(d.vertex(v) + glm::vec2(90, 50));
+  CHECK(d.moved() == std::vector<std::uint32_t>{v});
+  d.type("x");
+  d.type("2");
+  d.frame();
+  const auto is_applied = [&] { return std::abs(d.pose()[v][0] - d.rest()[v][0] - 2) < 1e-9; };
+  CHECK(is_applied());
+  CHECK(d.pose()[v][1] == d.rest()[v][1]);
+  d.click(d.vertex(v) + glm::vec2(90, 50));
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK(is_applied());
+  CHECK(d.edits() == 1);
+  d.press_key('R');
+  d.move({700, 200});
+  d.press_key(scene::Key::escape);
+  d.press_key('G');
+  d.move({800, 300});
+  d.button(1, true);
+  d.button(1, false);
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK(is_applied());
+  CHECK(d.edits() == 1);
+}
+
+TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
+  Hand d;
+  d.press_key('A');
+  d.click("twist");
+  d.press_key(scene::Key::escape);
+  d.move({700, 300});
+  d.frame();
+  CHECK_FALSE(d.workspace().interaction.drag);
+  d.click("bend");
+  CHECK_FALSE(d.workspace().interaction.drag);
+  d.move({700, 300});
+  d.frame();
+  REQUIRE(d.workspace().interaction.drag);
+  const scene::Shaping seen = d.workspace().interaction.drag->grip().shaping;
+  const auto is_bent = [&](std::optional<glm::dvec3> axis, double degrees) {
+    scene::Shaping shaping = seen;
+    if (axis) shaping.hinge = *scene::hinge_near(seen, *axis);
+    std::vector<mesh::Point> expected = d.rest();
+    for (auto& p : expected) p = scene::shaped(shaping, degrees, p);
+    return farthest_apart(d.pose(), expected) < 1e-9 * d.document().space.diagonal();
+  };
+  d.move({760, 300});
+  d.type("y");
+  d.frame();
+  CHECK(d.workspace().interaction.drag->readout() == "Bend Y 30.0\u00b0");
+  CHECK(is_bent(glm::dvec3(0, 1, 0), 30));
+  d.type("60");
+  CHECK(is_bent(glm::dvec3(0, 1, 0), 60));
+  d.type("y");  // again: in the plane of the view
+  d.frame();
+  CHECK(is_bent({}, 60));
+  d.type("Z");
+  d.press_key(scene::Key::enter);
+  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK(is_bent(glm::dvec3(0, 0, 1), 60));
+  CHECK(d.edits() == 1);
+}
+
+TEST_CASE("a_double_click_centers_the_orbit_target_and_a_drag_right_after_a_click_is_none") {
+  Hand d;
+  const auto v = d.free_vertex();
+  d.click("strip/tool_select");  // without a gizmo
+  const auto before = d.workspace().camera.destination();
+  d.click(d.vertex(v));
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
+  CHECK(d.moved() == std::vector<std::uint32_t>{v});
+  CHECK(d.workspace().camera.destination() == before);
+  d.frame(60);
+  const glm::vec2 at = d.vertex(v);
+  d.click(at);
+  d.click(at);
+  d.settle();
+  d.frame(30);
+  const auto& port = d.workspace().viewport;
+  const glm::vec2 middle = port.origin + 0.5f * port.size;
+  CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
+  d.drag({400, 740}, {480, 700}, 2);
+  CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
+}
+
+TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is_shown_when_it_matters") {
+  Hand d(test::with_pixels);
+  const auto picture_at = [&](glm::vec2 pointer) {
+    d.move(pointer);
+    d.frame(3);
+    d.settle();
+    return d.picture();
+  };
+  constexpr glm::vec2 aside(1270, 780);
+  const auto v = d.free_vertex();
+  d.click(d.vertex(v));
+  const auto plain = picture_at(aside);
+  d.run("toggle_soft");
+  const auto soft = picture_at(aside);
+  std::size_t changed = 0;
+  for (const auto& [a, b] : d.document().cage->edges) {
+    if (a != v && b != v) continue;
+    const glm::ivec2 middle(glm::round(0.5f * (d.vertex(a) + d.vertex(b))));
+    changed += plain.pixel(middle.x, middle.y) != soft.pixel(middle.x, middle.y);
+  }
+  CHECK(changed >= 3);
+  d.run("toggle_soft");
+  d.choose("mirror", "mirror_x");
+  REQUIRE(scene::mirror_of(d.workspace()));
+  const auto without = picture_at(aside);
+  CHECK(differing(without, picture_at(d.place_of("mirror"))) > 20000);  // a whole plane, not only lines
+  d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(12, 0));
+  d.settle();
+  CHECK(differing(without, d.picture()) > 20000);
+}
+
+TEST_CASE("a_right_click_in_the_palette_changes_a_key") {
+  Hand d;
+  d.run("command_palette");
+  d.type("undo");
+  d.click(d.place_of("palette/undo"), 1);
+  d.frame(2);
+  REQUIRE(d.workspace().interaction.setting_key == "undo");
+  d.press_key('U', true);
+  CHECK(d.workspace().interaction.setting_key.empty());
+  const auto v = d.free_vertex();
+  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
+  d.press_key('Z', true);
+  CHECK(d.moved().size() == 1);
+  d.press_key('U', true);
+  CHECK(d.moved().empty());
+}
+
+TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once") {
+  Hand d;
+  for (std::uint32_t v = 0; v < d.pose().size(); ++v)
+    CHECK_FALSE(is_crowded(d.document(), d.workspace().camera, d.workspace().viewport, d.vertex(v)));
+}
+
+TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
+  Hand d(test::with_pixels);
+  const auto selected = [&] { return d.document().selection.size(); };
+  // Pixels of the view in the amber of selected vertices.
+  const auto amber = [&] {
+    d.move({700, 20});
+    d.frame(2);
+    const render::Image picture = d.picture();
+    int count = 0;
+    for (int y = 0; y < picture.height - 30; ++y) {
+      for (int x = 330; x < picture.width - 330; ++x) {
+        const auto p = picture.pixel(x, y);
+        count += p[0] > 200 && p[1] > 130 && p[1] < 210 && p[2] < 90;
+      }
+    }
+    return count;
+  };
+  CHECK(amber() == 0);
+  d.press_key('3');
+  CHECK(d.document().selection.kind() == scene::ElementKind::face);
+  d.press_key('1');
+  d.press_key('B');
+  d.drag({400, 100}, {640, 700});
+  const std::size_t few = selected();
+  CHECK(few > 3);
+  CHECK(few < d.pose().size());
+  CHECK(d.moved().empty());
+  CHECK(amber() > 50);
+  d.click("save_set");
+  d.press_key(scene::Key::up, true);
+  CHECK(selected() > few);
+  d.press_key('A', false, true);
+  CHECK(selected() == 0);
+  d.click("set/0/select");
+  CHECK(selected() == few);
+  d.press_key('H', false, true);
+  CHECK(amber() == 0);
+  d.press_key('A');
+  CHECK(selected() == d.pose().size() - few);
+  d.press_key('H', true);
+  CHECK(d.document().groups.hidden.empty());
+  d.click("set/0/remove");
+  CHECK(d.document().groups.sets.empty());
+  d.press_key('Z', true);
+  CHECK(d.document().groups.sets.size() == 1);
+}
+
+TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
+  Hand d;
+  d.press_key(scene::Key::pad3);  // from the right, where the wings cover the body
+  d.settle();
+  const auto rest = d.document().model.surface->positions;
+  d.press_key('D');
+  d.frame(2);
+  CHECK_FALSE(scene::gizmo_of(d.workspace()));
+  const glm::vec2 middle = d.workspace().viewport.origin + 0.5f * d.workspace().viewport.size;
+  d.move(middle);
+  const float radius = d.workspace().brush.radius;
+  d.key(Driver::left_shift, true);
+  d.wheel(3);
+  d.key(Driver::left_shift, false);
+  d.frame(2);
+  CHECK(d.workspace().brush.radius > 1.2f * radius);
+  const auto stroke = [&] { d.drag(middle, middle + glm::vec2(60, 10)); };
+  stroke();
+  d.settle();
+  const auto painted = d.document().mask;
+  REQUIRE(painted);
+  const auto stays = std::ranges::count(*painted, 0.0f);
+  CHECK(stays > 20);
+  deform::Pose pose = d.document().pose;
+  for (auto& p : pose.positions) p[1] += 1;
+  scene::set_pose(d.document(), pose);
+  d.settle();
+  const auto moved = d.mesh();
+  for (std::size_t v = 0; v < rest.size(); ++v)
+    CHECK(std::abs(moved[v][1] - rest[v][1] - double((*painted)[v])) < 1e-12);
+  d.key(Driver::left_ctrl, true);
+  stroke();
+  d.key(Driver::left_ctrl, false);
+  const auto after = d.document().mask;
+  CHECK((!after || std::ranges::count(*after, 0.0f) < stays));
+  d.press_key('Z', true);
+  CHECK(d.document().mask == painted);
+  d.press_and_move(middle, middle - glm::vec2(60, 10));
+  CHECK(d.document().mask != painted);
+  d.press_key(scene::Key::escape);
+  d.button(0, false);
+  CHECK(d.document().mask == painted);
+  d.click("brush_share");  // in its center
+  CHECK(d.workspace().brush.share == doctest::Approx(0.5).epsilon(0.1));
+  d.click("mask_invert");
+  CHECK(d.document().mask != painted);
+  d.click("mask_clear");
+  CHECK_FALSE(d.document().mask);
+}
