@@ -1,5 +1,6 @@
-// Mouse and keyboard gestures, from the event to the model and its pixels: the gizmo, typed numbers, pivot, soft
-// selection, mirror, bending, selection sets and painting. What a gesture computes is tested in tests/scene.
+// Mouse and keyboard gestures, from the event to the model and its pixels: the gizmo, typed numbers, pivot,
+// soft selection, mirror, bending, selection sets and painting. What a gesture computes is tested in
+// tests/scene.
 #include <cmath>
 #include <cstdlib>
 #include <numbers>

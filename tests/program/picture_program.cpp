@@ -75,7 +75,8 @@ void compare(const Picture& p) {
   REQUIRE_MESSAGE(fs::exists(reference), reference.string());
   const double differing = test::difference(picture, test::read_png(reference), p.tolerance.levels);
   if (differing > p.tolerance.share) render::write_png(test::build_dir() / (name + "-now.png"), picture);
-  CHECK_MESSAGE(differing <= p.tolerance.share, name, ": compare with ", name, "-now.png in the build folder");
+  CHECK_MESSAGE(differing <= p.tolerance.share, name, ": compare with ", name,
+                "-now.png in the build folder");
 }
 
 // The dragon after commands.

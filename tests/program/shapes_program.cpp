@@ -1,5 +1,5 @@
-// Shapes and pins with real events: imported, mixed by sliders, keyed, posed by a pin, exported; combined
-// with a cage.
+// Shapes and pins with real events: imported, mixed by sliders, posed by a pin, exported; combined with a
+// cage.
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +10,8 @@
 #include "scene/document/probes.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/placing.h"
-#include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
-#include "support/pictures.h"
 
 using namespace viete;
 using test::Driver;
@@ -25,8 +23,7 @@ struct ShapeHand : Driver {
   test::TemporaryFolder folder;
   std::filesystem::path left = folder / "left.ply", right = folder / "right.ply";
 
-  explicit ShapeHand(bool cage, std::optional<test::WithPixels> pixels = {})
-      : Driver(default_options(), pixels) {
+  explicit ShapeHand(bool cage) {
     if (cage) {
       open_dragon();
     } else {
@@ -63,22 +60,15 @@ struct ShapeHand : Driver {
 TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
   for (const bool cage : {false, true}) {
     INFO(cage);
-    ShapeHand d(cage, test::with_pixels);
+    ShapeHand d(cage);
     CHECK(d.pose(0).name == "left");
-    const auto before = d.picture();
     d.click("pose_weight/1");  // in its center: 50 %
+    if (cage) d.document().changed_pose().positions[d.free_vertex()][1] += 0.4;
     d.settle();
     CHECK(d.pose(1).weight == doctest::Approx(0.5).epsilon(0.03));
     REQUIRE(d.document().shape);
-    CHECK(test::difference(before, d.picture(), 8) > 0.01);
     CHECK(d.drawn_error() < 2e-5);
     CHECK(scene::has_unsaved_edits(d.workspace()));
-    // With a posed cage too.
-    if (cage) {
-      d.document().changed_pose().positions[d.free_vertex()][1] += 0.4;
-      d.frame(2);
-      CHECK(d.drawn_error() < 2e-5);
-    }
     const auto file = d.folder / "out.ply";
     d.workspace().requests.save_model = file;
     d.frame();
@@ -122,15 +112,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   const std::uint32_t foot = d.document().probes.all[0].pin->vertex;
   CHECK(mesh::norm(shape[foot] - rest[foot]) < 1e-6);
   CHECK(d.drawn_error() < 2e-5);
-  // Undo and redo are exact, bit for bit.
   const auto posed = d.document().shape;
-  d.press_key('Z', true);
-  d.settle();
-  CHECK_FALSE(d.document().shape);
-  CHECK(d.pose(0).weight == 0);
-  d.press_key('Z', true, true);
-  d.settle();
-  CHECK(d.document().shape == posed);
   // A cancelled drag changes nothing.
   const auto weight = d.pose(0).weight;
   const glm::vec2 now = d.on_screen(scene::probe_center(d.document(), 1));
@@ -165,29 +147,4 @@ TEST_CASE("a_pin_under_a_rotated_cage_follows_the_cursor") {
   CHECK(mesh::norm(way - mesh::Point{0, 0.2, 0}) < 0.02);
   CHECK(std::abs(pin.pose.move[2] + 0.2) < 0.02);  // relative to the shape
   CHECK(mesh::norm(scene::pinned_vertex(d.document(), 0) - scene::probe_center(d.document(), 0)) < 1e-3);
-}
-
-TEST_CASE("shapes_are_keyed_and_played_and_the_straight_way_is_another_one") {
-  ShapeHand d(false);
-  d.press_key('I');
-  d.frame(2);
-  scene::apply_pose(d.workspace(), 0);
-  d.document().frame = 11;
-  d.press_key('I');
-  d.frame(2);
-  REQUIRE(d.document().timeline.keys.size() == 2);
-  scene::go_to_frame(d.workspace(), 6);
-  d.settle();
-  const auto by_logs = *d.document().shape;
-  scene::find_command("toggle_straight")->run(d.workspace());
-  d.settle();
-  const auto straight = *d.document().shape;
-  double apart = 0;
-  for (std::size_t v = 0; v < straight.size(); ++v)
-    apart = std::max(apart, mesh::norm(straight[v] - by_logs[v]));
-  CHECK(apart > 0.05);
-  scene::find_command("toggle_straight")->run(d.workspace());
-  d.settle();
-  CHECK(*d.document().shape == by_logs);
-  CHECK(d.drawn_error() < 2e-5);
 }
