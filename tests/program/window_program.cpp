@@ -1,10 +1,14 @@
-// The real window on a virtual display, with a real mouse: equals the offscreen program to the pixel.
-#include <chrono>
-#include <thread>
+// The real window on a virtual display, with a real mouse and keyboard: equals the offscreen program to the
+// pixel.
+#include <sstream>
 
+#include "mesh/formats/write.h"
 #include "program/desktop.h"
 #include "program/driver.h"
+#include "scene/ball.h"
+#include "scene/files/session.h"
 #include "scene/workspace/pointer.h"
+#include "scene/workspace/saving.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 
@@ -18,6 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* f11_keycode = "95";  // as test::f12_keycode
+
 // Columns, bars and the tool strip, whose text differs in font.
 void cut_panels(render::Image& image) {
   constexpr int left = 384, right = 320, top = 40, bottom = 26;
@@ -29,79 +35,95 @@ void cut_panels(render::Image& image) {
   }
 }
 
-// The same smoothness as a cached picture at rest.
-app::ViewerOptions as_in_the_window() {
-  auto options = Driver::default_options();
-  options.size = {1440, 900};
-  options.samples = 4;
-  return options;
+// The dragon as the window opens it, drawn as smoothly as a cached picture at rest.
+struct Offscreen : Driver {
+  Offscreen() : Driver(options(), test::with_pixels) {
+    workspace().document.scheme = deform::default_scheme();
+    open_dragon("", test::bundled_dragon);
+    frame();
+    scene::frame_all(workspace(), false);
+    settle();
+  }
+  static app::ViewerOptions options() {
+    auto options = default_options();
+    options.size = {1440, 900};
+    options.samples = 4;
+    return options;
+  }
+};
+
+std::string at(glm::vec2 place) {
+  const glm::ivec2 p(glm::round(place));
+  return std::to_string(p.x) + ' ' + std::to_string(p.y);
 }
+
+std::string drag_words(glm::vec2 from, glm::vec2 to, const std::string& meanwhile = "") {
+  std::string words = "mousemove " + at(from) + " sleep 0.1 mousedown 1 sleep 0.05 ";
+  for (int i = 1; i <= 4; ++i)
+    words += "mousemove " + at(from + (to - from) * (0.25f * float(i))) + " sleep 0.05 ";
+  return words + meanwhile + " mouseup 1 sleep 0.1";
+}
+
+// A ball in a ball-shaped cage, as a session open offscreen, to locate widgets, and in a real window.
+struct RealSession {
+  Desktop desktop;
+  fs::path session = desktop.folder / "work.viete";
+  Driver offscreen{options()};
+  std::optional<Child> viewer;
+
+  explicit RealSession(int levels) {
+    mesh::write(desktop.folder / "ball.obj", test::ball(1, 3));
+    mesh::write(desktop.folder / "cage.obj", test::ball(1.3, levels));
+    REQUIRE(offscreen.open({desktop.folder / "ball.obj", desktop.folder / "cage.obj"}));
+    offscreen.settle();
+    REQUIRE(scene::save_session(offscreen.workspace(), session));
+    viewer.emplace(desktop.viete("work.viete"), desktop.folder / "viete.log");
+    desktop.xdotool("search --sync --onlyvisible --name work");
+    desktop.rest();
+    saved();
+  }
+  static app::ViewerOptions options() {
+    auto options = Driver::default_options();
+    options.size = {1440, 900};
+    return options;
+  }
+
+  void act(const std::string& words) { desktop.xdotool(words); }
+  /// The program's current state after all events, which are handled in order. Retries until the window has
+  /// the keyboard focus.
+  scene::Session saved() {
+    const auto before = fs::last_write_time(session);
+    const auto written = [&] { return fs::last_write_time(session) != before; };
+    for (int i = 0; i < 15 && !written(); ++i) {
+      act("key ctrl+s");
+      wait_until(written, 20);
+    }
+    REQUIRE(written());
+    return scene::read_session(session);
+  }
+  void quit() {
+    act("key ctrl+q");
+    REQUIRE(wait_until([&] { return viewer->finished(); }));
+    CHECK(viewer->exit_code() == 0);
+  }
+  const std::vector<mesh::Point>& rest() { return offscreen.document().cage->surface.positions; }
+  std::size_t moved(const scene::Session& now) {
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < rest().size(); ++v) count += now.pose->positions[v] != rest()[v];
+    return count;
+  }
+};
 
 }  // namespace
 
-TEST_CASE("a_real_mouse_in_a_real_window_puts_the_mesh_where_the_offscreen_program_puts_it" *
+TEST_CASE("a_real_mouse_and_keys_in_a_real_window_give_the_picture_of_the_offscreen_program" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  Driver d(as_in_the_window(), test::with_pixels);
-  d.document().scheme = deform::default_scheme();
-  d.open_dragon("", test::bundled_dragon);
-  d.frame();
-  scene::frame_all(d.workspace(), false);
-  d.settle();
+  Offscreen d;
   const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
-
-  Desktop desktop;
-  Child viewer(desktop.viete(""), desktop.folder / "viete.log");
-  desktop.xdotool("search --sync --onlyvisible --name dragon");
-  desktop.rest();
-  desktop.drag(from, to);
-  desktop.xdotool("mousemove 1430 20");
-  desktop.rest();
-  desktop.xdotool(std::string("key ") + f12_keycode);
-  REQUIRE(wait_until([&] { return desktop.screenshot().has_value(); }));
-  auto real = test::read_png(*desktop.screenshot());
-  desktop.xdotool("key ctrl+q");
-  REQUIRE(wait_until([&] { return viewer.finished(); }));
-  CHECK(viewer.exit_code() == 0);
-
   d.drag(from, to);
-  d.move({1430, 20});
-  d.frame(3);
-  auto offscreen = d.picture();
-  REQUIRE(real.width == offscreen.width);
-  REQUIRE(real.height == offscreen.height);
-  cut_panels(real);
-  cut_panels(offscreen);
-  const double differing = test::difference(real, offscreen, 2);
-  if (differing > 0.001) {
-    render::write_png(test::build_dir() / "window-real.png", real);
-    render::write_png(test::build_dir() / "window-offscreen.png", offscreen);
-  }
-  CHECK(differing <= 0.001);
-}
-
-TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
-          doctest::test_suite(test::if_present)) {
-  if (test::no_desktop()) return;
-  Driver d(as_in_the_window(), test::with_pixels);
-  d.document().scheme = deform::default_scheme();
-  d.open_dragon("", test::bundled_dragon);
-  d.frame();
-  scene::frame_all(d.workspace(), false);
-  d.settle();
-  d.workspace().document.selection.select_all(d.document().pose.positions.size());
-  const auto gizmo = *scene::gizmo_of(d.workspace());
-  d.workspace().document.selection.clear();
-  const glm::ivec2 tip(glm::round(gizmo.arms[1].tip)), end = tip + glm::ivec2(20, -60);
-  Desktop desktop;
-  Child viewer("env DISPLAY=" + desktop.display + " WAYLAND_DISPLAY= sh -c 'cd \"" + desktop.folder.string() +
-                   "\" && exec \"" + test::build_dir().string() + "/viete\" --scale 1'",
-               desktop.folder / "viete.log");
-  desktop.xdotool("search --sync --onlyvisible --name dragon");
-  desktop.rest();
   d.move({1000, 20});
   d.press_key('A');
-  d.drag(tip, end);
   d.press_key('E');
   const glm::ivec2 ring(
       glm::round(scene::gizmo_of(d.workspace())->center + glm::vec2(scene::gizmo_view_ring, 0)));
@@ -111,11 +133,15 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
   d.button(0, false);
   d.move({1430, 20});
   d.frame(3);
+  auto offscreen = d.picture();
 
-  const auto at = [](glm::ivec2 p) { return std::to_string(p.x) + " " + std::to_string(p.y); };
+  Desktop desktop;
+  Child viewer(desktop.viete(""), desktop.folder / "viete.log");
+  desktop.xdotool("search --sync --onlyvisible --name dragon");
+  desktop.rest();
+  desktop.drag(from, to);
   desktop.xdotool("mousemove 1000 20");
   desktop.xdotool("key a");
-  desktop.drag(tip, end);
   desktop.xdotool("key e");
   desktop.xdotool("mousemove " + at(ring));
   desktop.xdotool("mousedown 1");
@@ -132,14 +158,14 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
   REQUIRE(wait_until([&] { return viewer.finished(); }));
   CHECK(viewer.exit_code() == 0);
 
-  auto offscreen = d.picture();
   REQUIRE(real.width == offscreen.width);
+  REQUIRE(real.height == offscreen.height);
   cut_panels(real);
   cut_panels(offscreen);
   const double differing = test::difference(real, offscreen, 2);
   if (differing > 0.001) {
-    render::write_png(test::build_dir() / "window-gizmo-real.png", real);
-    render::write_png(test::build_dir() / "window-gizmo-offscreen.png", offscreen);
+    render::write_png(test::build_dir() / "window-real.png", real);
+    render::write_png(test::build_dir() / "window-offscreen.png", offscreen);
   }
   CHECK(differing <= 0.001);
 }
@@ -147,10 +173,7 @@ TEST_CASE("the_gizmo_and_typed_angles_work_in_a_real_window_as_offscreen" *
 TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_not" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  Driver d(as_in_the_window(), test::with_pixels);
-  d.document().scheme = deform::default_scheme();
-  d.open_dragon("", test::bundled_dragon);
-  d.frame();
+  Offscreen d;
   const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
 
   for (const bool can_keep : {true, false}) {
@@ -188,4 +211,69 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     CHECK(viewer.exit_code() == 0);
     CHECK(test::file_bytes(log).find("kept") == std::string::npos);
   }
+}
+
+TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_commands_and_files" *
+          doctest::test_suite(test::if_present)) {
+  if (test::no_desktop()) return;
+  RealSession hand(3);
+  const auto& v = hand.offscreen.workspace().viewport;
+  const glm::vec2 middle = glm::round(v.origin + 0.5f * v.size), from = middle - glm::vec2(150, 110),
+                  to = middle + glm::vec2(140, 120);
+  hand.offscreen.press_key('B');
+  hand.offscreen.drag(from, to);
+  const auto expected = hand.offscreen.document().selection.indices();
+  REQUIRE(expected.size() > 40);
+  hand.act("mousemove " + at(from) + " key b");
+  hand.saved();
+  hand.act(drag_words(from, to));
+  const auto boxed = hand.saved();
+  CHECK(boxed.selection == expected);
+  CHECK(hand.moved(boxed) == 0);
+
+  // A slowly drawn window needs some frames to get the keyboard focus.
+  hand.desktop.xdotool_seen("key ctrl+k");
+  hand.desktop.xdotool_seen("type --delay 60 wire");
+  hand.desktop.xdotool_seen("key Return");
+  CHECK(hand.saved().view.wireframe);
+
+  hand.desktop.xdotool_seen("key ctrl+shift+s");
+  hand.desktop.xdotool_seen("key ctrl+a");
+  hand.desktop.xdotool_seen("type b");
+  hand.act("key Return");
+  CHECK(wait_until([&] { return fs::exists(hand.desktop.folder / "b.viete"); }));
+  hand.quit();
+}
+
+TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::test_suite(test::if_present)) {
+  if (test::no_desktop()) return;
+  RealSession hand(1);
+  const auto size = [&] {
+    const fs::path out = hand.desktop.folder / "size";
+    const std::string command = "DISPLAY=" + hand.desktop.display +
+                                " xdotool search --onlyvisible --name work getwindowgeometry --shell >'" +
+                                out.string() + "' 2>/dev/null";
+    glm::ivec2 found(0);
+    if (std::system(command.c_str()) != 0) return found;
+    std::istringstream lines(test::file_bytes(out));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("WIDTH=")) found.x = std::stoi(line.substr(6));
+      if (line.starts_with("HEIGHT=")) found.y = std::stoi(line.substr(7));
+    }
+    return found;
+  };
+  const glm::ivec2 small(1000, 700), screen(1440, 900);
+  hand.act("search --onlyvisible --name work windowsize 1000 700");
+  REQUIRE(wait_until([&] { return size() == small; }));
+  hand.act("mousemove 500 300");
+  hand.saved();
+  hand.act(std::string("key ") + f11_keycode);
+  CHECK(wait_until([&] { return size() == screen; }));
+  hand.saved();
+  hand.act(std::string("key ") + f11_keycode);
+  CHECK(wait_until([&] { return size() == small; }));
+  hand.quit();
+  const auto preferences =
+      scene::read_preferences(hand.desktop.folder / "state" / "viete" / "remembered.json");
+  CHECK(preferences.window == small);
 }
