@@ -65,17 +65,6 @@ TEST_CASE("a_cage_beyond_the_files_precision_is_not_written") {
   CHECK(files.run("cage model.obj --triangles 60 -o made.glb").code == 0);
 }
 
-TEST_CASE("a_cage_does_not_replace_its_model_unless_it_is_forced_to") {
-  const CageFolder files;
-  const std::string before = file_bytes(files / "model.obj");
-  const Outcome refused = files.run("cage model.obj --kind box -o model.obj");
-  CHECK(refused.code == 1);
-  CHECK(mentions(refused, "is an input file"));
-  CHECK(file_bytes(files / "model.obj") == before);
-  CHECK(files.run("cage model.obj --kind box -o model.obj --force").code == 0);
-  CHECK(file_bytes(files / "model.obj") != before);
-}
-
 TEST_CASE("invalid_cage_settings_and_models_give_an_error") {
   const CageFolder files;
   put_file(files / "point.obj", "v 1 2 3\n");

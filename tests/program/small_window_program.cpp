@@ -13,9 +13,8 @@ struct WindowSize {
 };
 
 // The smallest possible window, and real screen sizes.
-const WindowSize sizes[] = {{{640, 400}, 1},      {{1280, 800}, 2},  {{800, 600}, 1},   {{1024, 640}, 1},
-                            {{1366, 768}, 1},     {{2048, 1280}, 2}, {{2560, 1440}, 2}, {{1920, 1080}, 1.25f},
-                            {{2880, 1620}, 1.5f}, {{1440, 900}, 1}};
+const WindowSize sizes[] = {
+    {{640, 400}, 1}, {{1280, 800}, 2}, {{1366, 768}, 1}, {{1920, 1080}, 1.25f}, {{2880, 1620}, 1.5f}};
 
 const char* const tools[] = {"tool_select", "tool_move",    "tool_rotate",  "tool_scale", "tool_paint",
                              "select_box",  "select_lasso", "select_brush", "edit_cage",  "add_probe"};
