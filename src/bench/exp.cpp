@@ -62,7 +62,7 @@ namespace {
 
 using sym3::Layout;
 
-constexpr std::array layouts = {Layout::planes, Layout::blocks, Layout::packed, Layout::full};
+constexpr std::array layouts = {Layout::planes, Layout::packed, Layout::full};
 constexpr std::size_t distinct = 1 << 16;  // matrices, repeated for larger counts
 constexpr std::size_t window = 1024;       // batch of the slow methods, small enough to exclude memory time
 
@@ -187,7 +187,7 @@ const char* precision(const ExpBench& bench) {
 }  // namespace
 
 const char* layout_name(sym3::Layout layout) {
-  constexpr const char* names[] = {"planes", "blocks", "packed", "full"};
+  constexpr const char* names[] = {"planes", "packed", "full"};
   return names[static_cast<std::size_t>(layout)];
 }
 
@@ -241,7 +241,7 @@ Plot plot_of(const ExpBench& bench) {
       if (r.layout == layout) plot.curves.back().points.push_back({static_cast<double>(r.count), r.*time});
     }
   };
-  for (const Layout layout : {Layout::planes, Layout::blocks, Layout::packed, Layout::full}) {
+  for (const Layout layout : layouts) {
     const char* color = plot_color::ours[static_cast<std::size_t>(layout)];
     curve(std::string("Fast, ") + layout_name(layout), color, false, layout, &LayoutResult::fast);
     curve(std::string("copy, ") + layout_name(layout), color, true, layout, &LayoutResult::copy);

@@ -47,7 +47,6 @@ private:
   std::size_t numbers() const {
     switch (layout_) {
       case sym3::Layout::planes: return 6 * stride_;
-      case sym3::Layout::blocks: return sym3::block_size<T>(count_);
       case sym3::Layout::packed: return 6 * count_;
       case sym3::Layout::full: break;
     }
@@ -56,18 +55,14 @@ private:
 
   void set(std::size_t i, const sym3::Sym3<T>& s) {
     const T entries[6] = {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
-    constexpr std::size_t in_full[] = {0, 1, 2, 1, 3, 4, 2, 4, 5}, line = 64 / sizeof(T);
+    constexpr std::size_t in_full[] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
     T* data = data_.get();
     if (layout_ == sym3::Layout::full) {
       for (std::size_t k = 0; k < 9; ++k) data[9 * i + k] = entries[in_full[k]];
       return;
     }
-    for (std::size_t k = 0; k < 6; ++k) {
-      const std::size_t at = layout_ == sym3::Layout::planes   ? k * stride_ + i
-                             : layout_ == sym3::Layout::blocks ? (i / line * 6 + k) * line + i % line
-                                                               : 6 * i + k;
-      data[at] = entries[k];
-    }
+    for (std::size_t k = 0; k < 6; ++k)
+      data[layout_ == sym3::Layout::planes ? k * stride_ + i : 6 * i + k] = entries[k];
   }
 
   struct Free {

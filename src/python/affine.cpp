@@ -216,18 +216,6 @@ py::array affine_combine(const py::object& m, const py::object& w) {
               [&](std::size_t i) { return sym3::combine(all.at(i), all.weights_at(i)); });
 }
 
-py::tuple affine_mean(const py::object& m, const py::object& w) {
-  const Weighted all("affine_mean", m, w.is_none() ? w : shares("affine_mean", w));
-  py::array_t<bool> converged(all.before);
-  bool* ends = converged.mutable_data();
-  const py::array means = made(all.before, all.maps.rows, all.maps.single, [&](std::size_t i) {
-    const sym3::AffineMean mean = sym3::mean(all.at(i), all.weights_at(i));
-    ends[i] = mean.converged;
-    return mean.map;
-  });
-  return py::make_tuple(means, converged);
-}
-
 constexpr const char* maps_text =
     "\n\nMaps are (..., 3, 3), or (..., 4, 4) with the translation in the last column; their last row is not "
     "read. float32 or float64; computed in double. Releases the GIL.";
@@ -255,10 +243,6 @@ void define_affine(py::module_& m) {
         py::arg("near") = py::none(),
         about("Interpolates from a at t = 0 to b at t = 1: a exp(t log(a^-1 b)). t: a number or "
               "(...).\nnear: (..., 3), the branch of that logarithm.")
-            .c_str());
-  m.def("affine_mean", affine_mean, py::arg("maps"), py::arg("weights") = py::none(),
-        about("Returns (mean, converged): mean solves sum w log(mean^-1 A) = 0. maps: (..., k, 3, 3) or "
-              "(..., k, 4, 4); weights: (..., k), default equal.")
             .c_str());
 }
 

@@ -5,7 +5,7 @@
 
 namespace viete::python {
 
-/// Defines affine_log, affine_exp, affine_has_log, affine_combine, affine_interpolate and affine_mean.
+/// Defines affine_log, affine_exp, affine_has_log, affine_combine and affine_interpolate.
 void define_affine(pybind11::module_& m);
 
 }  // namespace viete::python

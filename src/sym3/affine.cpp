@@ -114,40 +114,4 @@ Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double
   return a * exp_affine(added({}, t, log_affine(from(a, b), near)));
 }
 
-namespace {
-
-// The sum of weights times 2^-shift; 0 if it is 0 up to rounding.
-double sum_of(std::span<const double> weights, int shift) {
-  double sum = 0, size = 0;
-  for (const double w : weights) sum += std::scalbn(w, -shift), size += std::abs(std::scalbn(w, -shift));
-  return std::abs(sum) <= 0x1p-53 * static_cast<double>(weights.size()) * size ? 0 : sum;
-}
-
-}  // namespace
-
-AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
-  constexpr int most_steps = 200;
-  constexpr double near_the_end = 1e-6;  // below it the residual decreases until it is rounding
-  const int shift = exponent_of(weights);
-  const double total = sum_of(weights, shift);
-  const auto [least, most] = std::ranges::minmax_element(weights);
-  AffineMean m{maps[(total < 0 ? least : most) - weights.begin()], false, 0};
-  double turned = HUGE_VAL, moved = HUGE_VAL;
-  bool turned_enough = false, moved_enough = false;
-  for (; !m.converged && m.steps < most_steps && total != 0; ++m.steps) {
-    const AffineLog sum =
-        scaled_sum(weights, shift, [&](std::size_t i) { return log_affine(from(m.map, maps[i])); });
-    const AffineLog step = added({}, 1 / total, sum);
-    const double turns = norm(step.linear), moves = norm(step.translation);
-    if (!std::isfinite(turns + moves)) break;
-    const bool near = turns < near_the_end;
-    turned_enough = turned_enough || (near && turns >= turned);
-    moved_enough = moved_enough || (near && moves >= moved);
-    m.converged = turned_enough && moved_enough;
-    m.map = m.map * exp_affine(step);
-    turned = turns, moved = moves;
-  }
-  return m;
-}
-
 }  // namespace viete::sym3

@@ -159,7 +159,6 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   if (in.layout == out.layout) {
     if (in.layout == Layout::planes) return map_directly<InPlanes>(d, f, in, out, range);
     if constexpr (F::memory_bound) {
-      if (in.layout == Layout::blocks) return map_directly<InBlocks>(d, f, in, out, range);
       if (in.layout == Layout::packed) return map_directly<InPacked>(d, f, in, out, range);
       return map_directly<InFull>(d, f, in, out, range);
     }

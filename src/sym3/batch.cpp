@@ -12,7 +12,7 @@ namespace {
 // it saves.
 constexpr std::size_t streaming_bytes = 24u << 20;
 
-constexpr std::size_t granule = 64;  // a whole number of registers, cache lines and blocks
+constexpr std::size_t granule = 64;  // a whole number of registers and cache lines
 
 struct Chunks {
   const RangeTask& task;

@@ -47,30 +47,6 @@ static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
   for (std::size_t k = 0; k < bytes; k += 64) hwy::Prefetch(static_cast<const char*>(p) + distance + k);
 }
 
-struct InBlocks {
-  template <class T>
-  static HWY_INLINE std::size_t offset(std::size_t i) {
-    constexpr std::size_t line = 64 / sizeof(T);
-    return i / line * (6 * line) + i % line;
-  }
-  template <class D, class T, class V>
-  static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
-    const T* data = v.plane[0] + offset<T>(i);
-#pragma GCC unroll 16
-    for (int k = 0; k < 6; ++k) e[k] = hn::LoadU(d, data + k * (64 / sizeof(T)));
-  }
-  template <bool streaming, class D, class T, class V>
-  static HWY_INLINE void store(D d, const V (&e)[6], const View<T, 6>& v, std::size_t i) {
-    T* data = v.plane[0] + offset<T>(i);
-#pragma GCC unroll 16
-    for (int k = 0; k < 6; ++k) put<streaming>(d, e[k], data + k * (64 / sizeof(T)));
-  }
-  template <class T>
-  static HWY_INLINE void prefetch(const View<const T, 6>& v, std::size_t i, std::size_t bytes) {
-    prefetch_beyond(v.plane[0] + offset<T>(i), 6 * bytes);
-  }
-};
-
 /// Entries 0 and 3 of two matrices, alternating in a register, from and to one register per entry.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]] V& b) {
@@ -182,15 +158,9 @@ struct FromRow {
 template <class Direction, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {
-  constexpr std::size_t line = 64 / sizeof(T);
   if (v.layout == Layout::planes) {
     for (int k = 0; k < N; ++k) {
       for (std::size_t j = 0; j < count; ++j) Direction::move(v.plane[k] + i + j, rows + k * stride + j);
-    }
-  } else if (v.layout == Layout::blocks) {
-    for (std::size_t j = 0; j < count; ++j) {
-      T* item = v.plane[0] + (i + j) / line * N * line + (i + j) % line;
-      for (int k = 0; k < N; ++k) Direction::move(item + k * line, rows + k * stride + j);
     }
   } else if (v.layout == Layout::packed) {
     for (std::size_t j = 0; j < count; ++j) {

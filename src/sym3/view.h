@@ -1,4 +1,4 @@
-// Memory layouts of many small matrices: four layouts in one type. Non-owning.
+// Memory layouts of many small matrices: three layouts in one type. Non-owning.
 #pragma once
 
 #include <array>
@@ -11,17 +11,14 @@ namespace viete::sym3 {
 
 enum class Layout : unsigned char {
   planes,  ///< structure of arrays: entry k of item i at plane[k][i]
-  blocks,  ///< of 64 bytes: entry k of item i at data[(i / L * N + k) * L + i % L], L = 64 / sizeof(T)
   packed,  ///< array of structures: entry k of item i at data[N i + k]
   full,    ///< symmetric matrices with all nine entries: data[9 i + k], by rows or by columns
 };
 
 /// A view of many items of N numbers of type T (which may be const). N = 6: symmetric matrices in the order
 /// of Sym3. N = 9: general matrices by rows. N = 3: vectors. No alignment is needed; planes must not overlap
-/// each other. The last block of `blocks` must be complete in memory; numbers beyond the count are neither
-/// read nor written. Symmetric matrices in `full` are read at 0 1 2 4 5 8 and written in all places. Blocks
-/// and planes are fastest; strides between planes that are multiples of 4096 bytes are slow (see
-/// padded_stride).
+/// each other. Symmetric matrices in `full` are read at 0 1 2 4 5 8 and written in all places. Planes are
+/// fastest; strides between planes that are multiples of 4096 bytes are slow (see padded_stride).
 template <class T, int N>
 struct View {
   Layout layout = Layout::packed;
@@ -69,13 +66,6 @@ template <class T>
 constexpr std::size_t padded_stride(std::size_t count) {
   constexpr std::size_t page = 4096 / sizeof(T), step = 448 / sizeof(T);
   return count <= step ? step : (count - step + page - 1) / page * page + step;
-}
-
-/// Size of `blocks` for `count` items of N entries, in numbers.
-template <class T, int N = 6>
-constexpr std::size_t block_size(std::size_t count) {
-  constexpr std::size_t line = 64 / sizeof(T);
-  return (count + line - 1) / line * line * N;
 }
 
 }  // namespace viete::sym3

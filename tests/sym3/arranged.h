@@ -54,8 +54,7 @@ sym3::Sym3<T> exp_with(const sym3::Kernel& kernel, const sym3::Sym3<T>& s) {
   return out;
 }
 
-inline constexpr sym3::Layout layouts[] = {sym3::Layout::planes, sym3::Layout::blocks, sym3::Layout::packed,
-                                           sym3::Layout::full};
+inline constexpr sym3::Layout layouts[] = {sym3::Layout::planes, sym3::Layout::packed, sym3::Layout::full};
 inline constexpr int in_full[6] = {0, 1, 2, 4, 5, 8};
 
 /// Matrices in one layout, `offset` numbers off a 64-byte boundary, followed by a guard that must not change.
@@ -64,8 +63,7 @@ class Arranged {
 public:
   Arranged(sym3::Layout layout, std::size_t count, std::size_t offset) : layout_(layout), count_(count) {
     stride_ = sym3::padded_stride<T>(count);
-    const std::size_t whole = std::max({6 * stride_, 9 * count, sym3::block_size<T>(count)});
-    memory_.assign(whole + 128, guard);
+    memory_.assign(std::max(6 * stride_, 9 * count) + 128, guard);
     const auto bytes = reinterpret_cast<std::uintptr_t>(memory_.data());
     data_ = memory_.data() + (64 - bytes % 64) % 64 / sizeof(T) + offset;
   }
@@ -76,9 +74,7 @@ public:
   }
 
   T& entry(int k, std::size_t i) {
-    constexpr std::size_t line = 64 / sizeof(T);
     if (layout_ == sym3::Layout::planes) return data_[k * stride_ + i];
-    if (layout_ == sym3::Layout::blocks) return data_[(i / line * 6 + k) * line + i % line];
     if (layout_ == sym3::Layout::packed) return data_[6 * i + k];
     return data_[9 * i + in_full[k]];
   }

@@ -1,5 +1,5 @@
-// Derivatives: bounds over gap, spread, condition and scale for every kernel, algebraic identities, and equal
-// bits for single and batched matrices, single and several directions, and all layouts.
+// Derivatives: bounds over gap, spread, condition and scale for every kernel, and equal bits for single and
+// batched matrices, single and several directions, and all layouts.
 #include "sym3/derivative.h"
 
 #include <algorithm>
@@ -57,21 +57,10 @@ Sym3<T> random_direction(Random& random, double size = 1) {
   return e;
 }
 
-template <class T>
-double inner_product(const Sym3<T>& a, const Sym3<T>& b) {
-  return double(a.xx) * b.xx + double(a.yy) * b.yy + double(a.zz) * b.zz +
-         2 * (double(a.xy) * b.xy + double(a.xz) * b.xz + double(a.yz) * b.yz);
-}
-
-template <class T>
-double frobenius(const Sym3<T>& a) {
-  return std::sqrt(inner_product(a, a));
-}
-
 /// A direction per matrix: random, with a single entry, along S, or the identity.
 template <class T>
 Sym3<T> some_direction(Random& random, const Sym3<T>& s, std::size_t i) {
-  if (i % 8 == 6 && frobenius(s) > 0) return s;
+  if (i % 8 == 6 && s != Sym3<T>{}) return s;
   if (i % 8 == 7) return sym3::identity<T>();
   Sym3<T> e = i % 8 < 3 ? Sym3<T>{} : random_direction<T>(random);
   if (i % 8 < 3) (&e.xx)[random() % 6] = 1;
@@ -227,21 +216,6 @@ TEST_CASE("beyond_the_range_of_the_kernels_derivatives_are_exact_to_16_u") {
   }
 }
 
-TEST_CASE_TEMPLATE("a_derivative_is_its_own_adjoint", T, double, float) {
-  Random random(72);
-  for (const Of f : every_function) {
-    for (const auto& kernel : sym3::kernels()) {
-      for (int i = 0; i < 100; ++i) {
-        const auto s = with_eigenvalues<T>({1, uniform(random, 1, 3), uniform(random, 1, 3)}, random);
-        const auto e = random_direction<T>(random), g = random_direction<T>(random);
-        const double there = inner_product(g, derived(f, kernel, s, e)),
-                     back = inner_product(e, derived(f, kernel, s, g));
-        CHECK(std::fabs(there - back) <= 300 * unit_roundoff<T> * frobenius(e) * frobenius(g));
-      }
-    }
-  }
-}
-
 TEST_CASE_TEMPLATE("a_tangent_has_the_derivatives_by_each_number_of_the_matrix", T, double, float) {
   Random random(73);
   for (const Of f : every_function) {
@@ -258,42 +232,6 @@ TEST_CASE_TEMPLATE("a_tangent_has_the_derivatives_by_each_number_of_the_matrix",
               f == Of::exp ? 8 + 2.5 * spread : allowed_for_power(exponent, {kernel, 1 + spread, 3});
           CHECK(derivative_error(tangent[k], exact, to_quad(e)) <= most);
         }
-      }
-    }
-  }
-}
-
-TEST_CASE_TEMPLATE("derivatives_of_log_undo_those_of_exp", T, double, float) {
-  Random random(74);
-  for (const auto& s : spreads<T>(2, -1, 200)) {
-    const auto e = random_direction<T>(random);
-    const auto back = sym3::log_derivative(sym3::exp(s), sym3::exp_derivative(s, e));
-    CHECK(static_cast<double>(quad_distance(to_quad(back), to_quad(e))) <=
-          300 * unit_roundoff<T> * frobenius(e));
-  }
-}
-
-TEST_CASE_TEMPLATE("derivatives_of_a_root_undo_those_of_its_square", T, double, float) {
-  Random random(76);
-  for (const auto& s : with_condition<T>(4, 200)) {
-    const auto e = random_direction<T>(random);
-    const auto back = sym3::pow_derivative(sym3::sqrt(s), 2, sym3::sqrt_derivative(s, e));
-    CHECK(static_cast<double>(quad_distance(to_quad(back), to_quad(e))) <=
-          300 * unit_roundoff<T> * frobenius(e));
-  }
-}
-
-TEST_CASE_TEMPLATE("derivatives_at_multiples_of_the_identity_are_multiples_of_the_direction", T, double,
-                   float) {
-  Random random(75);
-  for (const auto& kernel : sym3::kernels()) {
-    const auto e = random_direction<T>(random);
-    CHECK(derived(Of::exp, kernel, Sym3<T>{}, e) == e);
-    for (const Of f : {Of::log, Of::sqrt, Of::pow}) {
-      const double slope = f == Of::log ? 0.25 : f == Of::sqrt ? 0.25 : 3;
-      const auto at = derived(f, kernel, diagonal(T(4), T(4), T(4)), e, 1.5);
-      for (int k = 0; k < 6; ++k) {
-        CHECK(std::fabs((&at.xx)[k] - slope * (&e.xx)[k]) <= 30 * unit_roundoff<T>);
       }
     }
   }
@@ -325,6 +263,8 @@ TEST_CASE_TEMPLATE("derivatives_of_exp_of_finite_numbers_are_never_nan", T, doub
   const T inf = std::numeric_limits<T>::infinity();
   Random random(77);
   for (const auto& kernel : sym3::kernels()) {
+    const auto any_direction = random_direction<T>(random);
+    CHECK(derived(Of::exp, kernel, Sym3<T>{}, any_direction) == any_direction);
     CHECK(derived(Of::exp, kernel, diagonal(T(710), T(0), T(0)), sym3::identity<T>()) ==
           diagonal(inf, T(1), T(1)));
     CHECK(derived(Of::exp, kernel, diagonal(T(0), T(0), T(-1e30)), sym3::identity<T>()) ==
@@ -446,11 +386,11 @@ TEST_CASE_TEMPLATE("fused_kernels_give_the_same_bits_of_derivatives_and_so_do_th
 
 TEST_CASE_TEMPLATE("tangents_of_a_batch_have_the_bits_of_single_calls_in_every_layout", T, double, float) {
   const auto in = matrices_of_all_kinds<T>(80);
-  constexpr std::size_t line = 64 / sizeof(T), stride = 128;
+  constexpr std::size_t stride = 128;
   for (const auto& kernel : sym3::kernels()) {
     for (const Of f : {Of::exp, Of::log}) {
       for (const std::size_t count : {1, 7, 16, 79}) {
-        for (const auto layout : {sym3::Layout::planes, sym3::Layout::blocks, sym3::Layout::packed}) {
+        for (const auto layout : {sym3::Layout::planes, sym3::Layout::packed}) {
           std::vector<T> numbers(36 * stride, T(-7));
           const auto out = layout == sym3::Layout::planes ? sym3::TangentView<T>(numbers.data(), stride)
                                                           : sym3::TangentView<T>(layout, numbers.data());
@@ -461,10 +401,7 @@ TEST_CASE_TEMPLATE("tangents_of_a_batch_have_the_bits_of_single_calls_in_every_l
           for (std::size_t i = 0; i < count; ++i) {
             const auto expected = tangent_of(f, kernel, in[i]);
             for (std::size_t k = 0; k < 36; ++k) {
-              const T number =
-                  numbers[layout == sym3::Layout::planes   ? k * stride + i
-                          : layout == sym3::Layout::blocks ? (i / line * 36 + k) * line + i % line
-                                                           : 36 * i + k];
+              const T number = numbers[layout == sym3::Layout::planes ? k * stride + i : 36 * i + k];
               const T one = (&expected[k / 6].xx)[k % 6];
               same = same && (number == one || (std::isnan(number) && std::isnan(one)));
             }

@@ -68,14 +68,6 @@ TEST_CASE_TEMPLATE("the_single_call_of_every_kernel_has_the_bits_of_its_batch", 
   }
 }
 
-TEST_CASE("kernels_differ_by_rounding_only") {
-  for (const auto& s : paper_ensemble<double>(500)) {
-    const auto a = exp_with(sym3::kernels().front(), s), b = exp_with(sym3::kernels().back(), s);
-    CHECK(std::fabs(a.xx - b.xx) <= 0x1p-49 * std::max({a.xx, a.yy, a.zz}));
-    CHECK(std::fabs(a.yz - b.yz) <= 0x1p-49 * std::max({a.xx, a.yy, a.zz}));
-  }
-}
-
 using namespace viete::sym3;
 
 TEST_CASE("a_route_reports_the_case_of_the_paper_and_the_squarings_of_fast") {

@@ -136,16 +136,6 @@ TEST_CASE_TEMPLATE("at_exactly_half_a_turn_the_first_component_is_positive", T, 
   }
 }
 
-TEST_CASE_TEMPLATE("the_axis_flips_across_half_a_turn", T, double, float) {
-  const T less = 64 * std::numeric_limits<T>::epsilon();
-  for (const auto& kernel : sym3::kernels()) {
-    const auto below = log_with(kernel, sym3::exp_rotation(Vec3<T>{0, -(T(pi) - less), 0}));
-    const auto above = log_with(kernel, sym3::exp_rotation(Vec3<T>{0, -(T(pi) + less), 0}));
-    CHECK(below[1] == doctest::Approx(-pi));
-    CHECK(above[1] == doctest::Approx(pi));
-  }
-}
-
 TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
   Random random(66);
   for (const double size : {0.03, 1e-3, 1e-5}) {
@@ -160,15 +150,6 @@ TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
       const double by = log_error(sym3::log_rotation(r), w) * unit_roundoff<T>;
       CHECK(by <= 2 * std::sqrt(moved) + 20 * unit_roundoff<T>);
     }
-  }
-}
-
-TEST_CASE_TEMPLATE("log_rotation_undoes_exp_rotation", T, double, float) {
-  Random random(64);
-  for (int i = 0; i < 2000; ++i) {
-    const double angle = uniform(random, 0, 3.14);
-    const auto w = vector_of_angle<T>(angle, i, random);
-    CHECK(log_error(sym3::log_rotation(sym3::exp_rotation(w)), w) <= 8 + 15 * angle);
   }
 }
 
@@ -245,34 +226,30 @@ TEST_CASE_TEMPLATE(
     "every_kernel_and_length_of_a_batch_of_logs_of_rotations_gives_the_bits_of_one_in_any_layout", T, double,
     float) {
   using sym3::Layout;
-  constexpr std::size_t most = 150, line = 64 / sizeof(T);
+  constexpr std::size_t most = 150;
   Random random(67);
   std::vector<Mat3<T>> r(most);
-  std::vector<T> planes(9 * most), blocks(sym3::block_size<T, 9>(most));
+  std::vector<T> planes(9 * most);
   for (std::size_t i = 0; i < most; ++i) {
     r[i] = sym3::exp_rotation(vector_of_angle<T>(i % 5 ? uniform(random, 0, 3.2) : pi, int(i), random));
     if (i % 50 == 7) r[i] = {-1, 0, 0, 0, 1, 0, 0, 0, -1};
-    for (int k = 0; k < 9; ++k) planes[k * most + i] = blocks[(i / line * 9 + k) * line + i % line] = r[i][k];
+    for (int k = 0; k < 9; ++k) planes[k * most + i] = r[i][k];
   }
   for (const auto& kernel : sym3::kernels()) {
     CAPTURE(kernel.name);
     std::vector<Vec3<T>> one(most);
     for (std::size_t i = 0; i < most; ++i) one[i] = log_with(kernel, r[i]);
     for (std::size_t count = 0; count <= most; count += count < 70 ? 1 : 40) {
-      std::vector<T> row(3 * most, T(-7)), out_planes(3 * most, T(-7)),
-          out_blocks(sym3::block_size<T, 3>(most), T(-7));
+      std::vector<T> row(3 * most, T(-7)), out_planes(3 * most, T(-7));
       sym3::log_rotation(sym3::MatView<const T>(Layout::packed, r[0].data()),
                          sym3::VecView<T>(Layout::packed, row.data()), count, {&kernel});
       sym3::log_rotation(sym3::MatView<const T>(planes.data(), most),
                          sym3::VecView<T>(out_planes.data(), most), count, {&kernel});
-      sym3::log_rotation(sym3::MatView<const T>(Layout::blocks, blocks.data()),
-                         sym3::VecView<T>(Layout::blocks, out_blocks.data()), count, {&kernel});
       bool same = true;
       for (std::size_t i = 0; i < most; ++i) {
         for (int k = 0; k < 3; ++k) {
           const T expected = i < count ? one[i][k] : T(-7);
-          same = same && row[3 * i + k] == expected && out_planes[k * most + i] == expected &&
-                 out_blocks[(i / line * 3 + k) * line + i % line] == expected;
+          same = same && row[3 * i + k] == expected && out_planes[k * most + i] == expected;
         }
       }
       CHECK(same);
