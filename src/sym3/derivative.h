@@ -8,7 +8,7 @@
 // accurate as any others.
 //
 // exp: the recurrence of method `fast`, differentiated (exp_derivative-inl.h): no eigenvalues, no division.
-// The others: eigenvectors and divided differences (spectral_derivative-inl.h).
+// The others: eigenvectors and divided differences (derivative_kernel.cpp).
 //
 // Error in the Frobenius norm, relative to |f'(S)| |E|, |f'(S)| the largest F_ij; u is 2^-53 or 2^-24, spread
 // the largest eigenvalue minus the smallest, k the one over the other:

@@ -6,10 +6,202 @@
 #include "sym3/batch-inl.h"
 #include "sym3/exp_derivative-inl.h"
 #include "sym3/fallback.h"
-#include "sym3/spectral_derivative-inl.h"
+#include "sym3/spectral-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
+
+// log, sqrt and pow: f'(S)[E] = V (F o V^T E V) V^T, where F has the divided differences of f over pairs of
+// eigenvalues (Daleckii and Krein 1965), computed without subtracting close values: exact at equal
+// eigenvalues. The vectors V must be orthogonal with a small residual S V - V diag: close eigenvalues have
+// close entries of F, so any basis of their space works. The vector of a, which is far from the others, is a
+// column of adj(B - a I) = adj B + a B + a^2 I; one rotation diagonalises the remaining 2x2 block for b and
+// c.
+
+/// Shared by the directions at one S: orthonormal vectors, and F as a symmetric matrix in the order a, b, c.
+template <class V>
+struct Slopes {
+  Three<V> a, b, c;
+  Six<V> f;
+};
+
+template <class V>
+static HWY_INLINE V dot(const Three<V>& u, const Three<V>& v) {
+  return sum_of_products(u.x, v.x, u.y, v.y, u.z, v.z);
+}
+
+template <class V>
+static HWY_INLINE Three<V> combination(V s, const Three<V>& u, V t, const Three<V>& v) {
+  return {MulAdd(s, u.x, Mul(t, v.x)), MulAdd(s, u.y, Mul(t, v.y)), MulAdd(s, u.z, Mul(t, v.z))};
+}
+
+template <class M, class V>
+static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+/// A tiny positive number, added to avoid divisions by 0. 1 plus it rounds to 1; its square is in range.
+template <class D>
+static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
+  using T = hn::TFromD<D>;
+  return hn::Set(d, T(sizeof(T) == 8 ? 1e-100 : 1e-15));
+}
+
+/// The unit vector of a; (1, 0, 0) for B = 0.
+template <class D, class V>
+static HWY_INLINE Three<V> far_vector(D d, const Spectrum<V>& e) {
+  const Six<V>&m = e.matrix, &c = e.adjugate;
+  const V square = hn::Mul(e.a, e.a), xy = hn::MulAdd(e.a, m.xy, c.xy), xz = hn::MulAdd(e.a, m.xz, c.xz),
+          yz = hn::MulAdd(e.a, m.yz, c.yz);
+  const V xx = hn::Add(hn::MulAdd(e.a, m.xx, hn::Add(square, c.xx)), next_to_nothing(d));
+  const V yy = hn::MulAdd(e.a, m.yy, hn::Add(square, c.yy)),
+          zz = hn::MulAdd(e.a, m.zz, hn::Add(square, c.zz));
+  Three<V> v = {xx, xy, xz};
+  v = select(hn::Gt(yy, xx), Three<V>{xy, yy, yz}, v);
+  v = select(hn::Gt(zz, hn::Max(xx, yy)), Three<V>{xz, yz, zz}, v);
+  const V scale = hn::Div(hn::Set(d, hn::TFromD<D>(1)), hn::Sqrt(dot(v, v)));
+  return {hn::Mul(v.x, scale), hn::Mul(v.y, scale), hn::Mul(v.z, scale)};
+}
+
+/// Two unit vectors orthogonal to the unit vector n and to each other (Duff et al. 2017, Building an
+/// orthonormal basis, revisited).
+template <class D, class V>
+static HWY_INLINE void complete(D d, const Three<V>& n, Three<V>& u, Three<V>& v) {
+  const V one = hn::Set(d, hn::TFromD<D>(1)), sign = hn::CopySign(one, n.z);
+  const V a = hn::Div(hn::Neg(one), hn::Add(sign, n.z)), b = hn::Mul(hn::Mul(n.x, n.y), a);
+  const V signed_x = hn::Mul(sign, n.x);
+  u = {hn::MulAdd(hn::Mul(signed_x, n.x), a, one), hn::Mul(sign, b), hn::Neg(signed_x)};
+  v = {b, hn::MulAdd(hn::Mul(n.y, n.y), a, sign), hn::Neg(n.y)};
+}
+
+template <class D, class V>
+static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
+  using T = hn::TFromD<D>;
+  Three<V> u, v;
+  s.a = far_vector(d, e);
+  complete(d, s.a, u, v);
+  const Three<V> bu = times(e.matrix, u), bv = times(e.matrix, v);
+  // The remaining 2x2 block is its mean plus (half, cross; cross, -half).
+  const V half = hn::Mul(hn::Sub(dot(u, bu), dot(v, bv)), hn::Set(d, T(0.5))), cross = dot(u, bv);
+  const V radius = hn::Sqrt(hn::MulAdd(half, half, hn::Mul(cross, cross)));
+  const V size = hn::Add(hn::Add(hn::Abs(half), radius), next_to_nothing(d));
+  const V scale = hn::Div(hn::Set(d, T(1)), hn::Sqrt(hn::MulAdd(size, size, hn::Mul(cross, cross))));
+  const V longer = hn::Mul(size, scale), shorter = hn::Mul(cross, scale);
+  const auto upright = hn::Ge(half, hn::Zero(d));
+  const V cosine = hn::IfThenElse(upright, longer, shorter), sine = hn::IfThenElse(upright, shorter, longer);
+  s.b = combination(cosine, u, sine, v);
+  s.c = combination(hn::Neg(sine), u, cosine, v);
+}
+
+/// a, b, c: the roots of the eigenvalues. 1 / (x + y) for each pair.
+template <class D, class V>
+static HWY_INLINE Six<V> sqrt_slopes(D d, V a, V b, V c) {
+  using T = hn::TFromD<D>;
+  const V one = hn::Set(d, T(1)), half = hn::Set(d, T(0.5));
+  const V ab = hn::Add(a, b), ac = hn::Add(a, c), bc = hn::Add(b, c);
+  const V sums = hn::Div(one, hn::Mul(hn::Mul(ab, ac), bc)),
+          values = hn::Div(half, hn::Mul(hn::Mul(a, b), c));
+  return {hn::Mul(hn::Mul(b, c), values), hn::Mul(hn::Mul(ac, bc), sums), hn::Mul(hn::Mul(ab, bc), sums),
+          hn::Mul(hn::Mul(a, c), values), hn::Mul(hn::Mul(ab, ac), sums), hn::Mul(hn::Mul(a, b), values)};
+}
+
+template <class D, class V>
+static HWY_INLINE Six<V> log_slopes(D d, const Spectrum<V>& e) {
+  const V one = hn::Set(d, hn::TFromD<D>(1));
+  const auto slope = [&](V x, V y, V difference) HWY_ATTR __attribute__((always_inline)) {
+    return log_ratio(d, x, y, hn::Mul(e.size, difference)).slope;
+  };
+  return {hn::Div(one, e.at_a),
+          slope(e.at_a, e.at_b, hn::Sub(e.a, e.b)),
+          slope(e.at_a, e.at_c, hn::Sub(e.a, e.c)),
+          hn::Div(one, e.at_b),
+          slope(e.at_b, e.at_c, e.gap),
+          hn::Div(one, e.at_c)};
+}
+
+/// x^p, and the divided differences of pow from those of log.
+template <class D, class V>
+struct PowSlopes {
+  using T = hn::TFromD<D>;
+  using C = ExpTables<T>;
+
+  D d;
+  V p;
+  hn::Mask<D> ok;  ///< lanes with powers in the normal range
+
+  HWY_INLINE V power(V x) {
+    const V one = hn::Set(d, T(1)), y = hn::Mul(p, log_ratio(d, x, one, hn::Sub(x, one)).log);
+    ok = hn::And(ok, hn::Le(hn::Abs(y), hn::Set(d, C::trace_limit / 3)));
+    const Reduced<V> r = reduce(d, y);
+    return add_to_exponent(d, horner(d, C::scalar_exp, r.r), r.shifted);
+  }
+
+  /// of_log: that of log. With t = p log(x / y): y^p (e^t - 1) / t times p of_log, or directly if t is large.
+  HWY_INLINE V between(V x_power, V y_power, V difference, V of_log) const {
+    constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
+    const V slope = hn::Mul(p, of_log), t = hn::Mul(slope, difference);
+    V series = hn::Set(d, C::scalar_exp[degree]);
+#pragma GCC unroll 16
+    for (int k = degree - 1; k > 0; --k) series = hn::MulAdd(series, t, hn::Set(d, C::scalar_exp[k]));
+    const auto near = hn::Le(hn::Abs(t), hn::Set(d, T(0.3467)));
+    return hn::IfThenElse(near, hn::Mul(hn::Mul(slope, y_power), series),
+                          hn::Div(hn::Sub(x_power, y_power), difference));
+  }
+};
+
+template <class D, class V>
+static HWY_INLINE Six<V> pow_slopes(D d, const Spectrum<V>& e, V p, hn::Mask<D>& ok) {
+  const Six<V> log = log_slopes(d, e);
+  PowSlopes<D, V> f = {d, p, ok};
+  const V a = f.power(e.at_a), b = f.power(e.at_b), c = f.power(e.at_c);
+  const auto over = [&](V power, V inverse) HWY_ATTR __attribute__((always_inline)) {
+    return hn::Mul(hn::Mul(p, power), inverse);
+  };
+  ok = f.ok;
+  return {over(a, log.xx),
+          f.between(a, b, hn::Mul(e.size, hn::Sub(e.a, e.b)), log.xy),
+          f.between(a, c, hn::Mul(e.size, hn::Sub(e.a, e.c)), log.xz),
+          over(b, log.yy),
+          f.between(b, c, hn::Mul(e.size, e.gap), log.yz),
+          over(c, log.zz)};
+}
+
+/// The mask of valid lanes.
+template <class D, class V>
+static HWY_INLINE hn::Mask<D> put_slopes(D d, Of f, double p, const Six<V>& s, Slopes<V>& slopes) {
+  const Spectrum<V> e = spectrum(d, s);
+  auto ok = is_ordinary(d, e);
+  put_vectors(d, e, slopes);
+  if (f == Of::log) {
+    slopes.f = log_slopes(d, e);
+  } else if (f == Of::pow) {
+    slopes.f = pow_slopes(d, e, hn::Set(d, hn::TFromD<D>(p)), ok);
+  } else {
+    slopes.f = sqrt_slopes(d, hn::Sqrt(e.at_a), hn::Sqrt(e.at_b), hn::Sqrt(e.at_c));
+  }
+  return ok;
+}
+
+/// f'(S)[E].
+template <class V>
+static HWY_INLINE Six<V> by_slopes(const Slopes<V>& s, const Six<V>& e) {
+  const Three<V> ea = times(e, s.a), eb = times(e, s.b), ec = times(e, s.c);
+  const V aa = Mul(s.f.xx, dot(s.a, ea)), ab = Mul(s.f.xy, dot(s.a, eb)), ac = Mul(s.f.xz, dot(s.a, ec)),
+          bb = Mul(s.f.yy, dot(s.b, eb)), bc = Mul(s.f.yz, dot(s.b, ec)), cc = Mul(s.f.zz, dot(s.c, ec));
+  const auto column = [&](V a, V b, V c) HWY_ATTR __attribute__((always_inline)) {
+    return Three<V>{sum_of_products(a, s.a.x, b, s.b.x, c, s.c.x),
+                    sum_of_products(a, s.a.y, b, s.b.y, c, s.c.y),
+                    sum_of_products(a, s.a.z, b, s.b.z, c, s.c.z)};
+  };
+  const Three<V> a = column(aa, ab, ac), b = column(ab, bb, bc), c = column(ac, bc, cc);
+  return {sum_of_products(a.x, s.a.x, b.x, s.b.x, c.x, s.c.x),
+          sum_of_products(a.x, s.a.y, b.x, s.b.y, c.x, s.c.y),
+          sum_of_products(a.x, s.a.z, b.x, s.b.z, c.x, s.c.z),
+          sum_of_products(a.y, s.a.y, b.y, s.b.y, c.y, s.c.y),
+          sum_of_products(a.y, s.a.z, b.y, s.b.z, c.y, s.c.z),
+          sum_of_products(a.z, s.a.z, b.z, s.b.z, c.z, s.c.z)};
+}
 
 // A function F to be differentiated has
 //   Point<D>                      data shared by all directions at one S, one S per lane

@@ -1,20 +1,68 @@
 #include "sym3/exp_paper.h"
-#include "sym3/trigonometric.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
+#include "sym3/call_kernel.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"
+#include "sym3/exp_tables.h"
+#include "sym3/route.h"
 #include "sym3/small_matrices.h"
 
 namespace viete::sym3 {
 
-// Equation numbers and sections are the paper's; its misprints are corrected (README.md, "The paper,
-// corrected").
+// The paper's eigenvalues and methods, and the route that a method takes. Equation numbers and sections are
+// the paper's; its misprints are corrected (README.md, "The paper, corrected").
 
 namespace {
+
+/// det(x I - S) = (x - shift)^3 + p (x - shift) + q, p <= 0 up to rounding.
+template <class T>
+struct DepressedCubic {
+  T p, q, shift;
+};
+
+/// From the coefficients of x^3 + a x^2 + b x + c, as the paper does; p and q cancel when the roots are
+/// close.
+template <class T>
+DepressedCubic<T> depressed_cubic(const Sym3<T>& s) {
+  const T a = -(s.xx + s.yy + s.zz);
+  const T b = s.xx * s.yy + s.yy * s.zz + s.zz * s.xx - s.xy * s.xy - s.yz * s.yz - s.xz * s.xz;
+  const T c = s.xx * s.yz * s.yz + s.yy * s.xz * s.xz + s.zz * s.xy * s.xy - s.xx * s.yy * s.zz -
+              2 * s.xy * s.yz * s.xz;
+  return {b - a * a / 3, c + 2 * a * a * a / 27 - a * b / 3, -a / 3};
+}
+
+/// t cos((acos k + 2 pi i) / 3) + shift: the largest root, the smallest, the middle one.
+template <class T>
+std::array<T, 3> viete_cosines(T t, T k, T shift) {
+  constexpr T third_turn = 2 * std::numbers::pi_v<T> / 3;
+  const T angle = std::acos(k) / 3;
+  return {t * std::cos(angle) + shift, t * std::cos(angle + third_turn) + shift,
+          t * std::cos(angle + 2 * third_turn) + shift};
+}
+
+/// r = sqrt(-12 p), k = -108 q / r^3 (the appendix misprints it as -4 q / p^3), t = r / 3. NaN if rounding
+/// makes p positive or |k| > 1, or if r = 0.
+template <class T>
+std::array<T, 3> viete_roots_as_printed(const DepressedCubic<T>& f) {
+  const T r = std::sqrt(-12 * f.p);
+  return viete_cosines(r / 3, -108 * f.q / (r * r * r), f.shift);
+}
+
+/// The same, with k clamped to [-1, 1], and a triple root unless r^3 is positive.
+template <class T>
+std::array<T, 3> viete_roots(const DepressedCubic<T>& f) {
+  const T r = std::sqrt(std::max(-12 * f.p, T(0)));
+  const T r3 = r * r * r;
+  if (!(r3 > 0)) return {f.shift, f.shift, f.shift};
+  return viete_cosines(r / 3, std::clamp(-108 * f.q / r3, T(-1), T(1)), f.shift);
+}
 
 constexpr double same_eigenvalue = 1e-6;  // the paper's threshold, absolute
 
@@ -63,13 +111,51 @@ Spectral<T> spectral_form(const std::array<T, 3>& l) {
   return three_distinct(l[0], l[1], l[2]);
 }
 
+template <class T>
+std::array<T, 3> three_nan() {
+  constexpr T nan = std::numeric_limits<T>::quiet_NaN();
+  return {nan, nan, nan};
+}
+
 }  // namespace
 
 template <class T>
-int distinct_eigenvalues(const std::array<T, 3>& l) {
-  const bool s01 = same(l[0], l[1]), s12 = same(l[1], l[2]), s02 = same(l[0], l[2]);
-  return s01 && s12 ? 1 : s01 || s12 || s02 ? 2 : 3;
+std::array<T, 3> eigenvalues_qr(const Sym3<T>& s) {
+  if (!is_finite(s)) return three_nan<T>();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, 3, 3>> solver;
+  solver.compute(to_eigen(s), Eigen::EigenvaluesOnly);
+  const auto& values = solver.eigenvalues();
+  return {values[0], values[1], values[2]};
 }
+
+template <class T>
+std::array<T, 3> eigenvalues_viete(const Sym3<T>& s) {
+  if (!is_finite(s)) return three_nan<T>();
+  const auto [largest, smallest, middle] = viete_roots(depressed_cubic(s));
+  return {smallest, middle, largest};
+}
+
+template <class T>
+std::array<T, 3> eigenvalues(const Sym3<T>& s) {
+  T out[3];
+  call_one(&KernelFunctions<T>::eigenvalues, &s.xx, out);
+  return {out[0], out[1], out[2]};
+}
+
+#define VIETE_FOR(T)                                                                     \
+  template std::array<T, 3> eigenvalues(const Sym3<T>&);                                 \
+  void eigenvalues(const SymView<const T>& in, const VecView<T>& out, std::size_t count, \
+                   const Batch& batch) {                                                 \
+    call_many(&KernelFunctions<T>::eigenvalues, in, out, count, batch);                  \
+  }
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
+
+template std::array<float, 3> eigenvalues_qr(const Sym3<float>&);
+template std::array<double, 3> eigenvalues_qr(const Sym3<double>&);
+template std::array<float, 3> eigenvalues_viete(const Sym3<float>&);
+template std::array<double, 3> eigenvalues_viete(const Sym3<double>&);
 
 template <class T>
 Sym3<T> exp_diag(const Sym3<T>& s) {
@@ -98,7 +184,6 @@ Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s) {
   return evaluate(spectral_form(viete_roots_as_printed(depressed_cubic(s))), s);
 }
 
-template int distinct_eigenvalues(const std::array<double, 3>&);
 template Sym3<float> exp_diag(const Sym3<float>&);
 template Sym3<double> exp_diag(const Sym3<double>&);
 template Sym3<float> exp_sd(const Sym3<float>&);
@@ -107,5 +192,36 @@ template Sym3<float> exp_improved_sd(const Sym3<float>&);
 template Sym3<double> exp_improved_sd(const Sym3<double>&);
 template Sym3<float> exp_improved_sd_faithful(const Sym3<float>&);
 template Sym3<double> exp_improved_sd_faithful(const Sym3<double>&);
+
+namespace {
+
+int distinct_eigenvalues(const std::array<double, 3>& l) {
+  const bool s01 = same(l[0], l[1]), s12 = same(l[1], l[2]), s02 = same(l[0], l[2]);
+  return s01 && s12 ? 1 : s01 || s12 || s02 ? 2 : 3;
+}
+
+Route route_of_fast(const Sym3<double>& s) {
+  using C = ExpTables<double>;
+  Route route{.degree = static_cast<int>(sizeof(C::matrix_exp) / sizeof(double)) - 1};
+  const double trace = s.xx + s.yy + s.zz, mean = trace / 3;
+  const double x = s.xx - mean, y = s.yy - mean, z = s.zz - mean;
+  double p = (x * x + y * y + z * z) / 2 + s.xy * s.xy + s.xz * s.xz + s.yz * s.yz;
+  if (p <= C::p_limit && std::abs(trace) <= C::trace_limit) return route;
+  for (; p > C::p_limit && route.squarings < C::max_squarings; p /= 4) ++route.squarings;
+  const bool diagonal = s.xy == 0 && s.xz == 0 && s.yz == 0;
+  if (diagonal || !(p <= C::p_limit) || !is_finite(exp(s, Method::fast))) return {.by_jacobi = true};
+  return route;
+}
+
+}  // namespace
+
+Route route(const Sym3<double>& s, Method method) {
+  if (method == Method::fast) return route_of_fast(s);
+  if (method == Method::diag || !is_finite(s)) return {};
+  if (method == Method::sd) return {.distinct = distinct_eigenvalues(eigenvalues_qr(s))};
+  const DepressedCubic<double> cubic = depressed_cubic(s);
+  const bool printed = method == Method::improved_sd_faithful;
+  return {.distinct = distinct_eigenvalues(printed ? viete_roots_as_printed(cubic) : viete_roots(cubic))};
+}
 
 }  // namespace viete::sym3

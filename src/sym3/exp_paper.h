@@ -1,15 +1,9 @@
 // The paper's three methods for exp, one matrix at a time. Internal.
 #pragma once
 
-#include <array>
-
 #include "sym3/sym3.h"
 
 namespace viete::sym3 {
-
-/// Number of eigenvalues that the paper's threshold of section 2.2 separates, 1 to 3. NaN counts as distinct.
-template <class T>
-int distinct_eigenvalues(const std::array<T, 3>& eigenvalues);
 
 template <class T>
 Sym3<T> exp_diag(const Sym3<T>& s);
