@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 
 #include "sym3/derivative.h"
 #include "sym3/exp.h"
@@ -15,117 +16,107 @@ namespace {
 
 constexpr std::size_t block = 256;  // matrices per copied block
 
-template <int N, class T>
-bool is_sound(const T* data, viete_layout layout) {
-  return data && layout.matrix_stride > 0 && (layout.entry_stride > 0 || N == 6);
-}
-
-// Symmetric matrices with all nine entries.
-bool is_full(viete_layout layout) {
-  return layout.entry_stride == 0;
-}
-
-// True if a view supports the layout without copying.
-template <int N>
-bool is_viewed(viete_layout layout) {
-  if (is_full(layout)) return layout.matrix_stride == 9;
-  return layout.matrix_stride == 1 || (layout.entry_stride == 1 && layout.matrix_stride == N);
-}
-
+// One array of matrices with N entries that are accessed.
 template <class T, int N>
-View<T, N> view_of(T* data, viete_layout layout) {
-  if (is_full(layout)) return {Layout::full, data};
-  if (layout.matrix_stride == 1) return {data, layout.entry_stride};
-  return {Layout::packed, data};
-}
+struct Argument {
+  T* data;
+  viete_layout layout;
+
+  // Symmetric matrices with all nine entries.
+  bool is_full() const { return layout.entry_stride == 0; }
+  bool is_sound() const { return data && layout.matrix_stride > 0 && (!is_full() || N == 6); }
+  // True if a view supports the layout without copying.
+  bool is_viewed() const {
+    if (is_full()) return layout.matrix_stride == 9;
+    return layout.matrix_stride == 1 || (layout.entry_stride == 1 && layout.matrix_stride == N);
+  }
+  View<T, N> view(std::size_t begin) const {
+    T* const first = data + begin * layout.matrix_stride;
+    if (is_full()) return {Layout::full, first};
+    if (layout.matrix_stride == 1) return {first, layout.entry_stride};
+    return {Layout::packed, first};
+  }
+  // Offset of an entry within its matrix.
+  std::size_t place(std::size_t k) const {
+    constexpr std::size_t upper[9] = {0, 1, 2, 4, 5, 8};
+    return is_full() ? upper[k] : k * layout.entry_stride;
+  }
+};
 
 // A part of a batch: in place, or copied to a buffer and finally back.
 template <class T, int N>
 class Part {
 public:
-  Part(T* data, viete_layout layout, std::size_t begin, std::size_t count)
-      : data_(data + begin * layout.matrix_stride), layout_(layout), count_(count) {}
-
-  View<const std::remove_const_t<T>, N> read() {
-    if (is_viewed<N>(layout_)) return view_of<const std::remove_const_t<T>, N>(data_, layout_);
-    for (std::size_t i = 0; i < count_; ++i)
-      for (std::size_t k = 0; k < N; ++k) buffer_[N * i + k] = data_[i * layout_.matrix_stride + place(k)];
-    return {Layout::packed, buffer_};
+  Part(const Argument<T, N>& all, std::size_t begin, std::size_t count)
+      : all_(all), begin_(begin), count_(count) {
+    if constexpr (std::is_const_v<T>) {
+      if (!all_.is_viewed()) for_entries([](T& entry, auto& copy) { copy = entry; });
+    }
   }
-  View<T, N> write() {
-    if (is_viewed<N>(layout_)) return view_of<T, N>(data_, layout_);
-    return {Layout::packed, buffer_};
-  }
+  View<T, N> view() { return all_.is_viewed() ? all_.view(begin_) : View<T, N>(Layout::packed, buffer_); }
   void finish() {
-    if (is_viewed<N>(layout_)) return;
-    for (std::size_t i = 0; i < count_; ++i) {
-      T* to = data_ + i * layout_.matrix_stride;
-      for (std::size_t k = 0; k < N; ++k) to[place(k)] = buffer_[N * i + k];
-      if (is_full(layout_)) to[3] = to[1], to[6] = to[2], to[7] = to[5];
+    if constexpr (!std::is_const_v<T>) {
+      if (all_.is_viewed()) return;
+      for_entries([](T& entry, auto& copy) { entry = copy; });
+      for (std::size_t i = 0; i < count_ && all_.is_full(); ++i) {
+        T* to = all_.data + (begin_ + i) * all_.layout.matrix_stride;
+        to[3] = to[1], to[6] = to[2], to[7] = to[5];
+      }
     }
   }
 
 private:
-  // Offset of an entry within its matrix.
-  std::size_t place(std::size_t k) const {
-    constexpr std::size_t upper[9] = {0, 1, 2, 4, 5, 8};
-    return is_full(layout_) ? upper[k] : k * layout_.entry_stride;
+  template <class Act>
+  void for_entries(const Act& act) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      T* const matrix = all_.data + (begin_ + i) * all_.layout.matrix_stride;
+      for (std::size_t k = 0; k < N; ++k) act(matrix[all_.place(k)], buffer_[N * i + k]);
+    }
   }
 
-  T* data_;
-  viete_layout layout_;
-  std::size_t count_;
+  Argument<T, N> all_;
+  std::size_t begin_, count_;
   std::remove_const_t<T> buffer_[block * N];
 };
 
-// Calls act(begin, count) once for all, or block by block.
-template <class Act>
-void for_parts(bool at_once, std::size_t count, const Act& act) {
-  const std::size_t step = at_once ? std::max<std::size_t>(count, 1) : block;
-  for (std::size_t begin = 0; begin < count; begin += step) act(begin, std::min(step, count - begin));
+// Calls f(views..., count) once for all matrices, or block by block if one layout needs copies.
+template <class F, class... T, int... N>
+int apply(std::size_t count, const F& f, const Argument<T, N>&... all) {
+  if (!(all.is_sound() && ...)) return -1;
+  const std::size_t step = (all.is_viewed() && ...) ? std::max<std::size_t>(count, 1) : block;
+  for (std::size_t begin = 0; begin < count; begin += step) {
+    const std::size_t n = std::min(step, count - begin);
+    const auto act = [&](Part<T, N>... parts) {
+      f(parts.view()..., n);
+      (parts.finish(), ...);
+    };
+    act(Part<T, N>(all, begin, n)...);
+  }
+  return 0;
 }
 
 template <class T, class F>
-int apply(const T* in, viete_layout from, T* out, viete_layout to, std::size_t count, const F& f) {
-  if (!is_sound<6>(in, from) || !is_sound<6>(out, to)) return -1;
-  for_parts(is_viewed<6>(from) && is_viewed<6>(to), count, [&](std::size_t begin, std::size_t n) {
-    Part<const T, 6> source(in, from, begin, n);
-    Part<T, 6> target(out, to, begin, n);
-    f(source.read(), target.write(), n);
-    target.finish();
-  });
-  return 0;
+int map(const T* in, viete_layout from, T* out, viete_layout to, std::size_t count, const F& f) {
+  return apply(count, f, Argument<const T, 6>{in, from}, Argument<T, 6>{out, to});
 }
 
 template <class F>
 int derive(const double* in, viete_layout from, const double* direction, viete_layout along, double* out,
            viete_layout to, std::size_t count, const F& f) {
-  if (!is_sound<6>(in, from) || !is_sound<6>(direction, along) || !is_sound<6>(out, to)) return -1;
-  const bool at_once = is_viewed<6>(from) && is_viewed<6>(along) && is_viewed<6>(to);
-  for_parts(at_once, count, [&](std::size_t begin, std::size_t n) {
-    Part<const double, 6> source(in, from, begin, n), way(direction, along, begin, n);
-    Part<double, 6> target(out, to, begin, n);
-    const SymView<const double> ways[] = {way.read()};
-    const SymView<double> targets[] = {target.write()};
-    f(source.read(), Directions<double>(ways), Derivatives<double>(targets), n);
-    target.finish();
-  });
-  return 0;
+  const auto one = [&](const auto& s, const SymView<const double>& way, const SymView<double>& target,
+                       std::size_t n) {
+    f(s, Directions<double>(&way, 1), Derivatives<double>(&target, 1), n);
+  };
+  return apply(count, one, Argument<const double, 6>{in, from}, Argument<const double, 6>{direction, along},
+               Argument<double, 6>{out, to});
 }
 
 template <class T>
 int polar_of(const T* in, viete_layout from, T* rotations, viete_layout to, T* stretches,
              viete_layout stretch, std::size_t count) {
-  if (!is_sound<9>(in, from) || !is_sound<9>(rotations, to) || !is_sound<6>(stretches, stretch)) return -1;
-  const bool at_once = is_viewed<9>(from) && is_viewed<9>(to) && is_viewed<6>(stretch);
-  for_parts(at_once, count, [&](std::size_t begin, std::size_t n) {
-    Part<const T, 9> source(in, from, begin, n);
-    Part<T, 9> rotation(rotations, to, begin, n);
-    Part<T, 6> target(stretches, stretch, begin, n);
-    polar(source.read(), rotation.write(), target.write(), n);
-    rotation.finish(), target.finish();
-  });
-  return 0;
+  return apply(
+      count, [](const auto& m, const auto& r, const auto& u, std::size_t n) { polar(m, r, u, n); },
+      Argument<const T, 9>{in, from}, Argument<T, 9>{rotations, to}, Argument<T, 6>{stretches, stretch});
 }
 
 }  // namespace
@@ -134,10 +125,10 @@ int polar_of(const T* in, viete_layout from, T* rotations, viete_layout to, T* s
 
 using namespace viete;  // NOLINT(google-build-using-namespace): these have no namespace
 
-#define VIETE_C_FUNCTION(name, T, f)                                                           \
-  int name(const T* in, viete_layout from, T* out, viete_layout to, size_t count) {            \
-    return sym3::apply(in, from, out, to, count,                                               \
-                       [](const auto& a, const auto& b, std::size_t n) { sym3::f(a, b, n); }); \
+#define VIETE_C_FUNCTION(name, T, f)                                                         \
+  int name(const T* in, viete_layout from, T* out, viete_layout to, size_t count) {          \
+    return sym3::map(in, from, out, to, count,                                               \
+                     [](const auto& a, const auto& b, std::size_t n) { sym3::f(a, b, n); }); \
   }
 #define VIETE_C_DERIVATIVE(name, f)                                                               \
   int name(const double* in, viete_layout from, const double* e, viete_layout along, double* out, \
@@ -160,12 +151,12 @@ VIETE_C_DERIVATIVE(viete_log_derivative, log_derivative)
 VIETE_C_DERIVATIVE(viete_sqrt_derivative, sqrt_derivative)
 
 int viete_pow(const double* in, viete_layout from, double p, double* out, viete_layout to, size_t count) {
-  return sym3::apply(in, from, out, to, count,
-                     [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });
+  return sym3::map(in, from, out, to, count,
+                   [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });
 }
 int viete_pow_f(const float* in, viete_layout from, double p, float* out, viete_layout to, size_t count) {
-  return sym3::apply(in, from, out, to, count,
-                     [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });
+  return sym3::map(in, from, out, to, count,
+                   [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });
 }
 int viete_polar(const double* in, viete_layout from, double* rotations, viete_layout to, double* stretches,
                 viete_layout stretch, size_t count) {
