@@ -1,8 +1,11 @@
 // Matrices in every layout and with every kernel, and their entries.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -57,52 +60,91 @@ sym3::Sym3<T> exp_with(const sym3::Kernel& kernel, const sym3::Sym3<T>& s) {
 inline constexpr sym3::Layout layouts[] = {sym3::Layout::planes, sym3::Layout::packed, sym3::Layout::full};
 inline constexpr int in_full[6] = {0, 1, 2, 4, 5, 8};
 
-/// Matrices in one layout, `offset` numbers off a 64-byte boundary, followed by a guard that must not change.
-template <class T>
+/// Items of contiguous numbers in one layout, `offset` numbers off a 64-byte boundary, followed by a guard
+/// that must not change.
+template <class T, class Item = sym3::Sym3<T>>
 class Arranged {
 public:
-  Arranged(sym3::Layout layout, std::size_t count, std::size_t offset) : layout_(layout), count_(count) {
-    stride_ = sym3::padded_stride<T>(count);
-    memory_.assign(std::max(6 * stride_, 9 * count) + 128, guard);
+  static constexpr int N = sizeof(Item) / sizeof(T);
+
+  Arranged(sym3::Layout layout, std::size_t count, std::size_t offset = 0)
+      : layout_(layout), stride_(sym3::padded_stride<T>(count)) {
+    memory_.assign(std::max(N * stride_, 9 * count) + 128, guard);
     const auto bytes = reinterpret_cast<std::uintptr_t>(memory_.data());
     data_ = memory_.data() + (64 - bytes % 64) % 64 / sizeof(T) + offset;
   }
-
-  sym3::SymView<T> view() {
-    return layout_ == sym3::Layout::planes ? sym3::SymView<T>(data_, stride_)
-                                           : sym3::SymView<T>(layout_, data_);
+  Arranged(sym3::Layout layout, const std::vector<Item>& items, std::size_t count, std::size_t offset = 0)
+      : Arranged(layout, count, offset) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto numbers = std::bit_cast<std::array<T, N>>(items[i]);
+      for (int k = 0; k < N; ++k) entry(k, i) = numbers[k];
+    }
   }
 
-  T& entry(int k, std::size_t i) {
-    if (layout_ == sym3::Layout::planes) return data_[k * stride_ + i];
-    if (layout_ == sym3::Layout::packed) return data_[6 * i + k];
-    return data_[9 * i + in_full[k]];
+  sym3::View<T, N> view() {
+    return layout_ == sym3::Layout::planes ? sym3::View<T, N>(data_, stride_)
+                                           : sym3::View<T, N>(layout_, data_);
   }
-
-  void set(std::size_t i, const sym3::Sym3<T>& s) {
-    const auto e = entries_of(s);
-    for (int k = 0; k < 6; ++k) entry(k, i) = e[k];
+  Item get(std::size_t i) {
+    std::array<T, N> numbers;
+    for (int k = 0; k < N; ++k) numbers[k] = entry(k, i);
+    return std::bit_cast<Item>(numbers);
   }
-
-  sym3::Sym3<T> get(std::size_t i) {
-    return {entry(0, i), entry(1, i), entry(2, i), entry(3, i), entry(4, i), entry(5, i)};
-  }
-
   bool is_symmetric(std::size_t i) {
     const T* m = data_ + 9 * i;
     const auto same = [](T a, T b) { return std::memcmp(&a, &b, sizeof(T)) == 0; };
     return layout_ != sym3::Layout::full || (same(m[1], m[3]) && same(m[2], m[6]) && same(m[5], m[7]));
   }
-
-  std::size_t untouched() const { return std::count(memory_.begin(), memory_.end(), guard); }
+  /// True if exactly `count` items were written.
+  bool holds(std::size_t count) const {
+    const std::size_t width = layout_ == sym3::Layout::full ? 9 : N;
+    return memory_.size() - std::count(memory_.begin(), memory_.end(), guard) == width * count;
+  }
 
   static constexpr T guard = T(-12345);
 
 private:
+  T& entry(int k, std::size_t i) {
+    if (layout_ == sym3::Layout::planes) return data_[k * stride_ + i];
+    return layout_ == sym3::Layout::packed ? data_[N * i + k] : data_[9 * i + in_full[k]];
+  }
+
   sym3::Layout layout_;
-  std::size_t count_, stride_;
+  std::size_t stride_;
   std::vector<T> memory_;
   T* data_;
 };
+
+/// True if all numbers are equal or NaN in both.
+template <class T, class Item>
+bool same_or_nan(const Item& a, const Item& b) {
+  using Numbers = std::array<T, sizeof(Item) / sizeof(T)>;
+  return std::ranges::equal(std::bit_cast<Numbers>(a), std::bit_cast<Numbers>(b),
+                            [](T x, T y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+/// Checks many(from, to, count) in all pairs of layouts and at every length against the expected items, and
+/// that nothing else is written.
+template <class T, class In, class Out, class Many>
+void check_every_batch(const std::vector<In>& in, const std::vector<Out>& expected, const Many& many) {
+  const auto fits = [](sym3::Layout layout, int n) { return layout != sym3::Layout::full || n == 6; };
+  for (const auto from : layouts) {
+    for (const auto to : layouts) {
+      if (!fits(from, Arranged<T, In>::N) || !fits(to, Arranged<T, Out>::N)) continue;
+      for (std::size_t count = 0; count <= in.size(); count += count < 70 ? 1 : 40) {
+        Arranged<T, In> there(from, in, in.size());
+        Arranged<T, Out> here(to, in.size());
+        many(sym3::View<const T, Arranged<T, In>::N>(there.view()), here.view(), count);
+        bool same = here.holds(count);
+        for (std::size_t i = 0; i < count; ++i)
+          same = same && same_or_nan<T>(here.get(i), expected[i]) && here.is_symmetric(i);
+        CAPTURE(int(from));
+        CAPTURE(int(to));
+        CAPTURE(count);
+        CHECK(same);
+      }
+    }
+  }
+}
 
 }  // namespace viete::test

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "sym3/arranged.h"
 #include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
@@ -159,24 +160,19 @@ TEST_CASE_TEMPLATE("every_length_of_a_batch_of_polars_gives_the_bits_of_one", T,
   }
   in[20] = {};
   for (const auto& kernel : sym3::kernels()) {
-    for (std::size_t count = 0; count <= in.size(); ++count) {
-      std::vector<Mat3<T>> out(in.size() + 1, Mat3<T>{-7});
-      sym3::polar(sym3::MatView<const T>(sym3::Layout::packed, in[0].data()),
-                  sym3::MatView<T>(sym3::Layout::packed, out[0].data()), count, {&kernel});
-      bool same = out[count][0] == T(-7);
-      for (std::size_t i = 0; i < count; ++i) same = same && out[i] == polar_with(kernel, in[i]);
-      CHECK(same);
-    }
+    std::vector<Mat3<T>> expected;
+    for (const auto& m : in) expected.push_back(polar_with(kernel, m));
+    check_every_batch<T>(
+        in, expected, [&](const sym3::MatView<const T>& from, const sym3::MatView<T>& to, std::size_t count) {
+          sym3::polar(from, to, count, {&kernel});
+        });
   }
 }
 
 TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_any_layout_and_in_place", T,
                    double, float) {
-  using sym3::Layout;
-  constexpr std::size_t most = 150;
-  constexpr int in_full[] = {0, 1, 2, 4, 5, 8};
   Random random(85);
-  std::vector<Mat3<T>> in(most);
+  std::vector<Mat3<T>> in(150);
   for (auto& m : in) {
     for (T& x : m) x = T(uniform(random, -1, 1));
   }
@@ -186,35 +182,20 @@ TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_an
       const sym3::MatView<T> both(sym3::Layout::packed, r[0].data());
       sym3::polar(both, both, u, count, {&kernel});
     };
-    std::vector<sym3::Polar<T>> one(most);
-    for (std::size_t i = 0; i < most; ++i) {
+    std::vector<Mat3<T>> rotations;
+    std::vector<sym3::Sym3<T>> stretches(in.size());
+    for (std::size_t i = 0; i < in.size(); ++i) {
       std::vector<Mat3<T>> r = {in[i]};
-      run(r, sym3::packed(&one[i].stretch), 1);
-      one[i].rotation = r[0];
+      run(r, sym3::packed(&stretches[i]), 1);
+      rotations.push_back(r[0]);
       CHECK(r[0] == polar_with(kernel, in[i]));
-      if (&kernel == &sym3::kernel()) CHECK(one[i].stretch == sym3::polar(in[i]).stretch);
+      if (&kernel == &sym3::kernel()) CHECK(stretches[i] == sym3::polar(in[i]).stretch);
     }
-    for (const Layout layout : {Layout::planes, Layout::packed, Layout::full}) {
-      for (std::size_t count = 0; count <= most; count += count < 67 ? 1 : 83) {
-        std::vector<Mat3<T>> r = in;
-        std::vector<T> u(9 * 160, T(-7));
-        run(r,
-            layout == Layout::planes ? sym3::SymView<T>(u.data(), 160) : sym3::SymView<T>(layout, u.data()),
-            count);
-        bool same = true;
-        for (std::size_t i = 0; i < most; ++i) {
-          const T* s = &one[i].stretch.xx;
-          same = same && r[i] == (i < count ? one[i].rotation : in[i]);
-          for (int k = 0; k < 6; ++k) {
-            const std::size_t place = layout == Layout::planes   ? k * 160 + i
-                                      : layout == Layout::packed ? 6 * i + k
-                                                                 : 9 * i + in_full[k];
-            same = same && u[place] == (i < count ? s[k] : T(-7));
-          }
-        }
-        CHECK(same);
-      }
-    }
+    check_every_batch<T>(in, stretches, [&](const auto&, const sym3::SymView<T>& to, std::size_t count) {
+      std::vector<Mat3<T>> r = in;
+      run(r, to, count);
+      for (std::size_t i = 0; i < in.size(); ++i) CHECK(r[i] == (i < count ? rotations[i] : in[i]));
+    });
   }
 }
 

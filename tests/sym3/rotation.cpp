@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sym3/arranged.h"
 #include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
@@ -193,67 +194,31 @@ TEST_CASE("huge_angles_still_give_a_rotation") {
   for (const float x : sym3::exp_rotation(Vec3<float>{3.3e38F, 3.3e38F, -3.3e38F})) CHECK(std::isfinite(x));
 }
 
-TEST_CASE_TEMPLATE("every_kernel_and_length_of_a_batch_of_rotations_gives_the_bits_of_one", T, double,
-                   float) {
+TEST_CASE_TEMPLATE("every_kernel_length_and_layout_of_a_batch_of_rotations_and_logs_gives_the_bits_of_one", T,
+                   double, float) {
   Random random(65);
-  std::vector<T> w(3 * 150);
-  for (T& x : w) x = T(uniform(random, -1.5, 1.5));
-  for (const std::size_t i : {7, 40, 41, 90}) w[3 * i] = T(50);
-  for (const auto& kernel : sym3::kernels()) {
-    for (std::size_t count = 0; count <= 150; count += count < 70 ? 1 : 40) {
-      std::vector<T> r(9 * 150 + 1, T(-7)), planes(3 * 150), out_planes(9 * 150, T(-7));
-      for (std::size_t i = 0; i < 150; ++i) {
-        for (int k = 0; k < 3; ++k) planes[k * 150 + i] = w[3 * i + k];
-      }
-      sym3::exp_rotation(sym3::VecView<const T>(sym3::Layout::packed, w.data()),
-                         sym3::MatView<T>(sym3::Layout::packed, r.data()), count, {&kernel});
-      sym3::exp_rotation(sym3::VecView<const T>(planes.data(), 150), sym3::MatView<T>(out_planes.data(), 150),
-                         count, {&kernel});
-      bool same = r[9 * count] == T(-7);
-      for (std::size_t i = 0; i < count; ++i) {
-        T one[9];
-        sym3::exp_rotation(sym3::VecView<const T>(sym3::Layout::packed, &w[3 * i]),
-                           sym3::MatView<T>(sym3::Layout::packed, one), 1, {&kernel});
-        for (int k = 0; k < 9; ++k)
-          same = same && r[9 * i + k] == one[k] && out_planes[k * 150 + i] == one[k];
-      }
-      CHECK(same);
-    }
-  }
-}
-
-TEST_CASE_TEMPLATE(
-    "every_kernel_and_length_of_a_batch_of_logs_of_rotations_gives_the_bits_of_one_in_any_layout", T, double,
-    float) {
-  using sym3::Layout;
-  constexpr std::size_t most = 150;
-  Random random(67);
-  std::vector<Mat3<T>> r(most);
-  std::vector<T> planes(9 * most);
-  for (std::size_t i = 0; i < most; ++i) {
+  std::vector<Vec3<T>> w(150);
+  std::vector<Mat3<T>> r(w.size());
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    for (T& x : w[i]) x = T(uniform(random, -1.5, 1.5));
+    if (i % 40 == 7) w[i][0] = T(50);
     r[i] = sym3::exp_rotation(vector_of_angle<T>(i % 5 ? uniform(random, 0, 3.2) : pi, int(i), random));
     if (i % 50 == 7) r[i] = {-1, 0, 0, 0, 1, 0, 0, 0, -1};
-    for (int k = 0; k < 9; ++k) planes[k * most + i] = r[i][k];
   }
   for (const auto& kernel : sym3::kernels()) {
     CAPTURE(kernel.name);
-    std::vector<Vec3<T>> one(most);
-    for (std::size_t i = 0; i < most; ++i) one[i] = log_with(kernel, r[i]);
-    for (std::size_t count = 0; count <= most; count += count < 70 ? 1 : 40) {
-      std::vector<T> row(3 * most, T(-7)), out_planes(3 * most, T(-7));
-      sym3::log_rotation(sym3::MatView<const T>(Layout::packed, r[0].data()),
-                         sym3::VecView<T>(Layout::packed, row.data()), count, {&kernel});
-      sym3::log_rotation(sym3::MatView<const T>(planes.data(), most),
-                         sym3::VecView<T>(out_planes.data(), most), count, {&kernel});
-      bool same = true;
-      for (std::size_t i = 0; i < most; ++i) {
-        for (int k = 0; k < 3; ++k) {
-          const T expected = i < count ? one[i][k] : T(-7);
-          same = same && row[3 * i + k] == expected && out_planes[k * most + i] == expected;
-        }
-      }
-      CHECK(same);
+    const auto exp_many = [&](const sym3::VecView<const T>& from, const sym3::MatView<T>& to,
+                              std::size_t count) { sym3::exp_rotation(from, to, count, {&kernel}); };
+    const auto log_many = [&](const sym3::MatView<const T>& from, const sym3::VecView<T>& to,
+                              std::size_t count) { sym3::log_rotation(from, to, count, {&kernel}); };
+    std::vector<Mat3<T>> rotations(w.size());
+    std::vector<Vec3<T>> logs;
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      exp_many({sym3::Layout::packed, w[i].data()}, {sym3::Layout::packed, rotations[i].data()}, 1);
+      logs.push_back(log_with(kernel, r[i]));
     }
+    check_every_batch<T>(w, rotations, exp_many);
+    check_every_batch<T>(r, logs, log_many);
   }
 }
 
