@@ -84,35 +84,3 @@ TEST_CASE("off_colours_before_normals_are_integers") {
   CHECK(test::written_again(r, r.surface.positions) == text);
   CHECK(holds(test::written_again(r, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}), "0 0 0 0 0 1 255 0 -1 0 \n"));
 }
-
-TEST_CASE("off_rows_may_be_wrapped_but_colours_end_with_the_line") {
-  const std::string faces[] = {"3 0\n2\n1\n4 0 1\n2 3 255 0 0\n3\n0 1 2\n",
-                               "3 0 2 1 # a\n4\n\n0 1 2 3 255 0 0 # b\n3 0 1 2"};
-  const std::string vertices[] = {"0 0 0\n1 0 0\n1 1 0\n0 1 0\n", "0\n0\n0\n1 0 0\n1 1\n0 0 1 0\n",
-                                  "0 0 0 1 0 0 1 1 0 0 1 0\n"};
-  for (const std::string& f : faces) {
-    for (const std::string& v : vertices) {
-      const std::string text = "OFF\n4 3 0\n" + v + f;
-      const ReadResult r = test::read_kept(text, "off");
-      CHECK(r.surface.positions == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
-      CHECK(r.surface.corners == std::vector<std::uint32_t>{0, 2, 1, 0, 1, 2, 3, 0, 1, 2});
-      REQUIRE(r.attributes);
-      CHECK(r.attributes->polygon_colors ==
-            std::vector<Color>{Material{}.base_color, {1, 0, 0, 1}, Material{}.base_color});
-      CHECK(test::written_again(r, r.surface.positions) == text);
-      std::vector<Point> moved = r.surface.positions;
-      moved[2] = {7, 8, 9};
-      const std::string written = test::written_again(r, moved);
-      CHECK(test::read_text(written, "off").surface.positions == moved);
-      CHECK(holds(written, f));
-    }
-  }
-  const std::string colored =
-      "CNOFF\n3\n1 0\n0 0 0 0 0\n1 255 0 0 255 1 0 0\n0 0 1 255 0 0 255 0 1 0 0 0 1 255 0 0 255\n3 0 1\n2\n";
-  const ReadResult r = test::read_kept(colored, "off");
-  REQUIRE(r.attributes);
-  CHECK(r.attributes->normals == std::vector<Vec3>(3, Vec3{0, 0, 1}));
-  CHECK(r.attributes->colors == std::vector<Color>(3, Color{1, 0, 0, 1}));
-  CHECK(holds(test::written_again(r, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}),
-              "\n0 0 0 0 -1\n0 255 0 0 255 1 0 0\n0 -1 0 255"));
-}

@@ -54,7 +54,7 @@ TEST_CASE("winding_numbers_agree_with_a_sum_of_arc_tangents") {
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       const double number = by_arc_tangents(s, points[i]);
       CHECK(std::abs(winding_number(s, points[i]) - number) < 1e-12);
-      CHECK(std::ranges::binary_search(outside, i) == std::abs(number) < 0.5);
+      CHECK(std::ranges::binary_search(outside, i) == (std::abs(number) < 0.5));
     }
   }
 }

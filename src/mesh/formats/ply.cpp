@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <deque>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "mesh/formats/file_vectors.h"
 #include "mesh/formats/ply_file.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
@@ -21,7 +23,7 @@ namespace {
 
 // The colour scale of a type. Integers wider than two bytes contain bytes, as some programs declare them in
 // text.
-double part_of_largest(PlyType type) {
+double part_of_largest(NumberType type) {
   return with_type(type, [](auto number) {
     using Number = decltype(number);
     if (!std::is_integral_v<Number>) return 1.0;
@@ -132,8 +134,9 @@ public:
   bool wants_list(std::size_t property) const { return property == texture_list_; }
   void take_texture(double value) { row_texture_.push_back(value); }
 
-  // Assigns the collected values to the polygons added since the last row.
-  void end_row() {
+  // Assigns the collected values to the polygons added since the last row. Returns the first and the end of
+  // their corners.
+  std::pair<std::size_t, std::size_t> end_row() {
     const std::size_t polygons = surface_->polygon_count();
     if (has_colors_ && polygons > polygons_) {
       colors_.resize(polygons_, Material{}.base_color);
@@ -142,8 +145,9 @@ public:
     end_texture();
     end_material();
     polygons_ = polygons;
-    corners_ = surface_->corners.size();
     row_texture_.clear();
+    const std::size_t first = std::exchange(corners_, surface_->corners.size());
+    return {first, corners_};
   }
 
   // Adds the collected values to the vertex attributes. Images, by index, are in this folder.
@@ -216,10 +220,9 @@ private:
   std::vector<Group> groups_;  // one per texnumber, which becomes the material
 };
 
-template <class Values>
 class PlyBody {
 public:
-  PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, Values values)
+  PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, const PlyValues& values)
       : header_(header), source_(source), builder_(builder), values_(values) {
     const PlyElement* vertices = header.find("vertex");
     vertex_count_ = vertices ? vertices->count : 0;
@@ -227,12 +230,14 @@ public:
 
   Attributes read() {
     for (const PlyElement& element : header_.elements) {
+      targets_.assign(element.properties.size(), {});
       if (element.name == "vertex" && builder_.vertex_count() == 0) {
         vertices(element);
       } else if (element.name == "face") {
-        lists(element, element.find("vertex_indices", "vertex_index"), [this](std::size_t n) { polygon(n); });
+        lists(element, record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"}),
+              [this](std::size_t n) { polygon(n); });
       } else if (element.name == "tristrips") {
-        lists(element, element.find("vertex_indices", "vertex_index"), [this](std::size_t n) { strips(n); });
+        lists(element, nullptr, [this](std::size_t n) { strips(n); });
       } else {
         rows(element, [this](const PlyProperty& property, std::size_t) { skip(property); });
       }
@@ -242,16 +247,54 @@ public:
                     base::counted(values_.longer_rows(), "row"));
     Attributes found = attributes_.finish(builder_.surface());
     face_attributes_.finish(builder_.surface(), header_.texture_files, source_.folder, found);
+    for (FileVectors& v : vectors_) {
+      if (v.rows == FileVectors::Rows::faces) v.row_of_corner.resize(builder_.surface().corners.size(), none);
+    }
     return found;
   }
 
+  // The vectors that writing the file again may change. Call after read().
+  std::vector<FileVectors> take_vectors() {
+    return {std::move_iterator(vectors_.begin()), std::move_iterator(vectors_.end())};
+  }
+
 private:
+  // The component of a vector that a property stores.
+  struct Target {
+    FileVectors* vectors = nullptr;
+    std::size_t axis = 0;
+  };
+
+  // Records the places of three properties in the following rows of this element. Null if one is missing.
+  FileVectors* record(const PlyElement& element, FileVectors::Kind kind,
+                      const std::array<const char*, 3>& names) {
+    std::array<std::size_t, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = element.find(names[k]);
+      if (!source_.owner || at[k] == element.properties.size() || element.properties[at[k]].list_size)
+        return nullptr;
+    }
+    FileVectors& vectors = vectors_.emplace_back();
+    vectors.kind = kind;
+    vectors.rows = element.name == "face" ? FileVectors::Rows::faces : FileVectors::Rows::vertices;
+    vectors.element = element.name;
+    vectors.places.resize(element.count);
+    for (std::size_t k = 0; k < 3; ++k) {
+      vectors.types[k] = element.properties[at[k]].type;
+      targets_[at[k]] = {&vectors, k};
+    }
+    return &vectors;
+  }
+
   template <class Read>
   void rows(const PlyElement& element, Read read) {
     if (element.properties.empty()) return;
     for (std::size_t i = 0; i < element.count; ++i) {
       values_.start_row(element.name, i);
-      for (std::size_t p = 0; p < element.properties.size(); ++p) read(element.properties[p], p);
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        if (const auto [vectors, axis] = targets_[p]; vectors) vectors->places[i][axis] = values_.place();
+        read(element.properties[p], p);
+      }
       values_.end_row();
       if (i % 8192 == 0) source_.report(values_.done());
     }
@@ -264,6 +307,9 @@ private:
         throw base::Error(source_.name, "element vertex lacks x, y or z", "export the model again");
       }
     }
+    record(element, FileVectors::Kind::positions, {"x", "y", "z"});
+    record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
+    record(element, FileVectors::Kind::tangents, {"tx", "ty", "tz"});
     builder_.surface().positions.reserve(element.count);
     PlyRow& wanted = attributes_.begin(element);
     Point point{};
@@ -282,13 +328,16 @@ private:
     });
   }
 
+  // normals: of the rows, or null.
   template <class Take>
-  void lists(const PlyElement& element, std::size_t wanted, Take take) {
+  void lists(const PlyElement& element, FileVectors* normals, Take take) {
+    const std::size_t wanted = element.find("vertex_indices", "vertex_index");
     if (element.count > 0 && (wanted == element.properties.size() || !element.properties[wanted].list_size)) {
       throw base::Error(source_.name, "element " + element.name + " has no list vertex_indices",
                         "export the model again");
     }
     PlyRow& row = face_attributes_.begin(element, builder_.surface());
+    std::uint32_t number = 0;
     rows(element, [&](const PlyProperty& property, std::size_t p) {
       if (p == wanted) {
         const std::size_t length = list_length(property);
@@ -301,13 +350,17 @@ private:
       } else {
         skip(property);
       }
-      if (p + 1 == element.properties.size()) face_attributes_.end_row();
+      if (p + 1 != element.properties.size()) return;
+      const auto [first, end] = face_attributes_.end_row();
+      if (!normals) return;
+      normals->row_of_corner.resize(first, none);
+      normals->row_of_corner.resize(end, number++);
     });
   }
 
   // 0 for non-numbers.
   double value(const PlyProperty& property) {
-    const double value = values_.value_of(property.type, values_.skip(property.type));
+    const double value = values_.value(property.type);
     return std::isfinite(value) ? value : 0;
   }
 
@@ -369,10 +422,35 @@ private:
   SurfaceBuilder& builder_;
   PlyAttributes attributes_;
   PlyFaceAttributes face_attributes_;
-  Values values_;
+  PlyValues values_;
+  std::deque<FileVectors> vectors_;
+  std::vector<Target> targets_;  // one per property of the current element
   std::size_t vertex_count_ = 0;
-  PlyType index_type_ = PlyType::int32;
+  NumberType index_type_ = NumberType::int32;
 };
+
+// Names of the elements and properties that a surface and its attributes do not represent.
+std::vector<std::string> beyond_attributes(const PlyHeader& header) {
+  constexpr std::string_view of_vertices =
+      " x y z nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue s t u v texture_u "
+      "texture_v texture_s texture_t ";
+  constexpr std::string_view of_faces =
+      " vertex_indices vertex_index red green blue alpha texcoord texnumber ";
+  std::vector<std::string> found;
+  for (const PlyElement& element : header.elements) {
+    if (element.count == 0) continue;
+    const bool vertices = element.name == "vertex";
+    if (!vertices && element.name != "face" && element.name != "tristrips") {
+      found.push_back("element " + element.name);
+      continue;
+    }
+    for (const PlyProperty& p : element.properties) {
+      if ((vertices ? of_vertices : of_faces).find(" " + p.name + " ") == std::string_view::npos)
+        found.push_back("property " + p.name + " of " + element.name);
+    }
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -381,27 +459,20 @@ ReadResult read_ply(const Source& source) {
     throw base::Error(source.name, "does not start with the word ply", "check the extension");
   SurfaceBuilder builder(source);
   TextCursor text(source, {});
-  PlyHeader header = read_ply_header(text, source, builder);
-  const std::size_t body = text.offset();
-  Attributes found;
-  std::string format = "PLY ascii";
-  if (header.format == PlyHeader::Format::ascii) {
-    found = PlyBody(header, source, builder, PlyTextValues(text)).read();
-  } else {
-    const bool little = header.format == PlyHeader::Format::little_endian;
-    const auto order = little ? std::endian::little : std::endian::big;
-    found = PlyBody(header, source, builder, PlyBinaryValues(source, body, order)).read();
-    format = little ? "PLY binary little-endian" : "PLY binary big-endian";
-  }
-  ReadResult result = builder.finish(std::move(format));
+  const PlyHeader header = read_ply_header(text, source, builder);
+  PlyBody body(header, source, builder, {source, header, text});
+  Attributes found = body.read();
+  constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
+  ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
+  VectorFile file{"PLY",
+                  header.format == PlyHeader::Format::ascii,
+                  header.order(),
+                  body.take_vectors(),
+                  beyond_attributes(header),
+                  {source.folder, {}}};
+  for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
+  result.original = original_of(source, std::move(file));
   if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
-  if (source.owner) {
-    Companions companions{source.folder, {}};
-    if (result.attributes) {
-      for (const ImageFile& image : result.attributes->images) companions.files.push_back(image.path);
-    }
-    result.original = ply_original(source, std::move(header), body, std::move(companions));
-  }
   return result;
 }
 

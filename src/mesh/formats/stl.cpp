@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "base/error.h"
-#include "mesh/formats/attributes.h"
 #include "mesh/formats/byte_order.h"
+#include "mesh/formats/file_vectors.h"
+#include "mesh/formats/printed.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/point_index.h"
@@ -15,8 +17,13 @@ namespace viete::mesh {
 
 namespace {
 
-[[noreturn]] void refuse_length(const Source& source, const std::string& problem) {
-  throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
+constexpr std::size_t head_bytes = 84, triangle_bytes = 50;  // of a binary file
+
+// A keyword in lower case, at most 16 letters.
+std::string lower_stl_word(std::string_view word) {
+  std::string text(word.substr(0, 16));
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return text;
 }
 
 // Bytes read at a wrong offset give implausible coordinates and normals.
@@ -28,66 +35,13 @@ bool makes_sense(const char* triangle) {
   return true;
 }
 
-}  // namespace
-
-StlTriangles::StlTriangles(const Source& source) {
-  const std::string_view bytes = source.bytes;
-  if (bytes.size() < stl_head_bytes)
-    refuse_length(source,
-                  "a binary STL has at least 84 bytes, this file has " + std::to_string(bytes.size()));
-  count_ = number_of_bytes<std::uint32_t>(bytes.data() + 80);
-  const std::size_t room = bytes.size() - stl_head_bytes;
-  const std::string announced = "the header announces " + std::to_string(count_) + " triangles";
-  if (count_ > room / stl_triangle_bytes)
-    refuse_length(source, announced + ", the file has room for " + std::to_string(room / stl_triangle_bytes));
-  if (count_ == 0 && room > 0)
-    refuse_length(source, announced + ", and " + std::to_string(room) + " bytes follow");
-  end_ = stl_head_bytes + count_ * stl_triangle_bytes;
-  if (end_ == bytes.size() || follow_attributes(bytes) || make_sense(bytes)) return;
-  refuse_length(source, announced +
-                            ", but the file size matches them neither without nor with the attributes that " +
-                            "they count");
-}
-
-// True if there are attributes and they lie within the file.
-bool StlTriangles::follow_attributes(std::string_view bytes) {
-  std::vector<std::size_t> starts;
-  std::size_t at = stl_head_bytes;
-  for (std::size_t t = 0; t < count_; ++t) {
-    if (bytes.size() - at < stl_triangle_bytes) return false;
-    starts.push_back(at);
-    at += stl_triangle_bytes;
-    const std::uint16_t more = number_of_bytes<std::uint16_t>(bytes.data() + at - 2);
-    if (bytes.size() - at < more) return false;
-    at += more;
-  }
-  if (at == end_) return false;
-  end_ = at;
-  starts_ = std::move(starts);
-  return true;
-}
-
-bool StlTriangles::make_sense(std::string_view bytes) const {
-  for (std::size_t t = 0; t < count_; ++t)
-    if (!makes_sense(bytes.data() + offset(t))) return false;
-  return true;
-}
-
-std::string lower_stl_word(std::string_view word) {
-  std::string text(word.substr(0, 16));
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return text;
-}
-
-namespace {
-
-std::uint64_t announced_bytes(const Source& source) {
-  return stl_head_bytes +
-         stl_triangle_bytes * std::uint64_t{number_of_bytes<std::uint32_t>(source.bytes.data() + 80)};
+std::size_t announced(std::string_view bytes) {
+  return number_of_bytes<std::uint32_t>(bytes.data() + 80);
 }
 
 bool is_exact_binary(const Source& source) {
-  return source.bytes.size() >= stl_head_bytes && source.bytes.size() == announced_bytes(source);
+  return source.bytes.size() >= head_bytes &&
+         source.bytes.size() == head_bytes + triangle_bytes * announced(source.bytes);
 }
 
 bool starts_solid(const Source& source) {
@@ -99,121 +53,102 @@ bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-// True if the file size matches the count, or if the first triangles are plausible with their attributes.
-bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
-  if (beginning.size() < stl_head_bytes) return false;
-  const std::uint32_t count = number_of_bytes<std::uint32_t>(beginning.data() + 80);
-  const std::uint64_t least = stl_head_bytes + std::uint64_t{stl_triangle_bytes} * count;
-  if (count == 0 || least >= file_size) return least == file_size;
-  std::size_t at = stl_head_bytes;
-  for (std::uint32_t t = 0; t < count && at + stl_triangle_bytes <= beginning.size(); ++t) {
-    if (!makes_sense(beginning.data() + at)) return false;
-    at += stl_triangle_bytes;
-    at += number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
+// The number of triangles. Throws base::Error if the file length contradicts it.
+std::size_t count_triangles(const Source& source) {
+  const auto refuse = [&](const std::string& problem) {
+    throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
+  };
+  const std::string_view bytes = source.bytes;
+  if (bytes.size() < head_bytes)
+    refuse("a binary STL has at least 84 bytes, this file has " + std::to_string(bytes.size()));
+  const std::size_t count = announced(bytes), room = bytes.size() - head_bytes;
+  const std::string header = "the header announces " + std::to_string(count) + " triangles";
+  if (count > room / triangle_bytes)
+    refuse(header + ", the file has room for " + std::to_string(room / triangle_bytes));
+  if (count == 0 && room > 0) refuse(header + ", and " + std::to_string(room) + " bytes follow");
+  for (std::size_t t = 0; t < count && room != count * triangle_bytes; ++t) {
+    if (!makes_sense(bytes.data() + head_bytes + t * triangle_bytes))
+      refuse(header + ", but the file size does not match them");
   }
-  return true;
+  return count;
 }
 
-// Merges equal corners.
-class CornerJoiner {
+// Collects facets and joins their equal corners.
+class Facets {
 public:
-  explicit CornerJoiner(SurfaceBuilder& builder) : builder_(builder) {}
+  explicit Facets(const Source& source) : builder(source), source_(source) {
+    normals_.kind = FileVectors::Kind::normals;
+    normals_.rows = FileVectors::Rows::faces;
+    normals_.element = "triangle";
+    corners_.rows = FileVectors::Rows::corners;
+    corners_.element = "corner";
+  }
 
-  void add(Point p) {
+  void corner(Point p, const FileVectors::Places& places) {
     for (double& x : p) x += 0.0;  // -0 becomes 0
-    const std::size_t before = builder_.vertex_count();
-    const std::uint32_t vertex = index_.find_or_add(p, builder_.surface().positions);
-    if (vertex == before) builder_.position(p);
-    builder_.corner(vertex);
+    const std::size_t before = builder.vertex_count();
+    const std::uint32_t vertex = index_.find_or_add(p, builder.surface().positions);
+    if (vertex == before) builder.position(p);
+    builder.corner(vertex);
+    if (source_.owner) corners_.places.push_back(places);
   }
 
+  // Ends a facet of three corners.
+  void end(const FileVectors::Places& normal) {
+    builder.end_polygon();
+    if (!source_.owner) return;
+    normals_.row_of_corner.insert(normals_.row_of_corner.end(), 3,
+                                  static_cast<std::uint32_t>(normals_.places.size()));
+    normals_.places.push_back(normal);
+  }
+
+  ReadResult finish(bool text) {
+    if (!text) normals_.types.fill(NumberType::float32), corners_.types.fill(NumberType::float32);
+    ReadResult result = builder.finish(text ? "STL ascii" : "STL binary");
+    result.original =
+        original_of(source_, {"STL", text, std::endian::little, {std::move(corners_), std::move(normals_)}});
+    return result;
+  }
+
+  SurfaceBuilder builder;
+
 private:
-  SurfaceBuilder& builder_;
+  const Source& source_;
   PointIndex index_;
-};
-
-// The two attribute bytes of each facet as a colour, five bits per channel. VisCAM and SolidView set the
-// highest bit if there is a colour, with red in the upper bits. Magics declares colours and a default colour
-// in the header, and sets the bit if a facet has no colour of its own, with red in the lower bits.
-class StlColors {
-public:
-  explicit StlColors(std::string_view head) {
-    constexpr std::string_view mark = "COLOR=";
-    const std::size_t at = head.find(mark);
-    if (at == std::string_view::npos || at + mark.size() + 4 > head.size()) return;
-    by_magics_ = true;
-    for (std::size_t i = 0; i < 4; ++i)
-      of_all_[i] = static_cast<float>(static_cast<unsigned char>(head[at + mark.size() + i])) / 255;
-  }
-
-  void take(const char* bytes) { words_.push_back(number_of_bytes<std::uint16_t>(bytes)); }
-
-  /// Null without colours.
-  std::shared_ptr<const Attributes> finish() const {
-    const bool any =
-        std::ranges::any_of(words_, [&](auto w) { return by_magics_ ? w != 0 : (w & own_) != 0; });
-    if (!any && !by_magics_) return nullptr;
-    auto found = std::make_shared<Attributes>();
-    for (const std::uint16_t word : words_) {
-      const bool has_own = any && ((word & own_) != 0) != by_magics_;
-      found->polygon_colors.push_back(has_own ? color(word) : of_all_);
-    }
-    return found;
-  }
-
-private:
-  static constexpr unsigned own_ = 0x8000;
-
-  Color color(std::uint16_t word) const {
-    const auto channel = [&](int shift) { return static_cast<float>(word >> shift & 31) / 31; };
-    return by_magics_ ? Color{channel(0), channel(5), channel(10), 1}
-                      : Color{channel(10), channel(5), channel(0), 1};
-  }
-
-  bool by_magics_ = false;
-  Color of_all_ = Material{}.base_color;
-  std::vector<std::uint16_t> words_;
+  FileVectors corners_, normals_;
 };
 
 ReadResult read_binary(const Source& source) {
-  const StlTriangles triangles(source);
-  SurfaceBuilder builder(source);
+  const std::size_t triangles = count_triangles(source);
+  Facets facets(source);
   const std::string_view head = source.bytes.substr(0, 80);
-  builder.comment(TextWriter::one_line(std::string(head.substr(0, head.find('\0')))));
-  CornerJoiner corners(builder);
-  StlColors colors(head);
-  for (std::size_t t = 0; t < triangles.count(); ++t) {
-    const char* const at = source.bytes.data() + triangles.offset(t) + 12;
-    for (int c = 0; c < 3; ++c) {
+  facets.builder.comment(TextWriter::one_line(std::string(head.substr(0, head.find('\0')))));
+  const auto places = [](std::size_t at) { return FileVectors::Places{at, at + 4, at + 8}; };
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const std::size_t normal = head_bytes + t * triangle_bytes;
+    for (std::size_t at = normal + 12; at < normal + 48; at += 12) {
       Point p{};
-      for (int i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(at + 12 * c + 4 * i);
+      for (std::size_t i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(source.bytes.data() + at + 4 * i);
       if (!std::isfinite(p[0] + p[1] + p[2])) {
         throw base::Error(source.place("triangle", t), "a coordinate is not a finite number",
                           "repair the triangle");
       }
-      corners.add(p);
+      facets.corner(p, places(at));
     }
-    builder.end_polygon();
-    colors.take(at + 36);
-    if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles.count()));
+    facets.end(places(normal));
+    if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
   }
-  if (triangles.have_attributes()) {
-    builder.warn(source.name + ": ignored the attributes of triangles");
+  const std::size_t behind = source.bytes.size() - head_bytes - triangles * triangle_bytes;
+  if (behind > 0) {
+    facets.builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
+                        std::to_string(triangles) + " triangles that the header announces");
   }
-  if (const std::size_t behind = source.bytes.size() - triangles.end(); behind > 0) {
-    builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
-                 std::to_string(triangles.count()) + " triangles that the header announces");
-  }
-  ReadResult result = builder.finish("STL binary");
-  if (!triangles.have_attributes()) result.attributes = colors.finish();
-  if (source.owner) result.original = stl_original(source, true);
-  return result;
+  return facets.finish(false);
 }
 
 class StlTextReader {
 public:
-  explicit StlTextReader(const Source& source)
-      : source_(source), text_(source, {}), builder_(source), corners_(builder_) {}
+  explicit StlTextReader(const Source& source) : source_(source), text_(source, {}), facets_(source) {}
 
   ReadResult read() {
     while (text_.next_filled_line()) {
@@ -223,27 +158,29 @@ public:
     }
     if (in_facet_)
       text_.fail("the file ends within a facet", "it seems to be truncated: export or copy it again");
-    if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
-    ReadResult result = builder_.finish("STL ascii");
-    if (source_.owner) result.original = stl_original(source_, false);
-    return result;
+    if (!ended_)
+      facets_.builder.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
+    return facets_.finish(true);
   }
 
 private:
   void statement(const std::string& word) {
     if (word == "vertex") {
+      TextCursor ahead = text_;
       const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
       if (!in_facet_) text_.fail("vertex outside of a facet", "export the model again");
-      corners_.add({x, y, z});
+      facets_.corner({x, y, z}, places_of_three(ahead));
       ++facet_corners_;
     } else if (word == "facet") {
       if (in_facet_) text_.fail("facet within a facet", "export the model again");
       in_facet_ = true;
       facet_corners_ = 0;
+      text_.word();  // "normal"
+      normal_ = places_of_three(text_);
     } else if (word == "endfacet") {
       end_facet();
     } else if (word == "solid") {
-      builder_.comment(text_.rest_of_line());
+      facets_.builder.comment(text_.rest_of_line());
     } else if (word == "endsolid") {
       ended_ = true;
     } else if (word != "outer" && word != "endloop") {
@@ -257,24 +194,52 @@ private:
       text_.fail("facet with " + std::to_string(facet_corners_) + " corners instead of 3",
                  "export the model again");
     }
-    builder_.end_polygon();
+    facets_.end(normal_);
     in_facet_ = false;
   }
 
   const Source& source_;
   TextCursor text_;
-  SurfaceBuilder builder_;
-  CornerJoiner corners_;
+  Facets facets_;
+  FileVectors::Places normal_ = no_places;
   std::size_t lines_ = 0;
   int facet_corners_ = 0;
   bool in_facet_ = false, ended_ = false;
 };
 
+// True if the file size matches the count, or if the first triangles are plausible.
+bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
+  if (beginning.size() < head_bytes) return false;
+  const std::size_t count = announced(beginning);
+  const std::uint64_t least = head_bytes + triangle_bytes * count;
+  if (count == 0 || least >= file_size) return least == file_size;
+  for (std::size_t at = head_bytes; at + triangle_bytes <= std::min(beginning.size(), least);
+       at += triangle_bytes)
+    if (!makes_sense(beginning.data() + at)) return false;
+  return true;
+}
+
+// The facet normal; zero without area.
+Point unit_normal(const Point& a, const Point& b, const Point& c) {
+  Point u = b - a, v = c - a;
+  const double scale = std::max(largest_abs(u), largest_abs(v));
+  if (scale == 0) return {0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    u[i] /= scale;
+    v[i] /= scale;
+  }
+  Point n = cross(u, v);
+  const double size = stable_norm(n);
+  if (size == 0) return {0, 0, 0};
+  for (double& x : n) x /= size;
+  return n;
+}
+
 }  // namespace
 
 ReadResult read_stl(const Source& source) {
-  if (is_exact_binary(source)) return read_binary(source);
-  if (starts_solid(source) && !holds_nul(source)) return StlTextReader(source).read();
+  if (!is_exact_binary(source) && starts_solid(source) && !holds_nul(source))
+    return StlTextReader(source).read();
   return read_binary(source);
 }
 
@@ -293,6 +258,26 @@ bool is_certainly_stl(const Beginning& file) {
     if (std::ranges::find(words, word) == words.end()) return false;
   }
   return word != "solid";
+}
+
+void write_stl(const Content& content, TextWriter& out) {
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const auto& comments = content.comments;
+  std::size_t done = 0;
+  out.text("solid ").text(comments.empty() ? "surface" : TextWriter::one_line(comments.front())).text("\n");
+  for (const Triangle& t : surface.triangles) {
+    const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+    out.text(" facet normal ").point(unit_normal(a, b, c)).text("\n  outer loop\n");
+    for (const Point& p : {a, b, c}) {
+      out.text("   vertex ");
+      print_point(p, out);
+      out.text("\n");
+    }
+    out.text("  endloop\n endfacet\n");
+    out.element_done(++done, surface.triangles.size());
+  }
+  out.text("endsolid\n");
 }
 
 }  // namespace viete::mesh
