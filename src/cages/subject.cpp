@@ -163,10 +163,6 @@ Matrix eigenvectors(Matrix a) {
   return v;
 }
 
-mesh::Bounds extent_of(const mesh::Surface& surface) {
-  return surface.triangles.empty() ? mesh::bounds(surface.positions) : mesh::used_bounds(surface);
-}
-
 // Calls visit(position, weight) so that moments up to the second are those of the triangles' area; of the
 // points if there is no area.
 template <class Visit>
@@ -185,6 +181,10 @@ void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area
 }
 
 }  // namespace
+
+mesh::Bounds extent_of(const mesh::Surface& surface) {
+  return surface.triangles.empty() ? mesh::bounds(surface.positions) : mesh::used_bounds(surface);
+}
 
 Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror) {
   const mesh::Bounds box = extent_of(model);

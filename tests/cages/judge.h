@@ -9,7 +9,6 @@
 #include "cages/wish.h"
 #include "mesh/defects.h"
 #include "mesh/summary.h"
-#include "mesh/topology.h"
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"
 

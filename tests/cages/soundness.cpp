@@ -7,7 +7,7 @@
 #include "cages/soundness.h"
 #include "cages/subject.h"
 #include "mesh/defects.h"
-#include "mesh/topology.h"
+#include "mesh/summary.h"
 
 using namespace viete;
 using namespace viete::test;

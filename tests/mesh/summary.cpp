@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "mesh/shapes.h"
-#include "mesh/topology.h"
 
 using namespace viete;
 using namespace viete::mesh;
@@ -137,7 +136,7 @@ TEST_CASE("sphere_and_cube_have_genus_zero_and_a_torus_one") {
     REQUIRE(t);
     CHECK(t->euler == 2);
     CHECK(t->genus == 0);
-    CHECK(t->boundary_loops.empty());
+    CHECK(t->holes == 0);
   }
   const auto t = topology_of(test::torus(16, 8));
   REQUIRE(t);
@@ -150,17 +149,7 @@ TEST_CASE("a_torus_without_a_ring_is_a_cylinder_with_two_loops") {
   REQUIRE(t);
   CHECK(t->genus == 0);
   CHECK(t->euler == 0);
-  REQUIRE(t->boundary_loops.size() == 2);
-  CHECK(t->boundary_loops[0].size() == 8);
-  CHECK(t->boundary_loops[0][0] == 0);
-  CHECK(t->boundary_loops[1].size() == 8);
-}
-
-TEST_CASE("a_loop_runs_with_the_surface_on_its_left") {
-  const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
-  const auto t = topology_of(s);
-  REQUIRE(t);
-  CHECK(t->boundary_loops == std::vector<std::vector<std::uint32_t>>{{0, 1, 2, 3}});
+  CHECK(t->holes == 2);
 }
 
 TEST_CASE("unused_vertices_and_several_parts_do_not_disturb_the_genus") {

@@ -30,7 +30,7 @@ inline const std::map<std::string, Room>& rooms() {
         {}}},
       {"blender", {{}, {}, {}, true}},
       {"python", {{"base", "sym3", "mesh", "mesh/formats", "library"}, {"pybind11"}, {}}},
-      {"mesh", {{"base"}, {}, {"openmesh"}}},
+      {"mesh", {{"base"}, {}, {}}},
       {"mesh/formats", {{"base", "mesh"}, {"json"}, {}}},
       {"cages", {{"base", "mesh"}, {"openmesh"}, {}}},
       {"deform/sparse", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
