@@ -34,7 +34,11 @@ public:
     printed_.keep(are_positions_ ? 6 : 5, are_positions_ ? bounds(rest.positions).diagonal() : 1);
     if (file.text) learn();
     if (!are_positions_) follow();
-    std::ranges::sort(axes_, {}, [&](std::size_t axis) { return order_of(axis); });
+    if (vectors.count > 0) {
+      std::size_t row = 0;  // the first with numbers
+      while (row + 1 < vectors.count && vectors.places(row) == no_places) ++row;
+      std::ranges::sort(axes_, {}, [order = vectors.places(row)](std::size_t axis) { return order[axis]; });
+    }
     advance();
   }
 
@@ -47,11 +51,6 @@ public:
   }
 
 private:
-  std::size_t order_of(std::size_t axis) const {
-    const auto row = std::ranges::find_if(vectors_.places, [](const auto& p) { return p[0] != nowhere; });
-    return row == vectors_.places.end() ? axis : (*row)[axis];
-  }
-
   // The word or the bytes at a place.
   std::string_view at(std::size_t place, NumberType type) const {
     const std::string_view rest = source_.bytes.substr(place);
@@ -60,9 +59,11 @@ private:
 
   // NaN for words that are not numbers, 0 0 0 for a row without numbers.
   Vec3 direction(std::size_t row) const {
-    Vec3 v{0, 0, 0};
-    for (std::size_t k = 0; k < 3 && vectors_.places[row][k] != nowhere; ++k) {
-      const std::string_view word = at(vectors_.places[row][k], vectors_.types[k]);
+    const FileVectors::Places places = vectors_.places(row);
+    if (places == no_places) return {0, 0, 0};
+    Vec3 v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string_view word = at(places[k], vectors_.types[k]);
       v[k] = file_.text ? number_in(word).value_or(std::nan(""))
                         : number_of_bytes(word.data(), vectors_.types[k], file_.order);
     }
@@ -71,17 +72,21 @@ private:
 
   void learn() {
     constexpr std::size_t enough = 10'000;
-    for (std::size_t row = 0; row < std::min(enough, vectors_.places.size()); ++row) {
-      if (vectors_.places[row][0] == nowhere || !is_direction(direction(row))) continue;
-      for (const std::size_t place : vectors_.places[row]) printed_.learn(at(place, NumberType::float64));
+    for (std::size_t row = 0; row < std::min(enough, vectors_.count); ++row) {
+      const FileVectors::Places places = vectors_.places(row);
+      if (places == no_places || !is_direction(direction(row))) continue;
+      for (const std::size_t place : places) printed_.learn(at(place, NumberType::float64));
     }
   }
 
   void follow() {
-    for (std::size_t row = 0; row < vectors_.places.size(); ++row) before_.push_back(direction(row));
-    const bool of_faces = vectors_.rows == FileVectors::Rows::faces;
-    const auto& of_corner = of_faces ? vectors_.row_of_corner : rest_.corners;
-    const auto of_vertex = of_faces ? std::vector<std::uint32_t>() : every_vertex(rest_);
+    for (std::size_t row = 0; row < vectors_.count; ++row) before_.push_back(direction(row));
+    std::vector<std::uint32_t> of_corner = rest_.corners, of_vertex;
+    if (vectors_.rows == FileVectors::Rows::faces) {
+      for (std::size_t c = 0; c < of_corner.size(); ++c) of_corner[c] = vectors_.row_of_corner(c);
+    } else {
+      of_vertex = every_vertex(rest_);
+    }
     const auto deformed = vectors_.kind == FileVectors::Kind::normals ? deformed_normals : deformed_tangents;
     now_ = deformed(rest_, positions_, before_, of_corner, of_vertex);
     keep_lengths(before_, now_);
@@ -96,12 +101,11 @@ private:
 
   void advance() {
     place_ = nowhere;
-    while (place_ == nowhere && next_ < 3 * vectors_.places.size()) {
+    while (place_ == nowhere && next_ < 3 * vectors_.count) {
       const std::size_t row = next_ / 3, axis = axes_[next_ % 3];
       ++next_;
       const auto [before, now] = values(row);
-      if (vectors_.places[row][axis] == nowhere || before[axis] == now[axis] || !changed(before, now))
-        continue;
+      if (before[axis] == now[axis] || !changed(before, now)) continue;
       type_ = vectors_.types[axis];
       std::array<char, 400> room_before;
       const auto words = written(now[axis], room_);
@@ -111,7 +115,7 @@ private:
                           "write another format, or scale the model");
       if (words == written(before[axis], room_before)) continue;
       words_ = *words;
-      place_ = vectors_.places[row][axis];
+      place_ = vectors_.places(row)[axis];
     }
   }
 

@@ -6,9 +6,11 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/formats/byte_order.h"
@@ -18,7 +20,7 @@
 
 namespace viete::mesh {
 
-/// Rows of three numbers: positions, or the directions that depend on them.
+/// Rows of three numbers: positions, or the directions that depend on them. Rows are in file order.
 struct FileVectors {
   enum class Kind { positions, normals, tangents };
   enum class Rows { vertices, corners, faces };
@@ -27,13 +29,19 @@ struct FileVectors {
   Kind kind = Kind::positions;
   Rows rows = Rows::vertices;  ///< row i belongs to vertex i, to Surface::corners[i], or see row_of_corner
   std::string element;         ///< for messages
+  std::size_t count = 0;       ///< of rows
+  /// Offsets of a row's numbers in the file, in the same order in every row; no_places: the row stays.
+  std::function<Places(std::size_t row)> places = {};
   std::array<NumberType, 3> types{NumberType::float64, NumberType::float64, NumberType::float64};
-  /// Offsets of the numbers, in the same order in every row, rows in file order.
-  std::vector<Places> places;
-  std::vector<std::uint32_t> row_of_corner;  ///< Rows::faces: for each corner the row of its normal, or none
+  /// Rows::faces: the row of a corner's normal, or none.
+  std::function<std::uint32_t(std::size_t corner)> row_of_corner = {};
+
+  void set_places(std::vector<Places> list) {
+    count = list.size();
+    places = [list = std::move(list)](std::size_t row) { return list[row]; };
+  }
 };
 
-/// A row that lacks numbers; it stays.
 inline constexpr FileVectors::Places no_places = [] {
   constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
   return FileVectors::Places{nowhere, nowhere, nowhere};

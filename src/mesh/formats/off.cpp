@@ -86,10 +86,7 @@ void to_unit_range(std::span<OffColor> colors) {
 
 class OffReader {
 public:
-  explicit OffReader(const Source& source) : source_(source), text_(source, off_rules), builder_(source) {
-    normals_.kind = FileVectors::Kind::normals;
-    positions_.element = normals_.element = "vertex";
-  }
+  explicit OffReader(const Source& source) : source_(source), text_(source, off_rules), builder_(source) {}
 
   ReadResult read() {
     head();
@@ -108,8 +105,12 @@ public:
     }
     auto attributes = finished_attributes();
     ReadResult result = builder_.finish("OFF");
-    VectorFile file{"OFF", true, std::endian::little, {std::move(positions_)}};
-    if (form_.normals) file.vectors.push_back(std::move(normals_));
+    VectorFile file{.format = "OFF", .vectors = {{.element = "vertex"}}};
+    file.vectors[0].set_places(std::move(positions_));
+    if (form_.normals) {
+      file.vectors.push_back({.kind = FileVectors::Kind::normals, .element = "vertex"});
+      file.vectors[1].set_places(std::move(normals_));
+    }
     result.original = original_of(source_, std::move(file));
     result.attributes = std::move(attributes);
     return result;
@@ -176,9 +177,9 @@ private:
     const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
     builder_.position({x, y, z});
     if (source_.owner) {
-      positions_.places.push_back(places_of_three(ahead));
+      positions_.push_back(places_of_three(ahead));
       for (int i = 0; form_.colors_first && i < 4; ++i) ahead.word();
-      if (form_.normals) normals_.places.push_back(places_of_three(ahead));
+      if (form_.normals) normals_.push_back(places_of_three(ahead));
     }
     behind_position();
     text_.next_line();
@@ -267,6 +268,7 @@ private:
   void face() {
     const std::size_t corners = count("corner count");
     for (std::size_t i = 0; i < corners; ++i) {
+      text_.need_word("the last face");  // indices may continue on the next line
       const std::int64_t index = text_.integer("vertex index");
       if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count()) {
         text_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
@@ -289,7 +291,7 @@ private:
   const Source& source_;
   TextCursor text_;
   SurfaceBuilder builder_;
-  FileVectors positions_, normals_;
+  std::vector<FileVectors::Places> positions_, normals_;
   OffForm form_;
   std::vector<OffNumber> numbers_;                                              // numbers of the current row
   std::vector<OffColor> colors_;                                                // one per vertex

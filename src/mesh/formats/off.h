@@ -12,9 +12,9 @@
 namespace viete::mesh {
 
 /// Source: Geomview manual, "OFF Files". Reads OFF and its variants with colours, normals or texture
-/// coordinates after positions, in any order; comments; files without the keyword OFF; undeclared colours. A
-/// row must not continue on the next line. Not supported: 4OFF, nOFF, BINARY. Throws base::Error,
-/// base::Cancelled.
+/// coordinates after positions, in any order; comments; files without the keyword OFF; undeclared colours.
+/// The indices of a face may continue on the next line. Not supported: 4OFF, nOFF, BINARY. Throws
+/// base::Error, base::Cancelled.
 ReadResult read_off(const Source& source);
 
 /// True if the first word is OFF or a variant.

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
-#include <iterator>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -234,8 +233,7 @@ public:
       if (element.name == "vertex" && builder_.vertex_count() == 0) {
         vertices(element);
       } else if (element.name == "face") {
-        lists(element, record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"}),
-              [this](std::size_t n) { polygon(n); });
+        lists(element, record_face_normals(element), [this](std::size_t n) { polygon(n); });
       } else if (element.name == "tristrips") {
         lists(element, nullptr, [this](std::size_t n) { strips(n); });
       } else {
@@ -247,25 +245,22 @@ public:
                     base::counted(values_.longer_rows(), "row"));
     Attributes found = attributes_.finish(builder_.surface());
     face_attributes_.finish(builder_.surface(), header_.texture_files, source_.folder, found);
-    for (FileVectors& v : vectors_) {
-      if (v.rows == FileVectors::Rows::faces) v.row_of_corner.resize(builder_.surface().corners.size(), none);
-    }
     return found;
   }
 
   // The vectors that writing the file again may change. Call after read().
-  std::vector<FileVectors> take_vectors() {
-    return {std::move_iterator(vectors_.begin()), std::move_iterator(vectors_.end())};
-  }
+  std::vector<FileVectors> take_vectors() { return std::move(vectors_); }
 
 private:
   // The component of a vector that a property stores.
   struct Target {
-    FileVectors* vectors = nullptr;
+    std::vector<FileVectors::Places>* places = nullptr;
     std::size_t axis = 0;
   };
+  using RowOfCorner = std::vector<std::uint32_t>;
 
-  // Records the places of three properties in the following rows of this element. Null if one is missing.
+  // Describes the vectors of three properties in the following rows. Null if a property is missing. Binary
+  // rows without lists have equal lengths; otherwise rows() records the places.
   FileVectors* record(const PlyElement& element, FileVectors::Kind kind,
                       const std::array<const char*, 3>& names) {
     std::array<std::size_t, 3> at;
@@ -274,16 +269,33 @@ private:
       if (!source_.owner || at[k] == element.properties.size() || element.properties[at[k]].list_size)
         return nullptr;
     }
-    FileVectors& vectors = vectors_.emplace_back();
-    vectors.kind = kind;
-    vectors.rows = element.name == "face" ? FileVectors::Rows::faces : FileVectors::Rows::vertices;
-    vectors.element = element.name;
-    vectors.places.resize(element.count);
-    for (std::size_t k = 0; k < 3; ++k) {
-      vectors.types[k] = element.properties[at[k]].type;
-      targets_[at[k]] = {&vectors, k};
+    FileVectors& vectors =
+        vectors_.emplace_back(FileVectors{.kind = kind, .element = element.name, .count = element.count});
+    for (std::size_t k = 0; k < 3; ++k) vectors.types[k] = element.properties[at[k]].type;
+    const bool is_text = header_.format == PlyHeader::Format::ascii;
+    if (const std::size_t row_bytes = element.row_bytes(); row_bytes > 0 && !is_text) {
+      FileVectors::Places first;
+      for (std::size_t k = 0; k < 3; ++k) first[k] = values_.place() + element.bytes_before(at[k]);
+      vectors.places = [first, row_bytes](std::size_t row) {
+        const std::size_t by = row * row_bytes;
+        return FileVectors::Places{first[0] + by, first[1] + by, first[2] + by};
+      };
+    } else {
+      const auto list = std::make_shared<std::vector<FileVectors::Places>>(element.count);
+      for (std::size_t k = 0; k < 3; ++k) targets_[at[k]] = {list.get(), k};
+      vectors.places = [list](std::size_t row) { return (*list)[row]; };
     }
     return &vectors;
+  }
+
+  // The list to be filled with the row of each corner's normal; null without normals.
+  std::shared_ptr<RowOfCorner> record_face_normals(const PlyElement& element) {
+    FileVectors* const vectors = record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
+    if (!vectors) return nullptr;
+    const auto rows = std::make_shared<RowOfCorner>();
+    vectors->rows = FileVectors::Rows::faces;
+    vectors->row_of_corner = [rows](std::size_t c) { return c < rows->size() ? (*rows)[c] : none; };
+    return rows;
   }
 
   template <class Read>
@@ -292,7 +304,7 @@ private:
     for (std::size_t i = 0; i < element.count; ++i) {
       values_.start_row(element.name, i);
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        if (const auto [vectors, axis] = targets_[p]; vectors) vectors->places[i][axis] = values_.place();
+        if (const auto [places, axis] = targets_[p]; places) (*places)[i][axis] = values_.place();
         read(element.properties[p], p);
       }
       values_.end_row();
@@ -328,9 +340,8 @@ private:
     });
   }
 
-  // normals: of the rows, or null.
   template <class Take>
-  void lists(const PlyElement& element, FileVectors* normals, Take take) {
+  void lists(const PlyElement& element, const std::shared_ptr<RowOfCorner>& row_of_corner, Take take) {
     const std::size_t wanted = element.find("vertex_indices", "vertex_index");
     if (element.count > 0 && (wanted == element.properties.size() || !element.properties[wanted].list_size)) {
       throw base::Error(source_.name, "element " + element.name + " has no list vertex_indices",
@@ -352,9 +363,9 @@ private:
       }
       if (p + 1 != element.properties.size()) return;
       const auto [first, end] = face_attributes_.end_row();
-      if (!normals) return;
-      normals->row_of_corner.resize(first, none);
-      normals->row_of_corner.resize(end, number++);
+      if (!row_of_corner) return;
+      row_of_corner->resize(first, none);
+      row_of_corner->resize(end, number++);
     });
   }
 
@@ -423,7 +434,7 @@ private:
   PlyAttributes attributes_;
   PlyFaceAttributes face_attributes_;
   PlyValues values_;
-  std::deque<FileVectors> vectors_;
+  std::vector<FileVectors> vectors_;
   std::vector<Target> targets_;  // one per property of the current element
   std::size_t vertex_count_ = 0;
   NumberType index_type_ = NumberType::int32;

@@ -118,6 +118,15 @@ std::size_t PlyElement::find(const std::string& wanted, const std::string& other
   return i;
 }
 
+std::size_t PlyElement::bytes_before(std::size_t property) const {
+  std::size_t sum = 0;
+  for (std::size_t p = 0; p < properties.size(); ++p) {
+    if (properties[p].list_size) return 0;
+    if (p < property) sum += size_of(properties[p].type);
+  }
+  return sum;
+}
+
 const PlyElement* PlyHeader::find(const std::string& name) const {
   const auto found =
       std::find_if(elements.begin(), elements.end(), [&](const PlyElement& e) { return e.name == name; });

@@ -29,6 +29,9 @@ struct PlyElement {
 
   /// Index of the first property with one of these names, or properties.size().
   std::size_t find(const std::string& name, const std::string& other = "") const;
+  /// Bytes of each row, and before a property, in a binary file; 0 if rows contain lists.
+  std::size_t row_bytes() const { return bytes_before(properties.size()); }
+  std::size_t bytes_before(std::size_t property) const;
 };
 
 struct PlyHeader {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "base/error.h"
@@ -53,102 +54,132 @@ bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-// The number of triangles. Throws base::Error if the file length contradicts it.
-std::size_t count_triangles(const Source& source) {
+// The triangles of a binary file. The count of attribute bytes may be that of attributes which follow.
+struct Layout {
+  std::size_t count = 0, end = 0;
+  std::vector<std::size_t> starts;  // only if attributes follow
+
+  std::size_t offset(std::size_t triangle) const {
+    return starts.empty() ? head_bytes + triangle_bytes * triangle : starts[triangle];
+  }
+};
+
+// False if there are no attributes within the file.
+bool follow_attributes(std::string_view bytes, Layout& layout) {
+  std::vector<std::size_t> starts;
+  std::size_t at = head_bytes;
+  for (std::size_t t = 0; t < layout.count; ++t) {
+    if (bytes.size() - at < triangle_bytes) return false;
+    starts.push_back(at);
+    at += triangle_bytes;
+    const std::uint16_t more = number_of_bytes<std::uint16_t>(bytes.data() + at - 2);
+    if (bytes.size() - at < more) return false;
+    at += more;
+  }
+  if (at == layout.end) return false;
+  layout.end = at;
+  layout.starts = std::move(starts);
+  return true;
+}
+
+// Throws base::Error if the file length contradicts the triangle count.
+Layout layout_of(const Source& source) {
   const auto refuse = [&](const std::string& problem) {
     throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
   };
   const std::string_view bytes = source.bytes;
   if (bytes.size() < head_bytes)
     refuse("a binary STL has at least 84 bytes, this file has " + std::to_string(bytes.size()));
-  const std::size_t count = announced(bytes), room = bytes.size() - head_bytes;
-  const std::string header = "the header announces " + std::to_string(count) + " triangles";
-  if (count > room / triangle_bytes)
+  Layout layout{.count = announced(bytes)};
+  const std::size_t room = bytes.size() - head_bytes;
+  const std::string header = "the header announces " + std::to_string(layout.count) + " triangles";
+  if (layout.count > room / triangle_bytes)
     refuse(header + ", the file has room for " + std::to_string(room / triangle_bytes));
-  if (count == 0 && room > 0) refuse(header + ", and " + std::to_string(room) + " bytes follow");
-  for (std::size_t t = 0; t < count && room != count * triangle_bytes; ++t) {
-    if (!makes_sense(bytes.data() + head_bytes + t * triangle_bytes))
-      refuse(header + ", but the file size does not match them");
+  if (layout.count == 0 && room > 0) refuse(header + ", and " + std::to_string(room) + " bytes follow");
+  layout.end = head_bytes + layout.count * triangle_bytes;
+  if (layout.end == bytes.size() || follow_attributes(bytes, layout)) return layout;
+  for (std::size_t t = 0; t < layout.count; ++t) {
+    if (!makes_sense(bytes.data() + layout.offset(t)))
+      refuse(header +
+             ", but the file size matches them neither without nor with the attributes that they count");
   }
-  return count;
+  return layout;
 }
 
-// Collects facets and joins their equal corners.
-class Facets {
+// Joins equal corners.
+class CornerJoiner {
 public:
-  explicit Facets(const Source& source) : builder(source), source_(source) {
-    normals_.kind = FileVectors::Kind::normals;
-    normals_.rows = FileVectors::Rows::faces;
-    normals_.element = "triangle";
-    corners_.rows = FileVectors::Rows::corners;
-    corners_.element = "corner";
-  }
+  explicit CornerJoiner(SurfaceBuilder& builder) : builder_(builder) {}
 
-  void corner(Point p, const FileVectors::Places& places) {
+  void add(Point p) {
     for (double& x : p) x += 0.0;  // -0 becomes 0
-    const std::size_t before = builder.vertex_count();
-    const std::uint32_t vertex = index_.find_or_add(p, builder.surface().positions);
-    if (vertex == before) builder.position(p);
-    builder.corner(vertex);
-    if (source_.owner) corners_.places.push_back(places);
+    const std::size_t before = builder_.vertex_count();
+    const std::uint32_t vertex = index_.find_or_add(p, builder_.surface().positions);
+    if (vertex == before) builder_.position(p);
+    builder_.corner(vertex);
   }
-
-  // Ends a facet of three corners.
-  void end(const FileVectors::Places& normal) {
-    builder.end_polygon();
-    if (!source_.owner) return;
-    normals_.row_of_corner.insert(normals_.row_of_corner.end(), 3,
-                                  static_cast<std::uint32_t>(normals_.places.size()));
-    normals_.places.push_back(normal);
-  }
-
-  ReadResult finish(bool text) {
-    if (!text) normals_.types.fill(NumberType::float32), corners_.types.fill(NumberType::float32);
-    ReadResult result = builder.finish(text ? "STL ascii" : "STL binary");
-    result.original =
-        original_of(source_, {"STL", text, std::endian::little, {std::move(corners_), std::move(normals_)}});
-    return result;
-  }
-
-  SurfaceBuilder builder;
 
 private:
-  const Source& source_;
+  SurfaceBuilder& builder_;
   PointIndex index_;
-  FileVectors corners_, normals_;
 };
 
+// The corners and the normals of facets, still without their places.
+VectorFile vectors_of_facets(bool text) {
+  VectorFile file{.format = "STL", .text = text};
+  file.vectors.push_back({.rows = FileVectors::Rows::corners, .element = "corner"});
+  file.vectors.push_back(
+      {.kind = FileVectors::Kind::normals, .rows = FileVectors::Rows::faces, .element = "triangle"});
+  file.vectors[1].row_of_corner = [](std::size_t corner) { return static_cast<std::uint32_t>(corner / 3); };
+  return file;
+}
+
 ReadResult read_binary(const Source& source) {
-  const std::size_t triangles = count_triangles(source);
-  Facets facets(source);
+  const auto layout = std::make_shared<const Layout>(layout_of(source));
+  const std::size_t triangles = layout->count;
+  SurfaceBuilder builder(source);
   const std::string_view head = source.bytes.substr(0, 80);
-  facets.builder.comment(TextWriter::one_line(std::string(head.substr(0, head.find('\0')))));
-  const auto places = [](std::size_t at) { return FileVectors::Places{at, at + 4, at + 8}; };
+  builder.comment(TextWriter::one_line(std::string(head.substr(0, head.find('\0')))));
+  CornerJoiner corners(builder);
   for (std::size_t t = 0; t < triangles; ++t) {
-    const std::size_t normal = head_bytes + t * triangle_bytes;
-    for (std::size_t at = normal + 12; at < normal + 48; at += 12) {
+    const char* const at = source.bytes.data() + layout->offset(t) + 12;
+    for (int c = 0; c < 3; ++c) {
       Point p{};
-      for (std::size_t i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(source.bytes.data() + at + 4 * i);
+      for (int i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(at + 12 * c + 4 * i);
       if (!std::isfinite(p[0] + p[1] + p[2])) {
         throw base::Error(source.place("triangle", t), "a coordinate is not a finite number",
                           "repair the triangle");
       }
-      facets.corner(p, places(at));
+      corners.add(p);
     }
-    facets.end(places(normal));
+    builder.end_polygon();
     if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
   }
-  const std::size_t behind = source.bytes.size() - head_bytes - triangles * triangle_bytes;
+  if (!layout->starts.empty()) builder.warn(source.name + ": ignored the attributes of triangles");
+  const std::size_t behind = source.bytes.size() - layout->end;
   if (behind > 0) {
-    facets.builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
-                        std::to_string(triangles) + " triangles that the header announces");
+    builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
+                 std::to_string(triangles) + " triangles that the header announces");
   }
-  return facets.finish(false);
+  ReadResult result = builder.finish("STL binary");
+  VectorFile file = vectors_of_facets(false);
+  for (FileVectors& vectors : file.vectors) {
+    const bool normals = vectors.kind == FileVectors::Kind::normals;
+    vectors.types.fill(NumberType::float32);
+    vectors.count = normals ? triangles : 3 * triangles;
+    vectors.places = [layout, normals](std::size_t row) {
+      const std::size_t at = normals ? layout->offset(row) : layout->offset(row / 3) + 12 + 12 * (row % 3);
+      return FileVectors::Places{at, at + 4, at + 8};
+    };
+  }
+  result.original = original_of(source, std::move(file));
+  return result;
 }
 
 class StlTextReader {
 public:
-  explicit StlTextReader(const Source& source) : source_(source), text_(source, {}), facets_(source) {}
+  explicit StlTextReader(const Source& source)
+      : source_(source), text_(source, {}), builder_(source), corners_(builder_) {}
 
   ReadResult read() {
     while (text_.next_filled_line()) {
@@ -158,9 +189,13 @@ public:
     }
     if (in_facet_)
       text_.fail("the file ends within a facet", "it seems to be truncated: export or copy it again");
-    if (!ended_)
-      facets_.builder.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
-    return facets_.finish(true);
+    if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
+    ReadResult result = builder_.finish("STL ascii");
+    VectorFile file = vectors_of_facets(true);
+    file.vectors[0].set_places(std::move(corner_places_));
+    file.vectors[1].set_places(std::move(normal_places_));
+    result.original = original_of(source_, std::move(file));
+    return result;
   }
 
 private:
@@ -169,18 +204,19 @@ private:
       TextCursor ahead = text_;
       const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
       if (!in_facet_) text_.fail("vertex outside of a facet", "export the model again");
-      facets_.corner({x, y, z}, places_of_three(ahead));
+      corners_.add({x, y, z});
+      if (source_.owner) corner_places_.push_back(places_of_three(ahead));
       ++facet_corners_;
     } else if (word == "facet") {
       if (in_facet_) text_.fail("facet within a facet", "export the model again");
       in_facet_ = true;
       facet_corners_ = 0;
       text_.word();  // "normal"
-      normal_ = places_of_three(text_);
+      if (source_.owner) normal_places_.push_back(places_of_three(text_));
     } else if (word == "endfacet") {
       end_facet();
     } else if (word == "solid") {
-      facets_.builder.comment(text_.rest_of_line());
+      builder_.comment(text_.rest_of_line());
     } else if (word == "endsolid") {
       ended_ = true;
     } else if (word != "outer" && word != "endloop") {
@@ -194,28 +230,32 @@ private:
       text_.fail("facet with " + std::to_string(facet_corners_) + " corners instead of 3",
                  "export the model again");
     }
-    facets_.end(normal_);
+    builder_.end_polygon();
     in_facet_ = false;
   }
 
   const Source& source_;
   TextCursor text_;
-  Facets facets_;
-  FileVectors::Places normal_ = no_places;
+  SurfaceBuilder builder_;
+  CornerJoiner corners_;
+  std::vector<FileVectors::Places> corner_places_, normal_places_;
   std::size_t lines_ = 0;
   int facet_corners_ = 0;
   bool in_facet_ = false, ended_ = false;
 };
 
-// True if the file size matches the count, or if the first triangles are plausible.
+// True if the file size matches the count, or if the first triangles are plausible with their attributes.
 bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   if (beginning.size() < head_bytes) return false;
   const std::size_t count = announced(beginning);
   const std::uint64_t least = head_bytes + triangle_bytes * count;
   if (count == 0 || least >= file_size) return least == file_size;
-  for (std::size_t at = head_bytes; at + triangle_bytes <= std::min(beginning.size(), least);
-       at += triangle_bytes)
+  std::size_t at = head_bytes;
+  for (std::size_t t = 0; t < count && at + triangle_bytes <= beginning.size(); ++t) {
     if (!makes_sense(beginning.data() + at)) return false;
+    at += triangle_bytes;
+    at += number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
+  }
   return true;
 }
 
