@@ -57,7 +57,7 @@ bool holds_nul(const Source& source) {
 // The triangles of a binary file. The count of attribute bytes may be that of attributes which follow.
 struct Layout {
   std::size_t count = 0, end = 0;
-  std::vector<std::size_t> starts;  // only if attributes follow
+  std::vector<std::size_t> starts = {};  // only if attributes follow
 
   std::size_t offset(std::size_t triangle) const {
     return starts.empty() ? head_bytes + triangle_bytes * triangle : starts[triangle];
