@@ -328,22 +328,6 @@ TEST_CASE("gpu_instances_cause_a_warning_and_are_kept") {
   CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // used by the instances
 }
 
-TEST_CASE("any_surface_becomes_a_glb") {
-  const test::TemporaryFolder folder;
-  for (const char* name : {"a.glb", "a.gltf"}) {
-    write(folder / name, test::cube());
-    const ReadResult r = read(folder / name);
-    test::check_invariants(r.surface);
-    CHECK(r.surface.positions.size() == 8);
-    CHECK(r.surface.triangles.size() == 12);
-    CHECK(floats_by_judge(folder / name, 0).size() == 24);
-  }
-  Surface points;
-  points.positions = {{1, 2, 3}};
-  write(folder / "points.glb", points);
-  CHECK(read(folder / "points.glb").surface.positions == points.positions);
-}
-
 TEST_CASE("surface_beyond_float_range_is_not_written_as_glb") {
   const test::TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(write(folder / "a.glb", test::moved(test::cube(), 1e39)),
