@@ -1,4 +1,4 @@
-#include "mesh/formats/stl.h"
+#include "mesh/formats/codecs.h"
 
 #include <doctest/doctest.h>
 

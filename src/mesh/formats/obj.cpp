@@ -1,4 +1,4 @@
-#include "mesh/formats/obj.h"
+#include "mesh/formats/codecs.h"
 
 #include <algorithm>
 #include <array>

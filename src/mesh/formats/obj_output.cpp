@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "base/text.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/mtl.h"
-#include "mesh/formats/obj.h"
 #include "mesh/formats/obj_words.h"
 #include "mesh/formats/printed.h"
 #include "mesh/formats/rewriter.h"

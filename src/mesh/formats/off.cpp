@@ -1,4 +1,4 @@
-#include "mesh/formats/off.h"
+#include "mesh/formats/codecs.h"
 
 #include <algorithm>
 #include <iterator>

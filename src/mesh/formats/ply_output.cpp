@@ -2,8 +2,8 @@
 #include <optional>
 #include <span>
 
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/conversion.h"
-#include "mesh/formats/ply.h"
 
 namespace viete::mesh {
 

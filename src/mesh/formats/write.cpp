@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/gltf_output.h"
