@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -52,10 +52,10 @@ ObjIndices obj_indices(std::string_view behind_vertex);
 /// least six significant digits of the model's diagonal. Normals are updated; a normal line whose corners now
 /// differ gets additional lines after its block, and face indices are renumbered. attributes may be null.
 /// normal_blocks: for each block of `vn` lines the number of such lines up to its end, ascending; the last is
-/// the total. libraries: texts after `mtllib`, see read_materials().
+/// the total. files: libraries and images.
 std::shared_ptr<const Original> obj_original(const Source& source,
                                              std::shared_ptr<const Attributes> attributes,
                                              std::vector<std::uint32_t> normal_blocks,
-                                             std::vector<std::string> libraries);
+                                             std::vector<std::filesystem::path> files);
 
 }  // namespace viete::mesh
