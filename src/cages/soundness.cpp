@@ -42,9 +42,7 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
   found.crossing = mesh::self_intersecting_triangles(cage, progress);
   for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
     if (progress) progress->report(1);
-    const auto& corners = cage.triangles[t];
-    const mesh::Corners here = {cage.positions[corners[0]], cage.positions[corners[1]],
-                                cage.positions[corners[2]]};
+    const mesh::Corners here = mesh::corners_of(cage.positions, cage.triangles[t]);
     if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
   }
   const auto firsts = one_vertex_a_part(positions.size(), triangles);

@@ -87,8 +87,8 @@ std::vector<std::uint32_t> self_intersecting_triangles(const Surface& surface, b
   const TriangleTree tree(positions, surface.triangles);
   std::vector<Corners> corners;
   std::vector<std::uint8_t> is_plane, found(surface.triangles.size(), 0);
-  for (const auto& [a, b, c] : surface.triangles) {
-    corners.push_back({positions[a], positions[b], positions[c]});
+  for (const Triangle& t : surface.triangles) {
+    corners.push_back(corners_of(positions, t));
     is_plane.push_back(has_plane(corners.back()));
   }
   for (std::uint32_t t = 0; t < found.size(); ++t) {

@@ -43,7 +43,7 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
   std::iota(order_.begin(), order_.end(), 0u);
   std::vector<Point> centers(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    corners_[t] = {positions[triangles[t][0]], positions[triangles[t][1]], positions[triangles[t][2]]};
+    corners_[t] = corners_of(positions, triangles[t]);
     const Bounds box = bounds(corners_[t]);
     centers[t] = 0.5 * (box.low + box.high);
   }

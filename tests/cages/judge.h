@@ -14,10 +14,6 @@
 
 namespace viete::test {
 
-inline mesh::Corners corners_of(const mesh::Surface& s, const mesh::Triangle& t) {
-  return {s.positions[t[0]], s.positions[t[1]], s.positions[t[2]]};
-}
-
 /// The model's triangles, or its points as degenerate triangles.
 inline std::vector<mesh::Triangle> pieces_of(const mesh::Surface& model) {
   if (!model.triangles.empty()) return model.triangles;
@@ -36,10 +32,10 @@ inline double least_distance(const mesh::Surface& cage, const mesh::Surface& mod
   double least = unit;
   const auto pieces = pieces_of(model);
   for (const auto& t : cage.triangles) {
-    const mesh::Corners side = corners_of(cage, t);
+    const mesh::Corners side = mesh::corners_of(cage.positions, t);
     mesh::Bounds box = mesh::bounds(side);
     for (const auto& piece : pieces) {
-      const mesh::Corners corners = corners_of(model, piece);
+      const mesh::Corners corners = mesh::corners_of(model.positions, piece);
       const mesh::Bounds other = mesh::bounds(corners);
       double apart = 0;  // distance of the boxes
       for (std::size_t k = 0; k < 3; ++k)

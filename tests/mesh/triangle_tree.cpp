@@ -40,8 +40,7 @@ struct TreeCase : test::Random {
 };
 
 Corners at(const Surface& s, std::size_t t) {
-  const Triangle& v = s.triangles[t];
-  return {s.positions[v[0]], s.positions[v[1]], s.positions[v[2]]};
+  return corners_of(s.positions, s.triangles[t]);
 }
 
 }  // namespace
