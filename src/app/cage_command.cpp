@@ -44,20 +44,13 @@ std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cell
   return {};
 }
 
-void print(const cages::Made& made, const mesh::Surface& model, bool keeps_quads, base::WorkerPool& pool,
-           double seconds) {
+void print(const cages::Made& made, bool keeps_quads, double seconds) {
   const std::size_t triangles = made.surface.triangles.size();
   const std::size_t quads = keeps_quads ? triangles - made.surface.polygon_count() : 0;
   std::printf("made a cage of %s", base::counted(triangles, "triangle").c_str());
   if (quads > 0) std::printf(" (%s of them in quads)", base::with_thousands(2 * quads).c_str());
   if (made.mirror) std::printf(", symmetric");
   std::printf(" in %s\n", base::milliseconds(1e3 * seconds).c_str());
-  const cages::Closeness close = cages::closeness(made.surface, model, pool);
-  std::printf("%s %% to %s %% of the model's diagonal away from it, %s %% on average",
-              base::few_digits(100 * close.least).c_str(), base::few_digits(100 * close.most).c_str(),
-              base::few_digits(100 * close.mean).c_str());
-  if (close.volume > 0) std::printf("; %s times its volume", base::few_digits(close.volume).c_str());
-  std::printf("\n");
 }
 
 // Checks the cage after the file format's rounding of coordinates.
@@ -111,7 +104,7 @@ int make_cage(const CageOptions& options) {
   if (format.holds_morphs) check_rounded(options.output, made.surface, model.surface, pool);
   print_notes(made.notes);
   mesh::write(options.output, made.surface, {"cage of " + options.model.filename().string()});
-  print(made, model.surface, format.keeps_order, pool, seconds);
+  print(made, format.keeps_order, seconds);
   return exit_ok;
 }
 

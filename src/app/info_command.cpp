@@ -13,7 +13,6 @@
 #include "base/text.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/read.h"
-#include "mesh/topology.h"
 #include "scene/document/checks.h"
 #include "scene/document/elements.h"
 
@@ -38,9 +37,7 @@ void print(const scene::OpenedSurface& surface) {
               f.oriented() ? "consistently oriented" : "not consistently oriented");
   if (const auto topology = mesh::topology(*surface.surface, f)) {
     std::printf("  topology    genus %zu, %s\n", topology->genus,
-                topology->boundary_loops.empty()
-                    ? "no holes"
-                    : base::counted(topology->boundary_loops.size(), "hole").c_str());
+                topology->holes == 0 ? "no holes" : base::counted(topology->holes, "hole").c_str());
   }
   std::printf("  box         (%g, %g, %g) to (%g, %g, %g), diagonal %g\n", box.low[0], box.low[1], box.low[2],
               box.high[0], box.high[1], box.high[2], box.diagonal());

@@ -89,14 +89,10 @@ private:
   std::vector<float> values_;
 };
 
-Index3 place_of(const Grid& grid, std::size_t index) {
-  return {index % grid.size[0], index / grid.size[0] % grid.size[1], index / grid.size[0] / grid.size[1]};
-}
-
 // Calls visit(index) for the neighbours of this node along the axes.
 template <class Visit>
 void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
-  const Index3 at = place_of(grid, index);
+  const Index3 at = grid.node(index);
   const Index3 strides = {1, grid.size[0], grid.size[0] * grid.size[1]};
   for (std::size_t k = 0; k < 3; ++k) {
     if (at[k] > 0) visit(index - strides[k]);
@@ -112,8 +108,7 @@ std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const s
   pool.for_blocks(inside.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       if (distances[n] <= least) continue;
-      const Index3 at = place_of(grid, n);
-      const Point p = grid.place(at[0], at[1], at[2]);
+      const Point p = grid.place(n);
       double number = std::abs(model.tree.winding_number(p));
       if (grid.mirrored) number = std::max(number, std::abs(model.tree.winding_number({-p[0], p[1], p[2]})));
       inside[n] = number > 0.5;
@@ -133,7 +128,7 @@ std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vect
     open.push_back(n);
   };
   for (std::size_t n = 0; n < reached.size(); ++n) {
-    const Index3 at = place_of(grid, n);
+    const Index3 at = grid.node(n);
     bool border = at[0] + 1 == grid.size[0] || (at[0] == 0 && !grid.mirrored);
     for (std::size_t k = 1; k < 3; ++k) border = border || at[k] == 0 || at[k] + 1 == grid.size[k];
     if (border) reach(n);
@@ -171,7 +166,7 @@ private:
         if (reached_[other]) return;
         const double from = distances[n], to = distances[other];
         const double t = to < least ? std::clamp((from - least) / (from - to), 0.0, 1.0) : 0.5;
-        const Point a = place(n), b = place(other);
+        const Point a = grid_.place(n), b = grid_.place(other);
         take(other, a + t * (b - a));
       });
     }
@@ -188,16 +183,11 @@ private:
   }
 
   void take(std::size_t n, const Point& border) {
-    const auto distance = static_cast<float>(mesh::norm(place(n) - border));
+    const auto distance = static_cast<float>(mesh::norm(grid_.place(n) - border));
     if (distance >= values_[n]) return;
     values_[n] = distance;
     nearest_[n] = border;
     queue_.push_back(n);
-  }
-
-  Point place(std::size_t n) const {
-    const Index3 at = place_of(grid_, n);
-    return grid_.place(at[0], at[1], at[2]);
   }
 
   const Grid& grid_;

@@ -30,6 +30,13 @@ struct Grid {
   Point place(std::size_t i, std::size_t j, std::size_t k) const {
     return origin + step * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
   }
+  std::array<std::size_t, 3> node(std::size_t index) const {
+    return {index % size[0], index / size[0] % size[1], index / size[0] / size[1]};
+  }
+  Point place(std::size_t index) const {
+    const auto [i, j, k] = node(index);
+    return place(i, j, k);
+  }
 };
 
 /// A grid around a box: `padding` on every side, about `cells` along the longest side. With mirrored, covers

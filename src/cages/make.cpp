@@ -89,32 +89,25 @@ Made make_box(const mesh::Surface& model, const Wish& wish) {
   return made;
 }
 
-struct Maker::Kept {
-  std::shared_ptr<const mesh::Surface> model;
-  mesh::Bounds box;
-  std::optional<std::optional<Plane>> own_plane;  // empty until first computed
-  std::unique_ptr<const Subject> subject;         // belongs to the last wish
-
-  std::optional<Plane> plane_of(Symmetry symmetry, base::Progress* progress) {
-    if (symmetry == Symmetry::none) return std::nullopt;
-    if (symmetry == Symmetry::automatic) {
-      if (!own_plane) own_plane = symmetry_plane(*model, progress);
-      return *own_plane;
-    }
-    const auto axis = static_cast<std::size_t>(symmetry) - static_cast<std::size_t>(Symmetry::x);
-    Plane plane{{0, 0, 0}, box.center()[axis]};
-    plane.normal[axis] = 1;
-    return plane;
+std::optional<Plane> Maker::plane_of(Symmetry symmetry, base::Progress* progress) {
+  if (symmetry == Symmetry::none) return std::nullopt;
+  if (symmetry == Symmetry::automatic) {
+    if (!own_plane_) own_plane_ = symmetry_plane(*model_, progress);
+    return *own_plane_;
   }
+  const auto axis = static_cast<std::size_t>(symmetry) - static_cast<std::size_t>(Symmetry::x);
+  Plane plane{{0, 0, 0}, box_.center()[axis]};
+  plane.normal[axis] = 1;
+  return plane;
+}
 
-  const Subject& with(const std::optional<Plane>& mirror, base::Progress* progress) {
-    if (!subject || subject->mirror != mirror) {
-      subject.reset();
-      subject = std::make_unique<const Subject>(*model, mirror, progress);
-    }
-    return *subject;
+const Subject& Maker::subject_with(const std::optional<Plane>& mirror, base::Progress* progress) {
+  if (!subject_ || subject_->mirror != mirror) {
+    subject_.reset();
+    subject_ = std::make_unique<const Subject>(*model_, mirror, progress);
   }
-};
+  return *subject_;
+}
 
 namespace {
 
@@ -142,29 +135,24 @@ void section(base::Progress* progress, double from, double to) {
 
 }  // namespace
 
-Maker::Maker(std::shared_ptr<const mesh::Surface> model) : kept_(std::make_unique<Kept>()) {
-  kept_->box = model->triangles.empty() ? mesh::bounds(model->positions) : mesh::used_bounds(*model);
-  if (!(kept_->box.diagonal() > 0))
+Maker::Maker(std::shared_ptr<const mesh::Surface> model)
+    : model_(std::move(model)), box_(extent_of(*model_)) {
+  if (!(box_.diagonal() > 0))
     throw base::Error("", "the model is a single point and cannot have a cage",
                       "open a model with an extent");
-  kept_->model = std::move(model);
 }
-
-Maker::~Maker() = default;
-Maker::Maker(Maker&&) noexcept = default;
-Maker& Maker::operator=(Maker&&) noexcept = default;
 
 Made Maker::make(const Wish& asked, base::WorkerPool& pool, base::Progress* progress) {
   const Wish wish = in_range(asked);
-  if (wish.kind == Kind::box) return make_box(*kept_->model, wish);
+  if (wish.kind == Kind::box) return make_box(*model_, wish);
   section(progress, 0, 0.05);
-  const auto mirror = kept_->plane_of(wish.symmetry, progress);
+  const auto mirror = plane_of(wish.symmetry, progress);
   section(progress, 0.05, 0.1);
-  const Subject& subject = kept_->with(mirror, progress);
+  const Subject& subject = subject_with(mirror, progress);
   section(progress, 0.1, 1);
   std::optional<Made> made = make_automatic(subject, wish, pool, progress);
   section(progress, 1, 1);
-  return made ? *std::move(made) : box_instead(*kept_->model, wish);
+  return made ? *std::move(made) : box_instead(*model_, wish);
 }
 
 Made make(const mesh::Surface& model, const Wish& wish, base::WorkerPool& pool, base::Progress* progress) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
+#include "cages/subject.h"
 #include "cages/wish.h"
 #include "mesh/surface.h"
 
@@ -21,10 +23,6 @@ public:
   /// Quick: all work is left to the first make(). Throws base::Error if the model is a single point or has
   /// none.
   explicit Maker(std::shared_ptr<const mesh::Surface> model);
-  ~Maker();
-  Maker(Maker&&) noexcept;
-  Maker& operator=(Maker&&) noexcept;
-
   /// A closed, oriented manifold without self-intersection that encloses every triangle of the model, or
   /// every point where it has none, at about the wished distance. Same bits for any pool. Any length scale
   /// from 1e-60 to 1e60. What is wished beyond its range counts as the end of the range. progress may be
@@ -32,8 +30,13 @@ public:
   Made make(const Wish& wish, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 private:
-  struct Kept;
-  std::unique_ptr<Kept> kept_;
+  std::optional<Plane> plane_of(Symmetry symmetry, base::Progress* progress);
+  const Subject& subject_with(const std::optional<Plane>& mirror, base::Progress* progress);
+
+  std::shared_ptr<const mesh::Surface> model_;
+  mesh::Bounds box_;
+  std::optional<std::optional<Plane>> own_plane_;  // empty until first computed
+  std::unique_ptr<const Subject> subject_;         // belongs to the last wish
 };
 
 /// Once: see Maker.

@@ -16,71 +16,17 @@
 
 namespace viete::cages {
 
-Closeness closeness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool) {
-  const Frame frame = frame_of(model, std::nullopt);
-  const FramedModel framed = model_in(frame, model);
-  std::vector<std::uint8_t> used(framed.positions.size(), 0);
-  for (const auto& t : framed.triangles) used[t[0]] = used[t[1]] = used[t[2]] = 1;
-  std::vector<mesh::Point> corners = cage.positions;
-  for (mesh::Point& p : corners) p = frame.into(p);
-  const mesh::TriangleTree tree(corners, cage.triangles);
-  std::vector<double> distances(framed.positions.size());
-  pool.for_blocks(distances.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      if (used[v]) distances[v] = std::sqrt(tree.nearest(framed.positions[v]).squared_distance);
-    }
-  });
-  Closeness found{.least = std::numeric_limits<double>::infinity()};
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < distances.size(); ++v) {
-    if (!used[v]) continue;
-    ++count;
-    found.mean += distances[v];
-    found.least = std::min(found.least, distances[v]);
-    found.most = std::max(found.most, distances[v]);
-  }
-  found.mean /= static_cast<double>(count);
-  // Inconsistently oriented or nested surfaces have no valid volume; it may seem larger than the cage's.
-  const mesh::Summary summary = mesh::summarize(model);
-  const double whole = mesh::summarize(cage).volume, part = std::abs(summary.volume);
-  if (summary.closed() && summary.oriented() && part > 0 && part <= whole) found.volume = whole / part;
-  return found;
-}
-
 namespace {
 
 std::vector<std::uint32_t> one_vertex_a_part(std::size_t vertices,
                                              std::span<const mesh::Triangle> triangles) {
-  mesh::UnionFind parts(vertices);
-  for (const auto& t : triangles) {
-    parts.join(t[0], t[1]);
-    parts.join(t[1], t[2]);
-  }
+  mesh::UnionFind parts = mesh::parts_by_triangles(vertices, triangles);
   std::vector<std::uint8_t> taken(vertices, 0);
   std::vector<std::uint32_t> firsts;
   for (const auto& t : triangles) {
     if (!std::exchange(taken[parts.find(t[0])], std::uint8_t{1})) firsts.push_back(t[0]);
   }
   return firsts;
-}
-
-// Points that a quick test does not place inside the cage. The exact test is linear in the cage's triangles,
-// and a triangle soup has as many components as triangles.
-std::vector<std::uint32_t> in_doubt(const mesh::Surface& cage, std::span<const mesh::Point> positions,
-                                    const std::vector<std::uint32_t>& vertices, base::WorkerPool& pool) {
-  constexpr double certain = 0.75;  // the quick test is accurate to a few hundredths
-  if (cage.triangles.empty()) return vertices;
-  const mesh::TriangleTree tree(cage.positions, cage.triangles);
-  std::vector<char> doubt(vertices.size(), 0);
-  pool.for_blocks(vertices.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      doubt[i] = !(std::abs(tree.winding_number(positions[vertices[i]])) > certain);
-  });
-  std::vector<std::uint32_t> some;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (doubt[i]) some.push_back(vertices[i]);
-  }
-  return some;
 }
 
 }  // namespace
@@ -96,12 +42,10 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
   found.crossing = mesh::self_intersecting_triangles(cage, progress);
   for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
     if (progress) progress->report(1);
-    const auto& corners = cage.triangles[t];
-    const mesh::Corners here = {cage.positions[corners[0]], cage.positions[corners[1]],
-                                cage.positions[corners[2]]};
+    const mesh::Corners here = mesh::corners_of(cage.positions, cage.triangles[t]);
     if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
   }
-  const auto firsts = in_doubt(cage, positions, one_vertex_a_part(positions.size(), triangles), pool);
+  const auto firsts = one_vertex_a_part(positions.size(), triangles);
   std::vector<mesh::Point> places(firsts.size());
   std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
   for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);

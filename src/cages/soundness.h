@@ -1,4 +1,4 @@
-// Exact checks of a cage: closed, without self-intersections, around the model; and its closeness.
+// Exact checks of a cage: closed, without self-intersections, around the model.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,6 @@
 #include "mesh/triangle_tree.h"
 
 namespace viete::cages {
-
-struct Closeness {
-  double least = 0, mean = 0, most = 0;  ///< distances of model vertices to the cage, in model diagonals
-  double volume = 0;                     ///< cage volume / model volume; 0 for an open or flat model
-};
-
-/// Measures used vertices, or all points of a point set. Neither may be empty. Same bits for any pool.
-Closeness closeness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
 
 /// Defects of a cage; all empty or 0 if it is sound.
 struct Soundness {

@@ -44,6 +44,9 @@ struct Frame {
   }
 };
 
+/// The box of used vertices; of all vertices without triangles.
+mesh::Bounds extent_of(const mesh::Surface& surface);
+
 /// A frame along the file's axes; a mirror becomes the plane x = 0. The model must have an extent.
 Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror);
 /// A frame along the axes of inertia of the triangles, or of the points if these have no area.
@@ -58,8 +61,6 @@ struct FramedModel {
 };
 
 FramedModel model_in(const Frame& frame, const mesh::Surface& surface);
-/// Leaves `closed` unset, which takes longest to compute.
-FramedModel shape_in(const Frame& frame, const mesh::Surface& surface);
 
 /// Data that depend on the model and mirror only; computed once. Thread-safe after construction.
 struct Subject {

@@ -42,18 +42,35 @@ struct Wish {
   friend bool operator==(const Wish&, const Wish&) = default;
 };
 
-struct KindEntry {
-  Kind value;
+/// A choice by name.
+template <class Value>
+struct Entry {
+  Value value;
   std::string_view name, sentence;
 };
-struct SymmetryEntry {
-  Symmetry value;
-  std::string_view name, sentence;
+inline constexpr Entry<Kind> kinds[] = {
+    {Kind::automatic, "automatic", "encloses the model with the given number of triangles"},
+    {Kind::box, "box", "box of quads, divided into cells"},
 };
-std::span<const KindEntry> all_kinds();
-std::span<const SymmetryEntry> all_symmetries();
-const KindEntry& entry(Kind kind);
-const SymmetryEntry& entry(Symmetry symmetry);
+inline constexpr Entry<Symmetry> symmetries[] = {
+    {Symmetry::automatic, "auto", "the model's plane of symmetry, if any"},
+    {Symmetry::none, "none", "no plane"},
+    {Symmetry::x, "x", "across x through the centre of the model's box"},
+    {Symmetry::y, "y", "across y"},
+    {Symmetry::z, "z", "across z"},
+};
+inline std::span<const Entry<Kind>> all_kinds() {
+  return kinds;
+}
+inline std::span<const Entry<Symmetry>> all_symmetries() {
+  return symmetries;
+}
+inline const Entry<Kind>& entry(Kind kind) {
+  return kinds[static_cast<std::size_t>(kind)];
+}
+inline const Entry<Symmetry>& entry(Symmetry symmetry) {
+  return symmetries[static_cast<std::size_t>(symmetry)];
+}
 
 struct Made {
   mesh::Surface surface;

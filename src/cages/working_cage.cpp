@@ -294,20 +294,13 @@ bool WorkingCage::passes_over_a_point(std::span<const FaceId> replaced) const {
   if (enclosed_.empty()) return false;
   mesh::Bounds box = mesh::bounds(now_.front().corners);
   const auto widen = [&](const mesh::Corners& t) {
-    for (const Point& p : t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], p[k]);
-        box.high[k] = std::max(box.high[k], p[k]);
-      }
-    }
+    for (const Point& p : t) mesh::extend(box, p);
   };
   for (const auto& t : now_) widen(t.corners);
   for (const FaceId f : replaced) widen(corners(f));
   return std::ranges::any_of(enclosed_, [&](Point p) {
     if (mirrored()) p[0] = std::abs(p[0]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (p[k] < box.low[k] || p[k] > box.high[k]) return false;
-    }
+    if (!mesh::meet(box, {p, p})) return false;
     const auto halves_at = [&](const Point& from) {
       double halves = 0;
       for (const auto& t : now_) halves += half_angle(t.corners, from);

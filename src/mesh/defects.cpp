@@ -1,12 +1,10 @@
 #include "mesh/defects.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "mesh/normals.h"
+#include "mesh/half_edges.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
@@ -22,34 +20,6 @@ std::vector<std::uint8_t> used_vertices(const Surface& surface) {
   return used;
 }
 
-// The two vertices of a triangle other than v.
-std::array<std::uint32_t, 2> others(const Triangle& t, std::uint32_t v) {
-  const int i = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-  return {t[(i + 1) % 3], t[(i + 2) % 3]};
-}
-
-// The fans of a vertex: components of its triangles, connected by edges through the vertex.
-class Fans {
-public:
-  std::size_t count(const std::vector<std::array<std::uint32_t, 2>>& around) {
-    parts_.reset(around.size());
-    spokes_.clear();
-    for (std::uint32_t i = 0; i < around.size(); ++i) {
-      for (const auto v : around[i]) spokes_.push_back({v, i});
-    }
-    std::sort(spokes_.begin(), spokes_.end());
-    std::size_t fans = around.size();
-    for (std::size_t i = 1; i < spokes_.size(); ++i) {
-      if (spokes_[i][0] == spokes_[i - 1][0]) fans -= parts_.join(spokes_[i][1], spokes_[i - 1][1]);
-    }
-    return fans;
-  }
-
-private:
-  UnionFind parts_;
-  std::vector<std::array<std::uint32_t, 2>> spokes_;  // the vertex at its end, the triangle beside it
-};
-
 }  // namespace
 
 std::vector<std::uint32_t> duplicate_vertices(const Surface& surface) {
@@ -64,17 +34,28 @@ std::vector<std::uint32_t> duplicate_vertices(const Surface& surface) {
 }
 
 std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface) {
-  const auto triangles = vertex_triangles(surface.positions.size(), surface.triangles);
-  std::vector<std::uint32_t> pinched;
-  std::vector<std::array<std::uint32_t, 2>> around;
-  Fans fans;
-  for (std::uint32_t v = 0; v < surface.positions.size(); ++v) {
-    around.clear();
-    for (const auto t : triangles.of(v)) {
-      if (!repeats_corner(surface.triangles[t])) around.push_back(others(surface.triangles[t], v));
+  const auto& triangles = surface.triangles;
+  const HalfEdges table = half_edges(surface.positions.size(), triangles);
+  const auto corner = [&](std::uint32_t t, std::uint32_t v) {
+    return 3 * t + static_cast<std::uint32_t>(std::ranges::find(triangles[t], v) - triangles[t].begin());
+  };
+  UnionFind fans(3 * triangles.size());  // corners at one vertex, joined across edges
+  for (std::size_t e = 0; e < table.edges.size(); ++e) {
+    const auto first = table.of(e)[0].triangle;
+    for (const HalfEdge& side : table.of(e)) {
+      for (const auto v : table.edges[e]) fans.join(corner(first, v), corner(side.triangle, v));
     }
-    if (fans.count(around) > 1) pinched.push_back(v);
   }
+  std::vector<std::uint32_t> fan_of(surface.positions.size(), none), pinched;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (repeats_corner(triangles[t])) continue;
+    for (const auto v : triangles[t]) {
+      const auto fan = fans.find(corner(t, v)), known = std::exchange(fan_of[v], fan);
+      if (known != none && known != fan) pinched.push_back(v);
+    }
+  }
+  std::ranges::sort(pinched);
+  pinched.erase(std::unique(pinched.begin(), pinched.end()), pinched.end());
   return pinched;
 }
 
@@ -92,70 +73,37 @@ std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) 
   return thin;
 }
 
-namespace {
-
-class Sweep {
-public:
-  explicit Sweep(const Surface& surface) : found_(surface.triangles.size(), 0) {
-    const Bounds all = used_bounds(surface);
-    for (int k = 1; k < 3; ++k) {
-      if (all.high[k] - all.low[k] > all.high[axis_] - all.low[axis_]) axis_ = k;
-    }
-    take_corners(surface, all);
-  }
-
-  std::vector<std::uint32_t> run(base::Progress* progress) {
-    std::vector<std::uint32_t> open;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      if (progress && i % 256 == 0)
-        progress->report(static_cast<double>(i) / static_cast<double>(order_.size()));
-      const auto t = order_[i];
-      std::erase_if(open, [&](std::uint32_t s) { return boxes_[s].high[axis_] < boxes_[t].low[axis_]; });
-      for (const auto s : open) test(s, t);
-      open.push_back(t);
-    }
-    std::vector<std::uint32_t> triangles;
-    for (std::uint32_t t = 0; t < found_.size(); ++t) {
-      if (found_[t]) triangles.push_back(t);
-    }
-    return triangles;
-  }
-
-private:
-  // Scales by a power of two, which is exact, so that products stay within the range of double.
-  void take_corners(const Surface& surface, const Bounds& all) {
-    double largest = 0;
-    for (int k = 0; k < 3; ++k) largest = std::max({largest, std::abs(all.low[k]), std::abs(all.high[k])});
-    const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
-    for (const Triangle& t : surface.triangles) {
-      Corners corners;
-      for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k) corners[i][k] = std::ldexp(surface.positions[t[i]][k], exponent);
-      }
-      if (has_plane(corners)) order_.push_back(static_cast<std::uint32_t>(corners_.size()));
-      corners_.push_back(corners);
-      boxes_.push_back(bounds(corners));
-    }
-    std::sort(order_.begin(), order_.end(),
-              [&](std::uint32_t s, std::uint32_t t) { return boxes_[s].low[axis_] < boxes_[t].low[axis_]; });
-  }
-
-  void test(std::uint32_t s, std::uint32_t t) {
-    if ((found_[s] && found_[t]) || !meet(boxes_[s], boxes_[t])) return;
-    if (intersect(corners_[s], corners_[t])) found_[s] = found_[t] = 1;
-  }
-
-  int axis_ = 0;
-  std::vector<Corners> corners_;
-  std::vector<Bounds> boxes_;
-  std::vector<std::uint32_t> order_;  // triangles with area, sorted by their lower end on the axis
-  std::vector<std::uint8_t> found_;
-};
-
-}  // namespace
-
 std::vector<std::uint32_t> self_intersecting_triangles(const Surface& surface, base::Progress* progress) {
-  return Sweep(surface).run(progress);
+  std::vector<std::uint32_t> crossing;
+  if (surface.triangles.empty()) return crossing;
+  // Scales by a power of two, which is exact, so that products stay within the range of double.
+  const Bounds all = used_bounds(surface);
+  const double largest = std::max(largest_abs(all.low), largest_abs(all.high));
+  const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
+  std::vector<Point> positions = surface.positions;
+  for (Point& p : positions) {
+    for (double& x : p) x = std::ldexp(x, exponent);
+  }
+  const TriangleTree tree(positions, surface.triangles);
+  std::vector<Corners> corners;
+  std::vector<std::uint8_t> is_plane, found(surface.triangles.size(), 0);
+  for (const Triangle& t : surface.triangles) {
+    corners.push_back(corners_of(positions, t));
+    is_plane.push_back(has_plane(corners.back()));
+  }
+  for (std::uint32_t t = 0; t < found.size(); ++t) {
+    if (progress && t % 256 == 0)
+      progress->report(static_cast<double>(t) / static_cast<double>(found.size()));
+    if (!is_plane[t]) continue;
+    tree.for_meeting(bounds(corners[t]), [&](std::uint32_t s) {
+      if (s >= t || !is_plane[s] || (found[s] && found[t])) return;
+      if (intersect(corners[s], corners[t])) found[s] = found[t] = 1;
+    });
+  }
+  for (std::uint32_t t = 0; t < found.size(); ++t) {
+    if (found[t]) crossing.push_back(t);
+  }
+  return crossing;
 }
 
 }  // namespace viete::mesh

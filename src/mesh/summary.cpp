@@ -1,7 +1,9 @@
 #include "mesh/summary.h"
 
+#include <algorithm>
 #include <array>
 
+#include "mesh/defects.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
 
@@ -72,6 +74,20 @@ Summary summarize(const Surface& surface) {
   find_parts(surface, summary);
   measure(surface, summary);
   return summary;
+}
+
+std::optional<Topology> topology(const Surface& surface, const Summary& summary) {
+  if (!summary.manifold() || !summary.oriented() || !nonmanifold_vertices(surface).empty() ||
+      std::ranges::any_of(surface.triangles, repeats_corner))
+    return std::nullopt;
+  Topology topology;
+  UnionFind rims(surface.positions.size());
+  for (const auto& [a, b] : summary.boundary_edges) topology.holes += !rims.join(a, b);  // closes a loop
+  topology.euler = std::ssize(surface.positions) - std::ssize(summary.unused_vertices) -
+                   static_cast<std::ptrdiff_t>(summary.edges) + std::ssize(surface.triangles);
+  const auto rest = static_cast<std::ptrdiff_t>(2 * summary.parts - topology.holes) - topology.euler;
+  topology.genus = static_cast<std::size_t>(rest / 2);
+  return topology;
 }
 
 }  // namespace viete::mesh

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mesh/half_edges.h"
@@ -28,5 +29,16 @@ struct Summary {
 
 /// Linear time. Lists are ascending. Any length scale from 1e-100 to 1e100.
 Summary summarize(const Surface& surface);
+
+/// Topology of a manifold.
+struct Topology {
+  std::size_t holes = 0;     ///< boundary loops
+  std::ptrdiff_t euler = 0;  ///< V - E + F, without unused vertices
+  std::size_t genus = 0;     ///< handles of all components: euler = 2 components - 2 genus - holes
+};
+
+/// Empty unless the surface is an oriented manifold: no edge with three triangles or with two of opposite
+/// orientation, no triangle with repeated corners, no vertex with several fans. summary: of this surface.
+std::optional<Topology> topology(const Surface& surface, const Summary& summary);
 
 }  // namespace viete::mesh

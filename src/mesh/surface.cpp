@@ -9,17 +9,6 @@
 
 namespace viete::mesh {
 
-namespace {
-
-void extend(Bounds& box, const Point& p) {
-  for (int i = 0; i < 3; ++i) {
-    box.low[i] = std::min(box.low[i], p[i]);
-    box.high[i] = std::max(box.high[i], p[i]);
-  }
-}
-
-}  // namespace
-
 std::span<const Triangle> clipped_of(const Surface& surface, std::size_t polygon) {
   const auto first = [](const Triangle& t) { return t[0]; };
   const auto begin = std::ranges::lower_bound(surface.clipped, surface.polygon_starts[polygon], {}, first);

@@ -1,6 +1,7 @@
 // A polygon surface as flat arrays, filled by every reader.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -71,6 +72,14 @@ inline bool meet(const Bounds& a, const Bounds& b) {
     if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
   }
   return true;
+}
+
+/// Widens the box to contain a point.
+inline void extend(Bounds& box, const Point& p) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = std::min(box.low[k], p[k]);
+    box.high[k] = std::max(box.high[k], p[k]);
+  }
 }
 
 Bounds bounds(std::span<const Point> positions);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "mesh/surface.h"
@@ -48,6 +49,10 @@ int orientation_along(const Vec3& normal, const Point& a, const Point& b, const 
 int orientation(const Point2& a, const Point2& b, const Point2& c);
 
 using Corners = std::array<Point, 3>;
+
+inline Corners corners_of(std::span<const Point> positions, const Triangle& t) {
+  return {positions[t[0]], positions[t[1]], positions[t[2]]};
+}
 
 /// True if the corners are not collinear, exactly.
 bool has_plane(const Corners& t);

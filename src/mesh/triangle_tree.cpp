@@ -43,7 +43,7 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
   std::iota(order_.begin(), order_.end(), 0u);
   std::vector<Point> centers(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    corners_[t] = {positions[triangles[t][0]], positions[triangles[t][1]], positions[triangles[t][2]]};
+    corners_[t] = corners_of(positions, triangles[t]);
     const Bounds box = bounds(corners_[t]);
     centers[t] = 0.5 * (box.low + box.high);
   }
@@ -66,13 +66,8 @@ std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::s
   nodes_.push_back({bounds(corners_[order_[begin]]), begin, end});
   Bounds middle{centers[order_[begin]], centers[order_[begin]]}, box = nodes_[self].box;
   for (std::uint32_t t = begin; t < end; ++t) {
-    const Bounds one = bounds(corners_[order_[t]]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], one.low[k]);
-      box.high[k] = std::max(box.high[k], one.high[k]);
-      middle.low[k] = std::min(middle.low[k], centers[order_[t]][k]);
-      middle.high[k] = std::max(middle.high[k], centers[order_[t]][k]);
-    }
+    for (const Point& p : corners_[order_[t]]) extend(box, p);
+    extend(middle, centers[order_[t]]);
   }
   nodes_[self].box = box;
   if (end - begin <= triangles_per_leaf) return self;

@@ -40,6 +40,16 @@ public:
   /// have groups.
   std::vector<NearestOfGroup> nearest_of_groups(const Point& p, double radius, std::uint32_t but_group) const;
 
+  /// Calls visit(triangle) for each triangle whose box meets the given one.
+  template <class Visit>
+  void for_meeting(const Bounds& box, const Visit& visit) const {
+    find([&](std::uint32_t i) { return meet(nodes_[i].box, box) ? Step::into : Step::past; },
+         [&](std::uint32_t i) {
+           if (meet(bounds(corners_[i]), box)) visit(order_[i]);
+           return false;
+         });
+  }
+
   /// True if a triangle of the tree cuts t or is nearer to it than `distance`. t must have a plane. Cuts are
   /// exact.
   bool is_near(const Corners& t, double distance = 0) const;

@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "geometry.h"
+#include "mesh/defects.h"
 #include "mesh/formats/read.h"
 #include "mesh/summary.h"
+#include "mesh/triangle_tree.h"
+#include "mesh/winding_number.h"
 #include "support/data.h"
 
 using namespace viete;
@@ -33,30 +35,17 @@ TEST_CASE("cage_is_closed_oriented_outwards_and_has_60_to_150_triangles") {
   CHECK(2 * summary.vertices == summary.triangles + 4);
 }
 
-TEST_CASE("cage_does_not_pass_through_itself") {
-  const mesh::Surface cage = bundled("cage.obj").surface;
-  CHECK_FALSE(test::self_intersection(cage).has_value());
-}
-
-TEST_CASE("self_intersection_is_found_where_there_is_one") {
-  mesh::Surface cage = bundled("cage.obj").surface;
-  const auto highest = std::max_element(cage.positions.begin(), cage.positions.end(),
-                                        [](const auto& a, const auto& b) { return a[1] < b[1]; });
-  (*highest)[1] = -5;  // the top of the cage pulled through the ground
-  CHECK(test::self_intersection(cage).has_value());
-}
-
 TEST_CASE("cage_encloses_every_vertex_of_the_dragon_with_1_5_percent_of_the_diagonal_to_spare") {
   const mesh::Surface cage = bundled("cage.obj").surface;
   const mesh::Surface dragon = bundled("dragon.ply").surface;
   const double spare = 0.015 * mesh::bounds(dragon.positions).diagonal();
-  std::size_t outside = 0, close = 0;
-  for (const mesh::Point& p : dragon.positions) {
-    if (test::winding_number(p, cage) < 0.5) ++outside;
-    if (test::distance(p, cage) < spare) ++close;
-  }
-  CHECK(outside == 0);
-  CHECK(close == 0);
+  CHECK(mesh::self_intersecting_triangles(cage).empty());
+  CHECK(mesh::points_outside(cage, dragon.positions).empty());
+  const mesh::TriangleTree tree(cage.positions, cage.triangles);
+  const auto is_close = [&](const mesh::Point& p) {
+    return tree.nearest(p, spare * spare).squared_distance < spare * spare;
+  };
+  CHECK(std::ranges::none_of(dragon.positions, is_close));
 }
 
 namespace {

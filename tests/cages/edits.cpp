@@ -1,4 +1,4 @@
-// Manual edits of cages with concave polygons: the surface stays connected and has the right volume.
+// Manual edits of cages with concave polygons: the surface stays connected and has the right volume. Fitting.
 #include "cages/edit.h"
 
 #include <doctest/doctest.h>
@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <string>
 
+#include "cages/enclose.h"
 #include "cages/soundness.h"
 #include "mesh/formats/read.h"
+#include "mesh/shapes.h"
 #include "mesh/summary.h"
 #include "support/folder.h"
 
@@ -80,4 +82,21 @@ TEST_CASE("mirroring_across_a_concave_polygon_splits_it") {
   // In the plane of the notch's bottom.
   check(cages::mirrored(u, {{0, 1, 0}, 1}).surface, 8, "along the ground, the arms kept");
   check(cages::mirrored(u, {{0, -1, 0}, -1}).surface, 6, "along the ground, the foot kept");
+}
+
+TEST_CASE("fitted_cage_encloses_the_box_with_the_same_shape") {
+  constexpr double margin = 0.01;
+  const Surface model = letter_u(), cage = test::moved(test::torus(8, 6), 3, 10);
+  const mesh::Bounds box = mesh::used_bounds(model);
+  const cages::Fitted fitted = cages::fitted_to_box(cage, model, margin);
+  const mesh::Bounds now = mesh::bounds(fitted.positions);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(now.high[k] - now.low[k] >=
+          doctest::Approx(box.high[k] - box.low[k] + 2 * margin * box.diagonal()));
+    CHECK(0.5 * (now.high[k] + now.low[k]) == doctest::Approx(box.center()[k]));
+  }
+  for (std::size_t v = 1; v < cage.positions.size(); ++v) {
+    const Point way = fitted.scale * (cage.positions[v] - cage.positions[0]);
+    CHECK(mesh::norm(fitted.positions[v] - fitted.positions[0] - way) < 1e-9);
+  }
 }

@@ -1,12 +1,9 @@
 // Independent checks of cages around models of every kind.
 #include <doctest/doctest.h>
 
-#include <random>
-
 #include "cages/judge.h"
 #include "cages/make.h"
 #include "cages/models.h"
-#include "cages/soundness.h"
 #include "mesh/triangulation.h"
 
 using namespace viete;
@@ -135,21 +132,4 @@ TEST_CASE("repeated_corners_and_duplicate_faces_do_not_slow_cage_making") {
     check_sound({"round and round", box(rounds, copies)}, wish);
     CHECK(cages::make(box(rounds, copies), wish, pool).notes == once.notes);
   }
-}
-
-TEST_CASE("outside_components_among_thousands_are_found") {
-  Surface soup;
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> any(-1, 1);
-  const auto vector = [&](double size) { return size * Point{any(random), any(random), any(random)}; };
-  for (std::uint32_t i = 0; i < 3000; ++i) {
-    const Point at = i % 1000 == 7 ? Point{3, 0, 0} : vector(0.3);
-    for (int k = 0; k < 3; ++k) soup.positions.push_back(at + vector(0.001));
-    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-  }
-  soup = mesh::from_triangles(soup.positions, soup.triangles);
-  base::WorkerPool pool(2);
-  const cages::Soundness found = cages::soundness(test::sphere(3), soup, pool);
-  CHECK(found.outside.size() == 3);
-  for (const std::uint32_t v : found.outside) CHECK(v / 3 % 1000 == 7);
 }

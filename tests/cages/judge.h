@@ -9,15 +9,10 @@
 #include "cages/wish.h"
 #include "mesh/defects.h"
 #include "mesh/summary.h"
-#include "mesh/topology.h"
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"
 
 namespace viete::test {
-
-inline mesh::Corners corners_of(const mesh::Surface& s, const mesh::Triangle& t) {
-  return {s.positions[t[0]], s.positions[t[1]], s.positions[t[2]]};
-}
 
 /// The model's triangles, or its points as degenerate triangles.
 inline std::vector<mesh::Triangle> pieces_of(const mesh::Surface& model) {
@@ -37,10 +32,10 @@ inline double least_distance(const mesh::Surface& cage, const mesh::Surface& mod
   double least = unit;
   const auto pieces = pieces_of(model);
   for (const auto& t : cage.triangles) {
-    const mesh::Corners side = corners_of(cage, t);
+    const mesh::Corners side = mesh::corners_of(cage.positions, t);
     mesh::Bounds box = mesh::bounds(side);
     for (const auto& piece : pieces) {
-      const mesh::Corners corners = corners_of(model, piece);
+      const mesh::Corners corners = mesh::corners_of(model.positions, piece);
       const mesh::Bounds other = mesh::bounds(corners);
       double apart = 0;  // distance of the boxes
       for (std::size_t k = 0; k < 3; ++k)
@@ -87,13 +82,10 @@ inline std::vector<std::string> complaints(const cages::Made& made, const mesh::
   if (keeps_margin && least < wish.margin * (1 - 1e-6) &&
       !some_note_holds(made, "the margin could not be kept"))
     all.push_back("margin " + std::to_string(100 * least) + " %, nothing said");
-  const auto pieces = pieces_of(model);
-  std::vector<mesh::Point> firsts;
-  for (const auto& piece : pieces) firsts.push_back(model.positions[piece[0]]);
-  std::vector<double> numbers(firsts.size());
-  mesh::winding_numbers(cage, firsts, numbers);
-  if (std::ranges::any_of(numbers, [](double n) { return std::abs(n - 1) > 1e-3; }))
-    all.push_back("not all of the model inside");
+  const auto is_inside = [&](const mesh::Triangle& piece) {
+    return std::abs(mesh::winding_number(cage, model.positions[piece[0]]) - 1) < 1e-3;
+  };
+  if (!std::ranges::all_of(pieces_of(model), is_inside)) all.push_back("not all of the model inside");
   const mesh::Summary of_model = mesh::summarize(model);
   const bool solid = of_model.closed() && of_model.parts == 1 && mesh::topology(model, of_model) &&
                      mesh::self_intersecting_triangles(model).empty();

@@ -102,17 +102,6 @@ TEST_CASE("single_points_and_empty_models_are_rejected") {
   }
 }
 
-TEST_CASE("all_choices_have_names_and_sentences") {
-  for (const auto& entry : cages::all_kinds()) {
-    CHECK(&cages::entry(entry.value) == &entry);
-    CHECK_FALSE(entry.sentence.empty());
-  }
-  for (const auto& entry : cages::all_symmetries()) {
-    CHECK(&cages::entry(entry.value) == &entry);
-    CHECK_FALSE(entry.sentence.empty());
-  }
-}
-
 namespace {
 
 void pause_for(double seconds) {

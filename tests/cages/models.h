@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <random>
 #include <set>
 #include <string>
@@ -79,32 +78,6 @@ inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside)
   return mesh::from_triangles(points, triangles);
 }
 
-/// A closed tube of triangles along a curve of t in [0, 1].
-inline Surface along(const std::function<Point(double)>& curve, double radius, std::uint32_t rings,
-                     std::uint32_t sides = 8) {
-  std::vector<Point> points;
-  std::vector<Triangle> triangles;
-  for (std::uint32_t r = 0; r < rings; ++r) {
-    const double t = r / (rings - 1.0);
-    const Point p = curve(t);
-    for (std::uint32_t s = 0; s < sides; ++s) {
-      const double a = 2 * std::numbers::pi * s / sides;
-      points.push_back({p[0] + radius * std::cos(a), p[1] + radius * std::sin(a), p[2]});
-    }
-  }
-  for (std::uint32_t r = 0; r + 1 < rings; ++r) {
-    for (std::uint32_t s = 0; s < sides; ++s) {
-      const std::uint32_t a = r * sides + s, b = r * sides + (s + 1) % sides;
-      triangles.insert(triangles.end(), {{a, b, b + sides}, {a, b + sides, a + sides}});
-    }
-  }
-  for (std::uint32_t s = 1; s + 1 < sides; ++s) {
-    const std::uint32_t last = (rings - 1) * sides;
-    triangles.insert(triangles.end(), {{0, s + 1, s}, {last, last + s, last + s + 1}});
-  }
-  return mesh::from_triangles(points, triangles);
-}
-
 /// Random triangles of about the given size in the cube of side 2.
 inline Surface soup(std::size_t count, double size, unsigned seed) {
   std::mt19937_64 engine(seed);
@@ -123,18 +96,6 @@ inline Surface soup(std::size_t count, double size, unsigned seed) {
 
 inline Surface points_only(std::vector<Point> points) {
   return mesh::from_triangles(std::move(points), {});
-}
-
-/// The twelve edges of a cube, as triangles without area.
-inline Surface wires() {
-  Surface s = cube();
-  std::vector<Triangle> triangles;
-  for (std::uint32_t v = 0; v < 8; ++v) {
-    for (const std::uint32_t bit : {1U, 2U, 4U}) {
-      if (!(v & bit)) triangles.push_back({v, v | bit, v});
-    }
-  }
-  return mesh::from_triangles(s.positions, triangles);
 }
 
 /// A flat grid of n x n quads with holes where `hole` is true.
@@ -185,19 +146,6 @@ inline Surface turned_inside_out(Surface s) {
   return mesh::from_triangles(s.positions, s.triangles);
 }
 
-/// Two fans of n needle triangles (length 1000 times the width) that form a closed sheet.
-inline Surface needles(std::uint32_t n) {
-  std::vector<Point> points = {{0, 0, 0.01}, {0, 0, -0.01}};
-  std::vector<Triangle> triangles;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double a = 2 * std::numbers::pi * i / n;
-    points.push_back({std::cos(a), std::sin(a), 0});
-    const std::uint32_t here = 2 + i, next = 2 + (i + 1) % n;
-    triangles.insert(triangles.end(), {{0, here, next}, {1, next, here}});
-  }
-  return mesh::from_triangles(points, triangles);
-}
-
 inline Surface stool() {
   return of_cells(13, [](int i, int j, int k) {
     const bool leg = (i == 1 || i == 11) && (j == 1 || j == 11);
@@ -207,10 +155,6 @@ inline Surface stool() {
   });
 }
 
-inline Surface comb() {
-  return of_cells(21, [](int i, int j, int k) { return k < 2 && (j < 3 || i % 2 == 0); });
-}
-
 /// Random cells: many tunnels, and edges with four triangles.
 inline Surface sponge() {
   std::mt19937_64 engine(11);
@@ -218,23 +162,6 @@ inline Surface sponge() {
   for (auto& cell : full) cell = engine() % 2;
   return of_cells(
       8, [&](int i, int j, int k) { return full[static_cast<std::size_t>(i + 8 * j + 64 * k)] != 0; });
-}
-
-inline Surface coil() {
-  return along(
-      [](double t) {
-        const double a = 10 * std::numbers::pi * t;
-        return Point{std::cos(a), std::sin(a), 2 * t};
-      },
-      0.08, 200);
-}
-
-inline Surface spikes() {
-  Surface s = sphere(3);
-  for (std::size_t v = 0; v < s.positions.size(); v += 17) {
-    for (double& x : s.positions[v]) x *= 3;
-  }
-  return s;
 }
 
 inline Surface book() {
@@ -260,11 +187,8 @@ inline std::vector<NamedModel> generated_models() {
   add("sphere with handles", joined(joined(sphere(3), stretched(torus(30, 10), {0.3, 0.3, 0.3}, {1, 0, 0})),
                                     turned(stretched(torus(30, 10), {0.25, 0.25, 0.3}, {-0.8, 0.5, 0}), 1)));
   add("linked rings", joined(torus(40, 12), stretched(turned(torus(40, 12), 1.5), {1, 1, 1}, {2, 0, 0})));
-  add("comb", comb());
   add("stool", stool());
   add("sponge", sponge());
-  add("coil", coil());
-  add("spikes", spikes());
   add("plate", stretched(cube(), {1, 1, 1e-3}));
   add("turned plate", turned(stretched(cube(), {1, 0.7, 1e-3}), 0.6));
   add("two plates", joined(stretched(cube(), {1, 1, 1e-3}), stretched(cube(), {1, 1, 1e-3}, {0, 0, 0.02})));
@@ -273,7 +197,6 @@ inline std::vector<NamedModel> generated_models() {
   add("dense soup", soup(3000, 0.3, 2));
   add("forty parts", many_spheres(40));
   add("book", book());
-  add("needles", needles(600));
   add("half sphere", without_lower_half(sphere(4)));
   add("sheet with holes", sheet(20, [](int i, int j) { return i % 5 == 2 && j % 4 == 1; }));
   add("points", points_only(soup(200, 0.1, 5).positions));
@@ -281,7 +204,6 @@ inline std::vector<NamedModel> generated_models() {
   add("points in a plane", points_only({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.2, 0}}));
   add("triangle", mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0.2, 0.9, 0.4}}, {{0, 1, 2}}));
   add("segment", mesh::from_triangles({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}, {{0, 1, 2}, {0, 2, 1}, {1, 1, 2}}));
-  add("wires", wires());
   add("inside out", turned_inside_out(sphere(3)));
   add("every triangle twice", joined(torus(30, 12), torus(30, 12)));
   add("a part within", joined(sphere(3), stretched(turned_inside_out(sphere(3)), {0.8, 0.8, 0.8})));

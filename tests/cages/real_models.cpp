@@ -3,8 +3,8 @@
 
 #include "cages/judge.h"
 #include "cages/make.h"
-#include "cages/soundness.h"
 #include "mesh/formats/read.h"
+#include "mesh/summary.h"
 #include "support/data.h"
 
 using namespace viete;
@@ -57,6 +57,6 @@ TEST_CASE("automatic_cages_are_no_larger_than_manual_ones" * doctest::test_suite
     if (path.empty()) return;
     const mesh::Surface model = mesh::read(path).surface;
     const auto made = cages::make(model, {.triangles = triangles}, pool);
-    CHECK(cages::closeness(made.surface, model, pool).volume < volume);
+    CHECK(mesh::summarize(made.surface).volume < volume * mesh::summarize(model).volume);
   }
 }

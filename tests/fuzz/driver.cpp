@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,35 +22,18 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::string;
 
-const char* const words[] = {"4294967295",
-                             "4294967296",
-                             "2147483647",
-                             "-1",
-                             "0",
-                             "1e400",
-                             "1e-400",
-                             "nan",
-                             "inf",
-                             "-inf",
-                             "\\\n",
-                             "\r\n",
-                             "\0",
-                             "f 1/1/1 2//2 3",
-                             "v 0 0 0",
-                             "element vertex 18446744073709551615",
-                             "element face 4000000000",
-                             "property list uchar int vertex_indices",
-                             "property list double double x",
-                             "format binary_big_endian 1.0",
-                             "format ascii 1.0",
-                             "end_header\n",
-                             "OFF",
-                             "COFF",
-                             "solid",
-                             "endsolid",
-                             "facet normal",
-                             "1.0e+100",
-                             "99999999999999999999999999"};
+std::vector<Bytes> split(const Bytes& text) {
+  std::istringstream in(text);
+  std::vector<Bytes> parts;
+  for (Bytes part; std::getline(in, part, '|');) parts.push_back(part);
+  return parts;
+}
+
+const std::vector<Bytes> words = split(
+    "4294967295|4294967296|2147483647|-1|0|1e400|1e-400|nan|inf|-inf|\\\n|\r\n||f 1/1/1 2//2 3|v 0 0 0|"
+    "element vertex 18446744073709551615|element face 4000000000|property list uchar int vertex_indices|"
+    "property list double double x|format binary_big_endian 1.0|format ascii 1.0|end_header\n|OFF|COFF|solid|"
+    "endsolid|facet normal|1.0e+100|99999999999999999999999999");
 
 std::vector<Bytes> read_corpus(const fs::path& folder) {
   std::vector<fs::path> paths;
@@ -87,8 +71,8 @@ private:
         break;
       case 2: b.erase(at, length); break;
       case 3: b.insert(at, b.substr(at, length)); break;
-      case 4: b.insert(at, words[below(std::size(words))]); break;
-      case 5: b.replace(at, length, words[below(std::size(words))]); break;
+      case 4: b.insert(at, words[below(words.size())]); break;
+      case 5: b.replace(at, length, words[below(words.size())]); break;
       case 6: b.resize(at); break;
       default: splice(b, at); break;
     }

@@ -11,13 +11,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/conversion.h"
-#include "mesh/formats/gltf.h"
-#include "mesh/formats/gltf_output.h"
-#include "mesh/formats/obj.h"
-#include "mesh/formats/off.h"
-#include "mesh/formats/ply.h"
-#include "mesh/formats/stl.h"
 #include "mesh/summary.h"
 
 using namespace viete::mesh;

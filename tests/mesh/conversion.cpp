@@ -64,26 +64,6 @@ TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials"
   for (const std::uint32_t n : now.corner_normal) CHECK(norm(now.normals[n] - Vec3{0, -1, 0}) < 1e-12);
 }
 
-TEST_CASE("glb_to_obj_to_glb_round_trip") {
-  const test::TemporaryFolder folder;
-  test::put_file(folder / "a.glb", test::patch().glb());
-  const ReadResult before = mesh::read(folder / "a.glb");
-  CHECK(convert(before, folder / "b.obj") ==
-        Notes{"OBJ cannot store other content of the file: groups, materials, textures"});
-  CHECK(convert(mesh::read(folder / "b.obj"), folder / "c.glb").empty());
-  CHECK(folder.entries() == 3);
-  const ReadResult after = mesh::read(folder / "c.glb");
-  const Attributes &a = *before.attributes, &b = *after.attributes;
-  REQUIRE(before.surface.corners.size() == after.surface.corners.size());
-  for (std::size_t c = 0; c < a.corner_texture.size(); ++c) {  // vertices come in another order
-    const auto was = before.surface.corners[c], is = after.surface.corners[c];
-    CHECK(before.surface.positions[was] == after.surface.positions[is]);
-    CHECK(a.texture_points[a.corner_texture[c]] == b.texture_points[b.corner_texture[c]]);
-    CHECK(a.normals[a.corner_normal[c]] == b.normals[b.corner_normal[c]]);
-  }
-  CHECK(b.images.empty());
-}
-
 TEST_CASE("ply_stores_attributes_with_one_value_per_vertex") {
   Converted c;
   CHECK(c.to("out.ply") == Notes{"PLY cannot store other content of the file: several normals of a vertex, "

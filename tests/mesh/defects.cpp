@@ -35,12 +35,6 @@ TEST_CASE("vertex_of_two_fans_is_nonmanifold") {
   CHECK(nonmanifold_vertices(s) == List{0});
 }
 
-TEST_CASE("edge_of_three_triangles_has_no_nonmanifold_vertices") {
-  const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
-                                   {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 0, 1}});
-  CHECK(nonmanifold_vertices(s).empty());
-}
-
 TEST_CASE("thin_triangles_are_listed_at_every_scale_except_flat_ones") {
   const Surface s =
       from_triangles({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-4, 0}, {0.5, 0.5, 0}, {0.5, 0, 0}, {0.5, 1e-14, 0}},
@@ -113,17 +107,6 @@ TEST_CASE("coplanar_overlap_and_duplicate_triangles_are_crossings") {
 TEST_CASE("neighbour_piercing_beyond_the_common_vertex_is_a_crossing") {
   CHECK(self_intersecting_triangles(from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 2, -1}, {1, 1, 1}},
                                                    {{0, 1, 2}, {0, 3, 4}})) == List{0, 1});
-}
-
-TEST_CASE("triangles_of_overlapping_boxes_are_listed_where_they_cross") {
-  Surface other = test::cube();
-  for (Point& p : other.positions) p[0] += 1, p[1] += 0.5, p[2] += 0.25;
-  const auto found = self_intersecting_triangles(test::both(test::cube(), other));
-  CHECK(found.size() > 6);
-  CHECK(found.size() < 24);
-  Surface same = test::cube();
-  for (Point& p : same.positions) p[0] += 1;  // sides in common planes, crossings exactly on edges
-  CHECK(self_intersecting_triangles(test::both(test::cube(), same)).size() > 6);
 }
 
 TEST_CASE("triangles_without_area_cross_nothing") {

@@ -13,13 +13,6 @@ using viete::test::holds;
 
 namespace {
 
-// A binary STL of a tetrahedron with two attribute bytes per facet.
-std::string colored_stl(const std::string& head, const std::vector<std::uint16_t>& words) {
-  const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
-  return test::binary_stl(s, head, [&](std::size_t t) { return words[t]; });
-}
-
 std::vector<Color> face_colors(const std::string& bytes, const std::string& extension) {
   const ReadResult read = test::read_kept(bytes, extension);
   CHECK(test::written_again(read, read.surface.positions) == bytes);
@@ -45,20 +38,6 @@ const std::string wedges =
     "3 0 2 3 6 0 0 0.25 0.25 0 1 1 0 0 255 255\n";
 
 }  // namespace
-
-TEST_CASE("stl_colours_of_viscam_and_magics_are_read") {
-  // Red in the upper bits if the highest bit is set; otherwise no colour.
-  const auto viscam =
-      face_colors(colored_stl("made up", {0x8000 | 31 << 10, 0x8000 | 31 << 5, 0x801F, 31}), "stl");
-  CHECK(viscam == std::vector<Color>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, Material{}.base_color});
-  // Red in the lower bits if the highest bit is not set; otherwise the colour of the header.
-  const std::string head = std::string("by Magics COLOR=") + "\xFF\x33\x01\xFF" + ",MATERIAL=";
-  const auto magics = face_colors(colored_stl(head, {31, 31 << 5, 31 << 10, 0xFFFF}), "stl");
-  CHECK(magics == std::vector<Color>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 0.2F, 1 / 255.0F, 1}});
-  CHECK(face_colors(colored_stl(head, {0, 0, 0, 0}), "stl") == std::vector<Color>(4, magics[3]));
-  CHECK(face_colors(colored_stl("plain", {0, 1, 2, 0x7FFF}), "stl").empty());
-  CHECK(face_colors(colored_stl(std::string(72, 'x') + "COLOR=ab", {0, 0, 0, 0}), "stl").empty());
-}
 
 TEST_CASE("off_face_colours_may_be_bytes_fractions_or_missing") {
   const std::string head = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
@@ -103,17 +82,20 @@ TEST_CASE("off_undeclared_colours_are_kept") {
 
 TEST_CASE("face_colours_are_written_where_the_format_has_them") {
   const test::TemporaryFolder folder;
-  const ReadResult stl =
-      test::read_kept(colored_stl("made up", {0x8000 | 31 << 10, 0x801F, 0x801F, 0x8000 | 31 << 10}), "stl");
-  const auto& colors = stl.attributes->polygon_colors;
-  CHECK(converted(stl, folder / "a.ply").attributes->polygon_colors == colors);
-  CHECK(converted(stl, folder / "a.off").attributes->polygon_colors == colors);
-  const ReadResult glb = converted(stl, folder / "a.glb");
+  const ReadResult off = test::read_kept(
+      "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 255 0 0\n3 0 1 3 0 0 255\n3 0 3 2 0 0 255\n3 1 2 3 "
+      "255 "
+      "0 0\n",
+      "off");
+  const auto& colors = off.attributes->polygon_colors;
+  CHECK(converted(off, folder / "a.ply").attributes->polygon_colors == colors);
+  CHECK(converted(off, folder / "a.off").attributes->polygon_colors == colors);
+  const ReadResult glb = converted(off, folder / "a.glb");
   for (std::size_t p = 0; p < 4; ++p) CHECK(glb.surface.polygon_starts[p] == 3 * p);
   CHECK(glb.surface.positions.size() == 4);  // split where colours meet, and closed by the reader
   const std::string bytes = test::file_bytes(folder / "a.glb");
   CHECK(holds(bytes, "COLOR_0"));
-  CHECK(mesh::write(folder / "b.stl", Content{stl.surface, stl.surface.positions, {}, stl.attributes.get()},
+  CHECK(mesh::write(folder / "b.stl", Content{off.surface, off.surface.positions, {}, off.attributes.get()},
                     nullptr, {}) ==
         std::vector<std::string>{"STL cannot store other content of the file: colours of faces"});
 }

@@ -1,4 +1,4 @@
-#include "mesh/formats/gltf.h"
+#include "mesh/formats/codecs.h"
 
 #include <doctest/doctest.h>
 
@@ -326,22 +326,6 @@ TEST_CASE("gpu_instances_cause_a_warning_and_are_kept") {
   const test::TemporaryFolder folder;
   r.original->write_file(folder / "a.glb", r.surface, raised(r.surface, 1), {}, nullptr);
   CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // used by the instances
-}
-
-TEST_CASE("any_surface_becomes_a_glb") {
-  const test::TemporaryFolder folder;
-  for (const char* name : {"a.glb", "a.gltf"}) {
-    write(folder / name, test::cube());
-    const ReadResult r = read(folder / name);
-    test::check_invariants(r.surface);
-    CHECK(r.surface.positions.size() == 8);
-    CHECK(r.surface.triangles.size() == 12);
-    CHECK(floats_by_judge(folder / name, 0).size() == 24);
-  }
-  Surface points;
-  points.positions = {{1, 2, 3}};
-  write(folder / "points.glb", points);
-  CHECK(read(folder / "points.glb").surface.positions == points.positions);
 }
 
 TEST_CASE("surface_beyond_float_range_is_not_written_as_glb") {

@@ -51,21 +51,6 @@ TEST_CASE("a_quad_has_four_edges_and_shares_one_with_its_neighbour") {
   CHECK(polygon_edges(surface) == std::vector<Edge>{{0, 1}, {0, 3}, {1, 2}, {1, 4}, {2, 3}, {2, 4}});
 }
 
-TEST_CASE("repeated_corners_make_no_edge") {
-  const Surface surface = from_triangles({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}});
-  CHECK(polygon_edges(surface) == std::vector<Edge>{{0, 1}});
-  CHECK(polygon_edges({}).empty());
-}
-
-TEST_CASE("adjacency_lists_both_ends_of_every_edge") {
-  const auto graph = adjacency(4, std::vector<Edge>{{0, 1}, {0, 2}, {1, 2}});
-  CHECK(std::vector<std::uint32_t>(graph.of(0).begin(), graph.of(0).end()) ==
-        std::vector<std::uint32_t>{1, 2});
-  CHECK(std::vector<std::uint32_t>(graph.of(2).begin(), graph.of(2).end()) ==
-        std::vector<std::uint32_t>{0, 1});
-  CHECK(graph.of(3).empty());
-}
-
 TEST_CASE("joined_sets_share_a_number") {
   UnionFind sets(5);
   CHECK(sets.join(0, 1));

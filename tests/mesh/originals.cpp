@@ -4,8 +4,7 @@
 #include <bit>
 #include <sstream>
 
-#include "mesh/formats/ply.h"
-#include "mesh/formats/stl.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/shapes.h"
 
 using namespace viete;

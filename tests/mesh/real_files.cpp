@@ -1,7 +1,5 @@
-// Real files written again, also read by OpenMesh for comparison.
+// Real files written again.
 #include <doctest/doctest.h>
-#include <OpenMesh/Core/IO/MeshIO.hh>
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 #include <cmath>
 
@@ -69,10 +67,6 @@ void check_rest_if_it_loads(const std::filesystem::path& path) {
   }
 }
 
-struct DoublePoints : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;
-};
-
 }  // namespace
 
 TEST_CASE("every_shared_file_round_trips" * doctest::test_suite(test::if_present)) {
@@ -89,46 +83,4 @@ TEST_CASE("every_shared_file_round_trips" * doctest::test_suite(test::if_present
     ++files;
   }
   CHECK(files > 0);
-}
-
-TEST_CASE("openmesh_reads_a_deformed_obj_as_we_do") {
-  const test::TemporaryFolder scratch;
-  const Surface torus = test::torus(24, 12);
-  std::string text = "o torus\n";
-  const auto line = [&text](const char* word, const auto& numbers) {
-    text += word;
-    for (const double x : numbers) text += " " + std::to_string(x);
-    text += "\n";
-  };
-  for (const Point& p : torus.positions) line("v", p);
-  for (const Point& p : torus.positions) line("vt", Vec2{p[0] / 5, p[1] / 5});
-  for (const Point& p : torus.positions) line("vn", (1 / norm(p)) * p);
-  text += "s 1\n";
-  for (std::size_t c = 0; c < torus.corners.size(); ++c) {
-    const std::string v = std::to_string(torus.corners[c] + 1);
-    text += (c % 4 == 0 ? "f " : " ") + v + "/" + v + "/" + v + (c % 4 == 3 ? "\n" : "");
-  }
-  test::put_file(scratch / "torus.obj", text);
-  check_round_trip(scratch / "torus.obj",
-                   (std::filesystem::create_directory(scratch / "out"), scratch / "out"));
-  const ReadResult ours = mesh::read(scratch / "out" / "torus.obj");
-  OpenMesh::PolyMesh_ArrayKernelT<DoublePoints> theirs;
-  theirs.request_vertex_texcoords2D();
-  OpenMesh::IO::Options options(OpenMesh::IO::Options::VertexTexCoord);
-  REQUIRE(OpenMesh::IO::read_mesh(theirs, (scratch / "out" / "torus.obj").string(), options));
-  REQUIRE(theirs.n_vertices() == ours.surface.positions.size());
-  REQUIRE(theirs.n_faces() == ours.surface.polygon_count());
-  CHECK(options.vertex_has_texcoord());
-  for (const auto vertex : theirs.vertices()) {
-    const auto v = static_cast<std::size_t>(vertex.idx());
-    const auto& p = theirs.point(vertex);
-    CHECK(norm(Point{p[0], p[1], p[2]} - ours.surface.positions[v]) < 1e-6);
-    const auto& t = theirs.texcoord2D(vertex);
-    CHECK(std::abs(t[0] - ours.attributes->texture_points[v][0]) < 1e-6);
-  }
-  std::size_t c = 0;
-  for (const auto face : theirs.faces()) {
-    for (const auto corner : theirs.fv_range(face))
-      CHECK(static_cast<std::uint32_t>(corner.idx()) == ours.surface.corners[c++]);
-  }
 }

@@ -120,21 +120,6 @@ void append(std::string& bytes, T value, std::endian order = std::endian::little
   bytes.append(raw.data(), raw.size());
 }
 
-/// A binary STL; of_facet returns the two attribute bytes of each facet.
-template <class OfFacet>
-std::string binary_stl(const Surface& s, std::string head, const OfFacet& of_facet) {
-  head.resize(80, ' ');
-  append(head, static_cast<std::uint32_t>(s.triangles.size()));
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    head.append(12, '\0');
-    for (const auto v : s.triangles[t]) {
-      for (const double x : s.positions[v]) append(head, static_cast<float>(x));
-    }
-    append(head, static_cast<std::uint16_t>(of_facet(t)));
-  }
-  return head;
-}
-
 /// Scales all positions, then adds the offset in all three directions.
 inline Surface moved(Surface s, double scale, double offset = 0) {
   for (Point& p : s.positions) {

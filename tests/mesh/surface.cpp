@@ -11,23 +11,6 @@
 using namespace viete;
 using namespace viete::mesh;
 
-TEST_CASE("a_polygon_is_cut_into_a_fan_about_its_first_corner") {
-  Surface s;
-  s.positions.resize(7);
-  s.corners = {4, 3, 2, 1, 0, 5, 6, 4};
-  s.polygon_starts = {0, 5, 8};
-  triangulate(s);
-  CHECK(s.triangles == std::vector<Triangle>{{4, 3, 2}, {4, 2, 1}, {4, 1, 0}, {5, 6, 4}});
-  CHECK(s.triangle_polygon == std::vector<std::uint32_t>{0, 0, 0, 1});
-}
-
-TEST_CASE("triangulating_twice_changes_nothing") {
-  Surface s = test::cube();
-  const auto once = s.triangles;
-  triangulate(s);
-  CHECK(s.triangles == once);
-}
-
 TEST_CASE("a_surface_of_triangles_has_them_as_polygons") {
   const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {3, 2, 1}});
   test::check_invariants(s);
@@ -86,10 +69,6 @@ TEST_CASE("cross_products_of_swapped_vectors_are_opposite_to_the_last_bit") {
     const Vec3 b{number(engine), number(engine), number(engine)};
     CHECK(cross(a, b) == -1.0 * cross(b, a));
   }
-}
-
-TEST_CASE("cross_product_is_right_handed") {
-  CHECK(cross({1, 0, 0}, {0, 1, 0}) == Vec3{0, 0, 1});
 }
 
 TEST_CASE("lengths_of_any_scale_are_measured") {

@@ -74,7 +74,6 @@ TEST_CASE("control_characters_in_comments_cannot_break_a_file") {
   }
 }
 
-// Invalid positions.
 TEST_CASE("empty_surfaces_are_not_written") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.obj", "a.ply", "a.off", "a.glb", "a.gltf"}) {
@@ -115,16 +114,6 @@ TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them")
     CHECK(test::file_bytes(folder / name) == before);
   }
   CHECK(folder.entries() == 4);
-}
-
-TEST_CASE("a_set_of_points_can_be_written") {
-  const test::TemporaryFolder folder;
-  Surface s;
-  s.positions = {{1, 2, 3}};
-  for (const char* name : {"a.obj", "a.ply", "a.off"}) {
-    write(folder / name, s);
-    CHECK(read(folder / name).surface.positions == s.positions);
-  }
 }
 
 TEST_CASE("points_are_not_written_as_stl_and_losses_are_reported") {

@@ -3,13 +3,8 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "mesh/formats/gltf.h"
-#include "mesh/formats/gltf_output.h"
-#include "mesh/formats/obj.h"
-#include "mesh/formats/off.h"
-#include "mesh/formats/ply.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/point_cache.h"
-#include "mesh/formats/stl.h"
 
 namespace viete::mesh {
 

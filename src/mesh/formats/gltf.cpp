@@ -1,4 +1,4 @@
-#include "mesh/formats/gltf.h"
+#include "mesh/formats/codecs.h"
 
 #include <algorithm>
 #include <cmath>

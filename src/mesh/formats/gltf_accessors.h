@@ -3,9 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "mesh/formats/gltf_file.h"
@@ -65,42 +63,6 @@ private:
   }
 
   const GltfFile& file_;
-};
-
-/// Finds accessors that share no bytes with others, so that their values can be replaced in place. Reflects
-/// the document at construction; borrows the document and accessors.
-class GltfSharing {
-public:
-  GltfSharing(const GltfJson& document, const GltfAccessors& accessors);
-
-  /// The number of references to the accessor in the document.
-  std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
-
-  /// True for float elements that share no byte with another accessor or image.
-  bool is_alone(int accessor, std::size_t components);
-
-private:
-  struct Bytes {
-    std::size_t buffer, begin, end, stride;
-    std::size_t accessor;      // npos for an image
-    std::size_t furthest = 0;  // largest end of the buffer's ranges up to this one
-
-    friend bool operator<(const Bytes& a, const Bytes& b) {
-      return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);
-    }
-  };
-
-  void count_uses(const GltfJson& document);
-  void list_bytes(const GltfJson& document);
-  void list_image(const GltfJson& view);
-  static Bytes bytes_of(const GltfPlace& p, std::size_t accessor);
-  bool interleaved(const GltfPlace& a, const Bytes& other) const;
-  std::optional<GltfPlace> place_if_sound(int accessor) const;
-
-  const GltfAccessors& accessors_;
-  std::vector<std::size_t> uses_;
-  std::vector<Bytes> bytes_;
-  std::size_t comparisons_ = 0;
 };
 
 }  // namespace viete::mesh

@@ -11,6 +11,7 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/gltf_file.h"
 #include "mesh/formats/gltf_morphs.h"

@@ -104,8 +104,6 @@ private:
   std::vector<MtlMaterial> found_;
 };
 
-using Library = std::map<std::string, MtlMaterial, std::less<>>;
-
 // Throws base::Error.
 std::vector<MtlMaterial> materials_in(const fs::path& path) {
   const FileBytes bytes(path, nullptr, most_library_bytes);
@@ -125,50 +123,34 @@ std::vector<fs::path> library_paths(const fs::path& folder, std::string_view nam
   return paths;
 }
 
-// False if a library could not be read.
-bool read_libraries(const Source& source, const std::vector<std::string>& libraries, Library& library,
-                    SurfaceBuilder& builder) {
-  std::set<fs::path> seen;
-  bool all_read = true;
-  for (const std::string& names : libraries) {
-    for (const fs::path& path : library_paths(source.folder, names)) {
-      if (seen.size() >= 64 || !seen.insert(path).second) continue;
-      try {
-        for (MtlMaterial& m : materials_in(path)) library.emplace(std::string(m.material.name), std::move(m));
-      } catch (const base::Error& error) {
-        all_read = false;
-        builder.warn(source.name + ": material library " + error.what());
-      }
-    }
-  }
-  return all_read;
-}
-
 }  // namespace
 
 std::vector<MtlMaterial> read_mtl(const Source& source) {
   return MtlReader(source).read();
 }
 
-std::vector<fs::path> files_of_libraries(const fs::path& folder, const std::vector<std::string>& libraries) {
+std::vector<fs::path> read_materials(const Source& source, const std::vector<std::string>& libraries,
+                                     Attributes& attributes, SurfaceBuilder& builder) {
+  if (source.folder.empty()) return {};
+  constexpr std::size_t most_libraries = 64, most_files = 4096;
+  std::map<std::string, MtlMaterial, std::less<>> library;
   std::set<fs::path> files;
+  std::size_t count = 0;
+  bool all_read = true;
   for (const std::string& names : libraries) {
-    for (const fs::path& path : library_paths(folder, names)) {
-      if (files.size() >= 4096 || !files.insert(path).second) continue;
+    for (const fs::path& path : library_paths(source.folder, names)) {
+      if (files.size() >= most_files || !files.insert(path).second || ++count > most_libraries) continue;
       try {
-        for (const MtlMaterial& m : materials_in(path)) files.insert(m.maps.begin(), m.maps.end());
-      } catch (const base::Error&) {  // already reported when reading the model
+        for (MtlMaterial& m : materials_in(path)) {
+          files.insert(m.maps.begin(), m.maps.end());
+          library.emplace(std::string(m.material.name), std::move(m));
+        }
+      } catch (const base::Error& error) {
+        all_read = false;
+        if (!attributes.materials.empty()) builder.warn(source.name + ": material library " + error.what());
       }
     }
   }
-  return {files.begin(), files.end()};
-}
-
-void read_materials(const Source& source, const std::vector<std::string>& libraries, Attributes& attributes,
-                    SurfaceBuilder& builder) {
-  if (source.folder.empty() || attributes.materials.empty()) return;
-  Library library;
-  const bool all_read = read_libraries(source, libraries, library, builder);
   std::size_t missing = 0;
   std::map<fs::path, std::uint32_t> images;
   for (Material& material : attributes.materials) {
@@ -187,6 +169,7 @@ void read_materials(const Source& source, const std::vector<std::string>& librar
   if (missing > 0 && all_read && !libraries.empty())
     builder.warn(source.name + ": " + base::counted(missing, "material") +
                  " not found in the material libraries");
+  return {files.begin(), files.end()};
 }
 
 }  // namespace viete::mesh

@@ -20,14 +20,12 @@ struct MtlMaterial {
 /// Never fails: skips unreadable lines. source.folder must be the folder of the library.
 std::vector<MtlMaterial> read_mtl(const Source& source);
 
-/// The libraries and the images that they name, as far as readable. See read_materials().
-std::vector<std::filesystem::path> files_of_libraries(const std::filesystem::path& folder,
-                                                      const std::vector<std::string>& libraries);
-
 /// Fills in colours and images of the model's materials by name. Each library is the text after `mtllib`: one
-/// name with blanks, or several names, in the model's folder. A missing or unreadable library is a warning.
-/// Does nothing if source.folder is empty.
-void read_materials(const Source& source, const std::vector<std::string>& libraries, Attributes& attributes,
-                    SurfaceBuilder& builder);
+/// name with blanks, or several names, in the model's folder. A missing or unreadable library is a warning if
+/// there are materials. Returns the libraries and the images that they name, as far as readable. Does nothing
+/// if source.folder is empty.
+std::vector<std::filesystem::path> read_materials(const Source& source,
+                                                  const std::vector<std::string>& libraries,
+                                                  Attributes& attributes, SurfaceBuilder& builder);
 
 }  // namespace viete::mesh

@@ -1,4 +1,4 @@
-#include "mesh/formats/obj.h"
+#include "mesh/formats/codecs.h"
 
 #include <algorithm>
 #include <array>
@@ -50,7 +50,8 @@ public:
   }
 
   std::size_t normal_count() const { return found_.normals.size(); }
-  const std::vector<std::string>& libraries() const { return libraries_; }
+  // Libraries and images; valid after finish().
+  const std::vector<std::filesystem::path>& files() const { return files_; }
 
   void texture_point(TextCursor& text) {
     std::array<double, 2> values{};
@@ -128,7 +129,7 @@ public:
     }
     finish_colors(builder.vertex_count());
     finish_groups();
-    read_materials(source_, libraries_, found_, builder);
+    files_ = read_materials(source_, libraries_, found_, builder);
     tell_bad(builder);
     if (found_.empty()) return nullptr;
     return std::make_shared<const Attributes>(std::move(found_));
@@ -197,6 +198,7 @@ private:
   std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
   std::map<std::string, std::uint32_t, std::less<>> materials_;
   std::vector<std::string> libraries_;
+  std::vector<std::filesystem::path> files_;
 };
 
 class ObjReader {
@@ -218,7 +220,7 @@ public:
     auto attributes = attributes_.finish(builder_);
     ReadResult result = builder_.finish("OBJ");
     if (source_.owner)
-      result.original = obj_original(source_, attributes, std::move(normal_blocks_), attributes_.libraries());
+      result.original = obj_original(source_, attributes, std::move(normal_blocks_), attributes_.files());
     result.attributes = std::move(attributes);
     return result;
   }

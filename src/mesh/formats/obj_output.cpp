@@ -6,9 +6,8 @@
 #include <optional>
 
 #include "base/text.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/conversion.h"
-#include "mesh/formats/mtl.h"
-#include "mesh/formats/obj.h"
 #include "mesh/formats/obj_words.h"
 #include "mesh/formats/printed.h"
 #include "mesh/formats/rewriter.h"
@@ -229,12 +228,11 @@ private:
 class ObjOriginal final : public Original {
 public:
   ObjOriginal(const Source& source, std::shared_ptr<const Attributes> attributes,
-              std::vector<std::uint32_t> normal_blocks, std::vector<std::string> libraries)
+              std::vector<std::uint32_t> normal_blocks, std::vector<std::filesystem::path> files)
       : Original("OBJ", source),
         attributes_(std::move(attributes)),
         normal_blocks_(std::move(normal_blocks)),
-        libraries_(std::move(libraries)),
-        folder_(source.folder) {}
+        companions_{source.folder, std::move(files)} {}
 
   std::vector<std::string> beyond_attributes() const override {
     const Source source = this->source();
@@ -253,10 +251,7 @@ public:
     return found;
   }
 
-  Companions companions() const override {
-    if (folder_.empty()) return {};
-    return {folder_, files_of_libraries(folder_, libraries_)};
-  }
+  Companions companions() const override { return companions_; }
 
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                  TextWriter& out) const override {
@@ -271,8 +266,7 @@ public:
 private:
   std::shared_ptr<const Attributes> attributes_;
   std::vector<std::uint32_t> normal_blocks_;
-  std::vector<std::string> libraries_;
-  std::filesystem::path folder_;
+  Companions companions_;
 };
 
 }  // namespace
@@ -311,9 +305,9 @@ void write_obj(const Content& content, TextWriter& out) {
 std::shared_ptr<const Original> obj_original(const Source& source,
                                              std::shared_ptr<const Attributes> attributes,
                                              std::vector<std::uint32_t> normal_blocks,
-                                             std::vector<std::string> libraries) {
+                                             std::vector<std::filesystem::path> files) {
   return std::make_shared<const ObjOriginal>(source, std::move(attributes), std::move(normal_blocks),
-                                             std::move(libraries));
+                                             std::move(files));
 }
 
 }  // namespace viete::mesh

@@ -1,9 +1,13 @@
-// Keywords of OBJ lines, and the indices of a face's corner.
+// Keywords of OBJ lines, the indices of a face's corner, and files to be written again.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <string_view>
+#include <vector>
 
+#include "mesh/formats/original.h"
 #include "mesh/formats/text_cursor.h"
 
 namespace viete::mesh {
@@ -43,5 +47,15 @@ struct ObjIndices {
 };
 
 ObjIndices obj_indices(std::string_view behind_vertex);
+
+/// The file kept as read, to be written again. Moved coordinates get as many decimals as in the file, and at
+/// least six significant digits of the model's diagonal. Normals are updated; a normal line whose corners now
+/// differ gets additional lines after its block, and face indices are renumbered. attributes may be null.
+/// normal_blocks: for each block of `vn` lines the number of such lines up to its end, ascending; the last is
+/// the total. files: libraries and images.
+std::shared_ptr<const Original> obj_original(const Source& source,
+                                             std::shared_ptr<const Attributes> attributes,
+                                             std::vector<std::uint32_t> normal_blocks,
+                                             std::vector<std::filesystem::path> files);
 
 }  // namespace viete::mesh

@@ -1,7 +1,6 @@
-#include "mesh/formats/off.h"
+#include "mesh/formats/codecs.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -11,11 +10,10 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/conversion.h"
+#include "mesh/formats/file_vectors.h"
 #include "mesh/formats/printed.h"
-#include "mesh/formats/rewriter.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
-#include "mesh/normals.h"
 
 namespace viete::mesh {
 
@@ -28,7 +26,6 @@ struct OffForm {
   bool normals = false, colors = false, texture = false;
   bool more_axes = false;     //< 4OFF, nOFF
   bool colors_first = false;  //< four components before normals, as written by MeshLab
-  bool wrapped = false;       //< rows end with their last number instead of the line
 
   std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
 };
@@ -87,82 +84,34 @@ void to_unit_range(std::span<OffColor> colors) {
   for (OffColor& c : colors) c.color[3] /= c.color[3] > 1 ? 255.0F : 1.0F;
 }
 
-// Changes only moved coordinates and the dependent normals of NOFF. Prints as many decimals as in the file,
-// and at least six significant digits of the model's diagonal.
-class OffOriginal final : public Original {
-public:
-  // body: where to look for the first vertex.
-  OffOriginal(const Source& source, std::size_t body, const OffForm& form)
-      : Original("OFF", source), body_(body), form_(form) {}
-
-  std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
-                                 TextWriter& out) const override {
-    const std::size_t count = rest.positions.size(), enough = form_.normals ? count : 10'000;
-    rewrite_vectors(
-        bytes_, out, rest, positions, enough, [](std::size_t row) { return static_cast<std::uint32_t>(row); },
-        form_.normals ? count : 0, rest.corners, every_vertex(rest),
-        [&](const auto& position, const auto& normal) { walk(count, position, normal); });
-    return {};
-  }
-
-private:
-  template <class Position, class Normal>
-  void walk(std::size_t vertices, const Position& position, const Normal& normal) const {
-    const Source body{"", "off", bytes_.substr(body_)};
-    TextCursor text(body, off_rules);
-    for (std::size_t v = 0; v < vertices && text.next_filled_line(); ++v) {
-      if (!position(v, next_three(text))) return;
-      if (form_.colors_first) next_three(text), text.word();
-      if (form_.normals) normal(v, next_three(text));
-      if (!form_.wrapped) text.next_line();
-      for (std::size_t i = form_.normals ? 3 : 0; form_.wrapped && i < form_.numbers(); ++i) next_word(text);
-    }
-  }
-
-  std::string_view next_word(TextCursor& text) const {
-    if (form_.wrapped) text.next_filled_line();
-    return text.word();
-  }
-  ThreeWords next_three(TextCursor& text) const {
-    return {next_word(text), next_word(text), next_word(text)};
-  }
-
-  std::size_t body_;
-  OffForm form_;
-};
-
 class OffReader {
 public:
-  // Context in which line ends count as blanks.
-  enum class Wrapped { nowhere, in_faces, everywhere };
-
-  OffReader(const Source& source, Wrapped wrapped)
-      : source_(source), text_(source, off_rules), builder_(source), wrapped_(wrapped) {}
+  explicit OffReader(const Source& source) : source_(source), text_(source, off_rules), builder_(source) {}
 
   ReadResult read() {
     head();
     const std::size_t vertices = count("vertex count"), faces = count("face count");
-    if (form_.wrapped) count("edge count");
     check_room(vertices, faces);
     text_.next_line();
-    const std::size_t body = text_.offset();
-    if (form_.normals && form_.colors && !form_.wrapped) form_.colors_first = colors_come_first(vertices);
+    if (form_.normals && form_.colors) form_.colors_first = colors_come_first(vertices);
     builder_.surface().positions.reserve(vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
       row("the last vertex", i);
       vertex();
     }
     for (std::size_t i = 0; i < faces; ++i) {
-      if (form_.wrapped && !text_.at_line_end() && i == 0)
-        text_.fail("the faces start in the middle of a line", "export the model again");
       row("the last face", i);
       face();
     }
-    if (wrapped_ != Wrapped::nowhere && text_.next_filled_line())
-      text_.fail("the file continues after its last face", "export the model again");
     auto attributes = finished_attributes();
     ReadResult result = builder_.finish("OFF");
-    if (source_.owner) result.original = std::make_shared<const OffOriginal>(source_, body, form_);
+    VectorFile file{.format = "OFF", .vectors = {{.element = "vertex"}}};
+    file.vectors[0].set_places(std::move(positions_));
+    if (form_.normals) {
+      file.vectors.push_back({.kind = FileVectors::Kind::normals, .element = "vertex"});
+      file.vectors[1].set_places(std::move(normals_));
+    }
+    result.original = original_of(source_, std::move(file));
     result.attributes = std::move(attributes);
     return result;
   }
@@ -180,7 +129,6 @@ private:
       form_ = *form;
       if (ahead.word() == "BINARY") text_.fail("binary OFF is not supported", "export as OFF text or as PLY");
     }
-    form_.wrapped = wrapped_ == Wrapped::everywhere;
     while (!text_.at_end() && text_.at_line_end()) comment_line();
     text_.need_word("the counts");
   }
@@ -191,7 +139,6 @@ private:
   }
 
   std::size_t count(std::string_view what) {
-    if (form_.wrapped) text_.need_word(what);
     const std::int64_t value = text_.integer(what);
     if (value < 0)
       text_.fail(std::string(what) + " " + std::to_string(value) + " is negative", "export the model again");
@@ -211,9 +158,9 @@ private:
   bool colors_come_first(std::size_t vertices) const {
     TextCursor ahead = text_;
     for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
-      three_words(ahead);
-      for (const std::string_view word : three_words(ahead)) {
-        const OffNumber n = number(word).value_or(OffNumber{});
+      for (int i = 0; i < 3; ++i) ahead.word();
+      for (int i = 0; i < 3; ++i) {
+        const OffNumber n = number(ahead.word()).value_or(OffNumber{});
         if (!n.whole || n.value > 1) return n.whole;
       }
     }
@@ -226,14 +173,16 @@ private:
   }
 
   void vertex() {
-    Point p{};
-    for (double& x : p) {
-      if (form_.wrapped) text_.need_word("the last vertex");
-      x = text_.coordinate();
+    TextCursor ahead = text_;
+    const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
+    builder_.position({x, y, z});
+    if (source_.owner) {
+      positions_.push_back(places_of_three(ahead));
+      for (int i = 0; form_.colors_first && i < 4; ++i) ahead.word();
+      if (form_.normals) normals_.push_back(places_of_three(ahead));
     }
-    builder_.position(p);
     behind_position();
-    if (!form_.wrapped) text_.next_line();
+    text_.next_line();
   }
 
   static std::optional<OffNumber> number(std::string_view word) {
@@ -243,10 +192,9 @@ private:
   }
 
   // Reads up to `most` numbers; stops at the first non-number.
-  std::span<const OffNumber> numbers(std::size_t most, bool wrapped) {
+  std::span<const OffNumber> numbers(std::size_t most) {
     numbers_.clear();
-    while (numbers_.size() < most && (wrapped || !text_.at_line_end())) {
-      if (wrapped) text_.need_word("the last vertex");
+    while (numbers_.size() < most && !text_.at_line_end()) {
       const auto n = number(text_.word());
       if (!n) break;
       numbers_.push_back(*n);
@@ -257,7 +205,7 @@ private:
   // Reads the optional normal, colour (three or four numbers) and texture point.
   void behind_position() {
     if (form_.numbers() == 0) return unnamed();
-    std::span<const OffNumber> left = numbers(form_.numbers(), form_.wrapped);
+    std::span<const OffNumber> left = numbers(form_.numbers());
     const auto take = [&](std::size_t n) {
       const auto taken = left.first(std::min(n, left.size()));
       left = left.subspan(taken.size());
@@ -282,8 +230,8 @@ private:
 
   // Undeclared values: three or four non-negative numbers are a colour.
   void unnamed() {
-    if (form_.wrapped || text_.at_line_end()) return;
-    const auto behind = numbers(5, false);
+    if (text_.at_line_end()) return;
+    const auto behind = numbers(5);
     const bool is_color = (behind.size() == 3 || behind.size() == 4) &&
                           std::ranges::all_of(behind, [](const OffNumber& n) { return n.value >= 0; });
     if (!is_color) ++unknown_rows_;
@@ -320,7 +268,7 @@ private:
   void face() {
     const std::size_t corners = count("corner count");
     for (std::size_t i = 0; i < corners; ++i) {
-      if (wrapped_ != Wrapped::nowhere) text_.need_word("the last face");
+      text_.need_word("the last face");  // indices may continue on the next line
       const std::int64_t index = text_.integer("vertex index");
       if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count()) {
         text_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
@@ -336,14 +284,14 @@ private:
 
   // Reads three or four numbers after the corners; a single one is an index into an external colour map.
   void face_color(std::size_t polygon) {
-    const auto behind = numbers(4, false);
+    const auto behind = numbers(4);
     if (behind.size() >= 3) face_colors_.emplace_back(polygon, OffColor(behind));
   }
 
   const Source& source_;
   TextCursor text_;
   SurfaceBuilder builder_;
-  Wrapped wrapped_;
+  std::vector<FileVectors::Places> positions_, normals_;
   OffForm form_;
   std::vector<OffNumber> numbers_;                                              // numbers of the current row
   std::vector<OffColor> colors_;                                                // one per vertex
@@ -355,18 +303,7 @@ private:
 }  // namespace
 
 ReadResult read_off(const Source& source) {
-  using enum OffReader::Wrapped;
-  try {
-    return OffReader(source, nowhere).read();
-  } catch (const base::Error&) {
-    for (const OffReader::Wrapped wrapped : {in_faces, everywhere}) {
-      try {
-        return OffReader(source, wrapped).read();
-      } catch (const base::Error&) {  // reports the first error
-      }
-    }
-    throw;
-  }
+  return OffReader(source).read();
 }
 
 bool looks_like_off(const Source& source) {

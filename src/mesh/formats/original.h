@@ -40,7 +40,7 @@ public:
   /// "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
-  /// External files that must accompany the file. write_file() does not write them.
+  /// External files that must accompany the file; write_file() copies them.
   virtual Companions companions() const { return {}; }
 
   /// All external files that it uses; they may not exist.
@@ -53,7 +53,7 @@ public:
                                          TextWriter& out) const = 0;
 
   /// Writes to a file, which is replaced atomically, together with external buffers of formats with several
-  /// files. progress may be null.
+  /// files, and with companions that its folder lacks. progress may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Surface& rest,
                                               std::span<const Point> positions, Digits digits,
                                               base::Progress* progress) const;

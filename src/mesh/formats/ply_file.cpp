@@ -1,6 +1,7 @@
 #include "mesh/formats/ply_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <string_view>
@@ -11,16 +12,16 @@ namespace viete::mesh {
 
 namespace {
 
-PlyType type_named(TextCursor& text) {
-  static const std::map<std::string_view, PlyType> types = {
-      {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
-      {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
-      {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
-      {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-      {"long", PlyType::int64},     {"int64", PlyType::int64},     {"ulong", PlyType::uint64},
-      {"uint64", PlyType::uint64},  {"longlong", PlyType::int64},  {"ulonglong", PlyType::uint64},
-      {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
-      {"float64", PlyType::float64}};
+NumberType type_named(TextCursor& text) {
+  static const std::map<std::string_view, NumberType> types = {
+      {"char", NumberType::int8},      {"int8", NumberType::int8},       {"uchar", NumberType::uint8},
+      {"uint8", NumberType::uint8},    {"short", NumberType::int16},     {"int16", NumberType::int16},
+      {"ushort", NumberType::uint16},  {"uint16", NumberType::uint16},   {"int", NumberType::int32},
+      {"int32", NumberType::int32},    {"uint", NumberType::uint32},     {"uint32", NumberType::uint32},
+      {"long", NumberType::int64},     {"int64", NumberType::int64},     {"ulong", NumberType::uint64},
+      {"uint64", NumberType::uint64},  {"longlong", NumberType::int64},  {"ulonglong", NumberType::uint64},
+      {"float", NumberType::float32},  {"float32", NumberType::float32}, {"double", NumberType::float64},
+      {"float64", NumberType::float64}};
   const std::string_view word = text.word();
   const auto found = types.find(word);
   if (found == types.end()) text.fail(in_quotes(word) + " is not a PLY type", "export the model again");
@@ -117,6 +118,15 @@ std::size_t PlyElement::find(const std::string& wanted, const std::string& other
   return i;
 }
 
+std::size_t PlyElement::bytes_before(std::size_t property) const {
+  std::size_t sum = 0;
+  for (std::size_t p = 0; p < properties.size(); ++p) {
+    if (properties[p].list_size) return 0;
+    if (p < property) sum += size_of(properties[p].type);
+  }
+  return sum;
+}
+
 const PlyElement* PlyHeader::find(const std::string& name) const {
   const auto found =
       std::find_if(elements.begin(), elements.end(), [&](const PlyElement& e) { return e.name == name; });
@@ -134,6 +144,41 @@ PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder
   text.next_line();
   check_room(header, text, source);
   return header;
+}
+
+double PlyValues::coordinate(NumberType type) {
+  if (is_text_) return next_word().coordinate();
+  const double number = value(type);
+  if (!(std::abs(number) <= largest_coordinate))
+    fail("a coordinate is not a finite number up to 1e100", "repair the vertex");
+  return number;
+}
+
+std::int64_t PlyValues::integer(NumberType type) {
+  if (is_text_) return next_word().integer("whole number");
+  const double number = value(type);
+  if (!(std::abs(number) < 9e15) || number != std::floor(number))
+    fail("a value is not a whole number", "export again");
+  return static_cast<std::int64_t>(number);
+}
+
+double PlyValues::value(NumberType type) {
+  const std::string_view word = next(type);
+  return is_text_ ? number_in(word).value_or(std::nan("")) : number_of_bytes(word.data(), type, order_);
+}
+
+std::string_view PlyValues::next(NumberType type) {
+  if (is_text_) return next_word().word();
+  const std::size_t size = size_of(type);
+  if (at_.size() < size) fail("the file ends here", "it seems to be truncated: export or copy it again");
+  const std::string_view bytes = at_.substr(0, size);
+  at_.remove_prefix(size);
+  return bytes;
+}
+
+void PlyValues::fail(const std::string& problem, const std::string& advice) const {
+  if (is_text_) text_.fail(problem, advice);
+  throw base::Error(source_.place(element_, index_), problem, advice);
 }
 
 }  // namespace viete::mesh

@@ -5,9 +5,9 @@
 #include <ranges>
 
 #include "base/error.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/format_table.h"
-#include "mesh/formats/obj.h"
 
 namespace viete::mesh {
 

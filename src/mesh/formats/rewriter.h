@@ -26,23 +26,6 @@ inline ThreeWords three_words(TextCursor& text) {
   return {text.word(), text.word(), text.word()};  // from left to right
 }
 
-/// NaN for words that are not numbers.
-inline Vec3 vector_in(const ThreeWords& words) {
-  Vec3 v{};
-  for (std::size_t i = 0; i < 3; ++i) v[i] = number_in(words[i]).value_or(std::nan(""));
-  return v;
-}
-
-/// A direction whose format is learned. Missing words give 0 0 0, which is kept.
-inline Vec3 learned_direction(const ThreeWords& words, Printed& printed) {
-  if (words[2].empty()) return {0, 0, 0};
-  const Vec3 direction = vector_in(words);
-  if (is_direction(direction)) {
-    for (const std::string_view word : words) printed.learn(word);
-  }
-  return direction;
-}
-
 /// Replacements must be in file order; everything between them is copied.
 class Rewriter {
 public:
@@ -86,41 +69,5 @@ private:
   TextWriter& out_;
   std::size_t copied_ = 0;
 };
-
-/// Rewrites a text with rows of positions and optional normals; prints changed values. walk(position, normal)
-/// calls position(row, words), which returns whether to continue, and normal(row, words) in file order.
-/// vertex_of(row): the vertex of a position. Learns the number format from the first `enough` positions.
-template <class Walk, class VertexOf>
-void rewrite_vectors(std::string_view bytes, TextWriter& out, const Surface& rest,
-                     std::span<const Point> positions, std::size_t enough, const VertexOf& vertex_of,
-                     std::size_t normals, std::span<const std::uint32_t> normal_of_corner,
-                     std::span<const std::uint32_t> vertex_of_normal, const Walk& walk) {
-  Printed coordinates(out.digits()), directions(out.digits());
-  std::vector<Vec3> before(normals);
-  walk(
-      [&](std::size_t row, const ThreeWords& words) {
-        for (const std::string_view word : words) {
-          if (row < enough) coordinates.learn(word);
-        }
-        return normals > 0 || row < enough;
-      },
-      [&](std::size_t row, const ThreeWords& words) { before[row] = learned_direction(words, directions); });
-  coordinates.keep(6, bounds(rest.positions).diagonal());
-  directions.keep(5, 1);
-  std::vector<Vec3> now = before;
-  if (normals > 0) now = deformed_normals(rest, positions, before, normal_of_corner, vertex_of_normal);
-  keep_lengths(before, now);
-  Rewriter rewriter(bytes, out);
-  walk(
-      [&](std::size_t row, const ThreeWords& words) {
-        const std::uint32_t v = vertex_of(row);
-        rewriter.replace(words, rest.positions[v], positions[v], coordinates);
-        return true;
-      },
-      [&](std::size_t row, const ThreeWords& words) {
-        rewriter.replace(words, before[row], now[row], directions);
-      });
-  rewriter.finish();
-}
 
 }  // namespace viete::mesh

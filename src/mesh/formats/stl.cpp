@@ -1,12 +1,15 @@
-#include "mesh/formats/stl.h"
+#include "mesh/formats/codecs.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include "base/error.h"
-#include "mesh/formats/attributes.h"
 #include "mesh/formats/byte_order.h"
+#include "mesh/formats/file_vectors.h"
+#include "mesh/formats/printed.h"
 #include "mesh/formats/surface_builder.h"
 #include "mesh/formats/text_cursor.h"
 #include "mesh/point_index.h"
@@ -15,8 +18,13 @@ namespace viete::mesh {
 
 namespace {
 
-[[noreturn]] void refuse_length(const Source& source, const std::string& problem) {
-  throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
+constexpr std::size_t head_bytes = 84, triangle_bytes = 50;  // of a binary file
+
+// A keyword in lower case, at most 16 letters.
+std::string lower_stl_word(std::string_view word) {
+  std::string text(word.substr(0, 16));
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return text;
 }
 
 // Bytes read at a wrong offset give implausible coordinates and normals.
@@ -28,66 +36,13 @@ bool makes_sense(const char* triangle) {
   return true;
 }
 
-}  // namespace
-
-StlTriangles::StlTriangles(const Source& source) {
-  const std::string_view bytes = source.bytes;
-  if (bytes.size() < stl_head_bytes)
-    refuse_length(source,
-                  "a binary STL has at least 84 bytes, this file has " + std::to_string(bytes.size()));
-  count_ = number_of_bytes<std::uint32_t>(bytes.data() + 80);
-  const std::size_t room = bytes.size() - stl_head_bytes;
-  const std::string announced = "the header announces " + std::to_string(count_) + " triangles";
-  if (count_ > room / stl_triangle_bytes)
-    refuse_length(source, announced + ", the file has room for " + std::to_string(room / stl_triangle_bytes));
-  if (count_ == 0 && room > 0)
-    refuse_length(source, announced + ", and " + std::to_string(room) + " bytes follow");
-  end_ = stl_head_bytes + count_ * stl_triangle_bytes;
-  if (end_ == bytes.size() || follow_attributes(bytes) || make_sense(bytes)) return;
-  refuse_length(source, announced +
-                            ", but the file size matches them neither without nor with the attributes that " +
-                            "they count");
-}
-
-// True if there are attributes and they lie within the file.
-bool StlTriangles::follow_attributes(std::string_view bytes) {
-  std::vector<std::size_t> starts;
-  std::size_t at = stl_head_bytes;
-  for (std::size_t t = 0; t < count_; ++t) {
-    if (bytes.size() - at < stl_triangle_bytes) return false;
-    starts.push_back(at);
-    at += stl_triangle_bytes;
-    const std::uint16_t more = number_of_bytes<std::uint16_t>(bytes.data() + at - 2);
-    if (bytes.size() - at < more) return false;
-    at += more;
-  }
-  if (at == end_) return false;
-  end_ = at;
-  starts_ = std::move(starts);
-  return true;
-}
-
-bool StlTriangles::make_sense(std::string_view bytes) const {
-  for (std::size_t t = 0; t < count_; ++t)
-    if (!makes_sense(bytes.data() + offset(t))) return false;
-  return true;
-}
-
-std::string lower_stl_word(std::string_view word) {
-  std::string text(word.substr(0, 16));
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return text;
-}
-
-namespace {
-
-std::uint64_t announced_bytes(const Source& source) {
-  return stl_head_bytes +
-         stl_triangle_bytes * std::uint64_t{number_of_bytes<std::uint32_t>(source.bytes.data() + 80)};
+std::size_t announced(std::string_view bytes) {
+  return number_of_bytes<std::uint32_t>(bytes.data() + 80);
 }
 
 bool is_exact_binary(const Source& source) {
-  return source.bytes.size() >= stl_head_bytes && source.bytes.size() == announced_bytes(source);
+  return source.bytes.size() >= head_bytes &&
+         source.bytes.size() == head_bytes + triangle_bytes * announced(source.bytes);
 }
 
 bool starts_solid(const Source& source) {
@@ -99,22 +54,59 @@ bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-// True if the file size matches the count, or if the first triangles are plausible with their attributes.
-bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
-  if (beginning.size() < stl_head_bytes) return false;
-  const std::uint32_t count = number_of_bytes<std::uint32_t>(beginning.data() + 80);
-  const std::uint64_t least = stl_head_bytes + std::uint64_t{stl_triangle_bytes} * count;
-  if (count == 0 || least >= file_size) return least == file_size;
-  std::size_t at = stl_head_bytes;
-  for (std::uint32_t t = 0; t < count && at + stl_triangle_bytes <= beginning.size(); ++t) {
-    if (!makes_sense(beginning.data() + at)) return false;
-    at += stl_triangle_bytes;
-    at += number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
+// The triangles of a binary file. The count of attribute bytes may be that of attributes which follow.
+struct Layout {
+  std::size_t count = 0, end = 0;
+  std::vector<std::size_t> starts = {};  // only if attributes follow
+
+  std::size_t offset(std::size_t triangle) const {
+    return starts.empty() ? head_bytes + triangle_bytes * triangle : starts[triangle];
   }
+};
+
+// False if there are no attributes within the file.
+bool follow_attributes(std::string_view bytes, Layout& layout) {
+  std::vector<std::size_t> starts;
+  std::size_t at = head_bytes;
+  for (std::size_t t = 0; t < layout.count; ++t) {
+    if (bytes.size() - at < triangle_bytes) return false;
+    starts.push_back(at);
+    at += triangle_bytes;
+    const std::uint16_t more = number_of_bytes<std::uint16_t>(bytes.data() + at - 2);
+    if (bytes.size() - at < more) return false;
+    at += more;
+  }
+  if (at == layout.end) return false;
+  layout.end = at;
+  layout.starts = std::move(starts);
   return true;
 }
 
-// Merges equal corners.
+// Throws base::Error if the file length contradicts the triangle count.
+Layout layout_of(const Source& source) {
+  const auto refuse = [&](const std::string& problem) {
+    throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
+  };
+  const std::string_view bytes = source.bytes;
+  if (bytes.size() < head_bytes)
+    refuse("a binary STL has at least 84 bytes, this file has " + std::to_string(bytes.size()));
+  Layout layout{.count = announced(bytes)};
+  const std::size_t room = bytes.size() - head_bytes;
+  const std::string header = "the header announces " + std::to_string(layout.count) + " triangles";
+  if (layout.count > room / triangle_bytes)
+    refuse(header + ", the file has room for " + std::to_string(room / triangle_bytes));
+  if (layout.count == 0 && room > 0) refuse(header + ", and " + std::to_string(room) + " bytes follow");
+  layout.end = head_bytes + layout.count * triangle_bytes;
+  if (layout.end == bytes.size() || follow_attributes(bytes, layout)) return layout;
+  for (std::size_t t = 0; t < layout.count; ++t) {
+    if (!makes_sense(bytes.data() + layout.offset(t)))
+      refuse(header +
+             ", but the file size matches them neither without nor with the attributes that they count");
+  }
+  return layout;
+}
+
+// Joins equal corners.
 class CornerJoiner {
 public:
   explicit CornerJoiner(SurfaceBuilder& builder) : builder_(builder) {}
@@ -132,58 +124,25 @@ private:
   PointIndex index_;
 };
 
-// The two attribute bytes of each facet as a colour, five bits per channel. VisCAM and SolidView set the
-// highest bit if there is a colour, with red in the upper bits. Magics declares colours and a default colour
-// in the header, and sets the bit if a facet has no colour of its own, with red in the lower bits.
-class StlColors {
-public:
-  explicit StlColors(std::string_view head) {
-    constexpr std::string_view mark = "COLOR=";
-    const std::size_t at = head.find(mark);
-    if (at == std::string_view::npos || at + mark.size() + 4 > head.size()) return;
-    by_magics_ = true;
-    for (std::size_t i = 0; i < 4; ++i)
-      of_all_[i] = static_cast<float>(static_cast<unsigned char>(head[at + mark.size() + i])) / 255;
-  }
-
-  void take(const char* bytes) { words_.push_back(number_of_bytes<std::uint16_t>(bytes)); }
-
-  /// Null without colours.
-  std::shared_ptr<const Attributes> finish() const {
-    const bool any =
-        std::ranges::any_of(words_, [&](auto w) { return by_magics_ ? w != 0 : (w & own_) != 0; });
-    if (!any && !by_magics_) return nullptr;
-    auto found = std::make_shared<Attributes>();
-    for (const std::uint16_t word : words_) {
-      const bool has_own = any && ((word & own_) != 0) != by_magics_;
-      found->polygon_colors.push_back(has_own ? color(word) : of_all_);
-    }
-    return found;
-  }
-
-private:
-  static constexpr unsigned own_ = 0x8000;
-
-  Color color(std::uint16_t word) const {
-    const auto channel = [&](int shift) { return static_cast<float>(word >> shift & 31) / 31; };
-    return by_magics_ ? Color{channel(0), channel(5), channel(10), 1}
-                      : Color{channel(10), channel(5), channel(0), 1};
-  }
-
-  bool by_magics_ = false;
-  Color of_all_ = Material{}.base_color;
-  std::vector<std::uint16_t> words_;
-};
+// The corners and the normals of facets, still without their places.
+VectorFile vectors_of_facets(bool text) {
+  VectorFile file{.format = "STL", .text = text};
+  file.vectors.push_back({.rows = FileVectors::Rows::corners, .element = "corner"});
+  file.vectors.push_back(
+      {.kind = FileVectors::Kind::normals, .rows = FileVectors::Rows::faces, .element = "triangle"});
+  file.vectors[1].row_of_corner = [](std::size_t corner) { return static_cast<std::uint32_t>(corner / 3); };
+  return file;
+}
 
 ReadResult read_binary(const Source& source) {
-  const StlTriangles triangles(source);
+  const auto layout = std::make_shared<const Layout>(layout_of(source));
+  const std::size_t triangles = layout->count;
   SurfaceBuilder builder(source);
   const std::string_view head = source.bytes.substr(0, 80);
   builder.comment(TextWriter::one_line(std::string(head.substr(0, head.find('\0')))));
   CornerJoiner corners(builder);
-  StlColors colors(head);
-  for (std::size_t t = 0; t < triangles.count(); ++t) {
-    const char* const at = source.bytes.data() + triangles.offset(t) + 12;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const char* const at = source.bytes.data() + layout->offset(t) + 12;
     for (int c = 0; c < 3; ++c) {
       Point p{};
       for (int i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(at + 12 * c + 4 * i);
@@ -194,19 +153,26 @@ ReadResult read_binary(const Source& source) {
       corners.add(p);
     }
     builder.end_polygon();
-    colors.take(at + 36);
-    if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles.count()));
+    if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
   }
-  if (triangles.have_attributes()) {
-    builder.warn(source.name + ": ignored the attributes of triangles");
-  }
-  if (const std::size_t behind = source.bytes.size() - triangles.end(); behind > 0) {
+  if (!layout->starts.empty()) builder.warn(source.name + ": ignored the attributes of triangles");
+  const std::size_t behind = source.bytes.size() - layout->end;
+  if (behind > 0) {
     builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
-                 std::to_string(triangles.count()) + " triangles that the header announces");
+                 std::to_string(triangles) + " triangles that the header announces");
   }
   ReadResult result = builder.finish("STL binary");
-  if (!triangles.have_attributes()) result.attributes = colors.finish();
-  if (source.owner) result.original = stl_original(source, true);
+  VectorFile file = vectors_of_facets(false);
+  for (FileVectors& vectors : file.vectors) {
+    const bool normals = vectors.kind == FileVectors::Kind::normals;
+    vectors.types.fill(NumberType::float32);
+    vectors.count = normals ? triangles : 3 * triangles;
+    vectors.places = [layout, normals](std::size_t row) {
+      const std::size_t at = normals ? layout->offset(row) : layout->offset(row / 3) + 12 + 12 * (row % 3);
+      return FileVectors::Places{at, at + 4, at + 8};
+    };
+  }
+  result.original = original_of(source, std::move(file));
   return result;
 }
 
@@ -225,21 +191,28 @@ public:
       text_.fail("the file ends within a facet", "it seems to be truncated: export or copy it again");
     if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
     ReadResult result = builder_.finish("STL ascii");
-    if (source_.owner) result.original = stl_original(source_, false);
+    VectorFile file = vectors_of_facets(true);
+    file.vectors[0].set_places(std::move(corner_places_));
+    file.vectors[1].set_places(std::move(normal_places_));
+    result.original = original_of(source_, std::move(file));
     return result;
   }
 
 private:
   void statement(const std::string& word) {
     if (word == "vertex") {
+      TextCursor ahead = text_;
       const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
       if (!in_facet_) text_.fail("vertex outside of a facet", "export the model again");
       corners_.add({x, y, z});
+      if (source_.owner) corner_places_.push_back(places_of_three(ahead));
       ++facet_corners_;
     } else if (word == "facet") {
       if (in_facet_) text_.fail("facet within a facet", "export the model again");
       in_facet_ = true;
       facet_corners_ = 0;
+      text_.word();  // "normal"
+      if (source_.owner) normal_places_.push_back(places_of_three(text_));
     } else if (word == "endfacet") {
       end_facet();
     } else if (word == "solid") {
@@ -265,16 +238,48 @@ private:
   TextCursor text_;
   SurfaceBuilder builder_;
   CornerJoiner corners_;
+  std::vector<FileVectors::Places> corner_places_, normal_places_;
   std::size_t lines_ = 0;
   int facet_corners_ = 0;
   bool in_facet_ = false, ended_ = false;
 };
 
+// True if the file size matches the count, or if the first triangles are plausible with their attributes.
+bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
+  if (beginning.size() < head_bytes) return false;
+  const std::size_t count = announced(beginning);
+  const std::uint64_t least = head_bytes + triangle_bytes * count;
+  if (count == 0 || least >= file_size) return least == file_size;
+  std::size_t at = head_bytes;
+  for (std::size_t t = 0; t < count && at + triangle_bytes <= beginning.size(); ++t) {
+    if (!makes_sense(beginning.data() + at)) return false;
+    at += triangle_bytes;
+    at += number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
+  }
+  return true;
+}
+
+// The facet normal; zero without area.
+Point unit_normal(const Point& a, const Point& b, const Point& c) {
+  Point u = b - a, v = c - a;
+  const double scale = std::max(largest_abs(u), largest_abs(v));
+  if (scale == 0) return {0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    u[i] /= scale;
+    v[i] /= scale;
+  }
+  Point n = cross(u, v);
+  const double size = stable_norm(n);
+  if (size == 0) return {0, 0, 0};
+  for (double& x : n) x /= size;
+  return n;
+}
+
 }  // namespace
 
 ReadResult read_stl(const Source& source) {
-  if (is_exact_binary(source)) return read_binary(source);
-  if (starts_solid(source) && !holds_nul(source)) return StlTextReader(source).read();
+  if (!is_exact_binary(source) && starts_solid(source) && !holds_nul(source))
+    return StlTextReader(source).read();
   return read_binary(source);
 }
 
@@ -293,6 +298,26 @@ bool is_certainly_stl(const Beginning& file) {
     if (std::ranges::find(words, word) == words.end()) return false;
   }
   return word != "solid";
+}
+
+void write_stl(const Content& content, TextWriter& out) {
+  const Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const auto& comments = content.comments;
+  std::size_t done = 0;
+  out.text("solid ").text(comments.empty() ? "surface" : TextWriter::one_line(comments.front())).text("\n");
+  for (const Triangle& t : surface.triangles) {
+    const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+    out.text(" facet normal ").point(unit_normal(a, b, c)).text("\n  outer loop\n");
+    for (const Point& p : {a, b, c}) {
+      out.text("   vertex ");
+      print_point(p, out);
+      out.text("\n");
+    }
+    out.text("  endloop\n endfacet\n");
+    out.element_done(++done, surface.triangles.size());
+  }
+  out.text("endsolid\n");
 }
 
 }  // namespace viete::mesh

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/gltf_output.h"
@@ -46,66 +47,38 @@ std::string list_of_names(const std::set<std::string>& names) {
   return list;
 }
 
-// Copies external files beside the new file, so that it finds them. Files outside of the old folder are not
-// copied, and no other file is overwritten. Without keep() the destructor removes new copies.
-class CompanionCopies {
-public:
-  explicit CompanionCopies(const fs::path& model) : model_(model) {}
-  ~CompanionCopies() {
-    std::error_code ignored;
-    for (const fs::path& path : written_) fs::remove(path, ignored);
-  }
-  CompanionCopies(const CompanionCopies&) = delete;
-  CompanionCopies& operator=(const CompanionCopies&) = delete;
-
-  void take(const Companions& companions) {
-    if (fs::weakly_canonical(companions.folder) == folder_of(model_)) return;
-    std::set<std::string> copied, others, stayed;
-    for (const fs::path& file : companions.files) {
-      const fs::path name = file.lexically_relative(companions.folder);
-      std::error_code code;
-      if (!fs::is_regular_file(file, code)) continue;  // reported where it is used
-      if (name.empty() || *name.begin() == "..") {
-        stayed.insert(file.string());
-      } else {
-        (copy(file, name) ? copied : others).insert(name.string());
-      }
-    }
-    tell("copied files it refers to: ", copied);
-    tell("kept existing files of the same name that differ: ", others);
-    tell("not copied, and possibly not found by it: ", stayed);
-  }
-
-  // Keeps the copies; adds notes about them.
-  std::vector<std::string> keep(std::vector<std::string> notes) {
-    written_.clear();
-    std::ranges::move(notes, std::back_inserter(notes_));
-    return std::move(notes_);
-  }
-
-private:
-  // False if a different file has that name.
-  bool copy(const fs::path& file, const fs::path& name) {
-    const FileBytes bytes(file, nullptr);
-    const fs::path path = model_.parent_path() / name;
+// Adds external files beside the new file, so that it finds them. Files outside of the old folder are not
+// copied, and no other file is overwritten. Returns messages for the user.
+std::vector<std::string> put_companions(const fs::path& model, const Companions& companions,
+                                        base::FilesTogether& files) {
+  if (fs::weakly_canonical(companions.folder) == folder_of(model)) return {};
+  std::set<std::string> copied, others, stayed;
+  for (const fs::path& file : companions.files) {
+    const fs::path name = file.lexically_relative(companions.folder), path = model.parent_path() / name;
     std::error_code code;
-    if (fs::exists(fs::symlink_status(path, code)))
-      return fs::file_size(path, code) == bytes.view().size() && !code &&
-             FileBytes(path, nullptr).view() == bytes.view();
+    if (!fs::is_regular_file(file, code)) continue;  // reported where it is used
+    if (name.empty() || *name.begin() == "..") {
+      stayed.insert(file.string());
+      continue;
+    }
+    const FileBytes bytes(file, nullptr);
+    const bool is_new = !fs::exists(fs::symlink_status(path, code));
+    const bool is_there = !is_new && fs::file_size(path, code) == bytes.view().size() && !code &&
+                          FileBytes(path, nullptr).view() == bytes.view();
+    (is_new || is_there ? copied : others).insert(name.string());
+    if (!is_new) continue;
     fs::create_directories(path.parent_path(), code);  // writing reports errors
-    base::replace_file(path, bytes.view());
-    written_.push_back(path);
-    return true;
+    files.put(path, [&](const base::ByteSink& sink) { sink(bytes.view()); });
   }
-
-  void tell(const char* what, const std::set<std::string>& names) {
-    if (!names.empty()) notes_.push_back(what + list_of_names(names));
-  }
-
-  fs::path model_;
-  std::vector<fs::path> written_;
-  std::vector<std::string> notes_;
-};
+  std::vector<std::string> notes;
+  const auto tell = [&](const char* what, const std::set<std::string>& names) {
+    if (!names.empty()) notes.push_back(what + list_of_names(names));
+  };
+  tell("copied files it refers to: ", copied);
+  tell("kept existing files of the same name that differ: ", others);
+  tell("not copied, and possibly not found by it: ", stayed);
+  return notes;
+}
 
 }  // namespace
 
@@ -122,11 +95,8 @@ void write(const std::filesystem::path& path, const Surface& surface, std::span<
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress) {
   check_written(path.string(), content.positions);
-  if (writes_itself(original, path)) {
-    CompanionCopies copies(path);
-    copies.take(original->companions());
-    return copies.keep(original->write_file(path, content.surface, content.positions, digits, progress));
-  }
+  if (writes_itself(original, path))
+    return original->write_file(path, content.surface, content.positions, digits, progress);
   const Format& format = surface_format(path);
   if (!format.holds(held::points) && content.surface.triangles.empty())
     throw base::Error(path.string(), std::string(format.name) + " stores only triangles, and there are none",
@@ -148,11 +118,8 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
   check_motion(motion, content.surface.positions.size());
   check_written(path.string(), content.positions);
   std::vector<std::string> notes;
-  if (writes_itself(original, path)) {
-    CompanionCopies copies(path);
-    copies.take(original->companions());
-    return copies.keep(original->write_animated(path, content.surface, content.positions, motion, progress));
-  }
+  if (writes_itself(original, path))
+    return original->write_animated(path, content.surface, content.positions, motion, progress);
   const Attributes now = converted(format, content, original, notes);
   const Content what{content.surface, content.positions, content.comments, &now};
   write_as(path, {}, nullptr, [&](TextWriter& out) {
@@ -171,12 +138,14 @@ void check_keeps_vertices(const std::filesystem::path& path) {
 std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Surface& rest,
                                               std::span<const Point> positions, Digits digits,
                                               base::Progress* progress) const {
-  std::vector<std::string> notes;
-  base::replace_file(path, [&](const base::ByteSink& sink) {
+  base::FilesTogether files;
+  std::vector<std::string> notes = put_companions(path, companions(), files);
+  files.put(path, [&](const base::ByteSink& sink) {
     TextWriter out(sink, progress, digits);
-    notes = write(rest, positions, out);
+    std::ranges::move(write(rest, positions, out), std::back_inserter(notes));
     out.finish();
   });
+  files.replace();
   return notes;
 }
 

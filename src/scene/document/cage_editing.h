@@ -29,16 +29,7 @@ void subdivide_cage(Document& document);
 void mirror_cage(Document& document);
 /// Moves and scales the cage, and its pose, to the model's box.
 void fit_cage(Document& document);
-/// As fit_cage(), and also rotates the cage if that fits better. Returns the rotation in degrees.
-double fit_cage_turned(Document& document);
 /// Moves the cage outward where it does not contain model vertices. Returns how many remain outside.
 std::size_t enclose_model(Document& document);
-
-/// Vertices moved outside, and vertices left inside because no short path leads out.
-struct SnapResult {
-  std::size_t moved = 0, left = 0;
-};
-/// Moves selected cage vertices that are inside or almost inside the model out of it.
-SnapResult snap_selected(Document& document);
 
 }  // namespace viete::scene

@@ -1,5 +1,4 @@
 // Commands for the cage and the deformer.
-#include <cmath>
 #include <string>
 #include <type_traits>
 
@@ -36,27 +35,6 @@ void enclose_and_say(Workspace& w) {
   if (left == 0) return w.messages.info("The cage encloses the model.", of_cage);
   w.messages.warn(counted(ElementKind::vertex, left) +
                       " of the model still outside the cage; move the cage outward there or make a new cage",
-                  of_cage);
-}
-
-void fit_turned_and_say(Workspace& w) {
-  const double degrees = fit_cage_turned(w.document);
-  if (degrees > 0)
-    return w.messages.info("Rotated the cage by " +
-                               base::with_thousands(static_cast<std::size_t>(std::lround(degrees))) +
-                               " degrees.",
-                           of_cage);
-  w.messages.info("Fitted the cage without rotation; no rotation fits clearly better.", of_cage);
-}
-
-void snap_and_say(Workspace& w) {
-  const auto [moved, left] = snap_selected(w.document);
-  if (left > 0)
-    return w.messages.warn("No short path out of the model for " + counted(ElementKind::vertex, left) +
-                               " of the cage; drag them outside",
-                           of_cage);
-  w.messages.info(moved == 0 ? "The selection is already outside the model."
-                             : counted(ElementKind::vertex, moved) + " of the cage moved outside the model.",
                   of_cage);
 }
 
@@ -131,12 +109,6 @@ void add_cage_commands(CommandTable& table) {
             can_edit_cage, change_cage<mirror_cage>);
   table.add("fit_cage", {"Fit cage to model", "Fit"}, "Move and scale the cage to fit the model.",
             can_edit_cage, change_cage<fit_cage>);
-  table.add("fit_cage_turned", {"Fit cage with rotation", "Fit, rotated"},
-            "Rotate, move and scale the cage to fit the model.", can_edit_cage,
-            change_cage<fit_turned_and_say>);
-  table.add("snap_outside", {"Snap outside the model", "Snap outside"},
-            "Move selected vertices that are inside or touch the model to the nearest place outside.",
-            has_cage_selected, change_cage<snap_and_say>);
   table.add("show_outside", {"Show vertices outside the cage", "Show"},
             "Highlight the vertices of the model outside the cage. Checks steps through them.", has_outside,
             passing([](Workspace& w) { toggle_finding(w, *outside_finding(w.checks)); }));
