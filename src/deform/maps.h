@@ -32,6 +32,12 @@ inline mesh::Vec3 times(const sym3::Mat3<double>& m, const mesh::Vec3& x) {
           m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
 }
 
+/// a + w b.
+inline sym3::Sym3<double> plus(const sym3::Sym3<double>& a, double w, const sym3::Sym3<double>& b) {
+  return {a.xx + w * b.xx, a.xy + w * b.xy, a.xz + w * b.xz,
+          a.yy + w * b.yy, a.yz + w * b.yz, a.zz + w * b.zz};
+}
+
 inline sym3::Mat3<double> times(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return sym3::product(a, b);
 }

@@ -26,11 +26,6 @@ struct ProbeSums {
   std::vector<Vec3> turns, moves, pivots;
 };
 
-void add(sym3::Sym3<double>& sum, double w, const sym3::Sym3<double>& x) {
-  sum = {sum.xx + w * x.xx, sum.xy + w * x.xy, sum.xz + w * x.xz,
-         sum.yy + w * x.yy, sum.yz + w * x.yz, sum.zz + w * x.zz};
-}
-
 }  // namespace
 
 void ProbeLayer::set(const Probes& probes, const Mask& mask) {
@@ -110,7 +105,7 @@ std::vector<mesh::Point> ProbeLayer::places() const {
       pivot = pivot + w.pivot * places_[j];
       if (j == i) continue;
       const ProbePose& pose = probes_.all[j].pose;
-      add(sum.stretch, w.stretch, pose.stretch);
+      sum.stretch = plus(sum.stretch, w.stretch, pose.stretch);
       sum.turn = sum.turn + w.turn * pose.turn;
       sum.move = sum.move + w.move * pose.move;
     }
@@ -131,7 +126,7 @@ void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> p
     Vec3 turn{0, 0, 0}, move{0, 0, 0}, pivot{0, 0, 0};
     for (const auto& [p, w] : of_vertex) {
       const ProbePose& pose = probes_.all[p].pose;
-      add(log, share * w.stretch, pose.stretch);
+      log = plus(log, share * w.stretch, pose.stretch);
       turn = turn + share * w.turn * pose.turn;
       move = move + share * w.move * pose.move;
       pivot = pivot + w.pivot * places_[p];

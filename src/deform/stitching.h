@@ -66,7 +66,7 @@ struct Stitching {
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< 3 t + corner, for each vertex in the order
   std::vector<Pin> pins;
-  Binding pinned;  ///< input of apply() for the pins: rest, rest_origin, offsets from the handle's centre
+  Binding pinned;  ///< of the pins: rest, rest_origin, offsets from the handle's centre, without weights
   std::vector<Hold> holds;
   SparseCholesky factors;
 

@@ -20,7 +20,7 @@ TEST_CASE("apply_stretches_first_then_turns_then_moves") {
   const std::vector<double> sums{0, 0, 0, 0, 0, 0, 0, 0, 90 * degree, 10, 20, 30};
   const std::vector<viete::sym3::Sym3<double>> stretches = {{2, 0, 0, 3, 0, 1}};
   std::vector<viete::mesh::Point> out(1);
-  apply(b, {}, RowForm::logs, sums, stretches, {100, 0, 0}, 0, 1, out);
+  apply({b}, RowForm::logs, sums, stretches, {100, 0, 0}, 0, 1, out);
   CHECK(norm(out[0] - Vec3{100 + 10 - 6, 20 + 2, 30 + 3}) < 1e-13);
 }
 
@@ -32,7 +32,7 @@ TEST_CASE("apply_writes_only_its_range") {
   const std::vector<double> sums(3 * log_shape.columns);
   const std::vector<viete::sym3::Sym3<double>> stretches(3, viete::sym3::identity<double>());
   std::vector<viete::mesh::Point> out(3, {7, 7, 7});
-  apply(b, {}, RowForm::logs, sums, stretches, {0, 0, 0}, 1, 2, out);
+  apply({b}, RowForm::logs, sums, stretches, {0, 0, 0}, 1, 2, out);
   CHECK(out == std::vector<viete::mesh::Point>{{7, 7, 7}, {1, 1, 1}, {7, 7, 7}});
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("blend_is_the_sum_over_handles_in_their_order_to_the_last_bit") {
          random.vector(2)};
   }
   std::vector<double> sums(n * log_shape.columns);
-  blend(b, rows_of(logs), 0, n, sums);
+  blend({b}, rows_of(logs), 0, n, sums);
   for (std::size_t i = 0; i < n; ++i) {
     double xy = 0, zz = 0;
     Vec3 rotation{0, 0, 0}, center{0, 0, 0};
@@ -98,11 +98,11 @@ TEST_CASE("blend_over_any_division_into_ranges_has_the_same_bits") {
   for (auto& p : posed) p = random.vector(1);
   std::vector<double> whole(n * log_shape.columns), parts = whole;
   std::vector<double> a(3 * n), c(3 * n);
-  blend(b, rows_of(logs), 0, n, whole);
-  blend(b, rows_of(posed), 0, n, a);
+  blend({b}, rows_of(logs), 0, n, whole);
+  blend({b}, rows_of(posed), 0, n, a);
   for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 50u}}) {
-    blend(b, rows_of(logs), begin, end, parts);
-    blend(b, rows_of(posed), begin, end, c);
+    blend({b}, rows_of(logs), begin, end, parts);
+    blend({b}, rows_of(posed), begin, end, c);
   }
   CHECK(whole == parts);
   CHECK(a == c);
@@ -115,8 +115,8 @@ TEST_CASE("blended_positions_are_origin_offset_and_weighted_sum") {
   for (auto& p : posed) p = random.vector(1);
   std::vector<viete::mesh::Point> out(6);
   std::vector<double> sums(18);
-  blend(b, rows_of(posed), 0, 6, sums);
-  apply(b, {}, RowForm::positions, sums, {}, {10, 20, 30}, 0, 6, out);
+  blend({b}, rows_of(posed), 0, 6, sums);
+  apply({b}, RowForm::positions, sums, {}, {10, 20, 30}, 0, 6, out);
   for (std::size_t i = 0; i < 6; ++i) {
     Vec3 sum = Vec3{10, 20, 30} + b.offsets[i];
     for (std::size_t j = 0; j < 5; ++j) sum = sum + b.weights[i * 5 + j] * posed[j];

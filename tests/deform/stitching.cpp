@@ -185,7 +185,7 @@ TEST_CASE("refitting_rotations_lowers_the_energy_each_time") {
     const Rows rows = state.rows();
     const Binding binding = bind(s.model, *s.cage, scheme.weighting, pool);
     std::vector<double> sums(binding.vertices * rows.columns());
-    blend(binding, rows, 0, binding.vertices, std::span(sums));
+    blend({binding}, rows, 0, binding.vertices, sums);
     const Stitching stitching = stitch(s.model, *s.cage, pool);
     Stitcher stitcher(stitching, rows.form, pool);
     double before = 0;
