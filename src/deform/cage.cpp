@@ -111,31 +111,19 @@ DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t>
   return graph;
 }
 
-std::vector<std::uint32_t> graph_centers(std::size_t elements, std::span<const mesh::Edge> edges,
-                                         std::span<const std::uint8_t> skip) {
+GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
+                       std::span<const std::uint8_t> skip) {
   const mesh::Adjacency graph = mesh::adjacency(elements, edges);
-  std::vector<std::uint8_t> seen(skip.begin(), skip.end());
-  std::vector<std::uint32_t> centers;
+  GraphParts parts{{}, std::vector<std::uint32_t>(elements, unseen)};
   Sweep sweep(elements);
   for (std::uint32_t i = 0; i < elements; ++i) {
-    if (seen[i]) continue;
+    if (skip[i] || parts.of[i] != unseen) continue;
     sweep.run(graph, i);
-    for (const auto j : sweep.order) seen[j] = 1;
-    centers.push_back(sweep.order.size() <= exact_center_limit ? exact_center(graph, sweep.order, sweep)
-                                                               : middle_of_longest_path(graph, sweep));
+    for (const auto j : sweep.order) parts.of[j] = static_cast<std::uint32_t>(parts.centers.size());
+    parts.centers.push_back(sweep.order.size() <= exact_center_limit ? exact_center(graph, sweep.order, sweep)
+                                                                     : middle_of_longest_path(graph, sweep));
   }
-  return centers;
-}
-
-std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
-                                       std::span<const std::uint32_t> centers) {
-  const mesh::Adjacency graph = mesh::adjacency(elements, edges);
-  std::vector<std::uint32_t> parts(elements, static_cast<std::uint32_t>(centers.size()));
-  Sweep sweep(elements);
-  for (std::uint32_t p = 0; p < centers.size(); ++p) {
-    sweep.run(graph, centers[p]);
-    for (const auto i : sweep.order) parts[i] = p;
-  }
+  std::ranges::replace(parts.of, unseen, static_cast<std::uint32_t>(parts.centers.size()));
   return parts;
 }
 
@@ -292,8 +280,9 @@ void connect(Cage& cage) {
   refuse_squashed(cage, graph);
   refuse_fins(graph);
   cage.dual_edges = std::move(graph.edges);
-  cage.roots = graph_centers(cage.element_count(), cage.dual_edges, cage.degenerate);
-  cage.parts = graph_parts(cage.element_count(), cage.dual_edges, cage.roots);
+  GraphParts parts = graph_parts(cage.element_count(), cage.dual_edges, cage.degenerate);
+  cage.roots = std::move(parts.centers);
+  cage.parts = std::move(parts.of);
   cage.closed = graph.open + graph.nonmanifold + graph.misoriented == 0;
   cage.sides = mesh::one_sided(cage.surface);
   const auto warn = [&cage](std::size_t count, const char* what) {

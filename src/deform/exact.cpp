@@ -70,7 +70,7 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   state_.set_amounts(scheme.amounts);
   state_.keep_origin(holds_shares(mask_, scheme.weighting));
   if (scheme.stitched()) {
-    stitching_ = stitch(model_, *cage_, pool_, settings_of(scheme));
+    stitching_ = stitch(model_, *cage_, pool_, scheme.holding);
     sums_.resize(n * state_.rows().columns());
     if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
   }

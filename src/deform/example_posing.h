@@ -78,8 +78,6 @@ public:
   void begin(std::vector<double> weights, std::span<const mesh::Point> shape);
 
 private:
-  class Derivatives;
-
   struct Reach;
 
   std::vector<LogTerm> terms() const;
@@ -89,6 +87,7 @@ private:
   void fill_gradients();
   void fill_stiffness();
   void begin_turn(std::span<const mesh::Point> targets);
+  std::vector<double> sums_of_blocks(std::size_t begin, std::size_t end) const;
   Reach reach_of_pins() const;
   double show(const PosingSettings& settings);
   void reach_targets();

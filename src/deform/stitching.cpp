@@ -77,9 +77,9 @@ private:
 
 class StitchMaker {
 public:
-  StitchMaker(const mesh::Surface& model, const Cage& cage, const StitchingSettings& settings,
-              base::WorkerPool& pool, base::Progress* progress)
-      : model_(model), cage_(cage), settings_(settings), pool_(pool), progress_(progress) {}
+  StitchMaker(const mesh::Surface& model, const Cage& cage, const Holding& holding, base::WorkerPool& pool,
+              base::Progress* progress)
+      : model_(model), cage_(cage), holding_(holding), pool_(pool), progress_(progress) {}
 
   Stitching make() {
     find_thin();
@@ -88,7 +88,7 @@ public:
     hold_the_rest();
     SparseMatrix matrix = with_couplings(stiffness_matrix(model_.positions, model_.triangles), couplings_);
     add_diagonal(matrix);
-    Stitching s{settings_,
+    Stitching s{holding_,
                 {},
                 {},
                 {},
@@ -140,12 +140,12 @@ private:
     std::vector<Stitching::Pin> pins;
     const std::size_t t = NearestTriangle(model_, thin_, indistinguishable * cage_.diagonal)(center);
     if (t < model_.triangles.size()) {
-      for (const auto v : model_.triangles[t]) pins.push_back({v, handle, settings_.pin});
+      for (const auto v : model_.triangles[t]) pins.push_back({v, handle, pin_strength});
     }
-    const double radius = settings_.radius * cage_.size;
+    const double radius = holding_.radius * cage_.size;
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
       const double d = norm(model_.positions[v] - center);
-      if (d < radius) pins.push_back({v, handle, settings_.pin * std::pow((radius - d) / radius, 2)});
+      if (d < radius) pins.push_back({v, handle, pin_strength * std::pow((radius - d) / radius, 2)});
     }
     return pins;
   }
@@ -166,7 +166,7 @@ private:
     }
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;
     for (std::uint32_t v = 0; v < n; ++v) {
-      double weight = settings_.translation;
+      double weight = holding_.weight;
       if (!firm[v]) {
         weight += hold_of_loose_vertex;
       } else if (!pinned[parts.find(v)]) {
@@ -246,7 +246,7 @@ private:
 
   const mesh::Surface& model_;
   const Cage& cage_;
-  StitchingSettings settings_;
+  Holding holding_;
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
@@ -269,19 +269,15 @@ std::size_t stitching_bytes(std::size_t vertices) {
   return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80));
 }
 
-StitchingSettings settings_of(const Scheme& scheme) {
-  return {.radius = scheme.holding.radius, .translation = scheme.holding.weight};
-}
-
-Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
-                 const StitchingSettings& settings, base::Progress* progress) {
+Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool, const Holding& holding,
+                 base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
                               "stitching " + std::to_string(model.positions.size()) + " vertices takes",
                               "use a coarser model, or turn stitching off", ""};
   base::require_memory(need);
   try {
-    return StitchMaker(model, cage, settings, pool, progress).make();
+    return StitchMaker(model, cage, holding, pool, progress).make();
   } catch (const std::bad_alloc&) {
     base::refuse_memory(need);
   }

@@ -34,10 +34,6 @@ Quad inner(const Vector& a, const Vector& b) {
 Quad length(const Vector& a) {
   return sqrtq(inner(a, a));
 }
-Vector outer(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Vector times(const Matrix& m, const Vector& x) {
   return {inner({m[0], m[1], m[2]}, x), inner({m[3], m[4], m[5]}, x), inner({m[6], m[7], m[8]}, x)};
 }
@@ -55,15 +51,15 @@ Vector centroid(const Corners& t) {
 
 // u, v and N / sqrt|N|.
 Corners frame(const Corners& t) {
-  const Vector u = minus(t[1], t[0]), v = minus(t[2], t[0]), n = outer(u, v);
+  const Vector u = minus(t[1], t[0]), v = minus(t[2], t[0]), n = cross(u, v);
   return {u, v, plus({0, 0, 0}, n, 1 / sqrtq(length(n)))};
 }
 
 // [u' v' n'] [u v n]^-1, the rows of the inverse being cross products over the determinant.
 Matrix affine_map(const Corners& rest, const Corners& posed) {
   const auto& [u, v, n] = rest;
-  const Corners from = {outer(v, n), outer(n, u), outer(u, v)};
-  const Quad determinant = inner(u, outer(v, n));
+  const Corners from = {cross(v, n), cross(n, u), cross(u, v)};
+  const Quad determinant = inner(u, cross(v, n));
   Matrix m{};
   for (int i = 0; i < 9; ++i) {
     for (int k = 0; k < 3; ++k) m[i] += posed[k][i / 3] * from[k][i % 3] / determinant;
@@ -302,12 +298,12 @@ Quad squared_distance_to_segment(const Vector& p, const Vector& a, const Vector&
 }
 
 Quad squared_distance(const Vector& p, const Corners& t) {
-  const Vector n = outer(minus(t[1], t[0]), minus(t[2], t[0]));
+  const Vector n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
   bool inside = true;
   Quad edges = HUGE_VALQ;
   for (int i = 0; i < 3; ++i) {
     const Vector &a = t[i], &b = t[(i + 1) % 3];
-    inside = inside && inner(outer(minus(b, a), minus(p, a)), n) > 0;
+    inside = inside && inner(cross(minus(b, a), minus(p, a)), n) > 0;
     edges = std::min(edges, squared_distance_to_segment(p, a, b));
   }
   const Quad height = inner(minus(p, t[0]), n);
@@ -369,7 +365,7 @@ void add_mean_values(const Vector& p, const mesh::Triangle& t, const mesh::Surfa
   }
   for (int i = 0; i < 3; ++i) theta[i] = 2 * asinq(length(minus(u[(i + 1) % 3], u[(i + 2) % 3])) / 2);
   const Quad h = (theta[0] + theta[1] + theta[2]) / 2;
-  const Quad side = inner(u[0], outer(u[1], u[2])) < 0 ? -1 : 1;
+  const Quad side = inner(u[0], cross(u[1], u[2])) < 0 ? -1 : 1;
   for (int i = 0; i < 3; ++i) {
     c[i] = 2 * sinq(h) * sinq(h - theta[i]) / (sinq(theta[(i + 1) % 3]) * sinq(theta[(i + 2) % 3])) - 1;
     s[i] = side * sqrtq(1 - c[i] * c[i]);
