@@ -2,8 +2,10 @@
 // with them.
 #include <doctest/doctest.h>
 
+#include "deform/all_maps.h"
 #include "deform/bound.h"
 #include "deform/independent.h"
+#include "deform/patch_maps.h"
 #include "support/longer.h"
 
 using namespace viete;
@@ -51,8 +53,12 @@ void compare(Scheme scheme, const mesh::Surface& cage, const mesh::Surface& mode
   Frames frames(model, cage, scheme);
   frames.fused.deform(pose, sym3::Method::fast);
   const auto staged = frames.staged.deform(pose);
+  std::vector<AffineMap> patches(pose.positions.size());
+  VertexPatches(*frames.staged.cage, frames.staged.cage->size)
+      .compute(pose.positions, {0, 0, 0}, first(patches.size()), patches);
   const IndependentPose same{pose.positions, pose.turns.empty() ? Vec3{0, 0, 0} : pose.turns[0],
-                             frames.fused.state().rows().moment_length, frames.staged.binding->weights};
+                             frames.fused.state().rows().moment_length, frames.staged.binding->weights,
+                             patches};
   const auto exact = deform_independently(model.positions, cage, same, scheme);
   CHECK(exact.largest_step < 90 * degree);
   const double diagonal = mesh::bounds(pose.positions).diagonal();

@@ -131,22 +131,6 @@ TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
   CHECK(norm(p.space.straight(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
 }
 
-TEST_CASE("parts_and_loose_vertices_move_independently") {
-  mesh::Surface surface = together(box(), box({1, 1, 1}, {5, 0, 0}));
-  surface.positions.push_back({9, 9, 9});
-  const Posed p(surface);
-  Pose pose{p.rest(), {}};
-  const Affine turn = similarity({0, 0, 1}, 180 * degree * (1 - 1e-9), 1);
-  for (std::size_t v = 8; v < 16; ++v) pose.positions[v] = turn(p.rest()[v] - Vec3{5, 0, 0}) + Vec3{5, 2, 0};
-  pose.positions[16] = {9, 9, 11};
-  const Pose half = p.share(pose, 0.5);
-  const Affine quarter = similarity({0, 0, 1}, 90 * degree);
-  for (std::size_t v = 0; v < 8; ++v) CHECK(norm(half.positions[v] - p.rest()[v]) < 1e-12);
-  for (std::size_t v = 8; v < 16; ++v)
-    CHECK(norm(half.positions[v] - (quarter(p.rest()[v] - Vec3{5, 1, 0}) + Vec3{5, 1, 0})) < 1e-7);
-  CHECK(half.positions[16] == mesh::Point{9, 9, 10});
-}
-
 TEST_CASE("coincident_vertices_stay_together_between_poses") {
   mesh::Surface surface = tube(5, 6, 0.5, 2);
   // Every triangle gets corners of its own.

@@ -223,6 +223,9 @@ TEST_CASE("collapsed_shapes_and_loose_vertices_are_finite_and_come_back") {
     CHECK(s.error(s.share(shape, 1), shape) < 1e-12);
     for (const double share : {0.5, 1.5, -0.5}) CHECK(all_finite(s.share(shape, share)));
   }
+  Points moved = s.rest.positions;
+  moved.back() = {7, 7, 9};
+  CHECK(s.share(moved, 0.5).back() == mesh::Point{7, 7, 8});
 }
 
 TEST_CASE("shapes_of_other_models_are_refused") {
