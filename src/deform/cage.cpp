@@ -186,15 +186,6 @@ namespace {
 
 constexpr double flat_shape = 1e-12;  // thickness to diagonal; below it the cage is a plane
 
-struct Corners {
-  mesh::Point a, b, c;
-};
-
-Corners corners(const mesh::Surface& surface, std::size_t e) {
-  const auto& t = surface.triangles[e];
-  return {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]};
-}
-
 double largest_coordinate(const mesh::Surface& surface) {
   double largest = 0;
   for (const auto& p : surface.positions) largest = std::max(largest, largest_abs(p));
@@ -225,10 +216,11 @@ namespace {
 void add_elements(Cage& cage) {
   std::vector<std::size_t> found;
   for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {
-    const Corners t = corners(cage.surface, e);
-    cage.centers.push_back(t.a + (1.0 / 3) * ((t.b - t.a) + (t.c - t.a)));
-    cage.bases.push_back(rest_basis(cage.surface.positions, cage.surface.triangles[e]));
-    cage.degenerate.push_back(!mesh::has_area(t.a, t.b, t.c));
+    const auto& p = cage.surface.positions;
+    const auto& [a, b, c] = cage.surface.triangles[e];
+    cage.centers.push_back(p[a] + (1.0 / 3) * ((p[b] - p[a]) + (p[c] - p[a])));
+    cage.bases.push_back(rest_basis(p, cage.surface.triangles[e]));
+    cage.degenerate.push_back(!mesh::has_area(p[a], p[b], p[c]));
     if (cage.degenerate.back()) found.push_back(e);
   }
   if (found.size() == cage.element_count()) {
@@ -242,14 +234,15 @@ void add_elements(Cage& cage) {
 // Extent of the surface along the normal of its first triangle with an area, in diagonals of the cage.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
-  const Corners t = corners(cage.surface, static_cast<std::size_t>(e));
+  const auto& p = cage.surface.positions;
+  const auto& [a, b, c] = cage.surface.triangles[static_cast<std::size_t>(e)];
   const double scale = 1 / cage.diagonal;
-  const Vec3 across = cross(scale * (t.b - t.a), scale * (t.c - t.a));
+  const Vec3 across = cross(scale * (p[b] - p[a]), scale * (p[c] - p[a]));
   const Vec3 normal = (1 / norm(across)) * across;
   double least = 0, most = 0;
   for (const auto& triangle : cage.surface.triangles) {
     for (const auto v : triangle) {
-      const double height = dot(normal, scale * (cage.surface.positions[v] - t.a));
+      const double height = dot(normal, scale * (p[v] - p[a]));
       least = std::min(least, height), most = std::max(most, height);
     }
   }

@@ -252,7 +252,7 @@ void ProbeTiles::move(const ProbeLayer& layer, std::size_t leaf, const TileKerne
     subtract_pivots(own.weights.data() + t * lanes * rows, table, positions + 4 * t * lanes,
                     offsets.data() + t * lanes * 3);
   }
-  TileRun<float> run{};
+  TileRun run{};
   run.tiles = own.tiles, run.rows = rows, run.weights = own.weights.data(), run.table = table.data();
   logs.place(run, offsets.data(), offsets.data(), positions);
 }

@@ -99,7 +99,7 @@ struct Amounts {
 };
 inline constexpr double largest_amount = 2;
 
-/// Additional constraints of a stitched model, see stitch().
+/// Additional constraints of a stitched model, see StitchingSettings.
 struct Holding {
   double radius = 0;  ///< in sizes of the cage, 0 to largest_pin_radius
   double weight = 0;  ///< pull of every vertex towards its blended position, 0 to 1

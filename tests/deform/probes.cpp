@@ -271,7 +271,7 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
   const Twist twist{2, {0, 0, 0}, -1, 1, 0, 100 * degree};
   for (const Scheme& scheme :
        {Scheme{faces}, Scheme{faces, Blend::linear}, Scheme{mean_values, Blend::linear}, Scheme{biharmonics},
-        Scheme{.iterations = 1}}) {
+        Scheme{.weighting = {}, .iterations = 1}}) {
     CAPTURE(text(scheme));
     Frames f(probed_tube(), box(), scheme);
     const Pose pose = f.staged.pose(twist);

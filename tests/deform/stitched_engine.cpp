@@ -92,7 +92,7 @@ TEST_CASE("vertices_with_holds_reach_their_blended_positions_in_stitched_frames"
   mesh::Surface model = together(stitched_model(), tube(6, 5, 0.1, 0.5));
   model.positions.push_back({0.2, 0.1, 0.3});
   for (const Blend blend : {Blend::srl, Blend::linear}) {
-    Frames f(model, tube(9, 7, 0.8, 4.4), {.blend = blend, .iterations = 1});
+    Frames f(model, tube(9, 7, 0.8, 4.4), {.weighting = {}, .blend = blend, .iterations = 1});
     CHECK(stitch(model, *f.staged.cage, f.staged.pool).holds.size() == 6 * 5 + 3);
     f.deform(f.staged.pose(stitched_twist));
   }
