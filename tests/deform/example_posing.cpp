@@ -143,8 +143,7 @@ TEST_CASE("without_examples_a_rigid_motion_of_the_pins_moves_all_rigidly") {
 
 TEST_CASE("parts_without_a_pin_stay_where_their_blend_is") {
   const mesh::Surface model = straight_tube();
-  mesh::Surface other = model;
-  other.positions = mapped(model.positions, Affine{.shift = {5, 0, 0}});
+  const mesh::Surface other = mapped(model, scaling(1, {5, 0, 0}));
   const mesh::Surface both = together(model, other);
   Points bend = bent(model, 60);
   bend.insert(bend.end(), other.positions.begin(), other.positions.end());

@@ -77,9 +77,8 @@ TEST_CASE("fused_frame_agrees_with_the_staged_one_within_1e_6_of_the_diagonal") 
 
 TEST_CASE("fused_frame_is_as_exact_far_from_the_origin_and_at_any_size") {
   for (const double size : {1e-9, 1e-3, 1e4, 1e12}) {
-    const auto scaled = [&](viete::mesh::Surface s) {
-      for (auto& p : s.positions) p = size * (p + Vec3{300, -200, 100});
-      return s;
+    const auto scaled = [&](const viete::mesh::Surface& s) {
+      return mapped(s, scaling(size, size * Vec3{300, -200, 100}));
     };
     Bound staged(scaled(fine_tube()), scaled(box()));
     Random random(7);

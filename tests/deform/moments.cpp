@@ -61,11 +61,7 @@ void for_schemes(const Body& body) {
 
 TEST_CASE("maps_fitted_to_points_are_exact_far_from_the_origin") {
   const Vec3 far{3e4, -2e4, 1e4};
-  const auto moved = [&](const mesh::Surface& s) {
-    auto there = s;
-    for (auto& p : there.positions) p = p + far;
-    return there;
-  };
+  const auto moved = [&](const mesh::Surface& s) { return mapped(s, scaling(1, far)); };
   for_schemes([&](const Scheme& scheme) {
     Frames e(moved(limb()), moved(limb_cage()), scheme);
     const auto from_there = [&](const Affine& map) {

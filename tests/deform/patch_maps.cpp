@@ -33,8 +33,7 @@ std::vector<mesh::Surface> solid_cages() {
 TEST_CASE("an_affine_pose_is_the_map_of_every_patch") {
   for (const auto& surface : solid_cages()) {
     for (const double size : {1e-30, 1.0, 1e30}) {
-      auto scaled = surface;
-      for (auto& p : scaled.positions) p = size * p;
+      const auto scaled = mapped(surface, scaling(size));
       const Cage cage = make_cage(scaled);
       Affine map = shear();
       map.shift = size * map.shift;

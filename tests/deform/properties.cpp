@@ -84,20 +84,14 @@ TEST_CASE("halfway_between_opposite_turns_logs_keep_the_thickness_that_averaged_
 
 TEST_CASE("similarity_poses_hold_at_every_length_scale_and_far_from_the_origin") {
   for (const double s : {1e-30, 1e-6, 1e6, 1e30}) {
-    const auto scaled = [s](mesh::Surface surface) {
-      for (auto& p : surface.positions) p = s * p;
-      return surface;
-    };
+    const auto scaled = [s](const mesh::Surface& surface) { return mapped(surface, scaling(s)); };
     for (const auto& c : {faces, mean_values}) {
       Bound b(scaled(tube_model()), scaled(box()), c);
       CHECK(b.error(similarity({1, 2, 3}, 2, 3, {s, s, -s})) < 1e-12);
       CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 1e-14 * b.cage->diagonal);
     }
   }
-  const auto moved = [](mesh::Surface surface) {
-    for (auto& p : surface.positions) p = p + Vec3{1e7, -2e7, 3e7};
-    return surface;
-  };
+  const auto moved = [](const mesh::Surface& s) { return mapped(s, scaling(1, {1e7, -2e7, 3e7})); };
   Bound b(moved(tube_model()), moved(box()));
   CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 2e-8);  // ulp of 3e7: 3.7e-9
   const auto shift = [](const Vec3& x) { return x + Vec3{0.5, 0.25, -0.5}; };

@@ -89,8 +89,7 @@ double volume(const mesh::Surface& s, const Points& p) {
 TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part") {
   const mesh::Surface limb = tube(9, 7, 0.3, 2);
   const std::size_t n = limb.positions.size();
-  mesh::Surface far = limb;
-  far.positions = mapped(limb.positions, Affine{.shift = {5, 0, 0}});
+  const mesh::Surface far = mapped(limb, scaling(1, {5, 0, 0}));
   Shapes s(together(limb, far));
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 2, -3}}) {
     for (const double angle : {179.0, 90.0, -150.0}) {
@@ -175,14 +174,12 @@ TEST_CASE("position_and_scale_of_a_shape_do_not_matter") {
   Shapes here(limb);
   const Points half = here.share(twisted(limb, 285), 0.5);
   const auto same = [&](const Affine& map, double allowed) {
-    mesh::Surface moved = limb;
-    moved.positions = mapped(limb.positions, map);
-    Shapes there(moved);
+    Shapes there(mapped(limb, map));
     return there.error(there.share(mapped(twisted(limb, 285), map), 0.5), mapped(half, map)) < allowed;
   };
-  CHECK(same({{1e30, 0, 0, 0, 1e30, 0, 0, 0, 1e30}}, 1e-12));
-  CHECK(same({{1e-30, 0, 0, 0, 1e-30, 0, 0, 0, 1e-30}}, 1e-12));
-  CHECK(same({.shift = {1e5, -1e5, 1e5}}, 1e-8));
+  CHECK(same(scaling(1e30), 1e-12));
+  CHECK(same(scaling(1e-30), 1e-12));
+  CHECK(same(scaling(1, {1e5, -1e5, 1e5}), 1e-8));
 }
 
 TEST_CASE("shapes_have_the_same_bits_on_any_number_of_threads") {

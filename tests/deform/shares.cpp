@@ -86,10 +86,7 @@ TEST_CASE("shares_scale_rotation_stretch_and_translation_about_the_centre_of_the
 
 TEST_CASE("shares_do_not_depend_on_the_position_of_the_scene") {
   const Vec3 way{1000, -2000, 500};
-  const auto there = [&](mesh::Surface surface) {
-    for (auto& p : surface.positions) p = p + way;
-    return surface;
-  };
+  const auto there = [&](const mesh::Surface& surface) { return mapped(surface, scaling(1, way)); };
   for (const Weighting& weighting : {test::cut_off(0.1), faces}) {
     Frames here = shared_frames({weighting});
     Bound moved(there(shared_model()), there(tube(9, 7, 0.4, 2.2)), weighting);

@@ -57,9 +57,7 @@ mesh::Surface pipe() {
 
 mesh::Surface rough_pipe() {
   Random random(7);
-  mesh::Surface s = pipe();
-  for (auto& p : s.positions) p = p + random.vector(0.02);
-  return s;
+  return mapped(pipe(), [&](const Vec3& x) { return x + random.vector(0.02); });
 }
 
 const Twist pipe_twist{2, {0.1, 0, 0}, -2.2, 2.2, -60 * degree, 70 * degree};
@@ -124,9 +122,7 @@ TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
   for (const auto& [scale, way] :
        {std::pair{1.0, Vec3{1000, -2000, 500}}, {1e-6, Vec3{0, 0, 0}}, {1e6, Vec3{3e6, 0, 0}}}) {
     const auto moved = [&, scale = scale, way = way](const Vec3& x) { return scale * x + way; };
-    mesh::Surface model = here.model, cage = here.cage->surface;
-    model.positions = mapped(model.positions, moved), cage.positions = mapped(cage.positions, moved);
-    const StitchScene there(model, cage);
+    const StitchScene there(mapped(here.model, moved), mapped(here.cage->surface, moved));
     const Pose pose{mapped(here.pose(pipe_twist).positions, moved), {}};
     CHECK(largest_distance(there.deform(pose), mapped(posed, moved)) < 1e-9 * scale);
   }
@@ -287,16 +283,10 @@ TEST_CASE("elements_without_area_pin_nothing") {
 
 TEST_CASE("a_soup_of_triangles_and_layers_are_stitched_as_one_and_come_apart_where_that_is_asked_for") {
   const mesh::Surface whole = pipe();
-  mesh::Surface soup, layers = whole;
-  for (const auto& t : whole.triangles) {
-    for (const auto v : t) soup.positions.push_back(whole.positions[v]);
-  }
-  for (std::uint32_t i = 0; i < soup.positions.size(); i += 3) soup.triangles.push_back({i, i + 1, i + 2});
-  soup = mesh::from_triangles(soup.positions, soup.triangles);
+  const mesh::Surface soup = loose_triangles(whole);
+  const auto inner = [](const Vec3& p) { return Vec3{0.96 * p[0], 0.96 * p[1], 0.99 * p[2]}; };
+  const mesh::Surface layers = together(whole, mapped(whole, inner));
   const auto n = static_cast<std::uint32_t>(whole.positions.size());
-  for (const auto& p : whole.positions) layers.positions.push_back({0.96 * p[0], 0.96 * p[1], 0.99 * p[2]});
-  for (const auto& [a, b, c] : whole.triangles) layers.triangles.push_back({a + n, b + n, c + n});
-  layers = mesh::from_triangles(layers.positions, layers.triangles);
 
   const StitchScene one(whole), of_soup(soup), of_layers(layers);
   const Pose pose = one.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, 0, 60 * degree});
