@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "deform/binding.h"
-#include "deform/frame_vertex.h"
+#include "deform/rows.h"
 #include "lab/field.h"
 #include "mesh/formats/attributes.h"
 #include "mesh/surface.h"

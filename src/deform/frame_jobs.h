@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "deform/frame_vertex.h"
 #include "deform/leaves.h"
 #include "deform/rows.h"
 
