@@ -202,12 +202,12 @@ bool torn(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b, const Vec3& 
 
 }  // namespace
 
-double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const double> largest) {
+double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits) {
   double sum = 0;
   std::size_t count = 0;
-  for (std::size_t e = 0; e < largest.size(); ++e) {
-    if (skipped[e] || !(largest[e] > 0)) continue;
-    sum += std::log(largest[e]);
+  for (std::size_t e = 0; e < splits.size(); ++e) {
+    if (skipped[e] || !(splits[e].largest > 0)) continue;
+    sum += std::log(splits[e].largest);
     ++count;
   }
   return count ? std::exp(sum / static_cast<double>(count)) : 0;
@@ -224,9 +224,7 @@ bool raise_to_floor(const AffineMap& map, double mean, MapSplit& split) {
 void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {
   report = {};
-  std::vector<double> largest;
-  for (const MapSplit& split : splits) largest.push_back(split.largest);
-  const double mean = mean_stretch(cage.degenerate, largest);
+  const double mean = mean_stretch(cage.degenerate, splits);
   std::vector<sym3::Mat3<double>> rotations(maps.size());
   std::vector<Vec3> principal(maps.size());
   for (std::uint32_t e = 0; e < maps.size(); ++e) {

@@ -105,7 +105,7 @@ struct LogReport {
 };
 
 /// Geometric mean of the largest stretches of elements that are not skipped: the overall scale of a pose.
-double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const double> largest);
+double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits);
 
 /// M = rotation * axes diag(stretches) axes^T.
 struct Polar {

@@ -82,7 +82,10 @@ void check_solution(const SparseMatrix& matrix) {
     vector_code.forward_four(f.view(), block.data());
     vector_code.backward_four(f.view(), block.data());
     Eigen::VectorXd found(b.size());
-    for (std::size_t i = 0; i < n; ++i) found[f.order[i]] = block[4 * i + 1], CHECK(block[4 * i] == 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      found[f.order[i]] = block[4 * i + 1];
+      CHECK(block[4 * i] == 0);
+    }
     CHECK((whole * found - b).cwiseAbs().maxCoeff() <= 1e-14 * whole.cwiseAbs().maxCoeff());
   }
 }
