@@ -55,16 +55,12 @@ Corners frame(const Corners& t) {
   return {u, v, plus({0, 0, 0}, n, 1 / sqrtq(length(n)))};
 }
 
-// [u' v' n'] [u v n]^-1, the rows of the inverse being cross products over the determinant.
+// [u' v' n'] [u v n]^-1.
 Matrix affine_map(const Corners& rest, const Corners& posed) {
-  const auto& [u, v, n] = rest;
-  const Corners from = {cross(v, n), cross(n, u), cross(u, v)};
-  const Quad determinant = inner(u, cross(v, n));
-  Matrix m{};
-  for (int i = 0; i < 9; ++i) {
-    for (int k = 0; k < 3; ++k) m[i] += posed[k][i / 3] * from[k][i % 3] / determinant;
-  }
-  return m;
+  const auto columns = [](const Corners& c) {
+    return Matrix{c[0][0], c[1][0], c[2][0], c[0][1], c[1][1], c[2][1], c[0][2], c[1][2], c[2][2]};
+  };
+  return quad_product(columns(posed), quad_inverse(columns(rest)));
 }
 
 // M^T M, the square of the stretch.

@@ -101,18 +101,6 @@ TEST_CASE("probes_act_by_their_weights") {
   }
 }
 
-TEST_CASE("a_turn_alone_keeps_every_distance_to_the_probe_whatever_its_falloff") {
-  for (const auto& falloff : all_falloffs()) {
-    Probe p = probe_at({0.4, 0.1, -0.2}, within(0.9, falloff.value));
-    p.pose.turn = {0, 0, 3 * pi};  // one and a half turns
-    const auto positions = moved_by({{p}});
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      const Vec3& x = probed_tube().positions[v];
-      CHECK(norm(positions[v] - p.place) == doctest::Approx(norm(x - p.place)).epsilon(1e-13));
-    }
-  }
-}
-
 TEST_CASE("vertices_out_of_reach_and_resting_probes_change_no_bit") {
   Probes probes{{probe_at({0, 0, -0.7}, within(0.6)), probe_at({0, 0, 1}, within(1))}};
   CHECK(moved_by(probes) == probed_tube().positions);
