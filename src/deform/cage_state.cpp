@@ -96,15 +96,8 @@ RowForm row_form(Elements elements, Blend blend) {
 }
 
 const RowShape& shape(RowForm form) {
-  switch (form) {
-    case RowForm::logs: return log_shape;
-    case RowForm::maps: return map_shape;
-    case RowForm::positions: return position_shape;
-    case RowForm::affine_moments:
-    case RowForm::similar_moments:
-    case RowForm::rigid_moments: break;
-  }
-  return moment_shape;
+  if (has_moments(form)) return moment_shape;
+  return form == RowForm::logs ? log_shape : form == RowForm::maps ? map_shape : position_shape;
 }
 
 std::size_t handle_count(const Cage& cage, Elements elements) {

@@ -243,9 +243,4 @@ void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const
   }
 }
 
-bool has_moments(RowForm form) {
-  return form == RowForm::affine_moments || form == RowForm::similar_moments ||
-         form == RowForm::rigid_moments;
-}
-
 }  // namespace viete::deform

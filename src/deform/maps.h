@@ -142,6 +142,8 @@ void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
 /// True if maps are fitted to points: see moments.h.
-bool has_moments(RowForm form);
+inline bool has_moments(RowForm form) {
+  return form >= RowForm::affine_moments;
+}
 
 }  // namespace viete::deform

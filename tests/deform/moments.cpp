@@ -110,7 +110,9 @@ TEST_CASE("fitted_maps_of_thin_collapsed_and_mirrored_cages_are_finite_in_both_e
     Frames thin(limb(), box({0.5, 0.5, 1e-5}), scheme);
     Pose pose = rest_pose(*thin.staged.cage);
     for (std::size_t i = 0; i < pose.positions.size(); ++i) pose.positions[i][i % 3] += i % 2 ? 0.1 : -0.1;
-    check(thin, pose, 10 * size);
+    const auto posed = thin.staged.deform(pose);
+    CHECK(all_finite(posed));
+    CHECK(mesh::bounds(posed).diagonal() < 10 * size);
   });
 }
 
