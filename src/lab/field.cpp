@@ -52,14 +52,6 @@ double energy_of(const Stretches& s) {
   return a * a + b * b + 1 / (a * a) + 1 / (b * b) - 4;
 }
 
-std::vector<double> displacements(const FieldInput& in) {
-  return distances(in.drawn, in.strain->rest(), in.strain->diagonal());
-}
-
-std::vector<double> turns(const FieldInput& in) {
-  return in.strain->turns(in.drawn, *in.pool);
-}
-
 // det exp S = exp tr S.
 std::vector<double> volumes(const FieldInput& in) {
   std::vector<double> values;
@@ -98,18 +90,6 @@ std::vector<double> exp_errors(const FieldInput& in) {
   return values;
 }
 
-std::vector<double> frame_errors(const FieldInput& in) {
-  return distances(in.drawn, in.exact, in.strain->diagonal());
-}
-
-std::vector<double> shares(const FieldInput& in) {
-  return {in.shares.begin(), in.shares.end()};
-}
-
-std::vector<double> differences(const FieldInput& in) {
-  return distances(in.drawn, in.first, in.strain->diagonal());
-}
-
 // Differences from the first view, signed along its normals.
 std::vector<double> signed_differences(const FieldInput& in) {
   std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
@@ -125,7 +105,8 @@ constexpr FieldEntry table[] = {
      .unit = "of the diagonal",
      .source = Source::surface,
      .least_range = 0.01,
-     .compute = displacements},
+     .compute =
+         [](const FieldInput& in) { return distances(in.drawn, in.strain->rest(), in.strain->diagonal()); }},
     {.choice = {"area", "Area change", "Ratio of the surface area around a vertex to its area at rest."},
      .source = Source::surface,
      .scale = Scale::log2,
@@ -155,7 +136,7 @@ constexpr FieldEntry table[] = {
     {.choice = {"turn", "Rotation", "Rotation angle of the surface around a vertex, at most 180 degrees."},
      .source = Source::surface,
      .least_range = 5,
-     .compute = turns},
+     .compute = [](const FieldInput& in) { return in.strain->turns(in.drawn, *in.pool); }},
     {.choice = {"energy", "Energy",
                 "Symmetric Dirichlet energy minus its value at rest. 0 where nothing stretches."},
      .source = Source::surface,
@@ -195,11 +176,11 @@ constexpr FieldEntry table[] = {
      .scale = Scale::log10,
      .least_range = 2,
      .floor = 1e-17,
-     .compute = frame_errors},
+     .compute = [](const FieldInput& in) { return distances(in.drawn, in.exact, in.strain->diagonal()); }},
     {.choice = {"influence", "Influence", "Weight of the selection at each vertex."},
      .source = Source::shares,
      .least_range = 0.01,
-     .compute = shares},
+     .compute = [](const FieldInput& in) { return std::vector(in.shares.begin(), in.shares.end()); }},
     {.choice = {"difference", "Difference",
                 "Distance of each vertex from its position in the first view, in diagonals."},
      .unit = "in diagonals",
@@ -207,7 +188,7 @@ constexpr FieldEntry table[] = {
      .scale = Scale::log10,
      .least_range = 3,
      .floor = 1e-12,
-     .compute = differences},
+     .compute = [](const FieldInput& in) { return distances(in.drawn, in.first, in.strain->diagonal()); }},
     {.choice = {"signed-difference", "Signed difference",
                 "Difference along the normal of the first view: orange outside, blue inside."},
      .unit = "of the diagonal",
