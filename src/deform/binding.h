@@ -53,6 +53,22 @@ struct Binding {
 /// Displacements of a shape's vertices from rest; empty: at rest.
 std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest);
 
+/// The vertices of a binding in a frame. Refers to its parts.
+struct VertexBlock {
+  const Binding& binding;
+  std::span<const double> shares{};  ///< see Shares
+  std::span<const Vec3> ways{};      ///< displacements of the shape from rest; empty: at rest
+
+  double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
+  Vec3 rest(std::size_t i) const { return shaped(binding.rest, i); }
+  Vec3 offset(std::size_t i) const { return shaped(binding.offsets, i); }
+
+private:
+  Vec3 shaped(const std::vector<Vec3>& at_rest, std::size_t i) const {
+    return ways.empty() ? at_rest[i] : at_rest[i] + ways[i];
+  }
+};
+
 /// The values at some vertices; empty if there are none.
 template <class T, class Indices>
 std::vector<T> picked(std::span<const T> values, const Indices& vertices) {

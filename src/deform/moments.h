@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <span>
 
+#include "deform/binding.h"
 #include "deform/cage_state.h"
-#include "deform/staged_engine.h"
 
 namespace viete::deform {
 

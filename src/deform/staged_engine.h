@@ -14,22 +14,6 @@
 
 namespace viete::deform {
 
-/// The vertices of a binding in a frame. Refers to its parts.
-struct VertexBlock {
-  const Binding& binding;
-  std::span<const double> shares{};  ///< see Shares
-  std::span<const Vec3> ways{};      ///< displacements of the shape from rest; empty: at rest
-
-  double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
-  Vec3 rest(std::size_t i) const { return shaped(binding.rest, i); }
-  Vec3 offset(std::size_t i) const { return shaped(binding.offsets, i); }
-
-private:
-  Vec3 shaped(const std::vector<Vec3>& at_rest, std::size_t i) const {
-    return ways.empty() ? at_rest[i] : at_rest[i] + ways[i];
-  }
-};
-
 /// Vertices [begin, end) of sums = weights * rows, [vertex][column], multiplied by their shares, with the
 /// centres completed; sums must have its final size. Each sum adds the handles in order: the same bits for
 /// any division into ranges.
