@@ -32,7 +32,7 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
   if (scheme.stitched() && !bound.stitches(scheme)) {
     progress.section(progress.done(), 1);
     bound.stitching = std::make_shared<const deform::Stitching>(
-        deform::stitch(*model, *cage, pool, deform::settings_of(scheme), &progress));
+        deform::stitch(*model, *cage, pool, scheme.holding, &progress));
   }
   return bound;
 }

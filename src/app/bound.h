@@ -16,9 +16,9 @@ struct Bound {
   std::shared_ptr<const deform::Binding> binding;
   std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme needs it
 
-  /// True if its stitching has the settings of this scheme.
+  /// True if its stitching fits this scheme.
   bool stitches(const deform::Scheme& scheme) const {
-    return stitching && stitching->settings == deform::settings_of(scheme);
+    return stitching && stitching->holding == scheme.holding;
   }
   /// True if it binds the document's model to the document's cage, with any weights.
   bool binds(const scene::Document& document) const {

@@ -190,9 +190,6 @@ bool FieldMaker::follow(std::size_t view, const FieldSubject& s, scene::FieldVie
   lab::FieldInput input = input_of(*strain, s.method);
   input.drawn = drawn, input.first = first, input.pool = pool_.get();
   take(lab::measure(s.field, input), s.document, shown);
-  auto strokes = lab::strokes(shown.stats, input);
-  shown.strokes =
-      strokes.empty() ? nullptr : std::make_shared<const std::vector<mesh::Point>>(std::move(strokes));
   return true;
 }
 

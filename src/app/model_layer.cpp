@@ -201,11 +201,9 @@ bool ModelLayer::set_colors(const scene::Workspace& w, lab::Field field, const s
   wanted.by_mask = scene::shows_mask(w), wanted.dark = w.view.dark;
   wanted.symmetric = lab::entry(field).symmetric;
   if (wanted.by_mask) wanted.mask = w.document.mask;
-  if (field != lab::Field::none && shown.stats.field == field)
-    wanted.field = shown.values, wanted.strokes = shown.strokes;
+  if (field != lab::Field::none && shown.stats.field == field) wanted.field = shown.values;
   if (colored_ == wanted || vertices_ == 0) return false;
   colored_ = wanted;
-  if (wanted.strokes) set_strokes(*wanted.strokes);
   if (!wanted.by_mask) {
     surface_.set_palette(wanted.symmetric ? render::diverging_palette() : render::surface_palette());
     surface_.set_scalars(wanted.field ? *wanted.field : std::vector<float>());
@@ -215,14 +213,6 @@ bool ModelLayer::set_colors(const scene::Workspace& w, lab::Field field, const s
   surface_.set_palette(render::blend_palette({theme.held, theme.model}, 64));
   surface_.set_scalars(wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f));
   return true;
-}
-
-void ModelLayer::set_strokes(std::span<const mesh::Point> ends) {
-  std::vector<render::Segment> segments;
-  for (std::uint32_t i = 0; i + 1 < ends.size(); i += 2) segments.push_back({i, i + 1});
-  strokes_.set_segments(segments, ends.size());
-  strokes_.set_positions(ends);
-  strokes_.set_color({0.07f, 0.08f, 0.1f, 1});
 }
 
 void ModelLayer::span(render::SurfaceStyle& style, const scene::FieldView& shown) const {

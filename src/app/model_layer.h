@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "deform/binding.h"
-#include "deform/frame_vertex.h"
+#include "deform/rows.h"
 #include "lab/field.h"
 #include "mesh/formats/attributes.h"
 #include "mesh/surface.h"
@@ -46,7 +46,7 @@ ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh
 
 class ModelLayer {
 public:
-  explicit ModelLayer(const render::Gl& gl) : surface_(gl), shadow_(gl), strokes_(gl) {}
+  explicit ModelLayer(const render::Gl& gl) : surface_(gl), shadow_(gl) {}
 
   /// New topology, at rest.
   void set_document(const scene::Document& document, const ModelShading& shading);
@@ -63,25 +63,20 @@ public:
 
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {
     surface_.draw(view, theme, style);
-    if (colored_ && colored_->strokes) strokes_.draw(view, {1.25f, 0.75f, 0});
   }
   void draw_shadow(const render::View& view, const render::Theme& theme, const render::ShadowStyle& style) {
     shadow_.draw(view, theme, style);
   }
 
 private:
-  void set_strokes(std::span<const mesh::Point> ends);
-
   render::SurfaceLayer surface_;
   render::ShadowLayer shadow_;
-  render::LineLayer strokes_;
   std::size_t vertices_ = 0;
   // The current colouring; nullopt: upload again.
   struct Colored {
     bool by_mask = false, dark = false;
     deform::Mask mask;
     std::shared_ptr<const std::vector<float>> field;
-    std::shared_ptr<const std::vector<mesh::Point>> strokes;
     bool symmetric = false;
     friend bool operator==(const Colored&, const Colored&) = default;
   };

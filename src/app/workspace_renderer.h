@@ -8,7 +8,7 @@
 
 #include "app/marks.h"
 #include "app/model_layer.h"
-#include "deform/frame_vertex.h"
+#include "deform/rows.h"
 #include "render/backdrop.h"
 #include "render/framebuffer.h"
 #include "render/mark_layers.h"

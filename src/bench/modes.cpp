@@ -291,8 +291,8 @@ private:
   // Uses the same constraints in all modes.
   std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
     if (!stitching_)
-      stitching_ = std::make_shared<const deform::Stitching>(
-          deform::stitch(surface_, *cage_, all_, deform::settings_of(scheme)));
+      stitching_ =
+          std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, scheme.holding));
     return stitching_;
   }
 

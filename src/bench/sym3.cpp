@@ -13,7 +13,7 @@
 #include "bench/derivatives.h"
 #include "bench/ensembles.h"
 #include "bench/table.h"
-#include "deform/polar.h"
+#include "deform/maps.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/log.h"

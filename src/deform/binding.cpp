@@ -19,17 +19,10 @@ std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point>
   return ways;
 }
 
-void shape_by(Binding& binding, std::span<const Vec3> ways) {
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    binding.rest[i] = binding.rest[i] + ways[i];
-    binding.offsets[i] = binding.offsets[i] + ways[i];
-  }
-}
-
-Shares product(Shares shares, const Mask& mask) {
-  if (!mask) return shares;
-  if (shares.empty()) return {mask->begin(), mask->end()};
-  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] *= static_cast<double>((*mask)[i]);
+Shares product(Shares shares, std::span<const float> mask) {
+  if (mask.empty()) return shares;
+  if (shares.empty()) return {mask.begin(), mask.end()};
+  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] *= static_cast<double>(mask[i]);
   return shares;
 }
 

@@ -52,8 +52,31 @@ struct Binding {
 
 /// Displacements of a shape's vertices from rest; empty: at rest.
 std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest);
-/// Replaces rest and offsets by those of a shape; ways: displacements from the current rest, or empty.
-void shape_by(Binding& binding, std::span<const Vec3> ways);
+
+/// The vertices of a binding in a frame. Refers to its parts.
+struct VertexBlock {
+  const Binding& binding;
+  std::span<const double> shares{};  ///< see Shares
+  std::span<const Vec3> ways{};      ///< displacements of the shape from rest; empty: at rest
+
+  double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
+  Vec3 rest(std::size_t i) const { return shaped(binding.rest, i); }
+  Vec3 offset(std::size_t i) const { return shaped(binding.offsets, i); }
+
+private:
+  Vec3 shaped(const std::vector<Vec3>& at_rest, std::size_t i) const {
+    return ways.empty() ? at_rest[i] : at_rest[i] + ways[i];
+  }
+};
+
+/// The values at some vertices; empty if there are none.
+template <class T, class Indices>
+std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
+  std::vector<T> some;
+  if (values.empty()) return some;
+  for (const auto v : vertices) some.push_back(values[v]);
+  return some;
+}
 
 /// Clears shares that are all 1.
 template <class Vector>
@@ -61,8 +84,11 @@ void drop_whole(Vector& shares) {
   if (std::ranges::all_of(shares, [](auto s) { return s == 1; })) shares.clear();
 }
 
-/// Shares times mask.
-Shares product(Shares shares, const Mask& mask);
+inline std::span<const float> values(const Mask& mask) {
+  return mask ? std::span<const float>(*mask) : std::span<const float>();
+}
+/// Shares times the values of a mask.
+Shares product(Shares shares, std::span<const float> mask);
 
 /// Warnings about weights: mean value coordinates of a cage that is not closed, and the number of vertices
 /// that have none.

@@ -241,57 +241,33 @@ Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const 
 
 namespace {
 
-using mesh::Vec3;
-
 constexpr int most_sweeps = 30;
 constexpr double better_by = 1e-9;  // radians, above rounding
-
-double distance(const Vec3& a, const Vec3& b) {
-  return mesh::norm(a - b);
-}
 
 std::uint32_t other(const mesh::Edge& pair, std::uint32_t t) {
   return pair[0] == t ? pair[1] : pair[0];
 }
 
-// The logs along the tree of least relative rotations.
-class TreeLogs {
-public:
-  TreeLogs(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
-           std::span<const Vec3> start)
-      : start_(start), logs_(start.begin(), start.end()), seen_(start.size()) {
-    const auto forest = spanning_forest(neighbours.pairs, rotations);
-    tree_ = mesh::adjacency(start.size(), forest);
-  }
-
-  std::vector<Vec3> make() {
-    std::vector<std::pair<double, std::uint32_t>> order;
-    for (std::uint32_t t = 0; t < start_.size(); ++t) order.push_back({mesh::squared_norm(start_[t]), t});
-    std::sort(order.begin(), order.end());
-    for (const auto& [turn, root] : order)
-      if (!seen_[root]) walk(root);
-    return std::move(logs_);
-  }
-
-private:
-  void walk(std::uint32_t root) {
-    std::vector<std::uint32_t> queue{root};
-    seen_[root] = 1;
-    for (std::size_t n = 0; n < queue.size(); ++n) {
-      for (const auto t : tree_.of(queue[n])) {
-        if (seen_[t]) continue;
-        seen_[t] = 1;
-        logs_[t] = nearest_branch(start_[t], logs_[queue[n]]);
-        queue.push_back(t);
-      }
+// The logs along the tree of least relative rotations, from the triangle of each part that rotates least.
+std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations,
+                            std::span<const Vec3> start) {
+  const auto forest = mesh::adjacency(start.size(), spanning_forest(neighbours.pairs, rotations));
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t t = 0; t < start.size(); ++t) order.push_back({squared_norm(start[t]), t});
+  std::sort(order.begin(), order.end());
+  std::vector<Vec3> logs(start.begin(), start.end());
+  std::vector<std::uint8_t> seen(start.size());
+  for (const auto& [turn, root] : order) {
+    if (seen[root]) continue;
+    const Tree tree = tree_of(forest, root);
+    for (std::size_t n = 0; n < tree.maps.size(); ++n) {
+      const auto t = tree.maps[n];
+      seen[t] = 1;
+      if (n > 0) logs[t] = nearest_branch(start[t], logs[tree.maps[tree.parents[n]]]);
     }
   }
-
-  std::span<const Vec3> start_;
-  std::vector<Vec3> logs_;
-  std::vector<std::uint8_t> seen_;
-  mesh::Adjacency tree_;
-};
+  return logs;
+}
 
 // Takes the other logs for each connected set of differing triangles, if that is better.
 void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& others, std::vector<Vec3>& logs) {
@@ -303,19 +279,17 @@ void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& other
   for (std::size_t n = 0; n < neighbours.pairs.size(); ++n) {
     const auto& [a, b] = neighbours.pairs[n];
     if (!differs(a) && !differs(b)) continue;
-    const double gain = distance(logs[a], logs[b]) - distance(others[a], others[b]);
+    const double gain = norm(logs[a] - logs[b]) - norm(others[a] - others[b]);
     gains[sets.find(differs(a) ? a : b)] += neighbours.weights[n] * gain;
   }
-  std::vector<std::uint8_t> takes(logs.size());
-  for (std::uint32_t t = 0; t < logs.size(); ++t) takes[t] = differs(t) && gains[sets.find(t)] > 0;
   for (std::uint32_t t = 0; t < logs.size(); ++t)
-    if (takes[t]) logs[t] = others[t];
+    if (gains[sets.find(t)] > 0) logs[t] = others[t];
 }
 
 double cost(const WeightedPairs& neighbours, std::uint32_t t, const Vec3& log, std::span<const Vec3> logs) {
   double sum = 0;
   for (const auto n : neighbours.around.of(t))
-    sum += neighbours.weights[n] * distance(log, logs[other(neighbours.pairs[n], t)]);
+    sum += neighbours.weights[n] * norm(log - logs[other(neighbours.pairs[n], t)]);
   return sum;
 }
 
@@ -336,7 +310,7 @@ bool follow_neighbours(const WeightedPairs& neighbours, std::uint32_t t, std::ve
 }
 
 bool is_torn(const mesh::Edge& pair, std::span<const Vec3> logs) {
-  return distance(logs[pair[0]], logs[pair[1]]) > std::numbers::pi;
+  return norm(logs[pair[0]] - logs[pair[1]]) > std::numbers::pi;
 }
 
 // Repeats until no triangle at a tear changes.
@@ -370,7 +344,7 @@ std::size_t torn_pairs(const WeightedPairs& neighbours, std::span<const Vec3> lo
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
                    std::vector<Vec3>& logs) {
   if (torn_pairs(neighbours, logs) == 0) return;
-  take_better(neighbours, TreeLogs(neighbours, rotations, logs).make(), logs);
+  take_better(neighbours, tree_logs(neighbours, rotations, logs), logs);
   smooth(neighbours, logs);
 }
 

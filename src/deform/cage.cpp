@@ -111,31 +111,19 @@ DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t>
   return graph;
 }
 
-std::vector<std::uint32_t> graph_centers(std::size_t elements, std::span<const mesh::Edge> edges,
-                                         std::span<const std::uint8_t> skip) {
+GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
+                       std::span<const std::uint8_t> skip) {
   const mesh::Adjacency graph = mesh::adjacency(elements, edges);
-  std::vector<std::uint8_t> seen(skip.begin(), skip.end());
-  std::vector<std::uint32_t> centers;
+  GraphParts parts{{}, std::vector<std::uint32_t>(elements, unseen)};
   Sweep sweep(elements);
   for (std::uint32_t i = 0; i < elements; ++i) {
-    if (seen[i]) continue;
+    if (skip[i] || parts.of[i] != unseen) continue;
     sweep.run(graph, i);
-    for (const auto j : sweep.order) seen[j] = 1;
-    centers.push_back(sweep.order.size() <= exact_center_limit ? exact_center(graph, sweep.order, sweep)
-                                                               : middle_of_longest_path(graph, sweep));
+    for (const auto j : sweep.order) parts.of[j] = static_cast<std::uint32_t>(parts.centers.size());
+    parts.centers.push_back(sweep.order.size() <= exact_center_limit ? exact_center(graph, sweep.order, sweep)
+                                                                     : middle_of_longest_path(graph, sweep));
   }
-  return centers;
-}
-
-std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
-                                       std::span<const std::uint32_t> centers) {
-  const mesh::Adjacency graph = mesh::adjacency(elements, edges);
-  std::vector<std::uint32_t> parts(elements, static_cast<std::uint32_t>(centers.size()));
-  Sweep sweep(elements);
-  for (std::uint32_t p = 0; p < centers.size(); ++p) {
-    sweep.run(graph, centers[p]);
-    for (const auto i : sweep.order) parts[i] = p;
-  }
+  std::ranges::replace(parts.of, unseen, static_cast<std::uint32_t>(parts.centers.size()));
   return parts;
 }
 
@@ -198,15 +186,6 @@ namespace {
 
 constexpr double flat_shape = 1e-12;  // thickness to diagonal; below it the cage is a plane
 
-struct Corners {
-  mesh::Point a, b, c;
-};
-
-Corners corners(const mesh::Surface& surface, std::size_t e) {
-  const auto& t = surface.triangles[e];
-  return {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]};
-}
-
 double largest_coordinate(const mesh::Surface& surface) {
   double largest = 0;
   for (const auto& p : surface.positions) largest = std::max(largest, largest_abs(p));
@@ -237,10 +216,11 @@ namespace {
 void add_elements(Cage& cage) {
   std::vector<std::size_t> found;
   for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {
-    const Corners t = corners(cage.surface, e);
-    cage.centers.push_back(t.a + (1.0 / 3) * ((t.b - t.a) + (t.c - t.a)));
-    cage.bases.push_back(rest_basis(cage.surface.positions, cage.surface.triangles[e]));
-    cage.degenerate.push_back(!mesh::has_area(t.a, t.b, t.c));
+    const auto& p = cage.surface.positions;
+    const auto& [a, b, c] = cage.surface.triangles[e];
+    cage.centers.push_back(p[a] + (1.0 / 3) * ((p[b] - p[a]) + (p[c] - p[a])));
+    cage.bases.push_back(rest_basis(p, cage.surface.triangles[e]));
+    cage.degenerate.push_back(!mesh::has_area(p[a], p[b], p[c]));
     if (cage.degenerate.back()) found.push_back(e);
   }
   if (found.size() == cage.element_count()) {
@@ -254,14 +234,15 @@ void add_elements(Cage& cage) {
 // Extent of the surface along the normal of its first triangle with an area, in diagonals of the cage.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
-  const Corners t = corners(cage.surface, static_cast<std::size_t>(e));
+  const auto& p = cage.surface.positions;
+  const auto& [a, b, c] = cage.surface.triangles[static_cast<std::size_t>(e)];
   const double scale = 1 / cage.diagonal;
-  const Vec3 across = cross(scale * (t.b - t.a), scale * (t.c - t.a));
+  const Vec3 across = cross(scale * (p[b] - p[a]), scale * (p[c] - p[a]));
   const Vec3 normal = (1 / norm(across)) * across;
   double least = 0, most = 0;
   for (const auto& triangle : cage.surface.triangles) {
     for (const auto v : triangle) {
-      const double height = dot(normal, scale * (cage.surface.positions[v] - t.a));
+      const double height = dot(normal, scale * (p[v] - p[a]));
       least = std::min(least, height), most = std::max(most, height);
     }
   }
@@ -292,8 +273,9 @@ void connect(Cage& cage) {
   refuse_squashed(cage, graph);
   refuse_fins(graph);
   cage.dual_edges = std::move(graph.edges);
-  cage.roots = graph_centers(cage.element_count(), cage.dual_edges, cage.degenerate);
-  cage.parts = graph_parts(cage.element_count(), cage.dual_edges, cage.roots);
+  GraphParts parts = graph_parts(cage.element_count(), cage.dual_edges, cage.degenerate);
+  cage.roots = std::move(parts.centers);
+  cage.parts = std::move(parts.of);
   cage.closed = graph.open + graph.nonmanifold + graph.misoriented == 0;
   cage.sides = mesh::one_sided(cage.surface);
   const auto warn = [&cage](std::size_t count, const char* what) {

@@ -105,14 +105,14 @@ DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t>
 /// elements are joined in a chain.
 std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip);
 
-/// The centre of each connected part, in the order of the parts' lowest elements: the element of least
-/// eccentricity, lowest index first. Exact up to 4,096 elements per part; for larger ones the middle of a
-/// longest path found by two sweeps, so that the cost stays O(4096 edges). Skipped elements have no part.
-std::vector<std::uint32_t> graph_centers(std::size_t elements, std::span<const mesh::Edge> edges,
-                                         std::span<const std::uint8_t> skip);
-
-/// The part of each element, as an index of `centers`; centers.size() if it belongs to no part.
-std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
-                                       std::span<const std::uint32_t> centers);
+struct GraphParts {
+  std::vector<std::uint32_t> centers;
+  std::vector<std::uint32_t> of;  ///< part of each element, an index of centers; their number if skipped
+};
+/// The connected parts of a graph, in the order of their lowest elements, without skipped elements. The
+/// centre is the element of least eccentricity, lowest index first. Exact up to 4,096 elements per part; for
+/// larger ones the middle of a longest path found by two sweeps, so that the cost stays O(4096 edges).
+GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
+                       std::span<const std::uint8_t> skip);
 
 }  // namespace viete::deform

@@ -1,6 +1,7 @@
 #include "deform/cage_state.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <string>
@@ -18,6 +19,41 @@ namespace {
 
 constexpr std::size_t log_columns = log_shape.columns;
 static_assert(sizeof(MapLog) == log_columns * sizeof(double));
+
+constexpr double cloud_radius = 0.1;  // relative to the cage's edges
+
+// l of moments.h: 10 % of the root mean square of the rest cage's edges.
+double moment_length(const Cage& cage) {
+  const auto& p = cage.surface.positions;
+  double sum = 0;
+  for (const auto& [a, b] : cage.edges) sum += squared_norm(p[b] - p[a]);
+  return cloud_radius * std::sqrt(sum / static_cast<double>(cage.edges.size()));
+}
+
+// Writers of rows; rest_center is relative to the middle of the rest cage. For the identity every entry but
+// the centre is exactly 0.
+void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row) {
+  for (int r = 0; r < 3; ++r) {
+    double from_center = 0;
+    for (int c = 0; c < 3; ++c) {
+      row[3 * r + c] = map.linear[3 * r + c] - (r == c ? 1.0 : 0.0);
+      from_center += row[3 * r + c] * rest_center[c];
+    }
+    row[map_shape.first_length + r] = (map.center[r] - rest_center[r]) - from_center;
+  }
+}
+
+void write_log_row(const MapLog& log, std::span<double> row) {
+  std::ranges::copy(numbers(log), row.begin());
+  std::ranges::copy(log.center, row.begin() + log_shape.first_length);
+}
+
+// p / l, l A by rows and p' (from the pose's origin); map: of the point's patch, rest_center: p.
+void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row) {
+  for (int i = 0; i < 3; ++i) row[i] = rest_center[i] / length;
+  for (int i = 0; i < 9; ++i) row[3 + i] = length * map.linear[i];
+  std::ranges::copy(map.center, row.begin() + 12);
+}
 
 std::vector<std::uint32_t> first_numbers(std::size_t count) {
   std::vector<std::uint32_t> numbers(count);
@@ -60,15 +96,8 @@ RowForm row_form(Elements elements, Blend blend) {
 }
 
 const RowShape& shape(RowForm form) {
-  switch (form) {
-    case RowForm::logs: return log_shape;
-    case RowForm::maps: return map_shape;
-    case RowForm::positions: return position_shape;
-    case RowForm::affine_moments:
-    case RowForm::similar_moments:
-    case RowForm::rigid_moments: break;
-  }
-  return moment_shape;
+  if (has_moments(form)) return moment_shape;
+  return form == RowForm::logs ? log_shape : form == RowForm::maps ? map_shape : position_shape;
 }
 
 std::size_t handle_count(const Cage& cage, Elements elements) {
@@ -81,7 +110,7 @@ std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements)
 }
 
 CageState::CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form)
-    : cage_(std::move(cage)), form_(form), moment_length_(deform::moment_length(*cage_)) {
+    : cage_(std::move(cage)), form_(form), moment_length_(moment_length(*cage_)) {
   const std::size_t handles = handle_count(*cage_, elements);
   all_ = first_numbers(handles);
   report_.turns.assign(cage_->roots.size(), {0, 0, 0});

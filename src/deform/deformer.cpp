@@ -60,7 +60,8 @@ void Deformer::set_shape(const SharedShape& shape) {
   if (shape == shape_) return;
   shape_ = shape;
   ways_ = ways_of(shape, binding_->rest);
-  if (shape && !turner_ && WayTurner::is_for(scheme_)) turner_ = std::make_unique<WayTurner>(cage_);
+  if (shape && !follower_ && ShapeFollower::is_for(scheme_))
+    follower_ = std::make_unique<ShapeFollower>(cage_);
   show_ways(ways_);
 }
 
@@ -86,9 +87,9 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   const EngineKind kind = engine(method).value_or(EngineKind::fused);
   assert(kind != EngineKind::fused || fused_);
   state_.set_pose(pose);
-  if (turner_ && !ways_.empty()) {
-    turner_->set_pose(pose);
-    show_ways(turner_->turned(*binding_, mask_, ways_, pool_));
+  if (follower_ && !ways_.empty()) {
+    follower_->set_pose(pose);
+    show_ways(follower_->followed(*binding_, mask_, ways_, pool_));
   }
   of(kind).set_layer(layer_.moves() ? &layer_ : nullptr);
   of(kind).run(state_, method);

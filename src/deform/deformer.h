@@ -10,9 +10,9 @@
 #include "deform/binding.h"
 #include "deform/cage_state.h"
 #include "deform/fused_engine.h"
+#include "deform/shape_follower.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
-#include "deform/way_turner.h"
 #include "deform/weigher.h"
 
 namespace viete::deform {
@@ -90,9 +90,9 @@ private:
   Scheme scheme_;
   Mask mask_;
   SharedShape shape_;
-  std::vector<Vec3> ways_;             // displacements of the shape from rest
-  std::span<const Vec3> shown_ways_;   // the engines' displacements: ways_, or rotated
-  std::unique_ptr<WayTurner> turner_;  // null: not needed
+  std::vector<Vec3> ways_;                   // displacements of the shape from rest
+  std::span<const Vec3> shown_ways_;         // the engines' displacements: ways_, or rotated
+  std::unique_ptr<ShapeFollower> follower_;  // null: not needed
   CageState state_;
   Weigher weigher_;
   ProbeLayer layer_;

@@ -6,7 +6,6 @@
 
 #include "deform/binding.h"
 #include "deform/cage_state.h"
-#include "deform/frame_vertex.h"
 #include "deform/links.h"
 #include "deform/probe_layer.h"
 #include "sym3/exp.h"

@@ -1,23 +1,14 @@
 #include "deform/exact.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <mutex>
-#include <optional>
-#include <vector>
+#include <utility>
 
 #include "base/error.h"
 #include "base/memory.h"
 #include "deform/bind.h"
-#include "deform/binding.h"
-#include "deform/maps.h"
-#include "deform/moments.h"
-#include "deform/probe_layer.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
-#include "deform/vertex_sample.h"
-#include "deform/weigher.h"
 
 namespace viete::deform {
 
@@ -45,34 +36,6 @@ Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
   part.offsets = rows(whole.offsets, 1);
   return part;
 }
-
-Mask part_of(const Mask& whole, std::size_t begin, std::size_t end) {
-  if (!whole) return nullptr;
-  const auto first = whole->begin();
-  return std::make_shared<const std::vector<float>>(first + std::ptrdiff_t(begin),
-                                                    first + std::ptrdiff_t(end));
-}
-
-}  // namespace
-
-namespace {
-
-// Stitches one pose, given its sums of rows at every vertex; replaces positions by the stitched ones.
-void stitch_positions(const Stitching& stitching, const Rows& rows, std::span<const double> sums,
-                      const Shares& shares, const Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
-                      std::span<const Vec3> ways, std::span<mesh::Point> positions) {
-  std::vector<Vec3> held;
-  for (const auto& hold : stitching.holds) held.push_back(positions[hold.vertex] - rows.origin);
-  Stitcher stitcher(stitching, rows.form, pool);
-  stitcher.set_shares(shares);
-  stitcher.set_shape(ways);
-  stitcher.run(rows, sums, held, method, scheme.iterations);
-  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
-}
-
-}  // namespace
-
-namespace {
 
 bool holds_shares(const Mask& mask, const Weighting& weighting) {
   return mask || weighting.partial();
@@ -107,7 +70,7 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   state_.set_amounts(scheme.amounts);
   state_.keep_origin(holds_shares(mask_, scheme.weighting));
   if (scheme.stitched()) {
-    stitching_ = stitch(model_, *cage_, pool_, settings_of(scheme));
+    stitching_ = stitch(model_, *cage_, pool_, scheme.holding);
     sums_.resize(n * state_.rows().columns());
     if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
   }
@@ -123,47 +86,49 @@ BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
   BoundPart part = surface_weights_.weights.empty()
                        ? bind_part(weigher_, std::span(model_.positions).subspan(begin, count))
                        : BoundPart{part_of(surface_weights_, begin, begin + count)};
-  part.binding.shares = product(std::move(part.binding.shares), part_of(mask_, begin, begin + count));
+  if (mask_)
+    part.binding.shares = product(std::move(part.binding.shares), values(mask_).subspan(begin, count));
   return part;
 }
 
-// Keeps the offsets at rest separately: adding and subtracting displacements would change bits.
-void ExactDeformer::shape_by(BoundPart& part, const SharedShape& shape, std::size_t begin) const {
-  Binding& b = part.binding;
-  const auto at_rest = std::span(model_.positions).subspan(begin, b.vertices);
-  if (!part.offsets.empty()) {
-    std::ranges::copy(at_rest, b.rest.begin());
-    b.offsets = part.offsets;
-  }
-  if (!shape) return;
-  part.offsets = b.offsets;
+std::vector<Vec3> ExactDeformer::ways(const Binding& part, const SharedShape& shape,
+                                      std::size_t begin) const {
+  if (!shape) return {};
   std::vector<Vec3> ways;
-  for (std::size_t i = 0; i < b.vertices; ++i) ways.push_back((*shape)[begin + i] - at_rest[i]);
-  deform::shape_by(b, turner_ ? turner_->turned(b, b.shares, ways) : ways);
+  for (std::size_t i = 0; i < part.vertices; ++i) ways.push_back((*shape)[begin + i] - part.rest[i]);
+  return follower_ ? follower_->followed({part, part.shares}, ways) : ways;
 }
 
 // Returns the error of place_vertices().
-double ExactDeformer::place(const BoundPart& part, const Rows& rows, std::size_t begin,
+double ExactDeformer::place(const Binding& part, const SharedShape& shape, std::size_t begin,
                             std::span<mesh::Point> positions) {
-  const Binding& binding = part.binding;
-  const std::size_t count = positions.size(), columns = rows.columns();
-  if (!shares_.empty()) std::ranges::copy(binding.shares, shares_.begin() + std::ptrdiff_t(begin));
-  const double error = place_vertices(binding, rows, method_, positions);
-  if (!stitching_) return error;
-  const auto sums = std::span(sums_).subspan(begin * columns, count * columns);
-  blend(binding, rows, 0, count, sums);
-  share_sums(binding, binding.shares, rows.form, 0, count, sums);
-  return error;
+  const std::size_t columns = state_.rows().columns();
+  if (!shares_.empty()) std::ranges::copy(part.shares, shares_.begin() + std::ptrdiff_t(begin));
+  const auto sums = stitching_ ? std::span(sums_).subspan(begin * columns, positions.size() * columns)
+                               : std::span<double>();
+  const std::vector<Vec3> ways = this->ways(part, shape, begin);
+  return place_vertices({part, part.shares, ways}, state_.rows(), method_, positions, sums);
+}
+
+// Stitches the pose, given the sums and the blended positions of all vertices.
+void ExactDeformer::stitch_positions(std::span<const Vec3> ways, std::span<mesh::Point> positions) const {
+  const Rows rows = state_.rows();
+  std::vector<Vec3> held;
+  for (const auto& hold : stitching_->holds) held.push_back(positions[hold.vertex] - rows.origin);
+  Stitcher stitcher(*stitching_, rows.form, pool_);
+  stitcher.set_shares(shares_);
+  stitcher.set_shape(ways);
+  stitcher.run(rows, sums_, held, method_, scheme_.iterations);
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
 }
 
 ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const SharedShape& shape,
                                  base::Progress* progress) {
   state_.set_pose(pose);
-  if (shape && WayTurner::is_for(scheme_)) {
-    if (!turner_) turner_.emplace(cage_);
-    turner_->set_pose(pose);
+  if (shape && ShapeFollower::is_for(scheme_)) {
+    if (!follower_) follower_.emplace(cage_);
+    follower_->set_pose(pose);
   }
-  const Rows rows = state_.rows();
   const std::size_t n = model_.positions.size(), at_once = handle_block(weigher_.handles());
   ExactModel exact;
   exact.report = state_.report();
@@ -175,17 +140,14 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const S
     BoundPart made;
     BoundPart& bound = parts_.empty() ? made : parts_[begin / at_once];
     if (bound.binding.vertices == 0) bound = part(begin, count);
-    shape_by(bound, shape, begin);
-    const double error = place(bound, rows, begin, std::span(exact.positions).subspan(begin, count));
+    const double error = place(bound.binding, shape, begin, std::span(exact.positions).subspan(begin, count));
     const std::lock_guard lock(mutex);
     done += count;
     failed += bound.failed;
     exact.exp_error = std::max(exact.exp_error, error);
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(n));
   });
-  if (stitching_)
-    stitch_positions(*stitching_, rows, sums_, shares_, scheme_, method_, pool_,
-                     ways_of(shape, model_.positions), exact.positions);
+  if (stitching_) stitch_positions(ways_of(shape, model_.positions), exact.positions);
   layer_.set(probes, mask_);
   if (layer_.moves()) layer_.move_all(exact.positions, method_);
   exact.warnings = weight_warnings(*cage_, scheme_.weighting.weights, failed, n);

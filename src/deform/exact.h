@@ -13,9 +13,9 @@
 #include "deform/cage_state.h"
 #include "deform/probe.h"
 #include "deform/probe_layer.h"
+#include "deform/shape_follower.h"
 #include "deform/stitching.h"
 #include "deform/vertex_sample.h"
-#include "deform/way_turner.h"
 #include "deform/weigher.h"
 #include "sym3/exp.h"
 
@@ -52,8 +52,10 @@ public:
 
 private:
   BoundPart part(std::size_t begin, std::size_t count) const;
-  void shape_by(BoundPart& part, const SharedShape& shape, std::size_t begin) const;
-  double place(const BoundPart& part, const Rows& rows, std::size_t begin, std::span<mesh::Point> positions);
+  std::vector<Vec3> ways(const Binding& part, const SharedShape& shape, std::size_t begin) const;
+  double place(const Binding& part, const SharedShape& shape, std::size_t begin,
+               std::span<mesh::Point> positions);
+  void stitch_positions(std::span<const Vec3> ways, std::span<mesh::Point> positions) const;
 
   const mesh::Surface& model_;
   std::shared_ptr<const Cage> cage_;
@@ -69,7 +71,7 @@ private:
   Binding surface_weights_;       // all vertices, for weights along the surface
   std::vector<BoundPart> parts_;  // block by block, if weights are kept
   ProbeLayer layer_;
-  std::optional<WayTurner> turner_;  // for shapes, if elements only translate
+  std::optional<ShapeFollower> follower_;  // for shapes, if elements only translate
 };
 
 /// Deforms a model by one pose.

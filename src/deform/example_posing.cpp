@@ -61,40 +61,6 @@ struct ExamplePosing::Reach {
   Eigen::MatrixXd places, changes;
 };
 
-// Sums over triangles for one step: positions of the pins in the blend, and derivatives by the weights.
-class ExamplePosing::Derivatives {
-public:
-  explicit Derivatives(const ExamplePosing& posing)
-      : posing_(posing),
-        kernel_(plane_kernel(sym3::kernel())),
-        maps_(posing.examples_.size() + 1),
-        changes_(6 * maps_ * plane_stride),
-        lanes_(3 * posing.pins_.size() * maps_ * group_size) {
-    std::ranges::fill(lanes_, 0.0);
-  }
-
-  void add_block(std::size_t block) {
-    const std::size_t numbers = posing_.numbers_of_group(), pins = posing_.pins_.size();
-    const double* groups = posing_.groups_.data() + block * plane_size * numbers;
-    for (std::size_t i = 0; i < plane_size; i += group_size)
-      kernel_.derive(groups + i * numbers, posing_.weights_.data(), maps_ - 1, changes_.data() + i);
-    kernel_.add_products(changes_.data(), maps_, posing_.gradients_.data() + block * plane_size * 2 * pins,
-                         pins, lanes_.data());
-  }
-
-  // Layout: [example, last the blend itself][pin][3].
-  void add_to(std::span<double> sums) const {
-    for (std::size_t i = 0; i < sums.size(); ++i)
-      for (std::size_t l = 0; l < group_size; ++l) sums[i] += lanes_[i * group_size + l];
-  }
-
-private:
-  const ExamplePosing& posing_;
-  const PlaneKernel& kernel_;
-  std::size_t maps_;
-  base::AlignedVector<double> changes_, lanes_;
-};
-
 ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples,
                              base::WorkerPool& pool)
     : space_(space), examples_(std::move(examples)), pool_(pool) {
@@ -251,6 +217,23 @@ std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) con
   return reach;
 }
 
+// Positions of the pins in the blend of the triangles of some blocks, and derivatives by the weights.
+std::vector<double> ExamplePosing::sums_of_blocks(std::size_t begin, std::size_t end) const {
+  const PlaneKernel& kernel = plane_kernel(sym3::kernel());
+  const std::size_t numbers = numbers_of_group(), pins = pins_.size(), maps = examples_.size() + 1;
+  base::AlignedVector<double> changes(6 * maps * plane_stride), lanes(3 * pins * maps * group_size, 0.0);
+  for (std::size_t block = begin; block < end; ++block) {
+    const double* groups = groups_.data() + block * plane_size * numbers;
+    for (std::size_t i = 0; i < plane_size; i += group_size)
+      kernel.derive(groups + i * numbers, weights_.data(), maps - 1, changes.data() + i);
+    kernel.add_products(changes.data(), maps, gradients_.data() + block * plane_size * 2 * pins, pins,
+                        lanes.data());
+  }
+  std::vector<double> sums(3 * pins * maps);
+  for (std::size_t i = 0; i < lanes.size(); ++i) sums[i / group_size] += lanes[i];
+  return sums;
+}
+
 std::vector<LogTerm> ExamplePosing::terms() const {
   std::vector<LogTerm> terms;
   for (std::size_t e = 0; e < examples_.size(); ++e)
@@ -262,15 +245,12 @@ std::vector<LogTerm> ExamplePosing::terms() const {
 // derivatives.
 ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
   const std::size_t n = pins_.size(), m = examples_.size();
+  // Sums over triangles, [example, last the blend itself][pin][3].
+  std::vector<double> sums(3 * n * (m + 1));
   std::vector<std::vector<double>> parts((blocks() + blocks_at_once - 1) / blocks_at_once);
   pool_.for_blocks(blocks(), blocks_at_once, [&](std::size_t begin, std::size_t end) {
-    Derivatives derivatives(*this);
-    for (std::size_t block = begin; block < end; ++block) derivatives.add_block(block);
-    auto& part = parts[begin / blocks_at_once];
-    part.resize(3 * n * (m + 1));
-    derivatives.add_to(part);
+    parts[begin / blocks_at_once] = sums_of_blocks(begin, end);
   });
-  std::vector<double> sums(3 * n * (m + 1));
   for (const auto& part : parts)
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += part[i];
   const Mat g = sym3::exp_rotation(turn_);

@@ -70,16 +70,12 @@ public:
 
   const std::vector<double>& weights() const { return weights_; }
   std::span<const mesh::Point> positions() const { return positions_; }
-  /// Sum of the weighted squared distances from the targets and of the elastic energy of the pulls.
-  double energy() const { return energy_; }
   /// Resets weights and rotation.
   void restart();
   /// Restarts from the shape that these weights (one per example) blend; weights are kept near them.
   void begin(std::vector<double> weights, std::span<const mesh::Point> shape);
 
 private:
-  class Derivatives;
-
   struct Reach;
 
   std::vector<LogTerm> terms() const;
@@ -89,6 +85,7 @@ private:
   void fill_gradients();
   void fill_stiffness();
   void begin_turn(std::span<const mesh::Point> targets);
+  std::vector<double> sums_of_blocks(std::size_t begin, std::size_t end) const;
   Reach reach_of_pins() const;
   double show(const PosingSettings& settings);
   void reach_targets();
@@ -115,8 +112,8 @@ private:
   std::vector<double> last_weights_;
   Vec3 last_turn_{0, 0, 0};
   std::vector<mesh::Point> targets_;
-  double damping_ = 1e-3, energy_ = 0;
-  bool turns_ = false;  // turn_ is initialised
+  double damping_ = 1e-3, energy_ = 0;  // energy: of the targets and the pulls
+  bool turns_ = false;                  // turn_ is initialised
   LogSpace::Work work_;
   std::vector<mesh::Point> positions_, before_;
   std::vector<Vec3> left_;  // leftovers of the blend, rotated

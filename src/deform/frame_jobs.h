@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "deform/frame_vertex.h"
 #include "deform/leaves.h"
 #include "deform/rows.h"
 
@@ -16,17 +15,16 @@ inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
 inline constexpr std::size_t lanes = tile_lanes<float>;  ///< block size of the stored weights
 
 /// Consecutive tiles whose vertices share a table. Everything is aligned to 64 bytes.
-template <class T>
 struct TileRun {
-  std::size_t tiles = 0;       ///< even
-  std::size_t rows = 0;        ///< rows of weights
-  const T* weights = nullptr;  ///< [tile][row][lane]
-  const T* table = nullptr;    ///< [row][column]
-  const T* base = nullptr;     ///< sums to start from, [tile][sum][lane]; null: zero
-  const T* mean = nullptr;     ///< [RowShape::with_mean], what `place` adds to the sums; null: zero
-  const T* shares = nullptr;   ///< [tile][lane], for `place`: see Shares; null: all 1
+  std::size_t tiles = 0;           ///< even
+  std::size_t rows = 0;            ///< rows of weights
+  const float* weights = nullptr;  ///< [tile][row][lane]
+  const float* table = nullptr;    ///< [row][column]
+  const float* base = nullptr;     ///< sums to start from, [tile][sum][lane]; null: zero
+  const float* mean = nullptr;     ///< [RowShape::with_mean], what `place` adds to the sums; null: zero
+  const float* shares = nullptr;   ///< [tile][lane], for `place`: see Shares; null: all 1
   const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
-  const T* rest_moments = nullptr;        ///< forms with moments only: [tile][rest_moment_lines][lane]
+  const float* rest_moments = nullptr;    ///< forms with moments only: [tile][rest_moment_lines][lane]
 };
 /// n, s, dual, scale of RestMoment, lengths in l.
 inline constexpr std::size_t rest_moment_lines = 10;
@@ -49,9 +47,9 @@ struct RingRun {
 struct TileKernel {
   std::size_t sums;  ///< sums per vertex: the columns of a row, except for moments
   /// sums [tile][sum][lane].
-  void (*blend)(const TileRun<float>& run, float* sums);
+  void (*blend)(const TileRun& run, float* sums);
   /// rest, offsets [tile][3][lane]: x and o of RowForm; out [slot] as x y z x.
-  void (*place)(const TileRun<float>& run, const float* rest, const float* offsets, float* out);
+  void (*place)(const TileRun& run, const float* rest, const float* offsets, float* out);
 };
 
 }  // namespace viete::deform

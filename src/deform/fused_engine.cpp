@@ -116,12 +116,16 @@ void FusedEngine::run(const CageState& state, sym3::Method) {
   prepare(state);
   place_vertices();
   times_[Link::fused] = watch.lap_ms() - times_[Link::skeleton];
+  finish(watch);
+}
+
+void FusedEngine::finish(base::Stopwatch& watch) {
   if (layer_) {
     move_by_probes();
     times_[Link::probes] = watch.lap_ms();
   }
   compute_normals();
-  times_[Link::normals] = watch.lap_ms();
+  times_[Link::normals] += watch.lap_ms();
 }
 
 // All steps before the leaves.
@@ -186,12 +190,7 @@ void FusedEngine::show(std::span<const Vec3> positions) {
   });
   drag_.placed = false;
   times_[Link::normals] = watch.lap_ms();
-  if (layer_) {
-    move_by_probes();
-    times_[Link::probes] = watch.lap_ms();
-  }
-  compute_normals();
-  times_[Link::normals] += watch.lap_ms();
+  finish(watch);
 }
 
 void FusedEngine::fill_table(const Rows& rows) {
@@ -335,7 +334,7 @@ void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   if (!b.compressed()) return pack_whole(leaf);
   const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
   const std::size_t count = drag_.row_count();
-  TileRun<float> run = leaf_run(leaf, nullptr);
+  TileRun run = leaf_run(leaf, nullptr);
   base::AlignedVector<float> pivots(run.rows * columns_);
   const bool factored = !b.factored[leaf].dense;
   const auto pivot_weight = [&](std::size_t row, std::size_t handle) -> float {
@@ -367,7 +366,7 @@ void FusedEngine::blend_skeleton(const float* table) {
   });
 }
 
-TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
+TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   const TiledBinding& b = *binding_;
   const std::size_t begin = b.leaves.begin(leaf), tiles = (b.leaves.end(leaf) - begin) / lanes;
   if (!b.compressed()) {
@@ -386,8 +385,8 @@ TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const
 }
 
 // The run of this frame's rows: all of them, or the moving ones added to the sums of the others.
-TileRun<float> FusedEngine::frame_run(std::size_t leaf) const {
-  TileRun<float> run = leaf_run(leaf, table_.data());
+TileRun FusedEngine::frame_run(std::size_t leaf) const {
+  TileRun run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;
   const std::size_t start = drag_.starts[leaf];
   return {.tiles = run.tiles,
@@ -407,7 +406,7 @@ void FusedEngine::place_vertices() {
     leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);
     if (!leaf_moved_[leaf]) return;
     const std::size_t begin = b.leaves.begin(leaf);
-    TileRun<float> run = frame_run(leaf);
+    TileRun run = frame_run(leaf);
     run.mean = mean_.data();
     if (!shares_.empty()) run.shares = shares_.data() + begin;
     tiles_.place(run, rest().data() + begin * 3, offsets().data() + begin * 3,

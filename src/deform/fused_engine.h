@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "base/clock.h"
 #include "base/worker_pool.h"
 #include "deform/engine.h"
 #include "deform/frame_kernel.h"
@@ -66,12 +67,13 @@ private:
   void pack_whole(std::size_t leaf);
   void pack_weights(std::size_t leaf, float* scratch);
   void blend_skeleton(const float* table);
-  TileRun<float> leaf_run(std::size_t leaf, const float* table) const;
-  TileRun<float> frame_run(std::size_t leaf) const;
+  TileRun leaf_run(std::size_t leaf, const float* table) const;
+  TileRun frame_run(std::size_t leaf) const;
   void share(std::size_t slot, double* sums) const;
   void place_vertices();
   void move_by_probes();
   void compute_normals();
+  void finish(base::Stopwatch& watch);
   template <class Body>
   void for_leaves(const Body& body);
   template <class Vector>

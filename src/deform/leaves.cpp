@@ -129,10 +129,8 @@ public:
       : leaves_(leaves),
         triangles_(triangles),
         around_(mesh::vertex_triangles(leaves.vertices, triangles)),
-        slot_of_(leaves.vertices),
-        local_(leaves.slot_count(), outside) {
-    for (std::uint32_t s = 0; s < leaves.vertices; ++s) slot_of_[leaves.order[s]] = s;
-  }
+        slot_of_(slots_of(leaves)),
+        local_(leaves.slot_count(), outside) {}
 
   Rings build() {
     rings_.neighbours.reserve(3 * triangles_.size() + leaves_.vertices);

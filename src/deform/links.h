@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <string_view>
 
 namespace viete::deform {
@@ -12,7 +13,13 @@ namespace viete::deform {
 /// layer.
 enum class Link { maps, log_maps, blend, exp, apply, skeleton, fused, triangle_maps, solve, probes, normals };
 inline constexpr std::size_t link_count = 11;
-std::string_view name(Link link);
+
+constexpr std::string_view name(Link link) {
+  constexpr std::array<std::string_view, link_count> names = {"maps",  "log maps", "blend",  "exp",
+                                                              "apply", "skeleton", "fused",  "triangles",
+                                                              "solve", "probes",   "normals"};
+  return names[static_cast<std::size_t>(link)];
+}
 
 /// Wall milliseconds of each link in one frame; links that the frame does not have stay 0.
 struct LinkTimes {
@@ -20,9 +27,12 @@ struct LinkTimes {
 
   double& operator[](Link link) { return ms[static_cast<std::size_t>(link)]; }
   double operator[](Link link) const { return ms[static_cast<std::size_t>(link)]; }
-  double total() const;
+  double total() const { return std::accumulate(ms.begin(), ms.end(), 0.0); }
   /// Adds the times of another part of the same frame.
-  LinkTimes& operator+=(const LinkTimes& other);
+  LinkTimes& operator+=(const LinkTimes& other) {
+    for (std::size_t i = 0; i < link_count; ++i) ms[i] += other.ms[i];
+    return *this;
+  }
 };
 
 }  // namespace viete::deform

@@ -288,28 +288,9 @@ void LogSpace::add_pulls_of(std::size_t i, const Pull& pull, std::span<Vec3> rig
   a = (a - p1) + p2, b = (b + p0) - p2, c = (c - p0) + p1;
 }
 
+// Adds to each place in the order of triangles and their sides.
 template <class Make>
 void LogSpace::add_pulls(const Make& make, base::WorkerPool& pool, Work& work) const {
-  if (pool.threads() == 1) return scatter_pulls(make, work);
-  gather_pulls(make, pool, work);
-}
-
-// Adds to each place in the order of triangles and their sides, like gather_pulls().
-template <class Make>
-void LogSpace::scatter_pulls(const Make& make, Work& work) const {
-  std::ranges::fill(work.right, Vec3{0, 0, 0});
-  for (std::size_t first = 0; first < triangles_.size(); first += Block::size) {
-    const std::size_t count = std::min(Block::size, triangles_.size() - first);
-    make(first, count, [&](const auto& pull) {
-      for (std::size_t i = 0; i < count; ++i)
-        add_pulls_of(
-            first + i, [&](std::size_t k) { return pull(i, k); }, work.right);
-    });
-  }
-}
-
-template <class Make>
-void LogSpace::gather_pulls(const Make& make, base::WorkerPool& pool, Work& work) const {
   work.pulls.resize(3 * triangles_.size());
   pool.for_blocks(triangles_.size(), Block::size, [&](std::size_t begin, std::size_t end) {
     make(begin, end - begin, [&](const auto& pull) {
@@ -414,29 +395,31 @@ void LogSpace::shape(std::span<const LogTerm> terms, const Held& held, base::Wor
 }
 
 Held LogSpace::held_from(const LogVector& from, std::span<const LogTerm> terms) const {
-  std::vector<mesh::Point> start(rest_.size());
-  const LogTerm whole{&from, 1};
-  straight({&whole, 1}, start);
   std::vector<Vec3> ways(rest_.size());
   std::vector<double> squares(rest_.size());
   for (std::size_t v = 0; v < ways.size(); ++v) {
     ways[v] = summed(terms, &LogVector::ways, v);
     for (const auto& [vector, factor] : terms) squares[v] += std::abs(factor) * squared_norm(vector->ways[v]);
   }
-  return deform::held(parts_, start, ways, squares);
+  return held_along(from, ways, squares);
 }
 
 Held LogSpace::held_between(const LogVector& from, const LogVector& to) const {
-  std::vector<mesh::Point> start(rest_.size());
-  const LogTerm whole{&from, 1};
-  straight({&whole, 1}, start);
   std::vector<Vec3> ways;
   std::vector<double> squares;
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     ways.push_back(to.ways[v] - from.ways[v]);
     squares.push_back(squared_norm(ways[v]));
   }
-  return deform::held(parts_, start, ways, squares);
+  return held_along(from, ways, squares);
+}
+
+Held LogSpace::held_along(const LogVector& from, std::span<const Vec3> ways,
+                          std::span<const double> squares) const {
+  std::vector<mesh::Point> start(rest_.size());
+  const LogTerm whole{&from, 1};
+  straight({&whole, 1}, start);
+  return held(parts_, start, ways, squares);
 }
 
 }  // namespace viete::deform

@@ -133,10 +133,6 @@ private:
   void load(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work) const;
   template <class Make>
   void add_pulls(const Make& make, base::WorkerPool& pool, Work& work) const;
-  template <class Make>
-  void scatter_pulls(const Make& make, Work& work) const;
-  template <class Make>
-  void gather_pulls(const Make& make, base::WorkerPool& pool, Work& work) const;
   Vec3 pulled(std::span<const Vec3> pulls, std::size_t place) const;
   template <class Pull>
   void add_pulls_of(std::size_t i, const Pull& pull, std::span<Vec3> right) const;
@@ -144,6 +140,7 @@ private:
   void spread_places(Work& work) const;
   void fit_doubtful(std::span<const LogTerm> terms, Work& work) const;
   void sum_doubts(std::span<const LogTerm> terms, Work& work) const;
+  Held held_along(const LogVector& from, std::span<const Vec3> ways, std::span<const double> squares) const;
 
   std::vector<mesh::Point> rest_;
   std::size_t part_count_;

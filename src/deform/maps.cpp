@@ -1,12 +1,13 @@
 #include "deform/maps.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "deform/branches.h"
-#include "deform/polar.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/log.h"
 #include "sym3/polar.h"
@@ -129,6 +130,45 @@ void split_maps(std::span<const AffineMap> maps, std::span<const std::uint32_t> 
 
 namespace {
 
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+// Result for a matrix that is not finite, which Eigen does not process.
+Polar not_a_number() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Polar result;
+  result.rotation.fill(nan);
+  result.axes.fill(nan);
+  result.stretches.fill(nan);
+  return result;
+}
+
+}  // namespace
+
+Polar polar(const sym3::Mat3<double>& m) {
+  const Eigen::Matrix3d matrix = Eigen::Map<const RowMajor>(m.data());
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  if (svd.info() != Eigen::Success) return not_a_number();
+  Eigen::Matrix3d u = svd.matrixU();
+  if (u.determinant() * svd.matrixV().determinant() < 0) u.col(2) = -u.col(2);
+  Polar result;
+  Eigen::Map<RowMajor>(result.rotation.data()) = u * svd.matrixV().transpose();
+  Eigen::Map<RowMajor>(result.axes.data()) = svd.matrixV();
+  for (int i = 0; i < 3; ++i) result.stretches[i] = svd.singularValues()[i];
+  return result;
+}
+
+sym3::Sym3<double> log_stretch(const Polar& polar) {
+  const auto& v = polar.axes;
+  const Vec3 l{std::log(polar.stretches[0]), std::log(polar.stretches[1]), std::log(polar.stretches[2])};
+  const auto entry = [&](int r, int c) {
+    return v[3 * r] * l[0] * v[3 * c] + v[3 * r + 1] * l[1] * v[3 * c + 1] +
+           v[3 * r + 2] * l[2] * v[3 * c + 2];
+  };
+  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+}
+
+namespace {
+
 constexpr double flatness_floor = 1e-3;   // relative to the element's largest stretch
 constexpr double size_floor = 1e-4;       // relative to the pose's mean stretch
 constexpr double smallest_floor = 1e-12;  // for a pose collapsed to one point
@@ -162,12 +202,12 @@ bool torn(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b, const Vec3& 
 
 }  // namespace
 
-double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const double> largest) {
+double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits) {
   double sum = 0;
   std::size_t count = 0;
-  for (std::size_t e = 0; e < largest.size(); ++e) {
-    if (skipped[e] || !(largest[e] > 0)) continue;
-    sum += std::log(largest[e]);
+  for (std::size_t e = 0; e < splits.size(); ++e) {
+    if (skipped[e] || !(splits[e].largest > 0)) continue;
+    sum += std::log(splits[e].largest);
     ++count;
   }
   return count ? std::exp(sum / static_cast<double>(count)) : 0;
@@ -184,9 +224,7 @@ bool raise_to_floor(const AffineMap& map, double mean, MapSplit& split) {
 void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report) {
   report = {};
-  std::vector<double> largest;
-  for (const MapSplit& split : splits) largest.push_back(split.largest);
-  const double mean = mean_stretch(cage.degenerate, largest);
+  const double mean = mean_stretch(cage.degenerate, splits);
   std::vector<sym3::Mat3<double>> rotations(maps.size());
   std::vector<Vec3> principal(maps.size());
   for (std::uint32_t e = 0; e < maps.size(); ++e) {
@@ -203,46 +241,6 @@ void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const
     const auto [i, j] = pair;
     if (torn(rotations[i], rotations[j], logs[i].rotation, logs[j].rotation)) report.torn.push_back(pair);
   }
-}
-
-namespace {
-
-constexpr double cloud_radius = 0.1;  // relative to the cage's edges
-
-}  // namespace
-
-bool has_moments(RowForm form) {
-  return form == RowForm::affine_moments || form == RowForm::similar_moments ||
-         form == RowForm::rigid_moments;
-}
-
-void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row) {
-  for (int r = 0; r < 3; ++r) {
-    double from_center = 0;
-    for (int c = 0; c < 3; ++c) {
-      row[3 * r + c] = map.linear[3 * r + c] - (r == c ? 1.0 : 0.0);
-      from_center += row[3 * r + c] * rest_center[c];
-    }
-    row[map_shape.first_length + r] = (map.center[r] - rest_center[r]) - from_center;
-  }
-}
-
-void write_log_row(const MapLog& log, std::span<double> row) {
-  std::ranges::copy(numbers(log), row.begin());
-  std::ranges::copy(log.center, row.begin() + log_shape.first_length);
-}
-
-double moment_length(const Cage& cage) {
-  const auto& p = cage.surface.positions;
-  double sum = 0;
-  for (const auto& [a, b] : cage.edges) sum += squared_norm(p[b] - p[a]);
-  return cloud_radius * std::sqrt(sum / static_cast<double>(cage.edges.size()));
-}
-
-void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row) {
-  for (int i = 0; i < 3; ++i) row[i] = rest_center[i] / length;
-  for (int i = 0; i < 9; ++i) row[3 + i] = length * map.linear[i];
-  std::ranges::copy(map.center, row.begin() + 12);
 }
 
 }  // namespace viete::deform

@@ -32,6 +32,12 @@ inline mesh::Vec3 times(const sym3::Mat3<double>& m, const mesh::Vec3& x) {
           m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
 }
 
+/// a + w b.
+inline sym3::Sym3<double> plus(const sym3::Sym3<double>& a, double w, const sym3::Sym3<double>& b) {
+  return {a.xx + w * b.xx, a.xy + w * b.xy, a.xz + w * b.xz,
+          a.yy + w * b.yy, a.yz + w * b.yz, a.zz + w * b.zz};
+}
+
 inline sym3::Mat3<double> times(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return sym3::product(a, b);
 }
@@ -99,7 +105,21 @@ struct LogReport {
 };
 
 /// Geometric mean of the largest stretches of elements that are not skipped: the overall scale of a pose.
-double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const double> largest);
+double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits);
+
+/// M = rotation * axes diag(stretches) axes^T.
+struct Polar {
+  sym3::Mat3<double> rotation;  ///< proper, entries by rows
+  sym3::Mat3<double> axes;      ///< columns are the directions of stretch at rest
+  Vec3 stretches;               ///< descending, not negative
+};
+
+/// By singular values (M = U diag V^T, R = U V^T). det M < 0: the closest proper rotation, the smallest
+/// singular vector flipped. M = 0 gives R = I.
+Polar polar(const sym3::Mat3<double>& m);
+
+/// X = axes diag(log stretches) axes^T. The stretches must be positive.
+sym3::Sym3<double> log_stretch(const Polar& polar);
 
 /// True if the least and the largest stretch of a map are above the floors below. False for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
@@ -122,17 +142,8 @@ void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
 /// True if maps are fitted to points: see moments.h.
-bool has_moments(RowForm form);
-
-/// Rows of RowForm::maps and RowForm::logs; rest_center is relative to the middle of the rest cage. For the
-/// identity every entry but the centre is exactly 0.
-void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row);
-void write_log_row(const MapLog& log, std::span<double> row);
-
-/// l of moments.h: 10 % of the root mean square of the rest cage's edges. Positive.
-double moment_length(const Cage& cage);
-/// p / l (from the middle of the rest cage), l A by rows and p' (from the pose's origin). map: of the point's
-/// patch; rest_center: p, from the middle of the rest cage.
-void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row);
+inline bool has_moments(RowForm form) {
+  return form >= RowForm::affine_moments;
+}
 
 }  // namespace viete::deform

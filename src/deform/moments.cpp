@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deform/maps.h"
 #include "sym3/polar.h"
 
 namespace viete::deform {
@@ -14,11 +15,6 @@ using MomentMatrix = sym3::Mat3<double>;
 
 Vec3 vector_at(const double* numbers) {
   return {numbers[0], numbers[1], numbers[2]};
-}
-
-Vec3 turned_by(const MomentMatrix& m, const Vec3& x) {
-  return {m[0] * x[0] + m[1] * x[1] + m[2] * x[2], m[3] * x[0] + m[4] * x[1] + m[5] * x[2],
-          m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
 }
 
 // K^-1 x.
@@ -81,29 +77,27 @@ double trace(const MomentMatrix& m) {
 
 // M o.
 Vec3 fitted(RowForm form, const Moments& moments, const Vec3& o, double length) {
-  if (form == RowForm::affine_moments) return turned_by(moments.posed, solve(moments.rest, (1 / length) * o));
+  if (form == RowForm::affine_moments) return times(moments.posed, solve(moments.rest, (1 / length) * o));
   const auto [rotation, stretch] = sym3::polar(moments.posed);
-  const Vec3 turned = turned_by(rotation, o);
+  const Vec3 turned = times(rotation, o);
   if (form == RowForm::rigid_moments) return turned;
   return (stretch.xx + stretch.yy + stretch.zz) / (length * trace(moments.rest)) * turned;
 }
 
 }  // namespace
 
-void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows,
-                      std::span<const Vec3> ways, std::size_t begin, std::size_t end,
+void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
                       std::span<mesh::Point> positions) {
-  const auto shaped = [&](const Vec3& at, std::size_t i) { return ways.empty() ? at : at + ways[i]; };
+  const Binding& binding = block.binding;
   for (std::size_t i = begin; i < end; ++i) {
-    positions[i] = shaped(binding.rest[i], i);
-    const double share = shares.empty() ? 1 : shares[i];
+    positions[i] = block.rest(i);
+    const double share = block.share(i);
     if (share == 0) continue;
     const auto weights = std::span(binding.weights).subspan(i * binding.handles, binding.handles);
     const Means mean = means(weights, rows.values.data());
     const Moments sums = moments(weights, rows.values.data(), mean);
-    const Vec3 moved =
-        fitted(rows.form, sums, shaped(binding.offsets[i], i), rows.moment_length) + mean.center;
-    const Vec3 rest = shaped(binding.rest[i], i) - binding.rest_origin;
+    const Vec3 moved = fitted(rows.form, sums, block.offset(i), rows.moment_length) + mean.center;
+    const Vec3 rest = block.rest(i) - binding.rest_origin;
     positions[i] = rows.origin + (share == 1 ? moved : rest + share * (moved - rest));
   }
 }

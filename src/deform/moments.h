@@ -7,9 +7,7 @@
 #include <span>
 
 #include "deform/binding.h"
-#include "deform/cage.h"
 #include "deform/cage_state.h"
-#include "deform/maps.h"
 
 namespace viete::deform {
 
@@ -29,11 +27,9 @@ namespace viete::deform {
 ///
 /// Negative (biharmonic) weights affect only the means of x': in K they could cancel others.
 ///
-/// Computes positions of the vertices [begin, end) of a binding for the staged engine, all links at once, in
-/// double, each independently. Displacements are scaled by the shares. The form of the rows must be one of
-/// moments. ways: displacements of all vertices' shapes from rest; empty: at rest.
-void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows,
-                      std::span<const Vec3> ways, std::size_t begin, std::size_t end,
+/// Computes positions of the vertices [begin, end), all links at once, in double, each independently.
+/// Displacements are scaled by the shares. The form of the rows must be one of moments.
+void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
                       std::span<mesh::Point> positions);
 
 /// Per-vertex rest data of the fused frame. It sums B' = sum v p' (p - n)^T + l^2 sum v A about a fixed point

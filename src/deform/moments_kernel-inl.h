@@ -18,16 +18,16 @@ HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
 // B' by rows, and p'*.
-inline constexpr std::size_t moment_sums = 12, line_lanes = tile_lanes<float>;
+inline constexpr std::size_t moment_sums = 12;
 
 // Adds the moments of one vector of lanes.
 template <bool Listed, class V>
-static HWY_INLINE void add_moments(const TileRun<float>& run, std::size_t group, V (&s)[moment_sums]) {
-  const Tag<float> d;
+static HWY_INLINE void add_moments(const TileRun& run, std::size_t group, V (&s)[moment_sums]) {
+  const Tag d;
   const V zero = hn::Zero(d);
-  const float* rest = run.rest_moments + index_of<float>(group, rest_moment_lines);
+  const float* rest = run.rest_moments + index_of(group, rest_moment_lines);
   const V near[3] = {hn::Load(d, rest), hn::Load(d, rest + line_lanes), hn::Load(d, rest + 2 * line_lanes)};
-  const float* weights = run.weights + index_of<float>(group, run.rows);
+  const float* weights = run.weights + index_of(group, run.rows);
   for (std::size_t j = 0; j < run.rows; ++j) {
     const float* row = run.table + moment_shape.columns * (Listed ? run.listed[j] : j);
     const float *map = row + 3, *posed = row + 12;
@@ -49,11 +49,11 @@ static HWY_INLINE void add_moments(const TileRun<float>& run, std::size_t group,
 }
 
 // sums [tile][moment_sums][lane].
-static void sum_moments(const TileRun<float>& run, float* sums) {
-  const Tag<float> d;
-  using V = hn::Vec<Tag<float>>;
+static void sum_moments(const TileRun& run, float* sums) {
+  const Tag d;
+  using V = hn::Vec<Tag>;
   for (std::size_t g = 0; g < group_count(run); ++g) {
-    const std::size_t at = index_of<float>(g, moment_sums);
+    const std::size_t at = index_of(g, moment_sums);
     V s[moment_sums];
 #pragma GCC unroll 12
     for (std::size_t c = 0; c < moment_sums; ++c)
@@ -204,15 +204,9 @@ static HWY_INLINE void fit_tile(const float* sums, const float* rest, const floa
   }
 }
 
-static HWY_INLINE Vector3<float> load_moved(const float* moved, std::size_t group) {
-  const Tag<float> d;
-  const float* at = moved + index_of<float>(group, 3);
-  return {hn::Load(d, at), hn::Load(d, at + line_lanes), hn::Load(d, at + 2 * line_lanes)};
-}
-
 // Scales each vertex's displacement from rest by its share.
 static HWY_INLINE void keep_shares(const float* shares, const float* rest, float* moved) {
-  const Tag<float> d;
+  const Tag d;
   for (std::size_t lane = 0; lane < line_lanes; lane += hn::Lanes(d)) {
     const auto share = hn::Load(d, shares + lane);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -224,10 +218,10 @@ static HWY_INLINE void keep_shares(const float* shares, const float* rest, float
 }
 
 template <class Fit>
-static void place_moments(const TileRun<float>& run, const float* rest, const float* offsets, float* out) {
+static void place_moments(const TileRun& run, const float* rest, const float* offsets, float* out) {
   HWY_ALIGN float sums[moment_sums * line_lanes], moved[3 * line_lanes];
   for (std::size_t t = 0; t < run.tiles; ++t) {
-    TileRun<float> one = run;
+    TileRun one = run;
     one.tiles = 1;
     one.weights += t * run.rows * line_lanes;
     one.rest_moments += t * rest_moment_lines * line_lanes;
@@ -236,7 +230,7 @@ static void place_moments(const TileRun<float>& run, const float* rest, const fl
     fit_tile<Fit>(sums, one.rest_moments, offsets + t * 3 * line_lanes, moved);
     if (run.shares) keep_shares(run.shares + t * line_lanes, rest + t * 3 * line_lanes, moved);
     for (std::size_t g = 0; g < group_count(one); ++g)
-      store_position<float>(load_moved(moved, g), g, out + t * 4 * line_lanes);
+      store_position(load_rest(moved, g), g, out + t * 4 * line_lanes);
   }
 }
 

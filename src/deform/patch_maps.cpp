@@ -1,7 +1,6 @@
 #include "deform/patch_maps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -31,17 +30,10 @@ struct Spread {
   }
   // Ratio of the points' least to largest singular value.
   double ratio() const {
-    const auto squares = sorted();
+    const auto squares = sym3::eigenvalues(k);
     return squares[2] > 0 ? std::sqrt(std::max(squares[0], 0.0) / squares[2]) : 0;
   }
-  double largest() const { return sorted()[2]; }
-
-private:
-  std::array<double, 3> sorted() const {
-    auto values = sym3::eigenvalues(k);
-    std::sort(values.begin(), values.end());
-    return values;
-  }
+  double largest() const { return sym3::eigenvalues(k)[2]; }
 };
 
 // By cofactors: the condition number is that of the spread, squared.
@@ -75,90 +67,47 @@ mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   return mesh::adjacency(surface.positions.size(), without_skipped(std::move(pairs), cage.unused));
 }
 
-// Builds the patches in order; each vertex is marked with the last patch that visited it.
-class PatchMaker {
-public:
-  PatchMaker(const Cage& cage, double size, const std::vector<Vec3>& rest_normals)
-      : cage_(cage),
-        positions_(cage.surface.positions),
-        rest_normals_(rest_normals),
-        scale_(1 / size),
-        around_(neighbours_of_vertices(cage)),
-        seen_(positions_.size(), none) {}
-
-  VertexPatches::Patches make() {
-    patches_.starts.push_back(0);
-    patches_.normal_duals.assign(positions_.size(), {0, 0, 0});
-    for (std::uint32_t v = 0; v < positions_.size(); ++v) {
-      if (!cage_.unused[v]) add_patch(v);
-      patches_.starts.push_back(patches_.members.size());
-    }
-    return std::move(patches_);
-  }
-
-private:
-  static constexpr std::uint32_t none = ~0u;
-
-  void add_patch(std::uint32_t center) {
-    patch_ = center;
-    vertices_.clear();
-    spread_ = {};
-    std::vector<std::uint32_t> ring = {center};
-    seen_[center] = patch_;
-    add(center);
+// Grows each patch by rings until it spreads in all directions.
+std::vector<VertexPatches::Patch> make_patches(const Cage& cage, double size, std::span<const Vec3> normals) {
+  const auto& positions = cage.surface.positions;
+  const double scale = 1 / size;
+  const auto weight = [](const Vec3& x) { return 1 / (width_of_fit * width_of_fit + squared_norm(x)); };
+  const mesh::Adjacency around = neighbours_of_vertices(cage);
+  std::vector<VertexPatches::Patch> patches(positions.size());
+  std::vector<std::uint32_t> seen(positions.size(), ~0u);  // the last patch that took the vertex
+  for (std::uint32_t center = 0; center < positions.size(); ++center) {
+    if (cage.unused[center]) continue;
+    const auto from_center = [&](std::uint32_t v) { return scale * (positions[v] - positions[center]); };
+    std::vector<std::uint32_t> vertices{center};
+    seen[center] = center;
+    Spread spread;
+    std::size_t ring = 0, end = 0;  // the last ring: vertices [ring, end)
     do {
-      ring = next_ring(ring);
-      for (const auto v : ring) add(v);
-    } while (!ring.empty() && spread_.ratio() < least_spread && vertices_.size() < most_vertices);
-    finish();
-  }
-
-  std::vector<std::uint32_t> next_ring(const std::vector<std::uint32_t>& ring) {
-    std::vector<std::uint32_t> next;
-    for (const auto v : ring) {
-      for (const auto n : around_.of(v)) {
-        if (std::exchange(seen_[n], patch_) != patch_) next.push_back(n);
+      ring = end, end = vertices.size();
+      for (std::size_t i = ring; i < end; ++i) {
+        for (const auto n : around.of(vertices[i])) {
+          if (std::exchange(seen[n], center) == center) continue;
+          spread.add(weight(from_center(n)), from_center(n));
+          vertices.push_back(n);
+        }
       }
+    } while (vertices.size() > end && spread.ratio() < least_spread && vertices.size() < most_vertices);
+    VertexPatches::Patch& patch = patches[center];
+    if (spread.ratio() < flat_spread) {
+      if (squared_norm(normals[center]) == 0) continue;
+      const Vec3 n = scale * normals[center];
+      const double w = spread.largest() / squared_norm(n);
+      spread.add(w, n);
+      patch.normal_dual = (scale * w) * times(inverse(spread.k), n);
     }
-    return next;
-  }
-
-  Vec3 from_center(std::uint32_t vertex) const { return scale_ * (positions_[vertex] - positions_[patch_]); }
-  static double weight(const Vec3& x) { return 1 / (width_of_fit * width_of_fit + squared_norm(x)); }
-
-  void add(std::uint32_t vertex) {
-    const Vec3 x = from_center(vertex);
-    spread_.add(weight(x), x);
-    vertices_.push_back(vertex);
-  }
-
-  void finish() {
-    if (spread_.ratio() < flat_spread) {
-      if (squared_norm(rest_normals_[patch_]) == 0) return;
-      const Vec3 n = scale_ * rest_normals_[patch_];
-      const double w = spread_.largest() / squared_norm(n);
-      spread_.add(w, n);
-      patches_.normal_duals[patch_] = (scale_ * w) * times(inverse(spread_.k), n);
-    }
-    const Symmetric k = inverse(spread_.k);
-    for (const auto v : vertices_) {
+    const Symmetric k = inverse(spread.k);
+    for (const auto v : vertices) {
       const Vec3 x = from_center(v);
-      patches_.members.push_back({v, (scale_ * weight(x)) * times(k, x)});
+      patch.members.push_back({v, (scale * weight(x)) * times(k, x)});
     }
   }
-
-  const Cage& cage_;
-  const std::vector<mesh::Point>& positions_;
-  const std::vector<Vec3>& rest_normals_;
-  double scale_;
-  mesh::Adjacency around_;
-  std::vector<std::uint32_t> seen_;
-  VertexPatches::Patches patches_;
-  // State of the current patch:
-  std::uint32_t patch_ = 0;
-  std::vector<std::uint32_t> vertices_;
-  Spread spread_;
-};
+  return patches;
+}
 
 }  // namespace
 
@@ -166,7 +115,7 @@ VertexPatches::VertexPatches(const Cage& cage, double size)
     : cage_(cage), triangles_(mesh::vertex_triangles(cage.surface.positions.size(), cage.surface.triangles)) {
   for (std::uint32_t v = 0; v < cage.surface.positions.size(); ++v)
     rest_normals_.push_back(normal(v, cage.surface.positions));
-  patches_ = PatchMaker(cage, size, rest_normals_).make();
+  patches_ = make_patches(cage, size, rest_normals_);
 }
 
 // The summed area vector around a vertex, scaled to the square root of its length; 0 if areas cancel.
@@ -207,9 +156,10 @@ void VertexPatches::compute(std::span<const mesh::Point> posed, const Vec3& orig
     };
     for (const auto& [v, dual] : members(patch))
       add_product(near ? way(v) - way(patch) : to(v) - to(patch), dual);
-    if (squared_norm(patches_.normal_duals[patch]) == 0) continue;
+    const Vec3& normal_dual = patches_[patch].normal_dual;
+    if (squared_norm(normal_dual) == 0) continue;
     const Vec3 posed_normal = normal(patch, posed);
-    add_product(near ? posed_normal - rest_normals_[patch] : posed_normal, patches_.normal_duals[patch]);
+    add_product(near ? posed_normal - rest_normals_[patch] : posed_normal, normal_dual);
   }
 }
 

@@ -34,15 +34,11 @@ public:
     std::uint32_t vertex;
     Vec3 dual;
   };
-  struct Patches {
-    std::vector<std::size_t> starts;  ///< offsets in members; one more than patches
-    std::vector<Member> members;      ///< patch by patch; empty for vertices of no polygon
-    std::vector<Vec3> normal_duals;  ///< g of each patch's normal; 0 if its vertices determine all directions
+  struct Patch {
+    std::vector<Member> members;  ///< empty for a vertex of no polygon
+    Vec3 normal_dual{0, 0, 0};    ///< g of the normal; 0 if the vertices determine all directions
   };
-  std::span<const Member> members(std::size_t patch) const {
-    return std::span(patches_.members)
-        .subspan(patches_.starts[patch], patches_.starts[patch + 1] - patches_.starts[patch]);
-  }
+  std::span<const Member> members(std::size_t patch) const { return patches_[patch].members; }
 
   /// Updates only these patches. Exactly I for a patch with no moved vertex. maps.size(): one per vertex of
   /// the cage, posed likewise.
@@ -55,7 +51,7 @@ private:
   const Cage& cage_;
   mesh::Adjacency triangles_;       // triangles around each vertex
   std::vector<Vec3> rest_normals_;  // length: the size of the adjacent triangles
-  Patches patches_;
+  std::vector<Patch> patches_;
 };
 
 }  // namespace viete::deform

@@ -1,8 +1,8 @@
 #include "deform/pose_io.h"
 
 #include <charconv>
-#include <cstdio>
-#include <optional>
+#include <locale>
+#include <sstream>
 #include <string_view>
 
 #include "base/error.h"
@@ -23,30 +23,17 @@ std::string_view trimmed(std::string_view text) {
   return begin == std::string_view::npos ? "" : text.substr(begin);
 }
 
-// Parses and removes a leading number of the text.
-template <class Number>
-bool take(std::string_view& text, Number& value) {
-  text = trimmed(text);
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc()) return false;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return true;
-}
-
-bool take_word(std::string_view& text, std::string_view word) {
-  text = trimmed(text);
-  if (!text.starts_with(word)) return false;
-  text.remove_prefix(word.size());
-  return true;
-}
-
 // Parses a line `viete turns: part 0: x y z`; false for any other text.
 bool read_turn(std::string_view line, std::vector<Vec3>& turns) {
+  std::istringstream in{std::string(trimmed(line).substr(turns_mark.size()))};
+  in.imbue(std::locale::classic());
+  std::string word;
   std::size_t part = 0;
+  char colon = 0;
   Vec3 v{};
-  const bool read = take_word(line, turns_mark) && take_word(line, "part") && take(line, part) &&
-                    take_word(line, ":") && take(line, v[0]) && take(line, v[1]) && take(line, v[2]);
-  if (!read || part >= turns.size() || !(norm(v) <= largest_turn)) return false;  // norm: false for NaN too
+  in >> word >> part >> colon >> v[0] >> v[1] >> v[2];
+  if (!in || word != "part" || colon != ':' || part >= turns.size() || !(norm(v) <= largest_turn))
+    return false;
   turns[part] = v;
   return true;
 }
@@ -102,15 +89,12 @@ void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::
 }
 
 std::string turn_line(std::size_t part, const Vec3& v) {
-  char text[200];
-  std::snprintf(text, sizeof text, "%.*s part %zu: ", static_cast<int>(turns_mark.size()), turns_mark.data(),
-                part);
-  std::string line = text;
+  std::string line = std::string(turns_mark) + " part " + std::to_string(part) + ":";
   for (const double x : v) {
-    line.append(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, 17).ptr);
+    char text[40];
     line += ' ';
+    line.append(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, 17).ptr);
   }
-  line.pop_back();
   return line;
 }
 

@@ -6,7 +6,6 @@
 
 #include "deform/branches.h"
 #include "deform/maps.h"
-#include "deform/polar.h"
 #include "sym3/exp.h"
 
 namespace viete::deform {
@@ -75,13 +74,6 @@ double weight_at(Falloff falloff, double t) {
     case Falloff::none: break;
   }
   return 0;
-}
-
-bool operator==(const ProbePose& a, const ProbePose& b) {
-  const auto& x = a.stretch;
-  const auto& y = b.stretch;
-  return a.turn == b.turn && a.move == b.move && x.xx == y.xx && x.xy == y.xy && x.xz == y.xz &&
-         x.yy == y.yy && x.yz == y.yz && x.zz == y.zz;
 }
 
 sym3::Mat3<double> linear_part(const ProbePose& pose) {

@@ -47,7 +47,7 @@ struct ProbePose {
   sym3::Sym3<double> stretch{};  ///< X = log S
   Vec3 move{0, 0, 0};
 
-  friend bool operator==(const ProbePose& a, const ProbePose& b);
+  friend bool operator==(const ProbePose&, const ProbePose&) = default;
 };
 
 /// The pose rotated further about the probe's place by any angle in radians; axis must have length 1 and may

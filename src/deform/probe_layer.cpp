@@ -19,17 +19,11 @@ bool same_weights(const Probes& a, const Probes& b) {
          });
 }
 
-/// Sums at the moving vertices, contiguous for the exponential.
-struct ProbeSums {
-  std::vector<std::size_t> which;
-  std::vector<sym3::Sym3<double>> logs, stretches;
-  std::vector<Vec3> turns, moves, pivots;
+// Sums at a moving vertex, without the log of the stretch.
+struct ProbeSum {
+  std::size_t vertex;
+  Vec3 turn{0, 0, 0}, move{0, 0, 0}, pivot{0, 0, 0};
 };
-
-void add(sym3::Sym3<double>& sum, double w, const sym3::Sym3<double>& x) {
-  sum = {sum.xx + w * x.xx, sum.xy + w * x.xy, sum.xz + w * x.xz,
-         sum.yy + w * x.yy, sum.yz + w * x.yz, sum.zz + w * x.zz};
-}
 
 }  // namespace
 
@@ -110,7 +104,7 @@ std::vector<mesh::Point> ProbeLayer::places() const {
       pivot = pivot + w.pivot * places_[j];
       if (j == i) continue;
       const ProbePose& pose = probes_.all[j].pose;
-      add(sum.stretch, w.stretch, pose.stretch);
+      sum.stretch = plus(sum.stretch, w.stretch, pose.stretch);
       sum.turn = sum.turn + w.turn * pose.turn;
       sum.move = sum.move + w.move * pose.move;
     }
@@ -122,36 +116,34 @@ std::vector<mesh::Point> ProbeLayer::places() const {
 
 void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions,
                       sym3::Method method) const {
-  ProbeSums sums;
+  std::vector<ProbeSum> sums;
+  std::vector<sym3::Sym3<double>> logs;  // contiguous for the exponential
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto of_vertex = shares(vertices[i]);
     const double share = follows(vertices[i]);
     if (of_vertex.empty() || share == 0) continue;
-    sym3::Sym3<double> log{};
-    Vec3 turn{0, 0, 0}, move{0, 0, 0}, pivot{0, 0, 0};
+    ProbeSum& sum = sums.emplace_back(ProbeSum{i});
+    sym3::Sym3<double>& log = logs.emplace_back();
     for (const auto& [p, w] : of_vertex) {
       const ProbePose& pose = probes_.all[p].pose;
-      add(log, share * w.stretch, pose.stretch);
-      turn = turn + share * w.turn * pose.turn;
-      move = move + share * w.move * pose.move;
-      pivot = pivot + w.pivot * places_[p];
+      log = plus(log, share * w.stretch, pose.stretch);
+      sum.turn = sum.turn + share * w.turn * pose.turn;
+      sum.move = sum.move + share * w.move * pose.move;
+      sum.pivot = sum.pivot + w.pivot * places_[p];
     }
-    sums.which.push_back(i);
-    sums.logs.push_back(log), sums.turns.push_back(turn);
-    sums.moves.push_back(move), sums.pivots.push_back(pivot);
   }
-  sums.stretches.resize(sums.logs.size());
-  sym3::exp<double>(sums.logs, sums.stretches, method);
+  std::vector<sym3::Sym3<double>> stretches(logs.size());
+  sym3::exp<double>(logs, stretches, method);
   const sym3::Sym3<double> none = sym3::exp(sym3::Sym3<double>{});
-  for (std::size_t n = 0; n < sums.which.size(); ++n) {
-    Vec3& x = positions[sums.which[n]];
-    const Vec3 from = x - sums.pivots[n];
-    auto more = sums.stretches[n];  // S - I: exactly 0 without motion
+  for (std::size_t n = 0; n < sums.size(); ++n) {
+    Vec3& x = positions[sums[n].vertex];
+    const Vec3 from = x - sums[n].pivot;
+    auto more = stretches[n];  // S - I: exactly 0 without motion
     more.xx -= none.xx, more.yy -= none.yy, more.zz -= none.zz;
     const Vec3 stretch = times(more, from), stretched = from + stretch;
-    auto r = sym3::exp_rotation(sums.turns[n]);
+    auto r = sym3::exp_rotation(sums[n].turn);
     for (const int i : {0, 4, 8}) r[i] -= 1;
-    x = x + (stretch + times(r, stretched) + sums.moves[n]);
+    x = x + (stretch + times(r, stretched) + sums[n].move);
   }
 }
 
@@ -257,7 +249,7 @@ void ProbeTiles::move(const ProbeLayer& layer, std::size_t leaf, const TileKerne
     subtract_pivots(own.weights.data() + t * lanes * rows, table, positions + 4 * t * lanes,
                     offsets.data() + t * lanes * 3);
   }
-  TileRun<float> run{};
+  TileRun run{};
   run.tiles = own.tiles, run.rows = rows, run.weights = own.weights.data(), run.table = table.data();
   logs.place(run, offsets.data(), offsets.data(), positions);
 }

@@ -283,11 +283,6 @@ static HWY_INLINE bool copy_ghosts(const RingRun& run) {
   return true;
 }
 
-static HWY_INLINE void prefetch_vertices(const RingRun& run, std::size_t begin, std::size_t end,
-                                         const FrameVertex* vertices) {
-  for (std::size_t s = begin; s < end; ++s) hwy::Prefetch(vertices + run.order[s]);
-}
-
 template <class D>
 static HWY_INLINE void load_four(D d, const float* from, decltype(zero(D())) (&out)[4]) {
 #pragma GCC unroll 4

@@ -1,5 +1,5 @@
-// A pose as rows of numbers to be summed, one row per handle. Shared with vector code: no functions here (see
-// sym3/fallback.h).
+// A pose as rows of numbers to be summed, one row per handle, and the vertices of a frame. Shared with vector
+// code: no functions here (see sym3/fallback.h).
 #pragma once
 
 #include <cstddef>
@@ -34,5 +34,13 @@ inline constexpr RowShape position_shape{3, 0, 0, 0};
 inline constexpr RowShape moment_shape{15, 3, 0, 12};
 inline constexpr std::size_t most_columns = 15;
 inline constexpr std::size_t row_forms = 6;
+
+/// One vertex of a frame, as a graphics card takes it.
+struct alignas(32) FrameVertex {
+  float position[3];  ///< relative to the frame's origin
+  float unused0;
+  float normal[3];  ///< unit length; (0, 0, 1) where there is no area
+  float unused1;
+};
 
 }  // namespace viete::deform

@@ -42,6 +42,14 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
   }
 }
 
+// The rotation nearest to the mean of the maps, given their area-weighted sum.
+Vec3 mean_turn(const Mat& sum) {
+  const auto [rotation, stretch] = sym3::polar(sum);
+  const auto singular = sym3::eigenvalues(stretch);  // ascending, the sign of the determinant in the first
+  if (!(singular[0] + singular[1] > tells_turn * singular[2])) return {0, 0, 0};
+  return sym3::log_rotation(rotation);
+}
+
 }  // namespace
 
 // Triangles that flip against all their neighbours, or collapse, take the logs of their neighbours.
@@ -92,7 +100,10 @@ private:
 };
 
 ShapeSpace::ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress)
-    : triangles_(triangles_of(rest)), logs_(logs_of(rest, triangles_, pool, progress)) {}
+    : triangles_(triangles_of(rest)),
+      logs_({rest.positions, rest.triangles, triangles_.flat,
+             std::vector<std::uint32_t>(rest.triangles.size(), 0), 1},
+            pool, progress) {}
 
 ShapeSpace::Triangles ShapeSpace::triangles_of(const mesh::Surface& rest) {
   Triangles all{rest.triangles, {}, {}, {}, {}};
@@ -111,25 +122,11 @@ ShapeSpace::Triangles ShapeSpace::triangles_of(const mesh::Surface& rest) {
   return all;
 }
 
-LogSpace ShapeSpace::logs_of(const mesh::Surface& rest, const Triangles& triangles, base::WorkerPool& pool,
-                             base::Progress* progress) {
-  const std::vector<std::uint32_t> one_part(rest.triangles.size(), 0);
-  return LogSpace({rest.positions, rest.triangles, triangles.flat, one_part, 1}, pool, progress);
-}
-
 AffineMap ShapeSpace::map_to(std::span<const mesh::Point> positions, std::size_t t) const {
   if (triangles_.flat[t]) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
   const RestBasis& rest = triangles_.bases[t];
   const auto [u, v, n] = triangle_basis(positions, triangles_.corners[t], rest.corner);
   return {linear_map(rest, u, v, n), {0, 0, 0}};
-}
-
-// The rotation nearest to the mean of the maps, given their area-weighted sum.
-Vec3 ShapeSpace::mean_turn(const Mat& sum) {
-  const auto [rotation, stretch] = sym3::polar(sum);
-  const auto singular = sym3::eigenvalues(stretch);  // ascending, the sign of the determinant in the first
-  if (!(singular[0] + singular[1] > tells_turn * singular[2])) return {0, 0, 0};
-  return sym3::log_rotation(rotation);
 }
 
 void ShapeSpace::doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt>& doubts) const {
@@ -163,47 +160,37 @@ std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> r
   return logs;
 }
 
-// Also computes the logs of the stretches.
-ShapeSpace::Splits ShapeSpace::split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
-                                     std::vector<std::array<double, 9>>& logs) const {
+// Splits of the maps to a shape, and the area-weighted sum of the maps.
+std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
+                                        Mat& sum) const {
   const std::size_t count = triangles_.corners.size();
-  Splits all{std::vector<Mat>(count), std::vector<double>(count), std::vector<double>(count)};
+  std::vector<MapSplit> splits(count);
   std::vector<Mat> sums(count / triangles_at_once + 1);
   std::array<std::uint32_t, triangles_at_once> places;
   std::iota(places.begin(), places.end(), 0u);
-  logs.resize(count);
   pool.for_blocks(count, triangles_at_once, [&](std::size_t begin, std::size_t end) {
     AffineMap maps[triangles_at_once];
-    MapSplit splits[triangles_at_once];
-    Mat& sum = sums[begin / triangles_at_once];
+    Mat& part = sums[begin / triangles_at_once];
     for (std::size_t t = begin; t < end; ++t) {
       maps[t - begin] = map_to(positions, t);
-      for (std::size_t k = 0; k < 9; ++k) sum[k] += triangles_.areas[t] * maps[t - begin].linear[k];
+      for (std::size_t k = 0; k < 9; ++k) part[k] += triangles_.areas[t] * maps[t - begin].linear[k];
     }
-    split_maps(maps, std::span(places).first(end - begin), splits);
-    for (std::size_t t = begin; t < end; ++t) {
-      const MapSplit& split = splits[t - begin];
-      all.rotations[t] = split.rotation, all.least[t] = split.least, all.largest[t] = split.largest;
-      logs[t] = numbers({split.stretch, {0, 0, 0}, {0, 0, 0}});
-    }
+    split_maps(maps, std::span(places).first(end - begin), std::span(splits).subspan(begin, end - begin));
   });
-  for (const Mat& sum : sums)
-    for (std::size_t k = 0; k < 9; ++k) all.sum[k] += sum[k];
-  return all;
+  sum = {};
+  for (const Mat& part : sums)
+    for (std::size_t k = 0; k < 9; ++k) sum[k] += part[k];
+  return splits;
 }
 
 // Returns which triangles collapsed; replaces their splits by the raised ones.
-std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positions, Splits& splits,
-                                            std::vector<std::array<double, 9>>& logs) const {
-  const double mean = mean_stretch(triangles_.flat, splits.largest);
-  std::vector<std::uint8_t> collapsed(logs.size());
-  for (std::size_t t = 0; t < logs.size(); ++t) {
-    if (triangles_.flat[t] || is_ordinary(splits.least[t], splits.largest[t], mean)) continue;
-    const auto& x = logs[t];
-    MapSplit split{
-        splits.rotations[t], {x[0], x[1], x[2], x[3], x[4], x[5]}, {}, splits.least[t], splits.largest[t]};
-    collapsed[t] = raise_to_floor(map_to(positions, t), mean, split);
-    splits.rotations[t] = split.rotation, logs[t] = numbers({split.stretch, {0, 0, 0}, {0, 0, 0}});
+std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positions,
+                                            std::vector<MapSplit>& splits) const {
+  const double mean = mean_stretch(triangles_.flat, splits);
+  std::vector<std::uint8_t> collapsed(splits.size());
+  for (std::size_t t = 0; t < splits.size(); ++t) {
+    if (triangles_.flat[t] || is_ordinary(splits[t].least, splits[t].largest, mean)) continue;
+    collapsed[t] = raise_to_floor(map_to(positions, t), mean, splits[t]);
   }
   return collapsed;
 }
@@ -212,11 +199,16 @@ LogVector ShapeSpace::vector(std::span<const mesh::Point> positions, base::Worke
                              const LogVector* before, ShapeReport* report) const {
   refuse_positions(positions, logs_.rest().size());
   LogVector vector;
-  Splits splits = split(positions, pool, vector.logs);
-  Folds folds(triangles_.neighbours, splits.rotations, raise(positions, splits, vector.logs));
-  vector.wholes = {nearest_branch(mean_turn(splits.sum), before ? before->wholes[0] : Vec3{0, 0, 0})};
-  const std::vector<Vec3> turns = turns_of(vector.wholes[0], splits.rotations, before, pool);
-  for (std::size_t t = 0; t < turns.size(); ++t) std::ranges::copy(turns[t], vector.logs[t].begin() + 6);
+  Mat sum;
+  std::vector<MapSplit> splits = split(positions, pool, sum);
+  std::vector<std::uint8_t> collapsed = raise(positions, splits);
+  std::vector<Mat> rotations;
+  for (const MapSplit& s : splits) rotations.push_back(s.rotation);
+  Folds folds(triangles_.neighbours, rotations, std::move(collapsed));
+  vector.wholes = {nearest_branch(mean_turn(sum), before ? before->wholes[0] : Vec3{0, 0, 0})};
+  const std::vector<Vec3> turns = turns_of(vector.wholes[0], rotations, before, pool);
+  for (std::size_t t = 0; t < turns.size(); ++t)
+    vector.logs.push_back(numbers({splits[t].stretch, turns[t], {0, 0, 0}}));
   if (report)
     *report = {static_cast<std::size_t>(std::ranges::count(triangles_.flat, 1)), folds.count(),
                torn_pairs(triangles_.neighbours, turns)};

@@ -52,23 +52,14 @@ private:
     std::vector<std::uint8_t> flat;
     WeightedPairs neighbours;  ///< neighbours of flat triangles are joined
   };
-  /// Splits of the maps to a shape.
-  struct Splits {
-    std::vector<sym3::Mat3<double>> rotations;
-    std::vector<double> least, largest;  ///< smallest and largest stretch of each triangle
-    sym3::Mat3<double> sum{};            ///< area-weighted sum of the maps
-  };
   class Folds;
 
   static Triangles triangles_of(const mesh::Surface& rest);
-  static LogSpace logs_of(const mesh::Surface& rest, const Triangles& triangles, base::WorkerPool& pool,
-                          base::Progress* progress);
   AffineMap map_to(std::span<const mesh::Point> positions, std::size_t t) const;
-  static Vec3 mean_turn(const sym3::Mat3<double>& sum);
-  Splits split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
-               std::vector<std::array<double, 9>>& logs) const;
-  std::vector<std::uint8_t> raise(std::span<const mesh::Point> positions, Splits& splits,
-                                  std::vector<std::array<double, 9>>& logs) const;
+  std::vector<MapSplit> split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
+                              sym3::Mat3<double>& sum) const;
+  std::vector<std::uint8_t> raise(std::span<const mesh::Point> positions,
+                                  std::vector<MapSplit>& splits) const;
   std::vector<Vec3> turns_of(const Vec3& whole, std::span<const sym3::Mat3<double>> rotations,
                              const LogVector* before, base::WorkerPool& pool) const;
   void doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt>& doubts) const;

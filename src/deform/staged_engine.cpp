@@ -60,92 +60,19 @@ void blend_columns(const Binding& binding, const Rows& rows, std::size_t begin, 
                              });
 }
 
-}  // namespace
-
-void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
-           std::span<double> sums) {
-  switch (rows.columns()) {
-    case 3: return blend_columns<3>(binding, rows, begin, end, sums);
-    case 12: return blend_columns<12>(binding, rows, begin, end, sums);
-    default: assert(false);  // no form has another number of columns
-  }
-}
-
-namespace {
-
-Vec3 offset_of(const Binding& binding, const Shares& shares, std::size_t i) {
-  return shares.empty() ? binding.offsets[i] : shares[i] * binding.offsets[i];
-}
-
-// The part of the rest position that a share below 1 keeps.
-Vec3 staying(const Binding& binding, double share, std::size_t i) {
-  return (1 - share) * (binding.rest[i] - binding.rest_origin);
-}
-
-}  // namespace
-
-void share_sums(const Binding& binding, const Shares& shares, RowForm form, std::size_t begin,
-                std::size_t end, std::span<double> sums) {
-  const std::size_t columns = shape(form).columns, center = shape(form).center;
-  for (std::size_t i = begin; i < (shares.empty() ? begin : end); ++i) {
-    const auto of = sums.subspan(i * columns, columns);
-    for (double& sum : of) sum *= shares[i];
-    const Vec3 rest = staying(binding, shares[i], i);
-    for (std::size_t c = center; c < columns; ++c) of[c] += rest[c - center];
-  }
-}
-
-namespace {
-
 using Sums = std::span<const double>;
+using Stretch = sym3::Sym3<double>;
 
 Vec3 three(Sums s, std::size_t first) {
   return {s[first], s[first + 1], s[first + 2]};
 }
-
-}  // namespace
-
-void apply(const Binding& binding, const Shares& shares, RowForm form, Sums sums,
-           std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
-           std::size_t end, std::span<mesh::Point> positions) {
-  const std::size_t columns = shape(form).columns;
-  for (std::size_t i = begin; i < end; ++i) {
-    const Sums s = sums.subspan(i * columns, columns);
-    Vec3 moved;
-    if (form == RowForm::maps) {
-      const Vec3 x = binding.rest[i] - binding.rest_origin;
-      moved = x + (times(sym3::Mat3<double>{s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]}, x) +
-                   three(s, 9));
-    } else if (form == RowForm::positions) {
-      moved = three(s, 0) + offset_of(binding, shares, i);
-    } else {
-      assert(form == RowForm::logs);  // moments use place_by_moments()
-      const Vec3 stretched = times(stretches[i], offset_of(binding, shares, i));
-      moved = times(sym3::exp_rotation(three(s, 6)), stretched) + three(s, 9);
-    }
-    positions[i] = origin + moved;
-  }
-}
-
-void stretch_logs(RowForm form, Sums sums, std::size_t begin, std::size_t end,
-                  std::span<sym3::Sym3<double>> logs) {
-  const std::size_t columns = shape(form).columns;
-  for (std::size_t i = begin; i < (form == RowForm::logs ? end : begin); ++i) {
-    const double* x = sums.data() + i * columns;
-    logs[i] = {x[0], x[1], x[2], x[3], x[4], x[5]};
-  }
-}
-
-namespace {
-
-using Stretch = sym3::Sym3<double>;
 
 double squared_frobenius(const Stretch& m) {
   return m.xx * m.xx + m.yy * m.yy + m.zz * m.zz + 2 * (m.xy * m.xy + m.xz * m.xz + m.yz * m.yz);
 }
 
 double relative_difference(const Stretch& a, const Stretch& b) {
-  const Stretch d{a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+  const Stretch d = plus(a, -1, b);
   const double difference = std::sqrt(squared_frobenius(d) / squared_frobenius(b));
   return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
@@ -161,34 +88,76 @@ double worst_difference(std::span<const Stretch> computed, std::span<const Stret
 
 }  // namespace
 
-double place_sums(const Binding& binding, RowForm form, Sums sums, const Vec3& origin, sym3::Method method,
+void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
+           std::span<double> sums) {
+  assert(rows.columns() == 3 || rows.columns() == 12);  // forms without moments
+  rows.columns() == 3 ? blend_columns<3>(block.binding, rows, begin, end, sums)
+                      : blend_columns<12>(block.binding, rows, begin, end, sums);
+  apply_shares(block, rows.form, begin, end, sums);
+}
+
+void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
+                  std::span<double> sums) {
+  if (block.shares.empty()) return;
+  const std::size_t columns = shape(form).columns, center = shape(form).center;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double share = block.shares[i];
+    const auto of = sums.subspan(i * columns, columns);
+    for (double& sum : of) sum *= share;
+    const Vec3 rest = (1 - share) * (block.rest(i) - block.binding.rest_origin);
+    for (std::size_t c = center; c < columns; ++c) of[c] += rest[c - center];
+  }
+}
+
+void apply(const VertexBlock& block, RowForm form, Sums sums, std::span<const Stretch> stretches,
+           const Vec3& origin, std::size_t begin, std::size_t end, std::span<mesh::Point> positions) {
+  const std::size_t columns = shape(form).columns;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Sums s = sums.subspan(i * columns, columns);
+    Vec3 moved;
+    if (form == RowForm::maps) {
+      const Vec3 x = block.rest(i) - block.binding.rest_origin;
+      moved = x + (times(sym3::Mat3<double>{s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8]}, x) +
+                   three(s, 9));
+    } else if (form == RowForm::positions) {
+      moved = three(s, 0) + block.share(i) * block.offset(i);
+    } else {
+      assert(form == RowForm::logs);  // moments use place_by_moments()
+      const Vec3 stretched = times(stretches[i], block.share(i) * block.offset(i));
+      moved = times(sym3::exp_rotation(three(s, 6)), stretched) + three(s, 9);
+    }
+    positions[i] = origin + moved;
+  }
+}
+
+void stretch_logs(Sums sums, std::size_t begin, std::size_t end, std::span<Stretch> logs) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const double* x = sums.data() + i * log_shape.columns;
+    logs[i] = {x[0], x[1], x[2], x[3], x[4], x[5]};
+  }
+}
+
+double place_sums(const VertexBlock& block, RowForm form, Sums sums, const Vec3& origin, sym3::Method method,
                   std::span<mesh::Point> positions, bool error) {
-  const std::size_t n = positions.size();
-  std::vector<Stretch> logs(form == RowForm::logs ? n : 0), stretches(logs.size());
-  stretch_logs(form, sums, 0, n, logs);
+  std::vector<Stretch> logs(form == RowForm::logs ? positions.size() : 0), stretches(logs.size());
+  stretch_logs(sums, 0, logs.size(), logs);
   sym3::exp<double>(logs, stretches, method);
-  apply(binding, binding.shares, form, sums, stretches, origin, 0, n, positions);
+  apply(block, form, sums, stretches, origin, 0, positions.size(), positions);
   return error && method != sym3::Method::fast ? worst_difference(stretches, logs) : 0;
 }
 
-double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
-                      std::span<mesh::Point> positions) {
+double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
+                      std::span<mesh::Point> positions, std::span<double> sums) {
   const std::size_t n = positions.size();
   if (has_moments(rows.form)) {
-    place_by_moments(binding, binding.shares, rows, {}, 0, n, positions);
+    place_by_moments(block, rows, 0, n, positions);
     return 0;
   }
-  std::vector<double> sums(n * rows.columns());
-  blend(binding, rows, 0, n, sums);
-  share_sums(binding, binding.shares, rows.form, 0, n, sums);
-  return place_sums(binding, rows.form, sums, rows.origin, method, positions, true);
+  std::vector<double> own(sums.empty() ? n * rows.columns() : 0);
+  if (sums.empty()) sums = own;
+  blend(block, rows, 0, n, sums);
+  return place_sums(block, rows.form, sums, rows.origin, method, positions, true);
 }
-
-namespace {
-
-constexpr std::size_t vertices_per_block = 256;
-
-}  // namespace
 
 StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool)
     : binding_(std::move(binding)),
@@ -203,74 +172,50 @@ StagedEngine::StagedEngine(std::shared_ptr<const Binding> binding, RowForm form,
 }
 
 template <class Body>
-void StagedEngine::for_vertices(const Body& body) {
+void StagedEngine::run_link(Link link, const Body& body) {
+  constexpr std::size_t vertices_per_block = 256;
+  base::Stopwatch watch;
   pool_.for_blocks(binding_->vertices, vertices_per_block, body);
-}
-
-void StagedEngine::set_shape(std::span<const Vec3> ways) {
-  ways_ = ways;
-  if (ways_.empty()) return;
-  shaped_.vertices = binding_->vertices, shaped_.rest_origin = binding_->rest_origin;
-  shaped_.rest = binding_->rest, shaped_.offsets = binding_->offsets;
-  shape_by(shaped_, ways_);
+  times_[link] = watch.lap_ms();
 }
 
 void StagedEngine::run(const CageState& state, sym3::Method method) {
   const Rows rows = state.rows();
+  const VertexBlock block{*binding_, shares_, ways_};
   times_ = {};
-  has_moments(rows.form) ? fit(rows) : blend_rows(rows, method);
-  if (layer_) move_by_probes(method);
-  finish(rows.origin);
-}
-
-void StagedEngine::move_by_probes(sym3::Method method) {
-  base::Stopwatch watch;
-  layer_->move_all(positions_, method);
-  times_[Link::probes] = watch.lap_ms();
-}
-
-void StagedEngine::blend_rows(const Rows& rows, sym3::Method method) {
-  base::Stopwatch watch;
-  for_vertices([&](std::size_t begin, std::size_t end) {
-    blend(*binding_, rows, begin, end, sums_);
-    share_sums(places(), shares_, rows.form, begin, end, sums_);
-    stretch_logs(rows.form, sums_, begin, end, logs_);
-  });
-  times_[Link::blend] = watch.lap_ms();
-  if (rows.form == RowForm::logs) {
-    for_vertices([&](std::size_t begin, std::size_t end) {
-      const std::size_t count = end - begin;
-      sym3::exp<double>(std::span(logs_).subspan(begin, count), std::span(stretches_).subspan(begin, count),
-                        method);
+  if (has_moments(rows.form)) {
+    // Sums and maps of each vertex together, since some sums depend on others.
+    run_link(Link::blend, [&](std::size_t begin, std::size_t end) {
+      place_by_moments(block, rows, begin, end, positions_);
     });
-    times_[Link::exp] = watch.lap_ms();
+  } else {
+    run_link(Link::blend, [&](std::size_t begin, std::size_t end) {
+      blend(block, rows, begin, end, sums_);
+      if (!logs_.empty()) stretch_logs(sums_, begin, end, logs_);
+    });
+    if (!logs_.empty()) {
+      run_link(Link::exp, [&](std::size_t begin, std::size_t end) {
+        sym3::exp<double>(std::span(logs_).subspan(begin, end - begin),
+                          std::span(stretches_).subspan(begin, end - begin), method);
+      });
+    }
+    run_link(Link::apply, [&](std::size_t begin, std::size_t end) {
+      apply(block, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
+    });
   }
-  for_vertices([&](std::size_t begin, std::size_t end) {
-    apply(places(), shares_, rows.form, sums_, stretches_, rows.origin, begin, end, positions_);
-  });
-  times_[Link::apply] = watch.lap_ms();
-}
-
-// Computes sums and maps of each vertex together, since some sums depend on others.
-void StagedEngine::fit(const Rows& rows) {
-  base::Stopwatch watch;
-  for_vertices([&](std::size_t begin, std::size_t end) {
-    place_by_moments(*binding_, shares_, rows, ways_, begin, end, positions_);
-  });
-  times_[Link::blend] = watch.lap_ms();
-}
-
-void StagedEngine::finish(const Vec3& origin) {
-  base::Stopwatch watch;
-  for_vertices([&](std::size_t begin, std::size_t end) {
+  if (layer_) {
+    base::Stopwatch watch;
+    layer_->move_all(positions_, method);
+    times_[Link::probes] = watch.lap_ms();
+  }
+  run_link(Link::normals, [&](std::size_t begin, std::size_t end) {
     mesh::vertex_normals(positions_, binding_->triangles, binding_->around, begin, end, normals_);
     for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 p = positions_[i] - origin;
+      const Vec3 p = positions_[i] - rows.origin;
       const Vec3& n = normals_[i];
       vertices_[i] = {{float(p[0]), float(p[1]), float(p[2])}, 0, {float(n[0]), float(n[1]), float(n[2])}, 0};
     }
   });
-  times_[Link::normals] = watch.lap_ms();
 }
 
 }  // namespace viete::deform

@@ -14,44 +14,43 @@
 
 namespace viete::deform {
 
-/// Vertices [begin, end) of sums = weights * rows, [vertex][column]; sums must have its final size. Each sum
-/// adds the handles in order: the same bits for any division into ranges.
-void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
+/// Vertices [begin, end) of sums = weights * rows, [vertex][column], multiplied by their shares, with the
+/// centres completed; sums must have its final size. Each sum adds the handles in order: the same bits for
+/// any division into ranges.
+void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
-
-/// Multiplies the sums of vertices [begin, end) by their shares and completes the centres. Does nothing if
-/// shares are empty.
-void share_sums(const Binding& binding, const Shares& shares, RowForm form, std::size_t begin,
-                std::size_t end, std::span<double> sums);
+/// The part of blend() after the products.
+void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
+                  std::span<double> sums);
 
 /// Logs of the stretches of vertices [begin, end), from sums of RowForm::logs; link 4 exponentiates them.
-void stretch_logs(RowForm form, std::span<const double> sums, std::size_t begin, std::size_t end,
+void stretch_logs(std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
-/// Positions of vertices [begin, end), from sums with shares applied, of any form except moments. For logs x'
-/// = origin + (exp(Y) exp(X) o + c'), stretches being exp(X). Forms and symbols: RowForm.
-void apply(const Binding& binding, const Shares& shares, RowForm form, std::span<const double> sums,
+/// Positions of vertices [begin, end), from sums of any form except moments. For logs x' = origin + (exp(Y)
+/// exp(X) o + c'), stretches being exp(X). Forms and symbols: RowForm.
+void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
 
-/// Links 4 and 5 for all vertices of the binding, from sums with shares applied; uses its rest, rest_origin,
-/// offsets and shares. Returns the error of place_vertices() if `error` is true.
-double place_sums(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
+/// Links 4 and 5 for all vertices, from their sums. Returns the error of place_vertices() if `error` is true.
+double place_sums(const VertexBlock& block, RowForm form, std::span<const double> sums, const Vec3& origin,
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
-/// Runs the links from the blend on for all vertices of a binding; positions has one per vertex. Returns the
-/// largest relative difference (Frobenius norm) between the method's exponentials and those of method `fast`,
-/// which is exact to 1e-15; infinity for NaN, 0 for `fast` and without exponentials.
-double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
-                      std::span<mesh::Point> positions);
+/// Runs the links from the blend on for all vertices; positions has one per vertex. `sums`, unless empty,
+/// become those of blend(). Returns the largest relative difference (Frobenius norm) between the method's
+/// exponentials and those of method `fast`, which is exact to 1e-15; infinity for NaN, 0 for `fast` and
+/// without exponentials.
+double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
+                      std::span<mesh::Point> positions, std::span<double> sums = {});
 
 class StagedEngine : public Engine {
 public:
   /// binding must have the weights of the staged frame.
   StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool);
 
-  void set_mask(const Mask& mask) override { shares_ = product(binding_->shares, mask); }
-  void set_shape(std::span<const Vec3> ways) override;
+  void set_mask(const Mask& mask) override { shares_ = product(binding_->shares, values(mask)); }
+  void set_shape(std::span<const Vec3> ways) override { ways_ = ways; }
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
   /// Positions of the last frame, in double.
@@ -62,18 +61,12 @@ public:
 
 private:
   template <class Body>
-  void for_vertices(const Body& body);
-  const Binding& places() const { return ways_.empty() ? *binding_ : shaped_; }
-  void blend_rows(const Rows& rows, sym3::Method method);
-  void fit(const Rows& rows);
-  void move_by_probes(sym3::Method method);
-  void finish(const Vec3& origin);
+  void run_link(Link link, const Body& body);
 
   std::shared_ptr<const Binding> binding_;
   base::WorkerPool& pool_;
   Shares shares_;
   std::span<const Vec3> ways_;                        // displacements of the shape
-  Binding shaped_;                                    // the binding with the shape, without weights
   std::vector<double> sums_;                          // [vertex][column], for forms without moments
   std::vector<sym3::Sym3<double>> logs_, stretches_;  // for forms that have them
   std::vector<mesh::Point> positions_, normals_;

@@ -21,6 +21,13 @@ constexpr std::size_t gathered_per_block = 1024;  // vertices
 using Mat = sym3::Mat3<double>;
 using Stretch = sym3::Sym3<double>;
 
+template <class Entries>
+std::vector<std::size_t> vertices_of(const Entries& entries) {
+  std::vector<std::size_t> vertices;
+  for (const auto& entry : entries) vertices.push_back(entry.vertex);
+  return vertices;
+}
+
 }  // namespace
 
 // The maps of a block of triangles, as M = rotation stretch if the form has them separately, else as M = M I;
@@ -114,7 +121,6 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
       form_(form),
       pool_(pool),
       loads_(3 * stitching_.triangles.size()),
-      pinned_(stitching_.pinned),
       pin_targets_(stitching_.pins.size()),
       right_(stitching_.vertices()),
       positions_(stitching_.vertices()) {
@@ -122,19 +128,14 @@ Stitcher::Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& p
 }
 
 void Stitcher::set_shares(const Shares& shares) {
-  pinned_.shares.clear();
-  for (std::size_t i = 0; i < (shares.empty() ? 0 : stitching_.pins.size()); ++i)
-    pinned_.shares.push_back(shares[stitching_.pins[i].vertex]);
+  pin_shares_ = picked(std::span(shares), vertices_of(stitching_.pins));
 }
 
 void Stitcher::set_shape(std::span<const Vec3> ways) {
   const Stitching& s = stitching_;
   shaped_gradients_.clear();
-  pinned_.rest = s.pinned.rest, pinned_.offsets = s.pinned.offsets;
+  pin_ways_ = picked(ways, vertices_of(s.pins));
   if (ways.empty()) return;
-  std::vector<Vec3> of_pins;
-  for (const Stitching::Pin& pin : s.pins) of_pins.push_back(ways[pin.vertex]);
-  shape_by(pinned_, of_pins);
   shaped_gradients_ = s.gradients;
   pool_.for_blocks(s.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
@@ -169,8 +170,9 @@ void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   for (std::size_t i = 0; i < n; ++i)
     std::copy_n(rows.values.begin() + std::ptrdiff_t(stitching_.pins[i].handle * columns), columns,
                 sums.begin() + std::ptrdiff_t(i * columns));
-  share_sums(pinned_, pinned_.shares, rows.form, 0, n, sums);
-  place_sums(pinned_, rows.form, sums, {0, 0, 0}, method, pin_targets_);
+  const VertexBlock pins{stitching_.pinned, pin_shares_, pin_ways_};
+  apply_shares(pins, rows.form, 0, n, sums);
+  place_sums(pins, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
 
 // The loads of a triangle's corners sum to 0.
@@ -254,27 +256,6 @@ Vec3 vector_of_slot(const base::AlignedVector<float>& array, std::size_t slot, d
   return unit * Vec3{at[0], at[lanes], at[2 * lanes]};
 }
 
-std::vector<std::size_t> held_vertices(const Stitching& stitching) {
-  std::vector<std::size_t> held;
-  for (const auto& hold : stitching.holds) held.push_back(hold.vertex);
-  return held;
-}
-
-// Input of apply() for some vertices, except shares. ways: of all vertices.
-Binding some_vertices(const TiledBinding& tiles, std::span<const std::uint32_t> slots,
-                      std::span<const std::size_t> vertices, std::span<const Vec3> ways = {}) {
-  Binding some;
-  std::vector<Vec3> own;
-  some.vertices = vertices.size();
-  for (const auto v : vertices) {
-    some.rest.push_back(vector_of_slot(tiles.rest, slots[v], tiles.unit));
-    some.offsets.push_back(vector_of_slot(tiles.offsets, slots[v], tiles.unit));
-    if (!ways.empty()) own.push_back(ways[v]);
-  }
-  shape_by(some, own);
-  return some;
-}
-
 }  // namespace
 
 StitchedEngine::StitchedEngine(std::shared_ptr<const TiledBinding> binding,
@@ -287,37 +268,29 @@ StitchedEngine::StitchedEngine(std::shared_ptr<const TiledBinding> binding,
       blender_(binding_, form, pool),
       stitcher_(*stitching_, form, pool),
       slots_(slots_of(binding_->leaves)),
-      held_(some_vertices(*binding_, slots_, held_vertices(*stitching_))),
-      sums_(stitching_->vertices() * shape(form).columns),
-      held_sums_(held_.vertices * shape(form).columns),
-      held_positions_(held_.vertices) {
+      held_(vertices_of(stitching_->holds)),
+      sums_(stitching_->vertices() * shape(form).columns) {
   set_mask(nullptr);
 }
 
 void StitchedEngine::set_mask(const Mask& mask) {
   blender_.set_mask(mask);
-  shares_ = product(shares_of(*binding_), mask);
+  shares_ = product(shares_of(*binding_), values(mask));
   stitcher_.set_shares(shares_);
-  held_.shares.clear();
-  for (std::size_t i = 0; i < (shares_.empty() ? 0 : held_.vertices); ++i)
-    held_.shares.push_back(shares_[stitching_->holds[i].vertex]);
 }
 
 void StitchedEngine::set_shape(std::span<const Vec3> ways) {
   ways_ = ways;
   blender_.set_shape(ways);
   stitcher_.set_shape(ways);
-  Shares shares = std::move(held_.shares);
-  held_ = some_vertices(*binding_, slots_, held_vertices(*stitching_), ways);
-  held_.shares = std::move(shares);
 }
 
 void StitchedEngine::run(const CageState& state, sym3::Method method) {
   blender_.blend(state, sums_);
   base::Stopwatch watch;
-  place_held(sums_, method);
+  const auto held = blended(held_, method);
   const double held_ms = watch.lap_ms();
-  stitcher_.run(state.rows(), sums_, held_positions_, method, iterations_);
+  stitcher_.run(state.rows(), sums_, held, method, iterations_);
   blender_.set_layer(layer_);
   blender_.show(stitcher_.positions());
   times_ = blender_.times();
@@ -326,27 +299,21 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
   times_[Link::solve] = stitcher_.solve_ms();
 }
 
-std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices) const {
+std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices, sym3::Method method) const {
   const std::size_t columns = shape(form_).columns;
-  Binding some = some_vertices(*binding_, slots_, vertices, ways_);
+  Binding some;
   std::vector<double> sums;
   for (const auto v : vertices) {
+    some.rest.push_back(vector_of_slot(binding_->rest, slots_[v], binding_->unit));
+    some.offsets.push_back(vector_of_slot(binding_->offsets, slots_[v], binding_->unit));
     const auto from = std::span(sums_).subspan(v * columns, columns);
     sums.insert(sums.end(), from.begin(), from.end());
-    if (!shares_.empty()) some.shares.push_back(shares_[v]);
   }
   std::vector<Vec3> positions(vertices.size());
-  place_sums(some, form_, sums, {0, 0, 0}, sym3::Method::fast, positions);
+  const Shares shares = picked(std::span(shares_), vertices);
+  const auto ways = picked(ways_, vertices);
+  place_sums({some, shares, ways}, form_, sums, {0, 0, 0}, method, positions);
   return positions;
-}
-
-void StitchedEngine::place_held(std::span<const double> sums, sym3::Method method) {
-  const std::size_t columns = shape(form_).columns;
-  for (std::size_t i = 0; i < held_.vertices; ++i) {
-    const auto from = sums.subspan(stitching_->holds[i].vertex * columns, columns);
-    std::ranges::copy(from, held_sums_.begin() + std::ptrdiff_t(i * columns));
-  }
-  place_sums(held_, form_, held_sums_, {0, 0, 0}, method, held_positions_);
 }
 
 }  // namespace viete::deform

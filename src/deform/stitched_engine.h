@@ -58,7 +58,8 @@ private:
   std::vector<std::array<Vec3, 2>> shaped_gradients_;  // empty: those at rest
   std::vector<Vec3> loads_;                            // M g of each corner of each triangle
   std::vector<std::array<Vec3, 2>> stretched_;         // S g, if rotations are refitted
-  Binding pinned_;                                     // with the shares of the pins' vertices
+  Shares pin_shares_;                                  // of the pins' vertices
+  std::vector<Vec3> pin_ways_;
   std::vector<mesh::Point> pin_targets_;
   std::vector<Vec3> right_, positions_;
   SparseCholesky::Workspace work_;
@@ -83,10 +84,12 @@ public:
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
   /// Blended positions of these vertices in the last frame, before stitching; relative to its rows' origin.
-  std::vector<Vec3> blended(std::span<const std::size_t> vertices) const;
+  std::vector<Vec3> blended(std::span<const std::size_t> vertices) const {
+    return blended(vertices, sym3::Method::fast);
+  }
 
 private:
-  void place_held(std::span<const double> sums, sym3::Method method);
+  std::vector<Vec3> blended(std::span<const std::size_t> vertices, sym3::Method method) const;
 
   std::shared_ptr<const TiledBinding> binding_;
   std::shared_ptr<const Stitching> stitching_;
@@ -95,11 +98,10 @@ private:
   FusedEngine blender_;
   Stitcher stitcher_;
   std::vector<std::uint32_t> slots_;  // slot of each vertex
+  std::vector<std::size_t> held_;     // the vertices with holds
   Shares shares_;
   std::span<const Vec3> ways_;  // displacements of the shape
-  Binding held_;                // input of apply() for the vertices with holds
-  std::vector<double> sums_, held_sums_;
-  std::vector<Vec3> held_positions_;
+  std::vector<double> sums_;
 };
 
 }  // namespace viete::deform

@@ -30,56 +30,11 @@ constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
 constexpr double indistinguishable = 1e-9;  // distances, in diagonals
 
-// The nearest triangle to a point among those that are not thin; none: the number of triangles. Ties, up to
-// rounding, go to the triangle with the nearest centre.
-class NearestTriangle {
-public:
-  NearestTriangle(const mesh::Surface& model, std::span<const std::uint8_t> thin, double slack)
-      : positions_(model.positions), triangles_(model.triangles), thin_(thin), slack_(slack) {}
-
-  std::size_t operator()(const mesh::Point& point) const {
-    double least = std::numeric_limits<double>::infinity();
-    for_near(point, least, [&](std::size_t, double d) { least = std::min(least, d); });
-    double nearest_center = std::numeric_limits<double>::infinity();
-    std::size_t nearest = triangles_.size();
-    const double enough = least + slack_;
-    for_near(point, enough, [&](std::size_t t, double d) {
-      const double center = d <= enough ? squared_norm(point - center_of(triangles_[t])) : nearest_center;
-      if (center < nearest_center) nearest_center = center, nearest = t;
-    });
-    return nearest;
-  }
-
-private:
-  Vec3 center_of(const mesh::Triangle& t) const {
-    return (1.0 / 3) * (positions_[t[0]] + positions_[t[1]] + positions_[t[2]]);
-  }
-
-  // Calls visit(triangle, distance) for all triangles that may be within the limit, and some others.
-  template <class Visit>
-  void for_near(const mesh::Point& point, const double& limit, const Visit& visit) const {
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (thin_[t]) continue;
-      const mesh::Point &a = positions_[triangles_[t][0]], &b = positions_[triangles_[t][1]],
-                        &c = positions_[triangles_[t][2]];
-      const double side = std::sqrt(std::max(squared_norm(b - a), squared_norm(c - a)));
-      const double farthest = limit + side;  // all corners of nearer triangles lie within
-      if (squared_norm(point - a) > farthest * farthest) continue;
-      visit(t, std::sqrt(mesh::closest_on_triangle(point, a, b, c).squared_distance));
-    }
-  }
-
-  std::span<const mesh::Point> positions_;
-  std::span<const mesh::Triangle> triangles_;
-  std::span<const std::uint8_t> thin_;
-  double slack_;
-};
-
 class StitchMaker {
 public:
-  StitchMaker(const mesh::Surface& model, const Cage& cage, const StitchingSettings& settings,
-              base::WorkerPool& pool, base::Progress* progress)
-      : model_(model), cage_(cage), settings_(settings), pool_(pool), progress_(progress) {}
+  StitchMaker(const mesh::Surface& model, const Cage& cage, const Holding& holding, base::WorkerPool& pool,
+              base::Progress* progress)
+      : model_(model), cage_(cage), holding_(holding), pool_(pool), progress_(progress) {}
 
   Stitching make() {
     find_thin();
@@ -88,7 +43,7 @@ public:
     hold_the_rest();
     SparseMatrix matrix = with_couplings(stiffness_matrix(model_.positions, model_.triangles), couplings_);
     add_diagonal(matrix);
-    Stitching s{settings_,
+    Stitching s{holding_,
                 {},
                 {},
                 {},
@@ -136,16 +91,44 @@ private:
     for (const auto& pins : found) pins_.insert(pins_.end(), pins.begin(), pins.end());
   }
 
+  // The nearest triangle among those that are not thin; none: the number of triangles. Ties, up to rounding,
+  // go to the triangle with the nearest centre.
+  std::size_t nearest_triangle(const mesh::Point& point) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto& p = model_.positions;
+    double least = infinity, nearest_center = infinity;
+    std::size_t nearest = model_.triangles.size();
+    for (const bool finds_distance : {true, false}) {
+      const double slack = finds_distance ? 0 : indistinguishable * cage_.diagonal;
+      for (std::size_t t = 0; t < model_.triangles.size(); ++t) {
+        if (thin_[t]) continue;
+        const auto& [a, b, c] = model_.triangles[t];
+        const double side = std::sqrt(std::max(squared_norm(p[b] - p[a]), squared_norm(p[c] - p[a])));
+        const double farthest = least + slack + side;  // all corners of nearer triangles lie within
+        if (squared_norm(point - p[a]) > farthest * farthest) continue;
+        const double distance =
+            std::sqrt(mesh::closest_on_triangle(point, p[a], p[b], p[c]).squared_distance);
+        if (finds_distance) {
+          least = std::min(least, distance);
+        } else if (distance <= least + slack) {
+          const double center = squared_norm(point - (1.0 / 3) * (p[a] + p[b] + p[c]));
+          if (center < nearest_center) nearest_center = center, nearest = t;
+        }
+      }
+    }
+    return nearest;
+  }
+
   std::vector<Stitching::Pin> pins_of(std::uint32_t handle, const mesh::Point& center) const {
     std::vector<Stitching::Pin> pins;
-    const std::size_t t = NearestTriangle(model_, thin_, indistinguishable * cage_.diagonal)(center);
+    const std::size_t t = nearest_triangle(center);
     if (t < model_.triangles.size()) {
-      for (const auto v : model_.triangles[t]) pins.push_back({v, handle, settings_.pin});
+      for (const auto v : model_.triangles[t]) pins.push_back({v, handle, pin_strength});
     }
-    const double radius = settings_.radius * cage_.size;
+    const double radius = holding_.radius * cage_.size;
     for (std::uint32_t v = 0; radius > 0 && v < model_.positions.size(); ++v) {
       const double d = norm(model_.positions[v] - center);
-      if (d < radius) pins.push_back({v, handle, settings_.pin * std::pow((radius - d) / radius, 2)});
+      if (d < radius) pins.push_back({v, handle, pin_strength * std::pow((radius - d) / radius, 2)});
     }
     return pins;
   }
@@ -166,7 +149,7 @@ private:
     }
     for (const auto& pin : pins_) pinned[parts.find(pin.vertex)] = 1;
     for (std::uint32_t v = 0; v < n; ++v) {
-      double weight = settings_.translation;
+      double weight = holding_.weight;
       if (!firm[v]) {
         weight += hold_of_loose_vertex;
       } else if (!pinned[parts.find(v)]) {
@@ -246,7 +229,7 @@ private:
 
   const mesh::Surface& model_;
   const Cage& cage_;
-  StitchingSettings settings_;
+  Holding holding_;
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
@@ -269,19 +252,15 @@ std::size_t stitching_bytes(std::size_t vertices) {
   return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80));
 }
 
-StitchingSettings settings_of(const Scheme& scheme) {
-  return {.radius = scheme.holding.radius, .translation = scheme.holding.weight};
-}
-
-Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
-                 const StitchingSettings& settings, base::Progress* progress) {
+Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool, const Holding& holding,
+                 base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
                               "stitching " + std::to_string(model.positions.size()) + " vertices takes",
                               "use a coarser model, or turn stitching off", ""};
   base::require_memory(need);
   try {
-    return StitchMaker(model, cage, settings, pool, progress).make();
+    return StitchMaker(model, cage, holding, pool, progress).make();
   } catch (const std::bad_alloc&) {
     base::refuse_memory(need);
   }

@@ -13,17 +13,9 @@
 
 namespace viete::deform {
 
-/// Strength of a stitched model's constraints. Weights are per vertex, relative to a stiffness of about 1
-/// between neighbours, see stiffness_matrix().
-struct StitchingSettings {
-  double pin = 0.03;       ///< pull of the corners of a handle's nearest triangle to the handle's map
-  double radius = 0;       ///< in sizes of the cage: nearer vertices are pinned to the handle too, by
-                           ///< pin ((radius - distance) / radius)^2
-  double translation = 0;  ///< pull of every vertex to its blended position
-
-  friend bool operator==(const StitchingSettings&, const StitchingSettings&) = default;
-};
-StitchingSettings settings_of(const Scheme& scheme);
+/// Pull of the corners of a handle's nearest triangle to the handle's map. Weights are per vertex, relative
+/// to a stiffness of about 1 between neighbours, see stiffness_matrix().
+inline constexpr double pin_strength = 0.03;
 
 /// The data of stitching that does not change with the pose. With M_t = R_t S_t the blended map of triangle
 /// t, positions x' minimise
@@ -54,7 +46,7 @@ struct Stitching {
     double weight;
   };
 
-  StitchingSettings settings;
+  Holding holding;
   std::vector<std::uint32_t> order;       ///< all vertices, ordered for locality
   std::vector<mesh::Triangle> triangles;  ///< all but thin ones, in the order of vertices; then couplings
   /// Index of the triangle whose fitted rotation each one uses: its own; for a coupling a neighbouring
@@ -66,7 +58,7 @@ struct Stitching {
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< 3 t + corner, for each vertex in the order
   std::vector<Pin> pins;
-  Binding pinned;  ///< input of apply() for the pins: rest, rest_origin, offsets from the handle's centre
+  Binding pinned;  ///< of the pins: rest, rest_origin, offsets from the handle's centre, without weights
   std::vector<Hold> holds;
   SparseCholesky factors;
 
@@ -79,10 +71,12 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// Approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Stitches to the cage's faces. Throws base::Error if the model has no vertices, or if its size is beyond
+/// Stitches to the cage's faces. Vertices within holding.radius of a handle are pinned to it too, by
+/// pin_strength ((radius - distance) / radius)^2; every vertex is pulled to its blended position by
+/// holding.weight. Throws base::Error if the model has no vertices, or if its size is beyond
 /// 1e75 or below 1e-75 so that its system cannot be factored; base::Cancelled. The same for any number of
 /// threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
-                 const StitchingSettings& settings = {}, base::Progress* progress = nullptr);
+                 const Holding& holding = {}, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

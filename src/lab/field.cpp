@@ -52,14 +52,6 @@ double energy_of(const Stretches& s) {
   return a * a + b * b + 1 / (a * a) + 1 / (b * b) - 4;
 }
 
-std::vector<double> displacements(const FieldInput& in) {
-  return distances(in.drawn, in.strain->rest(), in.strain->diagonal());
-}
-
-std::vector<double> turns(const FieldInput& in) {
-  return in.strain->turns(in.drawn, *in.pool);
-}
-
 // det exp S = exp tr S.
 std::vector<double> volumes(const FieldInput& in) {
   std::vector<double> values;
@@ -98,24 +90,6 @@ std::vector<double> exp_errors(const FieldInput& in) {
   return values;
 }
 
-std::vector<double> frame_errors(const FieldInput& in) {
-  return distances(in.drawn, in.exact, in.strain->diagonal());
-}
-
-std::vector<double> openings(const FieldInput& in) {
-  std::vector<double> values = in.strain->openings(in.drawn);
-  for (double& value : values) value = log2_of(value);
-  return values;
-}
-
-std::vector<double> shares(const FieldInput& in) {
-  return {in.shares.begin(), in.shares.end()};
-}
-
-std::vector<double> differences(const FieldInput& in) {
-  return distances(in.drawn, in.first, in.strain->diagonal());
-}
-
 // Differences from the first view, signed along its normals.
 std::vector<double> signed_differences(const FieldInput& in) {
   std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
@@ -123,71 +97,61 @@ std::vector<double> signed_differences(const FieldInput& in) {
   return values;
 }
 
+// In the order of the enumeration.
 constexpr FieldEntry table[] = {
-    {.field = Field::none, .choice = {"none", "None", "Show no map."}, .least_range = 1, .compute = nullptr},
-    {.field = Field::displacement,
-     .choice = {"displacement", "Displacement",
+    {.choice = {"none", "None", "Show no map."}, .least_range = 1, .compute = nullptr},
+    {.choice = {"displacement", "Displacement",
                 "Distance of each vertex from rest, in diagonals of the model at rest."},
      .unit = "of the diagonal",
      .source = Source::surface,
      .least_range = 0.01,
-     .compute = displacements},
-    {.field = Field::area,
-     .choice = {"area", "Area change", "Ratio of the surface area around a vertex to its area at rest."},
+     .compute =
+         [](const FieldInput& in) { return distances(in.drawn, in.strain->rest(), in.strain->diagonal()); }},
+    {.choice = {"area", "Area change", "Ratio of the surface area around a vertex to its area at rest."},
      .source = Source::surface,
      .scale = Scale::log2,
      .symmetric = true,
      .least_range = 0.1,
      .compute = strain_means<area_log>},
-    {.field = Field::larger_stretch,
-     .choice = {"larger-stretch", "Larger stretch",
+    {.choice = {"larger-stretch", "Larger stretch",
                 "Ratio of lengths in the most stretched direction to lengths at rest."},
      .source = Source::surface,
      .scale = Scale::log2,
      .symmetric = true,
      .least_range = 0.1,
-     .has_directions = true,
      .compute = strain_means<larger_log>},
-    {.field = Field::smaller_stretch,
-     .choice = {"smaller-stretch", "Smaller stretch",
+    {.choice = {"smaller-stretch", "Smaller stretch",
                 "Ratio of lengths in the least stretched direction to lengths at rest."},
      .source = Source::surface,
      .scale = Scale::log2,
      .symmetric = true,
      .least_range = 0.1,
-     .has_directions = true,
      .compute = strain_means<smaller_log>},
-    {.field = Field::shear,
-     .choice = {"shear", "Shear",
+    {.choice = {"shear", "Shear",
                 "Ratio of the larger to the smaller stretch. 1 where angles are preserved."},
      .source = Source::surface,
      .scale = Scale::log2,
      .least_range = 0.1,
-     .has_directions = true,
      .compute = strain_means<shear_log>},
-    {.field = Field::turn,
-     .choice = {"turn", "Rotation", "Rotation angle of the surface around a vertex, at most 180 degrees."},
+    {.choice = {"turn", "Rotation", "Rotation angle of the surface around a vertex, at most 180 degrees."},
      .source = Source::surface,
      .least_range = 5,
-     .compute = turns},
-    {.field = Field::energy,
-     .choice = {"energy", "Energy",
+     .compute = [](const FieldInput& in) { return in.strain->turns(in.drawn, *in.pool); }},
+    {.choice = {"energy", "Energy",
                 "Symmetric Dirichlet energy minus its value at rest. 0 where nothing stretches."},
      .source = Source::surface,
      .scale = Scale::log10,
      .least_range = 2,
      .floor = 1e-6,
      .compute = strain_means<energy_of>},
-    {.field = Field::volume,
-     .choice = {"volume", "Volume change",
+    {.choice = {"volume", "Volume change",
                 "Volume factor of the blended map at a vertex: det exp S = exp tr S."},
      .source = Source::matrices,
      .scale = Scale::log2,
      .symmetric = true,
      .least_range = 0.1,
      .compute = volumes},
-    {.field = Field::gap,
-     .choice = {"gap", "Eigenvalue gap",
+    {.choice = {"gap", "Eigenvalue gap",
                 "Smallest eigenvalue gap of the blended matrix, relative to the largest eigenvalue. Near 0 "
                 "the published methods switch cases."},
      .unit = "of the largest",
@@ -197,8 +161,7 @@ constexpr FieldEntry table[] = {
      .floor = 1e-17,
      .worst_is_least = true,
      .compute = gaps},
-    {.field = Field::exp_error,
-     .choice = {"exp-error", "Exponential error",
+    {.choice = {"exp-error", "Exponential error",
                 "Relative error of the current method's exponential, compared with 106-bit results."},
      .unit = "relative",
      .source = Source::matrices,
@@ -206,40 +169,27 @@ constexpr FieldEntry table[] = {
      .least_range = 2,
      .floor = 1e-20,
      .compute = exp_errors},
-    {.field = Field::frame_error,
-     .choice = {"frame-error", "Frame error",
+    {.choice = {"frame-error", "Frame error",
                 "Distance of each drawn vertex from its double precision result, in diagonals of the model."},
      .unit = "in diagonals",
      .source = Source::frame,
      .scale = Scale::log10,
      .least_range = 2,
      .floor = 1e-17,
-     .compute = frame_errors},
-    {.field = Field::influence,
-     .choice = {"influence", "Influence", "Weight of the selection at each vertex."},
+     .compute = [](const FieldInput& in) { return distances(in.drawn, in.exact, in.strain->diagonal()); }},
+    {.choice = {"influence", "Influence", "Weight of the selection at each vertex."},
      .source = Source::shares,
      .least_range = 0.01,
-     .compute = shares},
-    {.field = Field::opening,
-     .choice =
-         {"opening", "Opening",
-          "Ratio of the distance between close parts to their distance at rest. Blue where they touch."},
-     .source = Source::surface,
-     .scale = Scale::log2,
-     .symmetric = true,
-     .least_range = 0.1,
-     .compute = openings},
-    {.field = Field::difference,
-     .choice = {"difference", "Difference",
+     .compute = [](const FieldInput& in) { return std::vector(in.shares.begin(), in.shares.end()); }},
+    {.choice = {"difference", "Difference",
                 "Distance of each vertex from its position in the first view, in diagonals."},
      .unit = "in diagonals",
      .source = Source::first,
      .scale = Scale::log10,
      .least_range = 3,
      .floor = 1e-12,
-     .compute = differences},
-    {.field = Field::signed_difference,
-     .choice = {"signed-difference", "Signed difference",
+     .compute = [](const FieldInput& in) { return distances(in.drawn, in.first, in.strain->diagonal()); }},
+    {.choice = {"signed-difference", "Signed difference",
                 "Difference along the normal of the first view: orange outside, blue inside."},
      .unit = "of the diagonal",
      .source = Source::first,
@@ -345,25 +295,6 @@ FieldValues measure(Field field, const FieldInput& input) {
   }
   fit_counts(result.values, result.stats);
   return result;
-}
-
-std::vector<mesh::Point> strokes(const FieldStats& stats, const FieldInput& in) {
-  std::vector<mesh::Point> lines;
-  if (!entry(stats.field).has_directions) return lines;
-  const double longest = 0.5 * in.strain->spacing(), lift = 0.2 * in.strain->spacing();
-  const double shortest = 0.1 * longest;
-  const double whole = std::max(std::abs(stats.low), std::abs(stats.high));
-  for (const std::uint32_t v : in.strain->spread()) {
-    const Strain::Direction d = in.strain->direction(in.drawn, v);
-    const bool least = stats.field == Field::smaller_stretch;
-    const double log = stats.field == Field::shear ? std::log2(d.larger / std::max(d.smaller, 1e-6))
-                                                   : log2_of(least ? d.smaller : d.larger);
-    const double half = longest * std::min(std::abs(log) / whole, 1.0);
-    if (half < shortest) continue;
-    const mesh::Vec3 way = half * (least ? d.least : d.most), at = in.drawn[v] + lift * d.normal;
-    lines.insert(lines.end(), {at - way, at + way});
-  }
-  return lines;
 }
 
 void fit_counts(std::span<const float> values, FieldStats& stats) {

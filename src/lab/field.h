@@ -35,7 +35,6 @@ enum class Field : unsigned char {
   exp_error,
   frame_error,
   influence,
-  opening,
   difference,
   signed_difference
 };
@@ -65,7 +64,6 @@ struct FieldInput {
 };
 
 struct FieldEntry {
-  Field field;
   base::Choice choice;
   std::string_view unit{};  ///< shown with the title: "in diagonals"
   Source source = Source::nothing;
@@ -74,7 +72,6 @@ struct FieldEntry {
   double least_range = 1;  ///< minimum span of the colours
   double floor = 0;        ///< lower clamp before taking logarithms
   bool worst_is_least = false;
-  bool has_directions = false;  ///< see strokes()
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };
 const FieldEntry& entry(Field field);
@@ -98,9 +95,6 @@ struct FieldValues {
 
 /// The input must include the field's source. Throws base::Cancelled. Thread-safe.
 FieldValues measure(Field field, const FieldInput& input);
-/// Short lines on the surface as pairs of end points, in the file's units: their direction and length show
-/// the stretch or compression. Empty for fields without directions.
-std::vector<mesh::Point> strokes(const FieldStats& stats, const FieldInput& input);
 /// Recomputes the histogram for the given low and high.
 void fit_counts(std::span<const float> values, FieldStats& stats);
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "mesh/summary.h"
@@ -18,7 +16,7 @@
 
 namespace viete::lab {
 
-using mesh::Point;
+using mesh::cross, mesh::dot, mesh::norm, mesh::Point, mesh::Vec3;
 
 std::optional<FlatFace> flat_face(std::span<const Point> rest, const mesh::Triangle& t) {
   if (!mesh::has_area(rest[t[0]], rest[t[1]], rest[t[2]])) return std::nullopt;
@@ -43,47 +41,7 @@ Stretches stretches(const PlaneMap& map) {
 
 namespace {
 
-constexpr double cosine = 0.5;  // up to 60 degrees from straight ahead, in both directions
-
-using Cell = std::array<long, 3>;
-
-Cell cell_of(const mesh::Point& p, double size) {
-  return {std::lround(std::floor(p[0] / size)), std::lround(std::floor(p[1] / size)),
-          std::lround(std::floor(p[2] / size))};
-}
-
-}  // namespace
-
-std::vector<std::uint32_t> facing_vertices(std::span<const mesh::Point> positions,
-                                           std::span<const mesh::Vec3> normals, double distance) {
-  std::vector<std::uint32_t> partners(positions.size(), no_partner);
-  if (!(distance > 0)) return partners;
-  std::map<Cell, std::vector<std::uint32_t>> cells;
-  for (std::uint32_t v = 0; v < positions.size(); ++v) cells[cell_of(positions[v], distance)].push_back(v);
-  for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const Cell at = cell_of(positions[v], distance);
-    double nearest = distance;
-    for (int n = 0; n < 27; ++n) {
-      const auto found = cells.find({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
-      if (found == cells.end()) continue;
-      for (const std::uint32_t other : found->second) {
-        const mesh::Vec3 way = positions[other] - positions[v];
-        const double far = mesh::norm(way), ahead = cosine * far;
-        if (!(far > 0 && far < nearest) || mesh::dot(way, normals[v]) < ahead) continue;
-        if (mesh::dot(way, normals[other]) > -ahead) continue;
-        nearest = far, partners[v] = other;
-      }
-    }
-  }
-  return partners;
-}
-
-using mesh::cross, mesh::dot, mesh::norm, mesh::Point, mesh::Vec3;
-
-namespace {
-
 constexpr std::size_t at_once = 4096;
-constexpr double least_log = -20;  // value of a collapsed triangle
 
 Vec3 unit(const Vec3& v) {
   const double length = norm(v);
@@ -111,20 +69,6 @@ Strain::Strain(const mesh::Surface& rest)
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
       for (const std::uint32_t v : faces_[f].corners) add(v, f);
   });
-  choose_spread();
-}
-
-// Chooses the first vertex in each cell of a grid.
-void Strain::choose_spread() {
-  if (!(diagonal_ > 0)) return;
-  std::set<std::array<long, 3>> taken;
-  const Point low = mesh::bounds(rest_).low;
-  for (std::uint32_t v = 0; v < rest_.size(); ++v) {
-    if (around_.of(v).empty()) continue;
-    std::array<long, 3> cell;
-    for (std::size_t k = 0; k < 3; ++k) cell[k] = std::lround((rest_[v][k] - low[k]) / spacing());
-    if (taken.insert(cell).second) spread_.push_back(v);
-  }
 }
 
 std::vector<double> Strain::means(std::span<const Point> deformed, double (*of)(const Stretches&),
@@ -183,49 +127,6 @@ std::vector<double> Strain::along_normals(std::span<const Point> from, std::span
     for (std::size_t v = begin; v < end; ++v) values[v] = dot(normal(from, v), to[v] - from[v]);
   });
   return values;
-}
-
-std::vector<double> Strain::openings(std::span<const Point> deformed) const {
-  constexpr double reach = 0.03;
-  std::call_once(faced_once_, [&] {
-    std::vector<Vec3> normals;
-    for (std::size_t v = 0; v < rest_.size(); ++v) normals.push_back(normal(rest_, v));
-    faced_ = facing_vertices(rest_, normals, reach * diagonal_);
-  });
-  std::vector<double> values(rest_.size(), 1);
-  for (std::size_t v = 0; v < values.size(); ++v)
-    if (const std::uint32_t other = faced_[v]; other != no_partner)
-      values[v] = norm(deformed[other] - deformed[v]) / norm(rest_[other] - rest_[v]);
-  return values;
-}
-
-Strain::Direction Strain::direction(std::span<const Point> deformed, std::size_t vertex) const {
-  const Vec3 normal = this->normal(deformed, vertex);
-  const Vec3 p = unit(std::abs(normal[0]) < 0.6 ? cross(normal, {1, 0, 0}) : cross(normal, {0, 1, 0}));
-  const Vec3 q = cross(normal, p);
-  // The mean log of the stretch J J^T of the deformed triangles' planes, in the axes p and q.
-  double pp = 0, pq = 0, qq = 0, area = 0;
-  for (const std::uint32_t f : around_.of(vertex)) {
-    const PlaneMap map = plane_map(faces_[f], deformed);
-    const auto [larger, smaller] = stretches(map);
-    // The direction of largest stretch: the mapped eigenvector of J^T J.
-    const double xx = mesh::squared_norm(map.x), yy = mesh::squared_norm(map.y);
-    const double angle = std::atan2(2 * dot(map.x, map.y), xx - yy) / 2;
-    const Vec3 most = unit(std::cos(angle) * map.x + std::sin(angle) * map.y);
-    const Vec3 least = cross(unit(cross(map.x, map.y)), most);
-    const double share = faces_[f].area();
-    for (const auto& [way, stretch] : {std::pair{most, larger}, {least, smaller}}) {
-      const double log = std::max(std::log(stretch), least_log), a = dot(way, p), b = dot(way, q);
-      pp += share * log * a * a, pq += share * log * a * b, qq += share * log * b * b;
-    }
-    area += share;
-  }
-  if (!(area > 0)) return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1};
-  pp /= area, pq /= area, qq /= area;
-  const double middle = (pp + qq) / 2, half = std::hypot((pp - qq) / 2, pq);
-  const double angle = std::atan2(2 * pq, pp - qq) / 2;
-  const Vec3 most = std::cos(angle) * p + std::sin(angle) * q;
-  return {most, cross(normal, most), normal, std::exp(middle + half), std::exp(middle - half)};
 }
 
 }  // namespace viete::lab

@@ -3,11 +3,11 @@
 
 #include <doctest/doctest.h>
 #include <memory>
-#include <numeric>
 
 #include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
+#include "deform/exact.h"
 #include "deform/scheme.h"
 #include "deform/shapes.h"
 
@@ -78,26 +78,51 @@ struct FusedFrame {
   FusedEngine engine;
 };
 
-/// Checks that weights_at(cage, point) is independent of scale, and sums to one at the cage's own vertices.
-template <class WeightsAt>
-void check_every_length_scale(const WeightsAt& weights_at) {
-  const auto unit = box({1, 2, 3});
-  const Cage cage = make_cage(unit);
-  Random random(5);
-  for (const double s : {1e-30, 1e-3, 1e3, 1e30}) {
-    auto scaled = unit;
-    for (auto& p : scaled.positions) p = s * p;
-    const Cage other = make_cage(scaled);
-    for (int n = 0; n < 50; ++n) {
-      const Vec3 p = random.vector(4);
-      const auto a = weights_at(cage, p), b = weights_at(other, s * p);
-      for (std::size_t e = 0; e < a.size(); ++e) CHECK(a[e] == doctest::Approx(b[e]).epsilon(1e-10));
-    }
-    for (const auto& p : scaled.positions) {
-      const auto w = weights_at(other, p);
-      CHECK(std::accumulate(w.begin(), w.end(), 0.0) == doctest::Approx(1));
-    }
+/// One scheme in all its engines, which must agree.
+struct Frames {
+  Frames(const mesh::Surface& model, const mesh::Surface& cage, const Scheme& scheme_, int threads = 2)
+      : scheme(scheme_),
+        staged(model, cage, scheme.weighting, threads, scheme.blend),
+        fused(staged.cage,
+              std::make_shared<const Binding>(
+                  bind(model, *staged.cage, scheme.weighting, EngineKind::fused, nullptr, staged.pool)),
+              scheme, staged.pool,
+              scheme.stitched() ? std::make_shared<const Stitching>(
+                                      stitch(model, *staged.cage, staged.pool, scheme.holding))
+                                : nullptr) {}
+
+  void set_mask(const Mask& mask_) {
+    mask = mask_;
+    staged.deformer.set_mask(mask), fused.set_mask(mask);
   }
-}
+  void set_shape(const SharedShape& shape_) {
+    shape = shape_;
+    staged.deformer.set_shape(shape), fused.set_shape(shape);
+  }
+  void set_probes(const Probes& probes_) {
+    probes = probes_;
+    staged.deformer.set_probes(probes), fused.set_probes(probes);
+  }
+
+  /// The exact result; the fused or stitched engine and, unless stitched, the staged one must agree.
+  std::vector<mesh::Point> deform(const Pose& pose) {
+    const auto exact = deform_exactly(staged.model, staged.cage, scheme, pose, sym3::Method::fast,
+                                      staged.pool, nullptr, mask, probes, shape);
+    const double far = std::max(staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
+    fused.deform(pose, sym3::Method::fast);
+    CHECK(fused.ran() == (scheme.stitched() ? EngineKind::stitched : EngineKind::fused));
+    CHECK(largest_distance(fused.positions(), exact.positions) < 2e-5 * far);
+    CHECK(fused.sampled_error() < 2e-5);
+    if (!scheme.stitched()) CHECK(largest_distance(staged.deform(pose), exact.positions) < 1e-12 * far);
+    return exact.positions;
+  }
+
+  Scheme scheme;
+  Mask mask;
+  SharedShape shape;
+  Probes probes;
+  Bound staged;
+  Deformer fused;
+};
 
 }  // namespace viete::test

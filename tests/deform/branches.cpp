@@ -17,27 +17,23 @@ Edges path(std::uint32_t nodes) {
 
 }  // namespace
 
-TEST_CASE("the_centre_of_a_path_is_its_middle_and_the_lower_of_two") {
-  CHECK(graph_centers(7, path(7), std::vector<std::uint8_t>(7, 0)) == std::vector<std::uint32_t>{3});
-  CHECK(graph_centers(8, path(8), std::vector<std::uint8_t>(8, 0)) == std::vector<std::uint32_t>{3});
-}
-
-TEST_CASE("every_part_has_a_centre_and_skipped_elements_have_none") {
-  const std::vector<std::uint8_t> skip = {0, 0, 0, 1, 0};
-  CHECK(graph_centers(5, Edges{{0, 1}, {1, 2}}, skip) == std::vector<std::uint32_t>{1, 4});
-}
-
-TEST_CASE("a_long_path_beyond_the_exact_limit_has_its_middle_as_centre_too") {
-  const std::uint32_t n = 20001;
-  const auto centers = graph_centers(n, path(n), std::vector<std::uint8_t>(n, 0));
-  CHECK(centers == std::vector<std::uint32_t>{10000});
+TEST_CASE("the_centre_of_each_part_is_its_middle_and_the_lower_of_two") {
+  // The last is beyond the limit of exact centres.
+  for (const auto& [length, centre] : {std::pair{7u, 3u}, {8u, 3u}, {20001u, 10000u}}) {
+    const GraphParts parts = graph_parts(length, path(length), std::vector<std::uint8_t>(length, 0));
+    CHECK(parts.centers == std::vector{centre});
+    CHECK(parts.of == std::vector<std::uint32_t>(length, 0));
+  }
+  const GraphParts two = graph_parts(5, Edges{{0, 1}, {1, 2}}, std::vector<std::uint8_t>{0, 0, 0, 1, 0});
+  CHECK(two.centers == std::vector<std::uint32_t>{1, 4});
+  CHECK(two.of == std::vector<std::uint32_t>{0, 0, 0, 2, 1});  // 3 is skipped
 }
 
 TEST_CASE("a_cage_of_40000_triangles_has_its_graph_and_one_centre") {
   const auto surface = tube(200, 100, 1, 10);
   const std::vector<std::uint8_t> none(surface.triangles.size(), 0);
   const auto graph = dual_graph(surface, none);
-  CHECK(graph_centers(surface.triangles.size(), graph.edges, none).size() == 1);
+  CHECK(graph_parts(surface.triangles.size(), graph.edges, none).centers.size() == 1);
   CHECK(graph.edges.size() * 2 == surface.triangles.size() * 3);
 }
 
@@ -80,7 +76,7 @@ Branches branches_of(const Cage& cage, const Rotations& rotations, const std::ve
 
 }  // namespace
 
-TEST_CASE("nearest_branch_is_among_all_turns_about_the_axis") {
+TEST_CASE("nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference") {
   const Vec3 n = (1 / std::sqrt(14.0)) * Vec3{1, 2, 3};
   const double turn = 360 * degree;
   for (double reference = -900; reference <= 900; reference += 7) {
@@ -91,20 +87,12 @@ TEST_CASE("nearest_branch_is_among_all_turns_about_the_axis") {
       CHECK(std::abs(dot(y, n) / degree - reference) <= 180 + 1e-9);
     }
   }
-}
-
-TEST_CASE("nearest_branch_without_reference_is_the_principal_one") {
   CHECK(nearest_branch({1, 2, 2}, {0, 0, 0}) == Vec3{1, 2, 2});
-  CHECK(nearest_branch({0, 0, 0}, {0, 0, 0}) == Vec3{0, 0, 0});
-}
-
-TEST_CASE("a_zero_rotation_near_a_full_turn_takes_the_axis_of_the_reference") {
-  const double turn = 360 * degree;
-  for (const double r : {359.0, 360.0, 361.0, 400.0}) {
-    CHECK(norm(nearest_branch({0, 0, 0}, {0, 0, r * degree}) - Vec3{0, 0, turn}) < 1e-15 * 10);
-    CHECK(norm(nearest_branch({1e-15, 0, 0}, {0, 0, r * degree}) - Vec3{0, 0, turn}) < 1e-14);
+  for (const double r : {0.0, 3.0, 359.0, 360.0, 361.0, 400.0}) {
+    const Vec3 expected{0, 0, r < 180 ? 0 : turn};
+    for (const Vec3& zero : {Vec3{0, 0, 0}, Vec3{1e-15, 0, 0}})
+      CHECK(norm(nearest_branch(zero, {0, 0, r * degree}) - expected) < 1e-14);
   }
-  CHECK(norm(nearest_branch({0, 0, 0}, {0, 0, 3 * degree})) == 0);
 }
 
 TEST_CASE("alignment_is_three_for_equal_rotations_and_falls_with_the_angle") {
@@ -113,36 +101,23 @@ TEST_CASE("alignment_is_three_for_equal_rotations_and_falls_with_the_angle") {
   CHECK(alignment(a, similarity({1, 2, 3}, 1 + 120 * degree).linear) == doctest::Approx(0));
 }
 
-TEST_CASE("a_flipped_element_does_not_rotate_the_others") {
+TEST_CASE("a_flipped_element_or_root_does_not_rotate_the_others") {
   const Cage cage = make_cage(tube(9, 7, 0.3, 2));
-  const Vec3 axis{0, 0, 1};
-  for (std::size_t e = 0; e < cage.element_count(); e += 5) {
+  std::vector<std::uint32_t> flipped{cage.roots[0]};
+  for (std::uint32_t e = 0; e < cage.element_count(); e += 5) flipped.push_back(e);
+  for (const auto e : flipped) {
     std::vector<Vec3> turns;
     Branches b;
-    for (int a = 0; a <= 360; a += 10) {  // one full turn of one element alone
-      auto rotations = all(cage, axis, 0.5);
-      rotations[e] = similarity(axis, a * degree).linear;
+    for (int a = 0; a <= 720; a += 10) {  // two full turns of one element alone
+      auto rotations = all(cage, {1, 0, 0}, 3);
+      rotations[e] = similarity({0, 0, 1}, a * degree).linear;
       b = branches_of(cage, rotations, turns);
       turns = b.turns;
-      for (std::size_t i = 0; i < b.logs.size(); ++i) {
-        if (i != e) CHECK(norm(b.logs[i]) == doctest::Approx(0.5 * degree));
+      for (std::uint32_t i = 0; i < b.logs.size(); ++i) {
+        if (i != e) CHECK(norm(b.logs[i]) == doctest::Approx(3 * degree));
       }
     }
     CHECK(norm(b.logs[e]) < 1e-9);
-  }
-}
-
-TEST_CASE("a_flipped_root_does_not_rotate_the_others") {
-  const Cage cage = make_cage(tube(9, 7, 0.3, 2));
-  std::vector<Vec3> turns;
-  for (int a = 0; a <= 720; a += 5) {
-    auto rotations = all(cage, {1, 0, 0}, 3);
-    rotations[cage.roots[0]] = similarity({0, 0, 1}, a * degree).linear;
-    const Branches b = branches_of(cage, rotations, turns);
-    turns = b.turns;
-    for (std::uint32_t i = 0; i < b.logs.size(); ++i) {
-      if (i != cage.roots[0]) CHECK(norm(b.logs[i]) == doctest::Approx(3 * degree));
-    }
   }
 }
 

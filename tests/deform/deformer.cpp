@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 #include <set>
 
-#include "base/error.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/deformer.h"
@@ -20,20 +19,8 @@ TEST_CASE("apply_stretches_first_then_turns_then_moves") {
   const std::vector<double> sums{0, 0, 0, 0, 0, 0, 0, 0, 90 * degree, 10, 20, 30};
   const std::vector<viete::sym3::Sym3<double>> stretches = {{2, 0, 0, 3, 0, 1}};
   std::vector<viete::mesh::Point> out(1);
-  apply(b, {}, RowForm::logs, sums, stretches, {100, 0, 0}, 0, 1, out);
+  apply({b}, RowForm::logs, sums, stretches, {100, 0, 0}, 0, 1, out);
   CHECK(norm(out[0] - Vec3{100 + 10 - 6, 20 + 2, 30 + 3}) < 1e-13);
-}
-
-TEST_CASE("apply_writes_only_its_range") {
-  Binding b;
-  b.vertices = 3;
-  b.rest.resize(3);
-  b.offsets.assign(3, {1, 1, 1});
-  const std::vector<double> sums(3 * log_shape.columns);
-  const std::vector<viete::sym3::Sym3<double>> stretches(3, viete::sym3::identity<double>());
-  std::vector<viete::mesh::Point> out(3, {7, 7, 7});
-  apply(b, {}, RowForm::logs, sums, stretches, {0, 0, 0}, 1, 2, out);
-  CHECK(out == std::vector<viete::mesh::Point>{{7, 7, 7}, {1, 1, 1}, {7, 7, 7}});
 }
 
 namespace {
@@ -69,7 +56,7 @@ TEST_CASE("blend_is_the_sum_over_handles_in_their_order_to_the_last_bit") {
          random.vector(2)};
   }
   std::vector<double> sums(n * log_shape.columns);
-  blend(b, rows_of(logs), 0, n, sums);
+  blend({b}, rows_of(logs), 0, n, sums);
   for (std::size_t i = 0; i < n; ++i) {
     double xy = 0, zz = 0;
     Vec3 rotation{0, 0, 0}, center{0, 0, 0};
@@ -94,45 +81,17 @@ TEST_CASE("blend_over_any_division_into_ranges_has_the_same_bits") {
   const Binding b = random_binding(n, k, random);
   std::vector<MapLog> logs(k);
   for (auto& l : logs) l = {{random(-1, 1), 0, 0, 0, 0, random(-1, 1)}, random.vector(3), random.vector(2)};
-  std::vector<Vec3> posed(k);
-  for (auto& p : posed) p = random.vector(1);
-  std::vector<double> whole(n * log_shape.columns), parts = whole;
-  std::vector<double> a(3 * n), c(3 * n);
-  blend(b, rows_of(logs), 0, n, whole);
-  blend(b, rows_of(posed), 0, n, a);
-  for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 50u}}) {
-    blend(b, rows_of(logs), begin, end, parts);
-    blend(b, rows_of(posed), begin, end, c);
-  }
-  CHECK(whole == parts);
-  CHECK(a == c);
-}
-
-TEST_CASE("blended_positions_are_origin_offset_and_weighted_sum") {
-  Random random(15);
-  const Binding b = random_binding(6, 5, random);
-  std::vector<Vec3> posed(5);
-  for (auto& p : posed) p = random.vector(1);
-  std::vector<viete::mesh::Point> out(6);
-  std::vector<double> sums(18);
-  blend(b, rows_of(posed), 0, 6, sums);
-  apply(b, {}, RowForm::positions, sums, {}, {10, 20, 30}, 0, 6, out);
-  for (std::size_t i = 0; i < 6; ++i) {
-    Vec3 sum = Vec3{10, 20, 30} + b.offsets[i];
-    for (std::size_t j = 0; j < 5; ++j) sum = sum + b.weights[i * 5 + j] * posed[j];
-    CHECK(norm(out[i] - sum) < 1e-13);
+  const std::vector<Vec3> posed = random.vectors(k, 1);
+  for (const Rows& rows : {rows_of(logs), rows_of(posed)}) {
+    std::vector<double> whole(n * rows.columns()), parts = whole;
+    blend({b}, rows, 0, n, whole);
+    for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 50u}})
+      blend({b}, rows, begin, end, parts);
+    CHECK(whole == parts);
   }
 }
 
 using viete::sym3::Method;
-
-TEST_CASE("links_have_different_names") {
-  std::set<std::string_view> names;
-  for (const auto link : {Link::maps, Link::log_maps, Link::blend, Link::exp, Link::apply, Link::skeleton,
-                          Link::fused, Link::triangle_maps, Link::solve, Link::probes, Link::normals})
-    names.insert(name(link));
-  CHECK(names.size() == link_count);
-}
 
 TEST_CASE("before_the_first_frame_there_are_no_vertices_and_no_turns") {
   const Bound b(tube(20, 12, 0.3, 1.5), box());
@@ -161,13 +120,6 @@ TEST_CASE("every_staged_link_of_a_blend_is_timed_and_no_other") {
   CHECK(timed(mean_values, Blend::linear) == std::set{L::blend, L::apply, L::normals});
 }
 
-TEST_CASE("a_pose_with_another_number_of_vertices_is_refused") {
-  Bound b(tube(4, 12, 0.3, 1.5), box());
-  Pose pose = rest_pose(*b.cage);
-  pose.positions.pop_back();
-  CHECK_THROWS_AS(b.deformer.deform(pose, Method::fast), viete::base::Error);
-}
-
 TEST_CASE("frames_have_the_same_bits_for_any_number_of_threads") {
   for (const auto& c : {faces, mean_values}) {
     Bound one(tube(50, 30, 0.3, 1.5), box(), c, 1), four(tube(50, 30, 0.3, 1.5), box(), c, 4);
@@ -184,12 +136,6 @@ TEST_CASE("a_frame_does_not_depend_on_the_frames_before") {
   a.deform(a.pose(similarity({1, 2, 3}, 3, 7)));
   const Pose pose = a.pose(shear());
   CHECK(largest_distance(a.deform(pose), b.deform(pose)) == 0);
-}
-
-TEST_CASE("mean_values_pass_turns_on") {
-  Bound b(tube(4, 12, 0.3, 1.5), box(), mean_values);
-  b.deform(b.pose(shear(), {{1, 2, 3}}));
-  CHECK(b.report().turns == std::vector<Vec3>{{1, 2, 3}});
 }
 
 TEST_CASE("normals_turn_with_the_pose") {
@@ -218,42 +164,33 @@ TEST_CASE("vertices_are_positions_and_normals_as_floats_about_the_origin") {
 TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponential") {
   for (const Scheme& scheme : valid_schemes()) {
     CAPTURE(text(scheme));
-    const Weighting& weighting = scheme.weighting;
-    const Blend blend = scheme.blend;
-    Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2), weighting, 2, blend);
-    const auto tiled = std::make_shared<const Binding>(
-        bind(staged.model, *staged.cage, weighting, EngineKind::fused, nullptr, staged.pool));
-    CHECK(tiled->weights.empty());
-    Deformer fused(staged.cage, tiled, scheme, staged.pool);
-    const bool exponential = fused.scheme().exponential();
-    CHECK(exponential == (blend == Blend::srl));
-    CHECK(fused.engine(Method::fast) == EngineKind::fused);
-    CHECK(fused.engine(Method::diag).has_value() == !exponential);
-    const Pose pose = staged.pose(shear());
-    fused.deform(pose, Method::fast);
-    staged.deform(pose);
-    CHECK(fused.ran() == EngineKind::fused);
-    CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 2e-5 * staged.cage->diagonal);
-    CHECK(fused.times()[Link::fused] > 0);
-    CHECK(fused.sampled_error() > 0);
-    CHECK(fused.sampled_error() < 2e-5);
-    CHECK(staged.deformer.sampled_error() == 0);
-    const auto matrices = fused.sample_matrices(100), same = staged.deformer.sample_matrices(100);
+    Frames f(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2), scheme);
+    const bool exponential = scheme.exponential();
+    CHECK(exponential == (scheme.blend == Blend::srl));
+    CHECK(f.fused.binding().weights.empty());
+    CHECK(f.fused.engine(Method::fast) == EngineKind::fused);
+    CHECK(f.fused.engine(Method::diag).has_value() == !exponential);
+    const Pose pose = f.staged.pose(shear());
+    const auto exact = f.deform(pose);
+    CHECK(f.fused.times()[Link::fused] > 0);
+    CHECK(f.fused.sampled_error() > 0);
+    CHECK(f.staged.deformer.sampled_error() == 0);
+    const auto matrices = f.fused.sample_matrices(100), same = f.staged.deformer.sample_matrices(100);
     CHECK(matrices.size() == (exponential ? 100 : 0));
     // Weights along the surface are not recomputed.
-    const double exact = entry(weighting.weights).on_surface ? 1e-5 : 1e-13;
+    const double bound = entry(scheme.weighting.weights).on_surface ? 1e-5 : 1e-13;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
       const auto &a = matrices[i], &b = same[i];
-      CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < exact);
+      CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < bound);
     }
-    const auto both = std::make_shared<const Binding>(
-        bind(staged.model, *staged.cage, weighting, EngineKind::staged, tiled.get(), staged.pool));
-    CHECK(both->tiles == tiled->tiles);
-    Deformer any(staged.cage, both, scheme, staged.pool);
+    const auto both =
+        std::make_shared<const Binding>(bind(f.staged.model, *f.staged.cage, scheme.weighting,
+                                             EngineKind::staged, &f.fused.binding(), f.staged.pool));
+    CHECK(both->tiles == f.fused.binding().tiles);
+    Deformer any(f.staged.cage, both, scheme, f.staged.pool);
     any.deform(pose, Method::fast);
     any.deform(pose, Method::diag);
     CHECK(any.ran() == (exponential ? EngineKind::staged : EngineKind::fused));
-    CHECK(largest_distance(any.positions(), staged.deformer.positions()) <
-          (exponential ? 1e-12 : 2e-5) * staged.cage->diagonal);
+    CHECK(largest_distance(any.positions(), exact) < (exponential ? 1e-12 : 2e-5) * f.staged.cage->diagonal);
   }
 }

@@ -38,6 +38,15 @@ struct Fused {
     return result;
   }
 
+  // Deforms both, and checks the distance in diagonals of the cage.
+  void check(Bound& staged, const Pose& pose, double bound = 1e-6, double normals_bound = 2e-4) {
+    staged.deform(pose);
+    frame.deform(pose);
+    CHECK(largest_distance(positions(), staged.deformer.positions()) < bound * staged.cage->diagonal);
+    CHECK(largest_distance(normals(), staged.deformer.normals()) < normals_bound);
+    CHECK(frame.state.report().turns == staged.report().turns);
+  }
+
   viete::base::WorkerPool pool;
   std::shared_ptr<const TiledBinding> binding;
   FusedFrame frame;
@@ -56,38 +65,26 @@ TEST_CASE("fused_frame_agrees_with_the_staged_one_within_1e_6_of_the_diagonal") 
   for (const auto c : both) {
     Bound staged(fine_tube(), box({1, 1.3, 1}), c);
     Fused fused(staged);
-    const double diagonal = staged.cage->diagonal;
-    const auto check = [&](const Pose& pose) {
-      staged.deform(pose);
-      fused.frame.deform(pose);
-      CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * diagonal);
-      CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 2e-4);
-      CHECK(fused.frame.state.report().turns == staged.report().turns);
-    };
-    check(rest_pose(*staged.cage));
-    check(staged.pose(shear()));
+    fused.check(staged, rest_pose(*staged.cage));
+    fused.check(staged, staged.pose(shear()));
     for (int angle = 30; angle <= 690; angle += 60) {
-      check(staged.pose(Twist{2, {0, 0, 0}, -1, 1, -0.5 * angle * degree, 0.5 * angle * degree}));
-      check(staged.pose(similarity({1, 2, 3}, angle * degree, 1.5, {3, 0, -1}), {{angle * degree, 0, 0}}));
+      const double half = 0.5 * angle * degree;
+      fused.check(staged, staged.pose(Twist{2, {0, 0, 0}, -1, 1, -half, half}));
+      fused.check(staged, staged.pose(similarity({1, 2, 3}, 2 * half, 1.5, {3, 0, -1}), {{2 * half, 0, 0}}));
     }
   }
 }
 
 TEST_CASE("fused_frame_is_as_exact_far_from_the_origin_and_at_any_size") {
   for (const double size : {1e-9, 1e-3, 1e4, 1e12}) {
-    const auto scaled = [&](viete::mesh::Surface s) {
-      for (auto& p : s.positions) p = size * (p + Vec3{300, -200, 100});
-      return s;
+    const auto scaled = [&](const viete::mesh::Surface& s) {
+      return mapped(s, scaling(size, size * Vec3{300, -200, 100}));
     };
     Bound staged(scaled(fine_tube()), scaled(box()));
-    Fused fused(staged);
     Random random(7);
     Pose pose = rest_pose(*staged.cage);
     for (auto& p : pose.positions) p = p + random.vector(0.2 * size);
-    staged.deform(pose);
-    fused.frame.deform(pose);
-    CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
-    CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 1e-3);
+    Fused(staged).check(staged, pose, 1e-6, 1e-3);
   }
 }
 
@@ -107,7 +104,6 @@ TEST_CASE("fused_frames_have_the_same_bits_for_any_number_of_threads") {
 TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set") {
   Bound staged(fine_tube(), box());
   const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 250 * degree});
-  staged.deform(pose);
   const auto first_with = [&](bool fused_arithmetic) {
     const auto all = viete::sym3::kernels();
     return std::find_if(all.begin(), all.end(), [&](const auto& k) { return k.fused == fused_arithmetic; });
@@ -115,10 +111,8 @@ TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set")
   for (const auto& kernel : viete::sym3::kernels()) {
     CAPTURE(kernel.name);
     Fused fused(staged, 1, kernel), alike(staged, 1, *first_with(kernel.fused));
-    fused.frame.deform(pose);
+    fused.check(staged, pose);
     alike.frame.deform(pose);
-    CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
-    CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 2e-4);
     CHECK(fused.positions() == alike.positions());
   }
 }
@@ -137,10 +131,7 @@ TEST_CASE("fused_normals_are_right_for_any_triangles") {
   Bound staged(viete::mesh::from_triangles(p, t), box());
   Fused fused(staged);
   CHECK_FALSE(fused.binding->rings.high_valence.empty());
-  const Pose pose = staged.pose(shear());
-  staged.deform(pose);
-  fused.frame.deform(pose);
-  CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 1e-4);
+  fused.check(staged, staged.pose(shear()), 1e-6, 1e-4);
 }
 
 TEST_CASE("compressed_weights_move_vertices_by_less_than_their_tolerance") {
@@ -153,11 +144,8 @@ TEST_CASE("compressed_weights_move_vertices_by_less_than_their_tolerance") {
     CHECK(one.binding->factors == three.binding->factors);
     for (const Pose& pose : {rest_pose(*staged.cage), staged.pose(shear()),
                              staged.pose(Twist{2, {0, 0, 0}, -1, 1, -100 * degree, 100 * degree})}) {
-      staged.deform(pose);
-      one.frame.deform(pose);
+      one.check(staged, pose, tolerance, 1);
       three.frame.deform(pose);
-      CHECK(largest_distance(one.positions(), staged.deformer.positions()) <
-            tolerance * staged.cage->diagonal);
       CHECK(one.positions() == three.positions());
     }
     one.frame.deform(rest_pose(*staged.cage));
@@ -165,18 +153,11 @@ TEST_CASE("compressed_weights_move_vertices_by_less_than_their_tolerance") {
   }
 }
 
-TEST_CASE("weights_stay_dense_if_factors_do_not_pay") {
-  const Bound small_cage(tube(120, 60, 0.3, 1.5), box());
-  CHECK_FALSE(Fused(small_cage, 1, viete::sym3::kernel(), 1e-4).binding->compressed());
-  const Bound few_vertices(tube(4, 12, 0.3, 1.5), tube(7, 12, 0.6, 2));
-  CHECK_FALSE(Fused(few_vertices, 1, viete::sym3::kernel(), 1e-4).binding->compressed());
-}
-
 TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
   Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
   for (const double tolerance : {0.0, 3e-5}) {
     Fused dragged(staged, 1, viete::sym3::kernel(), tolerance);
-    const double bound = std::max(1e-6, tolerance) * staged.cage->diagonal;
+    const double bound = std::max(1e-6, tolerance);
     Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -50 * degree, 50 * degree});
     dragged.frame.deform(pose);
     CHECK_FALSE(dragged.frame.engine.dragging());
@@ -185,10 +166,8 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
       dragged.frame.state.begin_drag(std::array{vertex});
       for (int step = 0; step < 12; ++step) {
         pose.positions[vertex] = pose.positions[vertex] + random.vector(0.02);
-        dragged.frame.deform(pose);
+        dragged.check(staged, pose, bound, 1);
         CHECK(dragged.frame.engine.dragging());
-        staged.deform(pose);
-        CHECK(largest_distance(dragged.positions(), staged.deformer.positions()) < bound);
       }
       CHECK(dragged.frame.engine.bytes() < dragged.binding->dense_bytes());
       dragged.frame.state.end_drag();
@@ -198,55 +177,6 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
     Fused fresh(staged, 1, viete::sym3::kernel(), tolerance);
     fresh.frame.deform(pose);
     CHECK(dragged.positions() == fresh.positions());
-  }
-}
-
-TEST_CASE("a_drag_keeps_unweighted_leaves_and_updates_border_normals") {
-  constexpr std::size_t lanes = tile_lanes<float>;
-  constexpr std::uint32_t vertex = 40;
-  Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
-  viete::base::WorkerPool one(1), four(4);
-  auto binding = std::make_shared<TiledBinding>(bind_tiles(staged.model, *staged.cage, faces, one, 0));
-  const auto& elements = staged.cage->surface.triangles;
-  for (std::size_t slot = 0; slot < 5 * leaf_slots; ++slot) {
-    float* weights = binding->weights.data() + slot / lanes * lanes * binding->handles + slot % lanes;
-    double sum = 0;
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-      if (std::find(elements[e].begin(), elements[e].end(), vertex) != elements[e].end())
-        weights[e * lanes] = 0;
-      sum += weights[e * lanes];
-    }
-    for (std::size_t e = 0; e < elements.size(); ++e)
-      weights[e * lanes] = static_cast<float>(weights[e * lanes] / sum);
-  }
-  const auto bytes = [](const FusedFrame& frame) { return std::as_bytes(frame.vertices()); };
-  const auto distances = [](const FusedFrame& a, const FusedFrame& b) {
-    double position = 0, normal = 0;
-    for (std::size_t v = 0; v < a.vertices().size(); ++v) {
-      for (int i = 0; i < 3; ++i) {
-        const double p =
-            a.vertices()[v].position[i] - b.vertices()[v].position[i] + (a.origin() - b.origin())[i];
-        position = std::max(position, std::fabs(p));
-        normal = std::max<double>(normal, std::fabs(a.vertices()[v].normal[i] - b.vertices()[v].normal[i]));
-      }
-    }
-    return std::pair(position, normal);
-  };
-  FusedFrame dragged(staged.cage, binding, one), by_threads(staged.cage, binding, four);
-  Random random(13);
-  Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -50 * degree, 50 * degree});
-  for (FusedFrame* frame : {&dragged, &by_threads})
-    frame->deform(pose), frame->state.begin_drag(std::array{vertex});
-  for (int step = 0; step < 6; ++step) {
-    pose.positions[vertex] = pose.positions[vertex] + random.vector(0.1);
-    for (FusedFrame* frame : {&dragged, &by_threads}) frame->deform(pose);
-    REQUIRE(dragged.engine.dragging());
-    FusedFrame fresh(staged.cage, binding, one);
-    fresh.deform(pose);
-    const auto [position, normal] = distances(dragged, fresh);
-    CHECK(position < 1e-6 * staged.cage->diagonal);
-    CHECK(normal < 2e-4);
-    CHECK(std::equal(bytes(dragged).begin(), bytes(dragged).end(), bytes(by_threads).begin()));
   }
 }
 
@@ -260,23 +190,11 @@ TEST_CASE("a_drag_that_changes_logs_of_others_is_a_full_frame") {
     const double angle = 24.0 * step * degree;
     pose.positions[30] =
         pose.positions[30] + 0.3 * Vec3{std::cos(angle), std::sin(angle), std::cos(2 * angle)};
-    dragged.frame.deform(pose);
-    staged.deform(pose);
-    CHECK(largest_distance(dragged.positions(), staged.deformer.positions()) < 2e-6 * staged.cage->diagonal);
+    dragged.check(staged, pose, 2e-6, 1);
   }
 }
 
-TEST_CASE("fused_frame_refuses_a_pose_with_another_number_of_vertices") {
-  Bound staged(fine_tube(), box());
-  Fused fused(staged);
-  Pose pose = rest_pose(*staged.cage);
-  pose.positions.pop_back();
-  CHECK_THROWS_AS(fused.frame.deform(pose), viete::base::Error);
-}
-
 namespace {
-
-constexpr double leaf_radii[] = {0.1, 0.2, 0.3, 0.6};
 
 // A model of 29 leaves in a cage of 308 triangles.
 Bound with_radius(double radius) {
@@ -290,7 +208,7 @@ Fused listed(const Bound& staged, int threads = 1) {
 }  // namespace
 
 TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_radius_and_storage") {
-  for (const double radius : leaf_radii) {
+  for (const double radius : {0.1, 0.2, 0.3, 0.6}) {
     CAPTURE(radius);
     Bound staged = with_radius(radius);
     Fused dense(staged, 1, viete::sym3::kernel(), 0, Storage::dense),
@@ -304,11 +222,9 @@ TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_radius_and_storage") 
     if (radius < 0.3) CHECK(lists.binding->bytes() < dense.binding->bytes());
     for (const Pose& pose : {rest_pose(*staged.cage), staged.pose(shear()),
                              staged.pose(Twist{2, {0, 0, 0}, -1, 1, -100 * degree, 100 * degree})}) {
-      staged.deform(pose);
-      for (Fused* fused : {&dense, &lists, &threaded, &factors}) fused->frame.deform(pose);
-      CHECK(largest_distance(dense.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
-      CHECK(largest_distance(factors.positions(), staged.deformer.positions()) <
-            usual_tolerance * staged.cage->diagonal);
+      dense.check(staged, pose);
+      factors.check(staged, pose, usual_tolerance, 1);
+      for (Fused* fused : {&lists, &threaded}) fused->frame.deform(pose);
       CHECK(lists.positions() == dense.positions());
       CHECK(lists.normals() == dense.normals());
       CHECK(threaded.positions() == dense.positions());
@@ -333,15 +249,20 @@ TEST_CASE("weight_storage_is_chosen_by_cost") {
   CHECK(Fused(near).binding->storage() == Storage::lists);
   CHECK(Fused(far).binding->storage() == Storage::dense);
   CHECK(Fused(far, 1, viete::sym3::kernel(), usual_tolerance).binding->storage() == Storage::factors);
+  // Factors do not pay for small cages or few vertices.
+  const Bound small_cage(tube(120, 60, 0.3, 1.5), box()),
+      few_vertices(tube(4, 12, 0.3, 1.5), tube(7, 12, 0.6, 2));
+  for (const Bound* b : {&small_cage, &few_vertices})
+    CHECK_FALSE(Fused(*b, 1, viete::sym3::kernel(), 1e-4).binding->compressed());
 }
 
 TEST_CASE("vertices_out_of_reach_of_a_dragged_vertex_keep_every_bit") {
   for (const double radius : {0.15, 0.2, 0.25}) {
     CAPTURE(radius);
     Bound staged = with_radius(radius);
-    Fused fused = listed(staged);
+    Fused fused = listed(staged), by_threads = listed(staged, 4);
     const Pose before = staged.pose(Twist{2, {0, 0, 0}, -1, 1, -20 * degree, 20 * degree});
-    fused.frame.deform(before);
+    for (Fused* f : {&fused, &by_threads}) f->frame.deform(before);
     const auto from = fused.positions(), from_normals = fused.normals();
     const std::uint32_t dragged = 40;
     // Beyond the radius plus a margin: float and double differ at its end.
@@ -369,15 +290,15 @@ TEST_CASE("vertices_out_of_reach_of_a_dragged_vertex_keep_every_bit") {
       CHECK(moved > 100);
     };
     Pose pose = before;
-    fused.frame.state.begin_drag(std::array{dragged});
+    for (Fused* f : {&fused, &by_threads}) f->frame.state.begin_drag(std::array{dragged});
     for (int step = 0; step < 4; ++step) {
       pose.positions[dragged] = pose.positions[dragged] + Vec3{0.02, 0.03, -0.01};
-      fused.frame.deform(pose);
+      fused.check(staged, pose);
       CHECK(fused.frame.engine.dragging());
       check();
-      staged.deform(pose);
-      CHECK(largest_distance(fused.positions(), staged.deformer.positions()) < 1e-6 * staged.cage->diagonal);
-      CHECK(largest_distance(fused.normals(), staged.deformer.normals()) < 2e-4);
+      by_threads.frame.deform(pose);
+      CHECK(by_threads.positions() == fused.positions());
+      CHECK(by_threads.normals() == fused.normals());
     }
     fused.frame.state.end_drag();
     fused.frame.deform(pose);

@@ -34,10 +34,6 @@ Quad inner(const Vector& a, const Vector& b) {
 Quad length(const Vector& a) {
   return sqrtq(inner(a, a));
 }
-Vector outer(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Vector times(const Matrix& m, const Vector& x) {
   return {inner({m[0], m[1], m[2]}, x), inner({m[3], m[4], m[5]}, x), inner({m[6], m[7], m[8]}, x)};
 }
@@ -55,20 +51,16 @@ Vector centroid(const Corners& t) {
 
 // u, v and N / sqrt|N|.
 Corners frame(const Corners& t) {
-  const Vector u = minus(t[1], t[0]), v = minus(t[2], t[0]), n = outer(u, v);
+  const Vector u = minus(t[1], t[0]), v = minus(t[2], t[0]), n = cross(u, v);
   return {u, v, plus({0, 0, 0}, n, 1 / sqrtq(length(n)))};
 }
 
-// [u' v' n'] [u v n]^-1, the rows of the inverse being cross products over the determinant.
+// [u' v' n'] [u v n]^-1.
 Matrix affine_map(const Corners& rest, const Corners& posed) {
-  const auto& [u, v, n] = rest;
-  const Corners from = {outer(v, n), outer(n, u), outer(u, v)};
-  const Quad determinant = inner(u, outer(v, n));
-  Matrix m{};
-  for (int i = 0; i < 9; ++i) {
-    for (int k = 0; k < 3; ++k) m[i] += posed[k][i / 3] * from[k][i % 3] / determinant;
-  }
-  return m;
+  const auto columns = [](const Corners& c) {
+    return Matrix{c[0][0], c[1][0], c[2][0], c[0][1], c[1][1], c[2][1], c[0][2], c[1][2], c[2][2]};
+  };
+  return quad_product(columns(posed), quad_inverse(columns(rest)));
 }
 
 // M^T M, the square of the stretch.
@@ -158,12 +150,6 @@ Lists triangles_by_edge(const mesh::Surface& cage) {
   return groups;
 }
 
-Lists vertices_by_triangle(const mesh::Surface& cage) {
-  Lists groups;
-  for (const auto& t : cage.triangles) groups.push_back({t[0], t[1], t[2]});
-  return groups;
-}
-
 // All maps of one kind, and their neighbours.
 struct Maps {
   std::vector<Element> elements;
@@ -195,69 +181,6 @@ Quad size_of(const mesh::Surface& cage) {
   Quad farthest = 0;
   for (const auto& p : cage.positions) farthest = std::max(farthest, length(minus(quad(p), center)));
   return 2 * farthest;
-}
-
-// The patch of a cage vertex, and its vertices so far.
-struct Patch {
-  Vector center;
-  std::vector<bool> taken;
-  std::vector<std::size_t> vertices;
-};
-
-// sum w (p - c)(p - c)^T
-QuadSym spread(const Patch& patch, Points rest, Quad width) {
-  QuadSym k{};
-  for (const auto v : patch.vertices) {
-    const Vector x = minus(quad(rest[v]), patch.center);
-    const Quad w = 1 / (width * width + inner(x, x));
-    k.xx += w * x[0] * x[0], k.xy += w * x[0] * x[1], k.xz += w * x[0] * x[2];
-    k.yy += w * x[1] * x[1], k.yz += w * x[1] * x[2], k.zz += w * x[2] * x[2];
-  }
-  return k;
-}
-
-bool spreads_evenly(const QuadSym& k) {
-  const auto values = quad_eigen(k).values;
-  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-  return *least >= *largest / 100;
-}
-
-// Adds rings, at least one, until the patch spreads in all directions.
-void grow(Patch& patch, std::size_t center, const Lists& around, Points rest, Quad width) {
-  std::vector<std::size_t> ring{center};
-  patch.vertices.push_back(center), patch.taken[center] = true;
-  do {
-    std::vector<std::size_t> next;
-    for (const auto v : ring) {
-      for (const auto n : around[v]) {
-        if (!patch.taken[n]) next.push_back(n), patch.taken[n] = true;
-      }
-    }
-    patch.vertices.insert(patch.vertices.end(), next.begin(), next.end());
-    ring = next;
-  } while (!ring.empty() && !spreads_evenly(spread(patch, rest, width)));
-}
-
-// The least-squares fit of each patch about its vertex.
-Maps vertex_patch_maps(const mesh::Surface& cage, Points posed) {
-  const Points rest = cage.positions;
-  const Quad width = Quad(0.03) * size_of(cage);
-  Maps maps{{}, beside(vertices_by_triangle(cage), rest.size())};
-  for (std::size_t c = 0; c < rest.size(); ++c) {
-    Patch patch{quad(rest[c]), std::vector<bool>(rest.size()), {}};
-    grow(patch, c, maps.around, rest, width);
-    const Vector center = quad(posed[c]);
-    const Matrix inverse_spread =
-        full(quad_function(spread(patch, rest, width), [](Quad x) { return 1 / x; }));
-    Matrix m{};
-    for (const auto v : patch.vertices) {
-      const Vector x = minus(quad(rest[v]), patch.center), to = minus(quad(posed[v]), center);
-      const Vector dual = plus({}, times(inverse_spread, x), 1 / (width * width + inner(x, x)));
-      for (int i = 0; i < 9; ++i) m[i] += to[i / 3] * dual[i % 3];
-    }
-    maps.elements.push_back(element(m, patch.center, center));
-  }
-  return maps;
 }
 
 // Breadth-first from the first element, whose log is given; and the squared distances to `reference`, summed.
@@ -302,12 +225,12 @@ Quad squared_distance_to_segment(const Vector& p, const Vector& a, const Vector&
 }
 
 Quad squared_distance(const Vector& p, const Corners& t) {
-  const Vector n = outer(minus(t[1], t[0]), minus(t[2], t[0]));
+  const Vector n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
   bool inside = true;
   Quad edges = HUGE_VALQ;
   for (int i = 0; i < 3; ++i) {
     const Vector &a = t[i], &b = t[(i + 1) % 3];
-    inside = inside && inner(outer(minus(b, a), minus(p, a)), n) > 0;
+    inside = inside && inner(cross(minus(b, a), minus(p, a)), n) > 0;
     edges = std::min(edges, squared_distance_to_segment(p, a, b));
   }
   const Quad height = inner(minus(p, t[0]), n);
@@ -369,7 +292,7 @@ void add_mean_values(const Vector& p, const mesh::Triangle& t, const mesh::Surfa
   }
   for (int i = 0; i < 3; ++i) theta[i] = 2 * asinq(length(minus(u[(i + 1) % 3], u[(i + 2) % 3])) / 2);
   const Quad h = (theta[0] + theta[1] + theta[2]) / 2;
-  const Quad side = inner(u[0], outer(u[1], u[2])) < 0 ? -1 : 1;
+  const Quad side = inner(u[0], cross(u[1], u[2])) < 0 ? -1 : 1;
   for (int i = 0; i < 3; ++i) {
     c[i] = 2 * sinq(h) * sinq(h - theta[i]) / (sinq(theta[(i + 1) % 3]) * sinq(theta[(i + 2) % 3])) - 1;
     s[i] = side * sqrtq(1 - c[i] * c[i]);
@@ -426,8 +349,7 @@ Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& wei
 // around it that its own map moves; v are the positive weights, m and m' their means. Rotations of maps that
 // do not mirror: B (B^T B)^-1/2.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
-                        const std::vector<Element>& elements, const std::vector<Quad>& weights,
-                        deform::Blend blend) {
+                        const std::vector<Quad>& weights, deform::Blend blend) {
   const Vector from = mean(cage.positions, weights), to = mean(pose.positions, weights);
   std::vector<Quad> positive;
   for (const Quad w : weights) positive.push_back(w > 0 ? w : 0);
@@ -438,7 +360,7 @@ Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const Indepe
   for (std::size_t j = 0; j < weights.size(); ++j) {
     const Vector p = minus(quad(cage.positions[j]), m), q = minus(quad(pose.positions[j]), posed_m);
     for (int i = 0; i < 9; ++i) {
-      b[i] += positive[j] * (q[i / 3] * p[i % 3] + square * elements[j].map[i]);
+      b[i] += positive[j] * (q[i / 3] * p[i % 3] + square * pose.patches[j].linear[i]);
       k[i] += positive[j] * (p[i / 3] * p[i % 3] + square * identity[i]);
     }
   }
@@ -487,7 +409,7 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
     if (!(share > 0)) return x;
     auto whole = w;
     divide_by_sum(whole);
-    return plus(x, minus(by_least_squares(x, cage, pose, elements, whole, scheme.blend), x), share);
+    return plus(x, minus(by_least_squares(x, cage, pose, whole, scheme.blend), x), share);
   }
   if (scheme.weighting.elements == deform::Elements::point)
     return plus(x, minus(mean(pose.positions, w), mean(cage.positions, w)));
@@ -498,10 +420,12 @@ Vector moved_by(const Vector& x, const mesh::Surface& cage, const IndependentPos
 
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
                                       const IndependentPose& pose, const deform::Scheme& scheme) {
-  auto [elements, around] =
-      scheme.has_maps() ? face_maps(cage, pose.positions) : vertex_patch_maps(cage, pose.positions);
-  choose_turns(elements, around, quad(pose.turn));
-  IndependentFrame frame{{}, largest_step(elements, around)};
+  Maps maps;
+  if (scheme.has_maps()) {
+    maps = face_maps(cage, pose.positions);
+    choose_turns(maps.elements, maps.around, quad(pose.turn));
+  }
+  IndependentFrame frame{{}, largest_step(maps.elements, maps.around)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector x = quad(points[i]);
     std::vector<Quad> weights;
@@ -512,7 +436,7 @@ IndependentFrame deform_independently(std::span<const mesh::Point> points, const
     } else {
       weights = weights_at(x, cage, scheme.weighting);
     }
-    const Vector moved = moved_by(x, cage, pose, elements, weights, scheme);
+    const Vector moved = moved_by(x, cage, pose, maps.elements, weights, scheme);
     frame.positions.push_back(
         {static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])});
   }

@@ -33,14 +33,33 @@ std::vector<mesh::Surface> solid_cages() {
 TEST_CASE("an_affine_pose_is_the_map_of_every_patch") {
   for (const auto& surface : solid_cages()) {
     for (const double size : {1e-30, 1.0, 1e30}) {
-      auto scaled = surface;
-      for (auto& p : scaled.positions) p = size * p;
+      const auto scaled = mapped(surface, scaling(size));
       const Cage cage = make_cage(scaled);
       Affine map = shear();
       map.shift = size * map.shift;
       for (const auto& m : patch_maps_of(cage, mapped(scaled.positions, map)))
         CHECK(patch_difference(m, map) < 2e-13);
     }
+  }
+}
+
+TEST_CASE("patches_are_least_squares_fits_weighted_by_distance") {
+  Random random(4);
+  const Cage cage = make_cage(tube(9, 7, 0.4, 2.2));
+  const auto& rest = cage.surface.positions;
+  auto posed = mapped(rest, shear());
+  for (auto& p : posed) p = p + random.vector(0.3);
+  const VertexPatches patches(cage, cage.size);
+  const auto maps = patch_maps_of(cage, posed);
+  for (std::uint32_t v = 0; v < maps.size(); ++v) {
+    sym3::Mat3<double> slope{};  // sum w (p' - c' - M (p - c)) (p - c)^T
+    for (const auto& member : patches.members(v)) {
+      const Vec3 x = rest[member.vertex] - rest[v];
+      const Vec3 off = posed[member.vertex] - posed[v] - times(maps[v].linear, x);
+      const double w = 1 / (std::pow(0.03 * cage.size, 2) + squared_norm(x));
+      for (std::size_t i = 0; i < 9; ++i) slope[i] += w * off[i / 3] * x[i % 3];
+    }
+    for (const double s : slope) CHECK(std::abs(s) < 1e-10);
   }
 }
 

@@ -4,12 +4,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/exact.h"
 #include "deform/maps.h"
 #include "deform/probe_layer.h"
-#include "deform/stitching.h"
 
 using namespace viete::test;
 using viete::sym3::Method;
@@ -104,34 +101,18 @@ TEST_CASE("probes_act_by_their_weights") {
   }
 }
 
-TEST_CASE("a_turn_alone_keeps_every_distance_to_the_probe_whatever_its_falloff") {
-  for (const auto& falloff : all_falloffs()) {
-    Probe p = probe_at({0.4, 0.1, -0.2}, within(0.9, falloff.value));
-    p.pose.turn = {0, 0, 3 * pi};  // one and a half turns
-    const auto positions = moved_by({{p}});
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      const Vec3& x = probed_tube().positions[v];
-      CHECK(norm(positions[v] - p.place) == doctest::Approx(norm(x - p.place)).epsilon(1e-13));
-    }
-  }
-}
-
 TEST_CASE("vertices_out_of_reach_and_resting_probes_change_no_bit") {
   Probes probes{{probe_at({0, 0, -0.7}, within(0.6)), probe_at({0, 0, 1}, within(1))}};
   CHECK(moved_by(probes) == probed_tube().positions);
   probes.all[0].pose = strong();
   const auto positions = moved_by(probes);
-  std::size_t kept = 0, changed = 0;
+  std::size_t changed = 0;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Vec3& x = probed_tube().positions[v];
-    const bool reached = norm(x - probes.all[0].place) < 0.6;
-    (reached ? changed : kept) += positions[v] != x;
-    kept += !reached && positions[v] == x;
+    changed += positions[v] != x;
+    if (norm(x - probes.all[0].place) >= 0.6) CHECK(positions[v] == x);
   }
   CHECK(changed > 50);
-  const auto far = std::ranges::count_if(probed_tube().positions,
-                                         [&](const Vec3& x) { return norm(x - probes.all[0].place) >= 0.6; });
-  CHECK(kept == std::size_t(far));
 }
 
 TEST_CASE("falloffs_begin_at_one_never_rise_and_end_at_the_radius") {
@@ -275,68 +256,40 @@ TEST_CASE("a_mask_counts_for_probes_and_results_do_not_depend_on_threads") {
 }
 
 TEST_CASE("probes_follow_the_cage_in_every_engine") {
-  const auto cage_shape = box();
   const Twist twist{2, {0, 0, 0}, -1, 1, 0, 100 * degree};
-  struct Case {
-    Weighting weighting;
-    Blend blend;
-    int iterations;
-  };
-  const Case cases[] = {{faces, Blend::srl, 0},
-                        {faces, Blend::linear, 0},
-                        {mean_values, Blend::linear, 0},
-                        {biharmonics, Blend::srl, 0},
-                        {faces, Blend::srl, 1}};
-  for (const auto& c : cases) {
-    Bound b(probed_tube(), cage_shape, c.weighting, 2, c.blend);
-    const Scheme scheme{c.weighting, c.blend, {}, c.iterations};
-    const Pose pose = b.pose(twist);
-    const auto exact = [&](const Probes& probes) {
-      return deform_exactly(probed_tube(), b.cage, scheme, pose, Method::fast, b.pool, nullptr, nullptr,
-                            probes)
-          .positions;
-    };
-    const auto expected = exact(some_probes());
+  for (const Scheme& scheme :
+       {Scheme{faces}, Scheme{faces, Blend::linear}, Scheme{mean_values, Blend::linear}, Scheme{biharmonics},
+        Scheme{.weighting = {}, .iterations = 1}}) {
+    CAPTURE(text(scheme));
+    Frames f(probed_tube(), box(), scheme);
+    const Pose pose = f.staged.pose(twist);
+    const auto without = f.deform(pose);
     // Equals the layer applied to the cage's result.
-    auto carried = exact({});
-    ProbeLayer layer(probed_tube().positions, b.pool);
+    auto carried = without;
+    ProbeLayer layer(probed_tube().positions, f.staged.pool);
     layer.set(some_probes(), nullptr);
     layer.move_all(carried, Method::fast);
-    CHECK(largest_distance(carried, expected) == 0);
-    const Binding fused_alone =
-        bind(probed_tube(), *b.cage, c.weighting, EngineKind::fused, b.binding.get(), b.pool);
-    std::shared_ptr<const Stitching> stitching;
-    if (c.iterations) stitching = std::make_shared<const Stitching>(stitch(probed_tube(), *b.cage, b.pool));
-    Deformer fast(b.cage, std::make_shared<const Binding>(fused_alone), scheme, b.pool, stitching);
-    fast.set_probes(some_probes());
-    fast.deform(pose, Method::fast);
-    CHECK(fast.ran() == (c.iterations ? EngineKind::stitched : EngineKind::fused));
-    const double diagonal = b.cage->diagonal, tolerance = 2e-5;
-    CHECK(largest_distance(fast.positions(), expected) / diagonal < tolerance);
-    CHECK(fast.times()[Link::probes] > 0);
-    CHECK(fast.sampled_error() < tolerance);
-    if (c.iterations) continue;
-    b.deformer.set_probes(some_probes());
-    b.deformer.deform(pose, Method::diag);
-    CHECK(largest_distance(b.deformer.positions(), expected) / diagonal < 1e-12);
+    f.set_probes(some_probes());
+    CHECK(f.deform(pose) == carried);
+    CHECK(f.fused.times()[Link::probes] > 0);
+    if (scheme.stitched()) continue;
     // Places follow the nearest vertex, before the probes move it.
-    const auto ridden = fast.probes().carried();
-    const auto without = exact({});
+    const auto ridden = f.fused.probes().carried();
+    const double diagonal = f.staged.cage->diagonal;
     for (std::size_t i = 0; i < ridden.size(); ++i) {
-      const auto v = fast.probes().anchors()[i];
+      const auto v = f.fused.probes().anchors()[i];
       const Vec3 way = without[v] - probed_tube().positions[v];
-      CHECK(norm(fast.origin() + ridden[i] - (some_probes().all[i].place + way)) / diagonal < tolerance);
+      CHECK(norm(f.fused.origin() + ridden[i] - (some_probes().all[i].place + way)) / diagonal < 2e-5);
     }
     // Frames depend neither on earlier ones nor on being a drag.
-    const auto whole = fast.positions();
-    fast.begin_drag(std::array{0u, 1u});
-    for (int n = 0; n < 3; ++n) fast.deform(pose, Method::fast);
-    CHECK(largest_distance(fast.positions(), whole) / diagonal < 2e-6);
-    fast.set_probes({});
-    fast.deform(pose, Method::fast);
-    CHECK(largest_distance(fast.positions(), without) / diagonal < tolerance);
-    CHECK(fast.times()[Link::probes] == 0);
-    CHECK(fast.probes().places().empty());
+    const auto whole = f.fused.positions();
+    f.fused.begin_drag(std::array{0u, 1u});
+    for (int n = 0; n < 3; ++n) f.fused.deform(pose, Method::fast);
+    CHECK(largest_distance(f.fused.positions(), whole) / diagonal < 2e-6);
+    f.set_probes({});
+    CHECK(f.deform(pose) == without);
+    CHECK(f.fused.times()[Link::probes] == 0);
+    CHECK(f.fused.probes().places().empty());
   }
 }
 

@@ -39,8 +39,9 @@ constexpr Method methods[] = {Method::diag, Method::sd, Method::improved_sd, Met
 
 TEST_CASE("unmoved_cage_keeps_every_vertex") {
   for (const auto& cage : cages()) {
-    for (const auto& c : {faces, mean_values}) {
-      Bound b(model_across(), cage, c);
+    for (const Scheme& scheme :
+         {Scheme{faces}, Scheme{faces, Blend::linear}, Scheme{mean_values, Blend::linear}}) {
+      Bound b(model_across(), cage, scheme.weighting, 2, scheme.blend);
       for (const auto method : methods) {
         CHECK(largest_distance(b.deform(rest_pose(*b.cage), method), b.model.positions) <
               1e-14 * b.cage->diagonal);
@@ -51,24 +52,14 @@ TEST_CASE("unmoved_cage_keeps_every_vertex") {
 
 TEST_CASE("similarity_poses_move_every_vertex_by_that_similarity") {
   for (const auto& cage : cages()) {
-    Bound b(model_across(), cage);
-    for (const double angle : {1e-9, 1.0, 90.0, 179.999, 180.0, 180.001, 270.0, 360.0, 540.0}) {
-      for (const double scale : {1e-3, 1.0, 1e3}) {
-        for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{1, -2, 3}}) {
-          CHECK(b.error(similarity(axis, angle * degree, scale, {2 * scale, scale, -scale})) < 1e-12);
+    for (const Blend blend : {Blend::srl, Blend::linear}) {
+      Bound b(model_across(), cage, faces, 2, blend);
+      for (const double angle : {1e-9, 1.0, 90.0, 179.999, 180.0, 180.001, 270.0, 360.0, 540.0}) {
+        for (const double scale : {1e-3, 1.0, 1e3}) {
+          for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{1, -2, 3}})
+            CHECK(b.error(similarity(axis, angle * degree, scale, {2 * scale, scale, -scale})) < 1e-12);
         }
       }
-    }
-  }
-}
-
-TEST_CASE("averaged_maps_keep_rest_and_follow_similarities_of_every_cage") {
-  for (const auto& cage : cages()) {
-    Bound b(model_across(), cage, faces, 2, Blend::linear);
-    CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 1e-14 * b.cage->diagonal);
-    for (const double angle : {1e-9, 90.0, 180.0, 270.0}) {
-      for (const double scale : {1e-3, 1.0, 1e3})
-        CHECK(b.error(similarity({1, -2, 3}, angle * degree, scale, {2 * scale, scale, -scale})) < 1e-12);
     }
   }
 }
@@ -93,44 +84,18 @@ TEST_CASE("halfway_between_opposite_turns_logs_keep_the_thickness_that_averaged_
 
 TEST_CASE("similarity_poses_hold_at_every_length_scale_and_far_from_the_origin") {
   for (const double s : {1e-30, 1e-6, 1e6, 1e30}) {
-    const auto scaled = [s](mesh::Surface surface) {
-      for (auto& p : surface.positions) p = s * p;
-      return surface;
-    };
+    const auto scaled = [s](const mesh::Surface& surface) { return mapped(surface, scaling(s)); };
     for (const auto& c : {faces, mean_values}) {
       Bound b(scaled(tube_model()), scaled(box()), c);
       CHECK(b.error(similarity({1, 2, 3}, 2, 3, {s, s, -s})) < 1e-12);
       CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 1e-14 * b.cage->diagonal);
     }
   }
-  const auto moved = [](mesh::Surface surface) {
-    for (auto& p : surface.positions) p = p + Vec3{1e7, -2e7, 3e7};
-    return surface;
-  };
+  const auto moved = [](const mesh::Surface& s) { return mapped(s, scaling(1, {1e7, -2e7, 3e7})); };
   Bound b(moved(tube_model()), moved(box()));
   CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 2e-8);  // ulp of 3e7: 3.7e-9
   const auto shift = [](const Vec3& x) { return x + Vec3{0.5, 0.25, -0.5}; };
   CHECK(largest_distance(b.deform(b.pose(shift)), mapped(b.model.positions, shift)) < 2e-8);
-}
-
-TEST_CASE("affine_poses_of_closed_cages_are_exact_for_mean_values") {
-  for (const auto& cage :
-       {box({1, 1.1, 1.2}), tube(9, 7, 0.4, 2.2), together(box(), box({0.3, 0.3, 2}, {5, 0, 0}))}) {
-    for (const auto& m : {tube_model(), model_across()}) {
-      Bound b(m, cage, mean_values);
-      CHECK(b.error(shear()) < 1e-12);
-      CHECK(b.error(similarity({1, 2, 3}, 2.5, 1e3)) < 1e-12);
-    }
-  }
-}
-
-TEST_CASE("moving_the_scene_moves_the_result") {
-  Bound b(tube_model(), box());
-  const auto bent = [](const Vec3& x) { return Vec3{x[0] + 0.3 * x[2] * x[2], x[1], x[2] * 1.2}; };
-  const auto moved = [&](const Vec3& x) { return bent(x) + Vec3{100, -50, 25}; };
-  const auto here = b.deform(b.pose(bent));
-  const auto there = mapped(here, [](const Vec3& x) { return x + Vec3{100, -50, 25}; });
-  CHECK(largest_distance(b.deform(b.pose(moved)), there) < 1e-12);
 }
 
 TEST_CASE("all_methods_agree_on_the_positions") {
@@ -144,74 +109,26 @@ TEST_CASE("all_methods_agree_on_the_positions") {
   CHECK(largest_distance(b.deform(b.pose(wild), Method::improved_sd), diag) < 1e-5 * diagonal);
 }
 
-TEST_CASE("dragging_a_root_through_180_degrees_does_not_jump") {
-  Bound b(tube_model(), tube(9, 7, 0.4, 2.2));
-  std::vector<mesh::Point> before;
-  std::vector<Vec3> turns;
-  double largest_step = 0;
-  for (int a = 0; a <= 300; a += 2) {
-    // Every part of the cage rotates, one end ahead of the other: the root passes 180 degrees near a = 180.
-    const Twist twist{2, {0, 0, 0}, -1.1, 1.1, (a - 20) * degree, (a + 20) * degree};
-    const auto now = b.deform(b.pose(twist, turns));
-    turns = b.report().turns;
-    if (!before.empty()) largest_step = std::max(largest_step, largest_distance(now, before));
-    before.assign(now.begin(), now.end());
-  }
-  CHECK(norm(turns[0]) > 250 * degree);
-  CHECK(largest_step < 3 * 2 * degree * 0.4);  // two degrees at the cage's radius, times three
-}
-
-TEST_CASE("winding_up_and_back_returns_exactly") {
-  Bound b(tube_model(), tube(9, 7, 0.4, 2.2));
-  const auto end = [](double a) { return similarity({1, 2, 3}, a * degree); };
-  std::vector<Vec3> turns;
-  for (int a = 0; a <= 720; a += 20) {
-    b.deform(b.pose(end(a), turns));
-    turns = b.report().turns;
-  }
-  CHECK(norm(turns[0]) == doctest::Approx(720 * degree));
-  for (int a = 720; a >= 0; a -= 20) {
-    b.deform(b.pose(end(a), turns));
-    turns = b.report().turns;
-  }
-  CHECK(largest_distance(b.deformer.positions(), b.model.positions) < 1e-14 * b.cage->diagonal);
-}
-
-TEST_CASE("collapsed_and_mirrored_poses_stay_finite") {
+TEST_CASE("random_collapsed_and_mirrored_poses_of_every_cage_stay_finite_with_every_method") {
   const auto flat = [](const Vec3& x) { return Vec3{x[0], x[1], 0}; };
   const auto line = [](const Vec3& x) { return Vec3{x[0], 0, 0}; };
   const auto dot = [](const Vec3&) { return Vec3{1, 2, 3}; };
   const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
+  Random random(16);
   for (const auto& cage : cages()) {
     for (const auto& c : {faces, mean_values}) {
       Bound b(model_across(), cage, c);
-      CHECK(all_finite(b.deform(b.pose(flat))));
-      CHECK(all_finite(b.deform(b.pose(line))));
-      CHECK(all_finite(b.deform(b.pose(mirror))));
-      CHECK(all_finite(b.deform(b.pose(dot))));
+      std::vector<Pose> poses = {b.pose(flat), b.pose(line), b.pose(mirror), b.pose(dot)};
+      for (int n = 0; n < 20; ++n) {
+        poses.push_back(rest_pose(*b.cage));
+        for (auto& p : poses.back().positions) p = p + random.vector(std::pow(10, random(-3, 3)));
+      }
+      for (const Pose& pose : poses) {
+        for (const auto method : methods) CHECK(all_finite(b.deform(pose, method)));
+        CHECK(all_finite(b.deformer.normals()));
+      }
+      b.deform(poses[3]);
       if (c == faces) CHECK_FALSE(b.report().collapsed.empty());
-      for (const auto& n : b.deformer.normals()) CHECK(std::isfinite(norm(n)));
     }
   }
-}
-
-TEST_CASE("random_poses_of_every_cage_stay_finite_with_every_method") {
-  Random random(16);
-  for (const auto& cage : cages()) {
-    Bound b(model_across(), cage);
-    for (int n = 0; n < 20; ++n) {
-      Pose pose = rest_pose(*b.cage);
-      for (auto& p : pose.positions) p = p + random.vector(std::pow(10, random(-3, 3)));
-      for (const auto method : methods) CHECK(all_finite(b.deform(pose, method)));
-    }
-  }
-}
-
-TEST_CASE("vertices_on_the_cage_follow_it") {
-  Bound b(box({1, 1.1, 1.2}), box({1, 1.1, 1.2}), mean_values);
-  const auto pose = b.pose(shear());
-  CHECK(largest_distance(b.deform(pose), pose.positions) < 1e-13);
-  // With face elements a vertex where several meet takes their mean: finite, and near.
-  Bound face(box({1, 1.1, 1.2}), box({1, 1.1, 1.2}));
-  CHECK(largest_distance(face.deform(pose), pose.positions) < 0.3);
 }

@@ -74,14 +74,6 @@ void check_not_torn(Bound& b, const Pose& pose, const Twist& twist) {
   CHECK(largest_distance(positions, mapped(b.model.positions, twist)) < 0.08 * b.cage->diagonal);
 }
 
-// A further rotation by `step` degrees moves no vertex much further than the rotation about the axis does: no
-// branch flips.
-void check_no_jump(Bound& b, std::vector<mesh::Point>& before, double step) {
-  const auto now = b.deformer.positions();
-  if (!before.empty()) CHECK(largest_distance(now, before) < 0.5 * step * degree * b.cage->diagonal);
-  before.assign(now.begin(), now.end());
-}
-
 }  // namespace
 
 TEST_CASE("twists_of_200_degrees_of_real_models_do_not_tear" * doctest::test_suite(if_present)) {
@@ -101,7 +93,10 @@ TEST_CASE("twists_of_200_degrees_of_real_models_do_not_tear" * doctest::test_sui
         CAPTURE(a);
         const Twist t = twist(*b.cage, axis, from * a, (from + 1) * a);
         check_not_torn(b, b.pose(t), t);
-        check_no_jump(b, before, 10);
+        // Moves no vertex much further than the rotation about the axis does: no branch flips.
+        const auto now = b.deformer.positions();
+        if (a > 0) CHECK(largest_distance(now, before) < 0.5 * 10 * degree * b.cage->diagonal);
+        before = now;
       }
     }
   }

@@ -106,6 +106,29 @@ std::vector<mesh::Point> mapped(std::span<const mesh::Point> points, const Map& 
   return result;
 }
 
+template <class Map>
+mesh::Surface mapped(mesh::Surface surface, const Map& map) {
+  for (auto& p : surface.positions) p = map(p);
+  return surface;
+}
+
+/// Scaled, then shifted.
+inline Affine scaling(double scale, const Vec3& shift = {0, 0, 0}) {
+  return {{scale, 0, 0, 0, scale, 0, 0, 0, scale}, shift};
+}
+
+/// Each triangle gets corners of its own.
+inline mesh::Surface loose_triangles(const mesh::Surface& surface) {
+  std::vector<mesh::Point> p;
+  std::vector<mesh::Triangle> t;
+  for (const auto& corners : surface.triangles) {
+    const auto n = static_cast<std::uint32_t>(p.size());
+    for (const auto v : corners) p.push_back(surface.positions[v]);
+    t.push_back({n, n + 1, n + 2});
+  }
+  return mesh::from_triangles(p, t);
+}
+
 /// Twist about the coordinate axis `axis` through `center`: angle (radians) grows linearly from `low` to
 /// `high`.
 struct Twist {

@@ -32,10 +32,9 @@ struct StitchScene {
   explicit StitchScene(const mesh::Surface& model_, const mesh::Surface& cage_surface = tube(9, 7, 0.8, 4.4))
       : model(model_), cage(std::make_shared<const Cage>(make_cage(cage_surface))) {}
 
-  std::vector<mesh::Point> deform(const Pose& pose, const Scheme& scheme = stitched(), int threads = 2,
-                                  sym3::Method method = sym3::Method::fast) const {
-    base::WorkerPool pool(threads);
-    return deform_exactly(model, cage, scheme, pose, method, pool).positions;
+  std::vector<mesh::Point> deform(const Pose& pose, const Scheme& scheme = stitched()) const {
+    base::WorkerPool pool(2);
+    return deform_exactly(model, cage, scheme, pose, sym3::Method::fast, pool).positions;
   }
   template <class Map>
   Pose pose(const Map& map) const {
@@ -58,9 +57,7 @@ mesh::Surface pipe() {
 
 mesh::Surface rough_pipe() {
   Random random(7);
-  mesh::Surface s = pipe();
-  for (auto& p : s.positions) p = p + random.vector(0.02);
-  return s;
+  return mapped(pipe(), [&](const Vec3& x) { return x + random.vector(0.02); });
 }
 
 const Twist pipe_twist{2, {0.1, 0, 0}, -2.2, 2.2, -60 * degree, 70 * degree};
@@ -84,12 +81,8 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
     const Vec3 pu = posed[t[1]] - posed[t[0]], pv = posed[t[2]] - posed[t[0]];
     const Vec3 d1 = (1 / norm(u)) * pu;
     const Vec3 d2 = (1 / dot(v, e2)) * (pv - dot(v, e1) * d1);
-    const auto times = [&](const Vec3& x) {
-      return Vec3{map[0] * x[0] + map[1] * x[1] + map[2] * x[2],
-                  map[3] * x[0] + map[4] * x[1] + map[5] * x[2],
-                  map[6] * x[0] + map[7] * x[1] + map[8] * x[2]};
-    };
-    sum += area2 / 2 * (squared_norm(d1 - times(e1)) + squared_norm(d2 - times(e2)));
+    const Affine linear{map};
+    sum += area2 / 2 * (squared_norm(d1 - linear(e1)) + squared_norm(d2 - linear(e2)));
   }
   return sum;
 }
@@ -129,9 +122,7 @@ TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
   for (const auto& [scale, way] :
        {std::pair{1.0, Vec3{1000, -2000, 500}}, {1e-6, Vec3{0, 0, 0}}, {1e6, Vec3{3e6, 0, 0}}}) {
     const auto moved = [&, scale = scale, way = way](const Vec3& x) { return scale * x + way; };
-    mesh::Surface model = here.model, cage = here.cage->surface;
-    model.positions = mapped(model.positions, moved), cage.positions = mapped(cage.positions, moved);
-    const StitchScene there(model, cage);
+    const StitchScene there(mapped(here.model, moved), mapped(here.cage->surface, moved));
     const Pose pose{mapped(here.pose(pipe_twist).positions, moved), {}};
     CHECK(largest_distance(there.deform(pose), mapped(posed, moved)) < 1e-9 * scale);
   }
@@ -141,7 +132,7 @@ TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
   // All triangles follow one map that the cage does not make: rows of the test's own.
   const StitchScene s(pipe());
   base::WorkerPool pool(2);
-  const Stitching stitching = stitch(s.model, *s.cage, pool, {.pin = 1e-3});
+  const Stitching stitching = stitch(s.model, *s.cage, pool);
   const sym3::Mat3<double> map = shear().linear;
   std::vector<double> row(12, 0.0);
   for (int i = 0; i < 9; ++i) row[i] = map[i] - (i % 4 == 0);
@@ -185,7 +176,7 @@ TEST_CASE("refitting_rotations_lowers_the_energy_each_time") {
     const Rows rows = state.rows();
     const Binding binding = bind(s.model, *s.cage, scheme.weighting, pool);
     std::vector<double> sums(binding.vertices * rows.columns());
-    blend(binding, rows, 0, binding.vertices, std::span(sums));
+    blend({binding}, rows, 0, binding.vertices, sums);
     const Stitching stitching = stitch(s.model, *s.cage, pool);
     Stitcher stitcher(stitching, rows.form, pool);
     double before = 0;
@@ -244,11 +235,6 @@ TEST_CASE("models_without_firm_triangles_are_stitched_to_their_blended_positions
   base::WorkerPool pool(1);
   const StitchScene s(pipe());
   CHECK_THROWS_AS(stitch({}, *s.cage, pool), base::Error);
-}
-
-TEST_CASE("stitching_is_cancelled") {
-  const StitchScene s(pipe());
-  base::WorkerPool pool(2);
   base::Progress progress;
   progress.cancel();
   CHECK_THROWS_AS(stitch(s.model, *s.cage, pool, {}, &progress), base::Cancelled);
@@ -262,26 +248,9 @@ TEST_CASE("mirrored_and_collapsed_poses_give_finite_stitched_models") {
   const auto mirror = [](const Vec3& x) { return Vec3{-x[0], x[1], x[2]}; };
   for (const Scheme& scheme : all_stitched(3)) {
     CAPTURE(text(scheme));
-    CHECK(all_finite(s.deform(s.pose(flat), scheme)));
-    CHECK(all_finite(s.deform(s.pose(line), scheme)));
-    CHECK(all_finite(s.deform(s.pose(point), scheme)));
-    CHECK(all_finite(s.deform(s.pose(mirror), scheme)));
+    for (const Pose& pose : {s.pose(flat), s.pose(line), s.pose(point), s.pose(mirror)})
+      CHECK(all_finite(s.deform(pose, scheme)));
   }
-}
-
-TEST_CASE("stitched_models_have_the_same_bits_on_any_number_of_threads") {
-  const StitchScene s(pipe());
-  for (const int iterations : {1, 3}) {
-    const auto one = s.deform(s.pose(pipe_twist), stitched(Blend::srl, iterations), 1);
-    for (const int threads : {2, 3, 5})
-      CHECK(s.deform(s.pose(pipe_twist), stitched(Blend::srl, iterations), threads) == one);
-  }
-}
-
-TEST_CASE("methods_agree_on_stitched_models") {
-  const StitchScene s(pipe());
-  const auto fast = s.deform(s.pose(bent_pipe));
-  CHECK(largest_distance(s.deform(s.pose(bent_pipe), stitched(), 2, sym3::Method::diag), fast) < 1e-12);
 }
 
 TEST_CASE("pins_within_a_radius_pull_more_and_translation_pulls_everything") {
@@ -294,11 +263,11 @@ TEST_CASE("pins_within_a_radius_pull_more_and_translation_pulls_everything") {
   CHECK(wide.pins.size() > usual.pins.size());
   for (const auto& pin : wide.pins) {
     CHECK(pin.weight > 0);
-    CHECK(pin.weight <= StitchingSettings{}.pin);
-    CHECK((pin.weight == StitchingSettings{}.pin ||
+    CHECK(pin.weight <= pin_strength);
+    CHECK((pin.weight == pin_strength ||
            norm(s.model.positions[pin.vertex] - s.cage->centers[pin.handle]) < 0.2 * s.cage->diagonal));
   }
-  CHECK(stitch(s.model, *s.cage, pool, {.translation = 1}).holds.size() == s.model.positions.size());
+  CHECK(stitch(s.model, *s.cage, pool, {.weight = 1}).holds.size() == s.model.positions.size());
 }
 
 TEST_CASE("elements_without_area_pin_nothing") {
@@ -314,16 +283,10 @@ TEST_CASE("elements_without_area_pin_nothing") {
 
 TEST_CASE("a_soup_of_triangles_and_layers_are_stitched_as_one_and_come_apart_where_that_is_asked_for") {
   const mesh::Surface whole = pipe();
-  mesh::Surface soup, layers = whole;
-  for (const auto& t : whole.triangles) {
-    for (const auto v : t) soup.positions.push_back(whole.positions[v]);
-  }
-  for (std::uint32_t i = 0; i < soup.positions.size(); i += 3) soup.triangles.push_back({i, i + 1, i + 2});
-  soup = mesh::from_triangles(soup.positions, soup.triangles);
+  const mesh::Surface soup = loose_triangles(whole);
+  const auto inner = [](const Vec3& p) { return Vec3{0.96 * p[0], 0.96 * p[1], 0.99 * p[2]}; };
+  const mesh::Surface layers = together(whole, mapped(whole, inner));
   const auto n = static_cast<std::uint32_t>(whole.positions.size());
-  for (const auto& p : whole.positions) layers.positions.push_back({0.96 * p[0], 0.96 * p[1], 0.99 * p[2]});
-  for (const auto& [a, b, c] : whole.triangles) layers.triangles.push_back({a + n, b + n, c + n});
-  layers = mesh::from_triangles(layers.positions, layers.triangles);
 
   const StitchScene one(whole), of_soup(soup), of_layers(layers);
   const Pose pose = one.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, 0, 60 * degree});

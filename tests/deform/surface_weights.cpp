@@ -3,13 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <numeric>
 
 #include "base/error.h"
 #include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
-#include "deform/exact.h"
 #include "deform/point_weights.h"
+#include "deform/tiled_binding.h"
 #include "deform/vertex_sample.h"
 #include "mesh/formats/read.h"
 #include "mesh/triangle.h"
@@ -64,11 +65,6 @@ mesh::Surface wavy_sphere(std::uint32_t rings, std::uint32_t sides) {
     const double wave = 1 + 0.2 * std::sin(5 * p[0] + 3 * z);
     p = {wave * r * p[0], 0.6 * wave * r * p[1], z};
   }
-  return surface;
-}
-
-mesh::Surface shifted(mesh::Surface surface, const Vec3& way) {
-  for (auto& p : surface.positions) p = p + way;
   return surface;
 }
 
@@ -216,7 +212,7 @@ TEST_CASE("biharmonic_weights_hardly_depend_on_how_fine_the_model_is") {
 }
 
 TEST_CASE("parts_that_no_handle_owns_and_stray_vertices_follow_the_nearest_part_as_one") {
-  const auto main = tube(12, 10, 0.5, 3), other = shifted(tube(4, 5, 0.1, 0.3), {0.9, 0, 1.05});
+  const auto main = tube(12, 10, 0.5, 3), other = mapped(tube(4, 5, 0.1, 0.3), scaling(1, {0.9, 0, 1.05}));
   auto model = together(main, other);
   model.positions.push_back({-0.7, 0, -0.8});
   const Cage cage = triangles_at({{0, 0, -2}, {0, 0, 2}, {-1, 0, 0}});
@@ -265,15 +261,15 @@ TEST_CASE("models_without_triangles_are_refused_and_solving_can_be_cancelled") {
                   base::Cancelled);
 }
 
-TEST_CASE("rows_that_are_bound_sum_to_1_to_the_last_bits") {
+TEST_CASE("bound_rows_sum_to_1_to_the_last_bits_and_clamped_plates_are_not_negative") {
   for (const auto& weighting : {harmonics, biharmonics}) {
     const Bound b(wavy_sphere(60, 50), tube(6, 8, 1.5, 3), weighting);
-    for (std::size_t v = 0; v < b.binding->vertices; ++v) {
-      double sum = 0;
-      for (std::size_t j = 0; j < b.binding->handles; ++j)
-        sum += b.binding->weights[v * b.binding->handles + j];
-      CHECK(std::abs(sum - 1) < 1e-14);
-    }
+    const auto& w = b.binding->weights;
+    for (std::size_t v = 0; v < w.size(); v += b.binding->handles)
+      CHECK(std::abs(std::accumulate(&w[v], &w[v] + b.binding->handles, 0.0) - 1) < 1e-14);
+    const auto [low, high] = std::ranges::minmax(w);
+    CHECK(low == 0);
+    CHECK(high <= 1.2);
   }
 }
 
@@ -283,17 +279,17 @@ TEST_CASE("tiles_and_samples_have_the_surface_weights_of_the_staged_engine") {
     const auto& all = *b.binding;
     std::vector<std::size_t> vertices(all.vertices);
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] = v;
+    const Weigher weigher(*b.cage, weighting);
     for (const auto storage : {Storage::dense, Storage::factors, Storage::lists}) {
       Binding tiled = all;
       tiled.weights.clear();
       tiled.tiles = std::make_shared<const TiledBinding>(
           bind_tiles(b.model, *b.cage, weighting, b.pool, usual_tolerance, nullptr, storage));
       CHECK(tiled.tiles->storage() == storage);
+      const Binding part = BoundVertices(weigher, tiled, nullptr).part(vertices);
       double worst = 0;
-      visit_kept_weights(tiled, vertices, [&](std::size_t v, const std::vector<double>& row) {
-        for (std::size_t j = 0; j < row.size(); ++j)
-          worst = std::max(worst, std::abs(row[j] - all.weights[v * all.handles + j]));
-      });
+      for (std::size_t i = 0; i < all.weights.size(); ++i)
+        worst = std::max(worst, std::abs(part.weights[i] - all.weights[i]));
       CHECK(worst < (storage == Storage::factors ? usual_tolerance : 1e-7));
       const auto sampled = spread_vertices(all.vertices, error_sample);
       REQUIRE(tiled.tiles->sample.size() == sampled.size() * all.handles);
@@ -302,18 +298,7 @@ TEST_CASE("tiles_and_samples_have_the_surface_weights_of_the_staged_engine") {
           CHECK(tiled.tiles->sample[s * all.handles + j] == all.weights[sampled[s] * all.handles + j]);
       }
     }
-    visit_kept_weights(all, vertices, [&](std::size_t v, const std::vector<double>& row) {
-      CHECK(std::equal(row.begin(), row.end(), all.weights.begin() + std::ptrdiff_t(v * all.handles)));
-    });
-  }
-}
-
-TEST_CASE("files_are_written_with_the_surface_weights_of_the_staged_engine") {
-  for (const auto& weighting : {harmonics, biharmonics}) {
-    Bound b(wavy_sphere(70, 60), tube(6, 8, 1.5, 3), weighting);
-    const Pose pose = b.pose(Twist{2, {0, 0, 0}, -1.5, 1.5, -50 * degree, 60 * degree});
-    const auto exact = deform_exactly(b.model, b.cage, {weighting}, pose, sym3::Method::fast, b.pool);
-    CHECK(largest_distance(exact.positions, b.deform(pose)) < 1e-13 * b.cage->diagonal);
+    CHECK(BoundVertices(weigher, all, nullptr).part(vertices).weights == all.weights);
   }
 }
 
@@ -333,50 +318,5 @@ TEST_CASE("on_real_models_harmonic_weights_have_their_bounds_and_rows_sum_to_1" 
     CHECK(biharmonic.minCoeff() > -0.2);
     CHECK(biharmonic.maxCoeff() < 1.05);
     CHECK(off_one(biharmonic) < 1e-8);
-  }
-}
-
-TEST_CASE("seams_and_triangle_soups_have_the_weights_of_their_surface") {
-  auto whole = tube(30, 12, 0.5, 3);
-  Random random(3);
-  for (auto& p : whole.positions) p = p + random.vector(0.01);  // makes nearest vertices unique
-  const Cage cage = make_cage(tube(7, 6, 0.8, 4));
-  // Every triangle gets vertices of its own.
-  std::vector<mesh::Point> positions;
-  std::vector<mesh::Triangle> triangles;
-  for (const auto& t : whole.triangles) {
-    const auto first = static_cast<std::uint32_t>(positions.size());
-    for (const auto v : t) positions.push_back(whole.positions[v]);
-    triangles.push_back({first, first + 1, first + 2});
-  }
-  const auto soup = mesh::from_triangles(positions, triangles);
-  base::WorkerPool pool(2);
-  for (const auto& weighting : {harmonics, biharmonics}) {
-    const Binding of_whole = bind(whole, cage, weighting, pool), of_soup = bind(soup, cage, weighting, pool);
-    const std::size_t k = of_whole.handles;
-    double worst = 0;
-    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
-      for (int corner = 0; corner < 3; ++corner) {
-        const double* a = of_whole.weights.data() + whole.triangles[t][corner] * k;
-        const double* b = of_soup.weights.data() + triangles[t][corner] * k;
-        for (std::size_t j = 0; j < k; ++j) worst = std::max(worst, std::abs(a[j] - b[j]));
-      }
-    }
-    CHECK(worst < 1e-9);
-  }
-}
-
-TEST_CASE("clamped_plates_are_not_negative_and_sum_to_1") {
-  const auto model = tube(40, 16, 0.5, 3);
-  const Cage cage = make_cage(tube(7, 6, 0.8, 4));
-  base::WorkerPool pool(2);
-  const Binding b = bind(model, cage, biharmonics, pool);
-  const auto [low, high] = std::ranges::minmax(b.weights);
-  CHECK(low == 0);
-  CHECK(high <= 1.2);
-  for (std::size_t v = 0; v < b.vertices; ++v) {
-    double sum = 0;
-    for (std::size_t j = 0; j < b.handles; ++j) sum += b.weights[v * b.handles + j];
-    CHECK(sum == doctest::Approx(1).epsilon(1e-13));
   }
 }

@@ -89,13 +89,6 @@ TEST_CASE("a_stretch_of_a_plane_is_measured_exactly") {
   check_all(Field::smaller_stretch, rest, drawn, std::log2(b));
   check_all(Field::shear, rest, drawn, std::log2(a / b));
   check_all(Field::energy, rest, drawn, std::log10(a * a + b * b + 1 / (a * a) + 1 / (b * b) - 4));
-  const lab::Strain strain(rest);
-  const auto direction = strain.direction(drawn, 40);
-  CHECK(direction.larger == doctest::Approx(a).epsilon(1e-9));
-  CHECK(direction.smaller == doctest::Approx(b).epsilon(1e-9));
-  CHECK(std::abs(direction.most[0]) == doctest::Approx(1).epsilon(1e-9));
-  CHECK(std::abs(direction.normal[1]) == doctest::Approx(1).epsilon(1e-9));
-  CHECK(std::abs(direction.least[2]) == doctest::Approx(1).epsilon(1e-9));
 }
 
 TEST_CASE("collapsed_triangles_have_the_worst_finite_value") {
@@ -140,28 +133,4 @@ TEST_CASE("displacements_are_in_diagonals_and_values_do_not_depend_on_threads") 
   const auto bent = moved(rest, [](const Point& p) { return Point{p[0], p[1] * p[1] / 50, std::sin(p[0])}; });
   for (const Field field : {Field::area, Field::shear, Field::turn, Field::energy})
     CHECK(measured(field, rest, bent, 1).values == measured(field, rest, bent, 3).values);
-}
-
-TEST_CASE("openings_of_facing_parts_are_measured") {
-  // Two sheets that face each other, and a third one behind the upper one.
-  mesh::Surface surface;
-  for (const double height : {0.0, 0.05, 0.08}) {
-    const auto first = static_cast<std::uint32_t>(surface.positions.size());
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 5; ++j) surface.positions.push_back({0.5 * i, 0.5 * j, height});
-    for (std::uint32_t i = 0; i < 4; ++i)
-      for (std::uint32_t j = 0; j < 4; ++j) {
-        const std::uint32_t a = first + 5 * i + j;
-        if (height == 0.05) {
-          surface.triangles.push_back({a, a + 1, a + 5}), surface.triangles.push_back({a + 5, a + 1, a + 6});
-        } else {
-          surface.triangles.push_back({a, a + 5, a + 1}), surface.triangles.push_back({a + 5, a + 6, a + 1});
-        }
-      }
-  }
-  auto drawn = surface.positions;
-  for (std::size_t v = 25; v < 50; ++v) drawn[v][2] = 0.2;
-  const auto values = measured(Field::opening, surface, drawn).values;
-  for (std::size_t v = 0; v < 50; ++v) CHECK(double(values[v]) == doctest::Approx(2).epsilon(1e-6));
-  for (std::size_t v = 50; v < 75; ++v) CHECK(values[v] == 0);  // faces nothing
 }

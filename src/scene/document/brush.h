@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/frame_vertex.h"
+#include "deform/rows.h"
 #include "scene/document/camera.h"
 #include "scene/document/document.h"
 

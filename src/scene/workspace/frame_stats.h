@@ -75,8 +75,6 @@ struct MethodTimes {
 struct FieldView {
   lab::FieldStats stats;
   std::shared_ptr<const std::vector<float>> values;  ///< one of the kinds in stats; null: none
-  /// Pairs of end points, see lab::strokes(); null: the field has none.
-  std::shared_ptr<const std::vector<mesh::Point>> strokes;
   std::string problem{};  ///< why there are no values; empty: available, or being computed
   /// Fixes the colour range.
   bool holds_range = false;

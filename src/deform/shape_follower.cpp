@@ -1,0 +1,36 @@
+#include "deform/shape_follower.h"
+
+namespace viete::deform {
+
+// Applies the sums of map rows.
+std::vector<Vec3> ShapeFollower::followed(std::span<const double> sums, std::span<const Vec3> ways) const {
+  std::vector<Vec3> all;
+  all.reserve(ways.size());
+  for (std::size_t v = 0; v < ways.size(); ++v) {
+    const double* m = sums.data() + v * map_shape.columns;
+    const auto row = [&, &way = ways[v]](std::size_t i) {
+      return m[3 * i] * way[0] + m[3 * i + 1] * way[1] + m[3 * i + 2] * way[2];
+    };
+    all.push_back(ways[v] + Vec3{row(0), row(1), row(2)});
+  }
+  return all;
+}
+
+std::span<const Vec3> ShapeFollower::followed(const Binding& binding, const Mask& mask,
+                                              std::span<const Vec3> ways, base::WorkerPool& pool) {
+  if (!binding.tiles) return followed_ = followed({binding, product(binding.shares, values(mask))}, ways);
+  if (!blender_) blender_ = std::make_unique<FusedEngine>(binding.tiles, state_.rows().form, pool);
+  if (mask_ != mask) blender_->set_mask(mask);
+  mask_ = mask;
+  sums_.resize(ways.size() * map_shape.columns);
+  blender_->blend(state_, sums_);
+  return followed_ = followed(sums_, ways);
+}
+
+std::vector<Vec3> ShapeFollower::followed(const VertexBlock& block, std::span<const Vec3> ways) const {
+  std::vector<double> sums(ways.size() * map_shape.columns);
+  blend(block, state_.rows(), 0, ways.size(), sums);
+  return followed(sums, ways);
+}
+
+}  // namespace viete::deform
