@@ -147,16 +147,11 @@ AccuracyTable::Row measured(const Ensemble& ensemble, std::size_t samples, base:
   return row;
 }
 
-std::string cell(const Accuracy& accuracy, double u) {
-  char text[48];
-  const double error = accuracy.worst / u;
-  std::snprintf(text, sizeof text, error < 1e5 ? error < 100 ? "%.1f" : "%.0f" : "%.0e", error);
-  std::string result = accuracy.nan_share < 1 ? text : "";
-  if (accuracy.nan_share > 0) {
-    std::snprintf(text, sizeof text, "NaN %.0f %%", std::max(1.0, 100 * accuracy.nan_share));
-    result += (result.empty() ? "" : ", ") + std::string(text);
-  }
-  return result;
+std::string cell(const Accuracy& accuracy) {
+  std::string text = accuracy.nan_share < 1 ? error_text(accuracy.worst) : "";
+  if (accuracy.nan_share > 0)
+    text += (text.empty() ? "NaN " : ", NaN ") + percent(std::max(1.0, 100 * accuracy.nan_share));
+  return text;
 }
 
 }  // namespace
@@ -179,17 +174,14 @@ std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, 
   return tables;
 }
 
-void print(const AccuracyTable& table, bool in_float) {
-  const double u = in_float ? 0x1p-24 : 0x1p-53;
-  std::printf("%c%s\n\n| %-18s |", std::toupper(table.title[0]), table.title.c_str() + 1, table.by.c_str());
-  for (const ExpMethod& method : exp_methods()) std::printf(" %16s |", method.name);
-  std::printf("\n|--------------------|");
-  for (std::size_t m = 0; m < exp_methods().size(); ++m) std::printf("-----------------:|");
-  for (const auto& row : table.rows) {
-    std::printf("\n| %-18s |", row.name.c_str());
-    for (const Accuracy& accuracy : row.cells) std::printf(" %16s |", cell(accuracy, u).c_str());
+Table errors_table(const AccuracyTable& accuracy) {
+  Table table{{accuracy.by}, {}};
+  for (const ExpMethod& method : exp_methods()) table.columns.emplace_back(method.name);
+  for (const auto& row : accuracy.rows) {
+    table.rows.push_back({row.name});
+    for (const Accuracy& a : row.cells) table.rows.back().push_back(cell(a));
   }
-  std::printf("\n\n");
+  return table;
 }
 
 nlohmann::json to_json(const std::vector<AccuracyTable>& tables) {

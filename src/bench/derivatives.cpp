@@ -4,14 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "base/child_program.h"
-#include "base/error.h"
 #include "base/progress.h"
 #include "bench/ensembles.h"
 #include "bench/matrix_array.h"
@@ -117,9 +113,8 @@ struct Planes {
   }
 };
 
-/// Returns the time per direction.
 template <class T>
-double time_derivative(const Differentiable<T>& f, const std::string& type, Planes<T>& p, Bars& report) {
+void time_derivative(const Differentiable<T>& f, const std::string& type, Planes<T>& p, Bars& report) {
   const std::size_t count = p.matrices.size();
   const SymView<const T> s(p.arrays[0].view());
   std::array<sym3::Sym3<T>, 6> answers;
@@ -130,77 +125,25 @@ double time_derivative(const Differentiable<T>& f, const std::string& type, Plan
     }
   };
   constexpr std::size_t often = 20;
-  const auto repeated = [&](auto call) {
-    return [call](std::size_t) {
-      for (std::size_t i = 0; i < often; ++i) call();
-    };
-  };
   const auto derive = [&](std::size_t n) {
-    return repeated([&, n] { f.derivative(s, std::span(p.from).first(n), std::span(p.to).first(n), count); });
+    return
+        [&, n](std::size_t) { f.derivative(s, std::span(p.from).first(n), std::span(p.to).first(n), count); };
   };
   const std::vector<RoundCase> cases = {
-      {"function", often * count, repeated([&] { f.function(s, p.to[0], count); })},
-      {"1 direction", often * count, derive(1)},
-      {"6 directions", often * count, derive(6)},
-      {"tangent", often * count, repeated([&] { f.tangent(s, p.tangents, count); })},
       {"eigenvectors 1", count, [&](std::size_t) { peer(1); }},
+      {"function", count, [&](std::size_t) { f.function(s, p.to[0], count); }, often},
+      {"1 direction", count, derive(1), often},
+      {"6 directions", count, derive(6), often},
+      {"tangent", count, [&](std::size_t) { f.tangent(s, p.tangents, count); }, often},
       {"eigenvectors 6", count, [&](std::size_t) { peer(6); }},
-      {"copy", often * count, repeated([&] { p.arrays[0].copy_to(p.arrays[7]); })}};
+      {"copy", count, [&](std::size_t) { p.arrays[0].copy_to(p.arrays[7]); }, often}};
   base::Progress progress;
   const auto r = measure_rounds(cases, 41, progress);
   const std::string what = "derivative of " + f.name + " " + type;
-  print_table(what + ", planes in the second cache, ns per matrix", r, "eigenvectors 1", "copy");
-  const auto ratio = [&](const char* slow, const char* fast) { return time_of(r, slow) / time_of(r, fast); };
-  report.check(what + ", one direction: / function", ratio("1 direction", "function"), 3, false);
-  report.check(what + ", six directions: / function", ratio("6 directions", "function"), 8, false);
-  report.check(what + ", tangent: / function", ratio("tangent", "function"), 8, false);
-  return time_of(r, "1 direction");
-}
-
-/// ns per matrix of SciPy's expm_frechet, one direction, if /usr/bin/python3 has SciPy.
-std::optional<double> time_of_scipy() {
-  constexpr const char* program = R"(
-import sys, time
-import numpy
-from scipy.linalg import expm_frechet
-random = numpy.random.default_rng(1)
-m, e = random.uniform(-1, 1, (2, 500, 3, 3))
-s, e = m @ m.swapaxes(1, 2), e + e.swapaxes(1, 2)
-for pair in zip(s[:20], e): expm_frechet(*pair, compute_expm=False)
-start = time.process_time()
-for pair in zip(s, e): expm_frechet(*pair, compute_expm=False)
-print((time.process_time() - start) / len(s) * 1e9, file=sys.stderr)
-)";
-  try {
-    base::ChildProgram python({"/usr/bin/python3", "-c", program}, "", {"OPENBLAS_NUM_THREADS=1"});
-    python.finish();
-    return std::stod(python.said());
-  } catch (const base::Error&) {
-    return std::nullopt;
-  }
-}
-
-void compare_with_scipy(double ours) {
-  if (const auto ns = time_of_scipy()) {
-    std::printf("  %-58s %8.0f\n", "scipy.linalg.expm_frechet, one direction: / ours", *ns / ours);
-  } else {
-    std::printf("  scipy.linalg.expm_frechet: SciPy is not installed for /usr/bin/python3\n");
-  }
-}
-
-/// Difference between the eigenvector formula and ours (which tests verify) for nearly equal eigenvalues.
-void print_differences(const Differentiable<double>& exp) {
-  for (const double gap : {1e-2, 1e-4, 2e-6, 1e-7}) {
-    const auto matrices = pairs<double>(gap, 2000), directions = uniform_entries<double>(-1, 1, 2000);
-    double most = 0;
-    for (std::size_t i = 0; i < matrices.size(); ++i) {
-      sym3::Sym3<double> theirs;
-      by_eigenvectors<double>(exp, matrices[i], std::span(directions).subspan(i, 1), std::span(&theirs, 1));
-      const auto ours = sym3::to_eigen(sym3::exp_derivative(matrices[i], directions[i]));
-      most = std::max(most, (sym3::to_eigen(theirs) - ours).norm() / ours.norm() / 0x1p-53);
-    }
-    std::printf("  eigenvectors, two eigenvalues %g apart: off by %.2g u\n", gap, most);
-  }
+  print(what + ", planes in the second cache, per matrix", times_table(r));
+  report.check(what + ", one direction: / function", faster(r, "1 direction", "function"), 3, false);
+  report.check(what + ", six directions: / function", faster(r, "6 directions", "function"), 8, false);
+  report.check(what + ", tangent: / function", faster(r, "tangent", "function"), 8, false);
 }
 
 template <class T>
@@ -212,12 +155,7 @@ void derivatives(const std::string& type, Bars& report) {
     s = with_eigenvalues<T>({uniform(random, 0.5, 3), uniform(random, 0.5, 3), uniform(random, 0.5, 3)},
                             random);
   Planes<T> planes(matrices);
-  for (const auto& f : differentiable<T>()) {
-    const double ns = time_derivative(f, type, planes, report);
-    if constexpr (sizeof(T) == 8) {
-      if (f.name == "exp") print_differences(f), compare_with_scipy(ns);
-    }
-  }
+  for (const auto& f : differentiable<T>()) time_derivative(f, type, planes, report);
 }
 
 }  // namespace

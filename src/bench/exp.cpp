@@ -98,16 +98,10 @@ LayoutResult measure_layout(const std::vector<Sym3<T>>& matrices, Layout layout,
   MatrixArray<T> in(layout, count), result(layout, count);
   in.fill(matrices), result.fill(matrices);
   std::vector<Sym3<T>> out(window);
-  // Short runs are repeated to exceed the clock resolution, after one run to fill the cache.
-  const std::size_t times = std::max<std::size_t>(1, 200'000 / count);
-  const auto repeated = [=](auto once) {
-    return [=](std::size_t) {
-      for (std::size_t i = 0; i < times; ++i) once();
-    };
-  };
+  const std::size_t often = std::max<std::size_t>(1, 200'000 / count);
   const std::vector<RoundCase> cases = {
-      {"fast", count * times, repeated([&] { sym3::exp(in.view(), result.view(), count); })},
-      {"copy", count * times, repeated([&] { in.copy_to(result); })},
+      {"fast", count, [&](std::size_t) { sym3::exp(in.view(), result.view(), count); }, often},
+      {"copy", count, [&](std::size_t) { in.copy_to(result); }, often},
       slow_case(matrices, out, Method::diag),
       slow_case(matrices, out, Method::improved_sd)};
   const auto results = measure_rounds(cases, count > 1'000'000 ? 7 : 21, progress);
@@ -164,18 +158,22 @@ std::string shown_name(const std::string& name) {
 
 }  // namespace
 
+LayoutResult measure_layout(sym3::Layout layout, std::size_t count, bool in_float, base::Progress& progress) {
+  return in_float ? measure_layout(ensembles::paper_ensemble<float>(distinct), layout, count, progress)
+                  : measure_layout(ensembles::paper_ensemble<double>(distinct), layout, count, progress);
+}
+
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress) {
   ExpBench bench = {count, in_float, std::string(sym3::kernel_name()), {}, {}};
   in_float ? measure<float>(bench, progress) : measure<double>(bench, progress);
   return bench;
 }
 
-std::vector<ExpBar> bars_of(const ExpBench& bench) {
-  std::vector<ExpBar> bars;
-  for (const BenchResult& r : bench.methods)
-    bars.push_back({shown_name(r.name), r.ns_per_item, r.name == sym3::name(Method::fast)});
-  bars.push_back({"Fast, in cache", best_in_cache(bench), true});
-  return bars;
+std::vector<BenchResult> labelled_times(const ExpBench& bench) {
+  std::vector<BenchResult> times;
+  for (const BenchResult& r : bench.methods) times.push_back({shown_name(r.name), r.ns_per_item});
+  times.push_back({"Fast, in cache", best_in_cache(bench)});
+  return times;
 }
 
 namespace {
@@ -184,25 +182,27 @@ const char* precision(const ExpBench& bench) {
   return bench.in_float ? "float" : "double";
 }
 
-}  // namespace
-
-const char* layout_name(sym3::Layout layout) {
+const char* layout_name(Layout layout) {
   constexpr const char* names[] = {"planes", "blocks", "packed", "full"};
   return names[static_cast<std::size_t>(layout)];
 }
 
+}  // namespace
+
+Table layouts_table(const ExpBench& bench) {
+  using base::few_digits;
+  Table table{{"layout", "matrices", "Fast, ns", "copy, ns", "Diag, ns", "Improved SD, ns"}, {}};
+  for (const LayoutResult& r : bench.layouts)
+    table.rows.push_back({layout_name(r.layout), base::with_thousands(r.count), few_digits(r.fast),
+                          few_digits(r.copy), few_digits(r.diag), few_digits(r.improved_sd)});
+  return table;
+}
+
 void print(const ExpBench& bench) {
-  print_table("exp: " + base::with_thousands(bench.count) + " matrices S = M M^T, " + precision(bench) +
-                  ", one thread, kernel " + bench.kernel,
-              bench.methods, "diag", "copy");
-  std::printf(
-      "\nfast by layout and size, each against the others in the same run\n\n"
-      "| layout | matrices |  fast ns |  copy ns | x copy | diag / it | improved_sd / it |\n"
-      "|--------|---------:|---------:|---------:|-------:|----------:|-----------------:|\n");
-  for (const LayoutResult& r : bench.layouts) {
-    std::printf("| %-6s | %8zu | %8.2f | %8.2f | %6.2f | %9.1f | %16.1f |\n", layout_name(r.layout), r.count,
-                r.fast, r.copy, r.fast / r.copy, r.diag / r.fast, r.improved_sd / r.fast);
-  }
+  print("exp: " + base::with_thousands(bench.count) + " matrices S = M M^T, " + precision(bench) +
+            ", one thread, kernel " + bench.kernel,
+        times_table(labelled_times(bench)));
+  print("by layout and size, each against the others in the same run", layouts_table(bench));
 }
 
 nlohmann::json to_json(const ExpBench& bench) {
@@ -225,15 +225,11 @@ nlohmann::json to_json(const ExpBench& bench) {
 
 Plot plot_of(const ExpBench& bench) {
   Plot plot;
-  plot.title = "exp of symmetric 3x3 matrices";
-  plot.subtitle = std::string("S = M M^T, ") + precision(bench) + ", one thread, kernel " + bench.kernel +
-                  ", " + processor_name();
-  plot.bars_title = base::with_thousands(bench.count) + " matrices from memory, ns a matrix";
-  for (const ExpBar& bar : bars_of(bench)) {
-    const char* color = bar.name == "copy" ? plot_color::copy : color_of_method(bar.name);
-    plot.bars.push_back({bar.name, bar.ns, bar.ours ? plot_color::ours[0] : color});
+  for (const BenchResult& r : labelled_times(bench)) {
+    const bool ours = r.name.starts_with("Fast");
+    const char* color = r.name == "copy" ? plot_color::copy : color_of_method(r.name);
+    plot.bars.push_back({r.name, r.ns_per_item, ours ? plot_color::ours[0] : color});
   }
-  plot.curves_title = "ns a matrix against size, by layout";
   const auto curve = [&](const std::string& name, const char* color, bool dashed, Layout layout,
                          double LayoutResult::*time) {
     plot.curves.push_back({name, color, dashed, {}});
@@ -241,7 +237,7 @@ Plot plot_of(const ExpBench& bench) {
       if (r.layout == layout) plot.curves.back().points.push_back({static_cast<double>(r.count), r.*time});
     }
   };
-  for (const Layout layout : {Layout::planes, Layout::blocks, Layout::packed, Layout::full}) {
+  for (const Layout layout : layouts) {
     const char* color = plot_color::ours[static_cast<std::size_t>(layout)];
     curve(std::string("Fast, ") + layout_name(layout), color, false, layout, &LayoutResult::fast);
     curve(std::string("copy, ") + layout_name(layout), color, true, layout, &LayoutResult::copy);

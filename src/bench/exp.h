@@ -32,6 +32,9 @@ struct LayoutResult {
   double fast = 0, copy = 0, diag = 0, improved_sd = 0;
 };
 
+/// Throws base::Cancelled.
+LayoutResult measure_layout(sym3::Layout layout, std::size_t count, bool in_float, base::Progress& progress);
+
 struct ExpBench {
   std::size_t count = 0;
   bool in_float = false;
@@ -44,17 +47,9 @@ struct ExpBench {
 /// 10^7. Throws base::Cancelled.
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
 
-struct ExpBar {
-  std::string name;
-  double ns = 0;      ///< per matrix
-  bool ours = false;  ///< false: a reference
-};
-
-/// Bars for one plot: the methods, matrices from memory, and our method in the cache.
-std::vector<ExpBar> bars_of(const ExpBench& bench);
-
-/// "planes".
-const char* layout_name(sym3::Layout layout);
+/// The times of the methods by their labels, and of our method in the cache.
+std::vector<BenchResult> labelled_times(const ExpBench& bench);
+Table layouts_table(const ExpBench& bench);
 
 void print(const ExpBench& bench);
 nlohmann::json to_json(const ExpBench& bench);

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t moments = 21;  // moments between two shapes
 
 std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base::Progress& progress) {
-  FrameOptions options;
+  ModelOptions options;
   options.model = figures.files.model;
   if (in_own_cage) options.cage = figures.files.cage;
   options.faces = figures.sizes.faces;
@@ -63,8 +63,8 @@ std::vector<ShapePicture> pictures_of(const Figures& figures, const ShapesOfMode
   const auto i = static_cast<std::size_t>(most - &figures.shapes[0]);
   const HalfwayShapes halfway = halfway_to(model, i);
   return {picture_of("at rest", model.rest, model.rest.positions),
-          picture_of("halfway, straight", model.rest, halfway.straight),
-          picture_of("halfway, logs", model.rest, halfway.in_log_space),
+          picture_of("halfway, linear", model.rest, halfway.straight),
+          picture_of("halfway, log space", model.rest, halfway.in_log_space),
           picture_of(name_of_shape(*most), model.rest, model.shapes[i])};
 }
 
@@ -119,16 +119,6 @@ nlohmann::json to_json(const Figures& f) {
 
 double percent_less(double time, double than) {
   return 100 * (1 - time / than);
-}
-
-std::string percent(double value) {
-  return std::to_string(std::lround(value)) + "\u00a0%";
-}
-
-const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces) {
-  const auto found = std::ranges::find_if(
-      times, [&](const FrameTime& t) { return t.name == name && t.faces == faces && t.threads == 1; });
-  return found == times.end() ? nullptr : &*found;
 }
 
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {

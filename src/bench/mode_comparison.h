@@ -20,11 +20,12 @@ struct NamedPose {
 
 /// Measures of a deformed model relative to the model at rest.
 struct ShapeQuality {
-  Distortion distortion;
-  double bending = 0;  ///< RestModel::bending()
-  double volume = 1;   ///< relative to rest; NaN if the model encloses none
-  double gap = 0;      ///< see bench::gap()
-  double torn = 0;     ///< see bench::torn()
+  double energy = 0;          ///< Distortion
+  std::size_t collapsed = 0;  ///< Distortion
+  double bending = 0;         ///< RestModel::bending()
+  double volume = 1;          ///< relative to rest; NaN if the model encloses none
+  double gap = 0;             ///< see bench::gap()
+  double torn = 0;            ///< see bench::torn()
   /// Relative to mean value coordinates in the same run; NaN if those are nearly 0 or not measured.
   double energy_ratio = 0, bending_ratio = 0, torn_ratio = 0;
 };

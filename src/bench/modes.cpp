@@ -307,7 +307,9 @@ private:
   }
 
   ShapeQuality quality(const deform::Pose& pose, std::span<const mesh::Point> positions) const {
-    return {model_.distortion(positions),
+    const auto [energy, collapsed] = model_.distortion(positions);
+    return {energy,
+            collapsed,
             model_.bending(positions),
             model_.volume(positions),
             gap_of(pose, positions),
@@ -381,7 +383,7 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
   for (Mode& mode : modes) {
     for (std::size_t p = 0; p < mode.qualities.size(); ++p) {
       ShapeQuality& q = mode.qualities[p];
-      q.energy_ratio = ratio(q.distortion.energy, theirs[p].distortion.energy);
+      q.energy_ratio = ratio(q.energy, theirs[p].energy);
       q.bending_ratio = ratio(q.bending, theirs[p].bending);
       q.torn_ratio = ratio(q.torn, theirs[p].torn);
     }
@@ -443,18 +445,19 @@ std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, 
   return poses;
 }
 
-void bench_modes(const ModesOptions& options) {
+void bench_modes(const ModelOptions& options, ModeSettings settings) {
   const scene::Document opened = open_model(options.model, options.cage);
   const mesh::Surface& model = *opened.model.surface;
   std::vector<std::string> warnings = opened.cage->warnings;
   const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);
   std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
               base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
-              std::string(sym3::name(options.settings.method)).c_str(),
-              std::string(sym3::kernel_name()).c_str(), processor_name().c_str(), modes_legend);
+              std::string(sym3::name(settings.method)).c_str(), std::string(sym3::kernel_name()).c_str(),
+              processor_name().c_str(), modes_legend);
   for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
   base::Progress progress;
-  const ModeComparison compared = measure_modes(model, opened.cage, poses, options.settings, progress);
+  settings.rounds = options.rounds;
+  const ModeComparison compared = measure_modes(model, opened.cage, poses, settings, progress);
   print(compared, poses);
   write_json(options.json, to_json(compared, poses));
 }

@@ -70,13 +70,6 @@ struct ModeSettings {
   bool named_only = false;  ///< only named deformers
 };
 
-struct ModesOptions {
-  std::filesystem::path model, cage;
-  std::vector<std::filesystem::path> poses;
-  ModeSettings settings;
-  std::filesystem::path json;  ///< output of the numbers; empty: none
-};
-
 /// Measures named deformers and other valid schemes that match settings.choice. Computes shapes in double,
 /// step by step if not stitched. Times frames of the first pose as in the program, sequentially and in
 /// interleaved rounds. poses must not be empty. Throws base::Error and base::Cancelled.
@@ -89,6 +82,6 @@ std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, 
                                   std::vector<std::string>& warnings);
 
 /// Prints the tables. Throws base::Error.
-void bench_modes(const ModesOptions& options);
+void bench_modes(const ModelOptions& options, ModeSettings settings);
 
 }  // namespace viete::bench
