@@ -91,7 +91,7 @@ void command_palette(const Context& ui) {
   if (found.empty()) note(ui, "No command matches.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  note(ui, "Right click a command to change its key;  Help, Change keys lists all");
+  note(ui, "Right click a command to change its key;  Help, Show keys and mouse lists all");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))

@@ -17,47 +17,43 @@ using Browser = scene::FileBrowser;
 using Purpose = Browser::Purpose;
 using What = scene::OpenRequest::What;
 
-const char* title(Purpose purpose) {
-  switch (purpose) {
-    case Purpose::model: return "Open model or session###file_panel";
-    case Purpose::cage: return "Open cage###file_panel";
-    case Purpose::pose: return "Open pose###file_panel";
-    case Purpose::poses: return "Import poses from a file or its folder###file_panel";
-    case Purpose::shapes: return "Import shapes from a file or its folder###file_panel";
-    case Purpose::animation: return "Import animation###file_panel";
-    case Purpose::locate_model: return "Locate model of the session###file_panel";
-    case Purpose::locate_cage: return "Locate cage of the session###file_panel";
-    case Purpose::save_session: return "Save session###file_panel";
-    case Purpose::save_pose: return "Save pose###file_panel";
-    case Purpose::save_named_pose: return "Export pose###file_panel";
-    case Purpose::save_cage: return "Save cage###file_panel";
-    case Purpose::save_model: return "Export deformed mesh###file_panel";
-    case Purpose::save_animation: return "Export animation###file_panel";
-  }
-  return "###file_panel";
+/// What the panel does with the chosen file: opens it, or requests that it is saved.
+struct Task {
+  Purpose purpose;
+  const char* title;
+  std::optional<What> open{};
+  std::optional<std::filesystem::path> scene::Requests::*save = nullptr;
+};
+
+const Task tasks[] = {{Purpose::model, "Open model or session", What::model},
+                      {Purpose::cage, "Open cage", What::cage},
+                      {Purpose::pose, "Open pose", What::pose},
+                      {Purpose::poses, "Import poses from a file or its folder", What::poses},
+                      {Purpose::shapes, "Import shapes from a file or its folder", What::shapes},
+                      {Purpose::animation, "Import animation", What::animation},
+                      {Purpose::locate_model, "Locate model of the session"},
+                      {Purpose::locate_cage, "Locate cage of the session"},
+                      {Purpose::save_session, "Save session", {}, &scene::Requests::save_session},
+                      {Purpose::save_pose, "Save pose", {}, &scene::Requests::save_pose},
+                      {Purpose::save_named_pose, "Export pose", {}, &scene::Requests::save_named_pose},
+                      {Purpose::save_cage, "Save cage", {}, &scene::Requests::save_cage},
+                      {Purpose::save_model, "Export deformed mesh", {}, &scene::Requests::save_model},
+                      {Purpose::save_animation, "Export animation", {}, &scene::Requests::save_animation}};
+
+const Task& task_of(Purpose purpose) {
+  return *std::ranges::find(tasks, purpose, &Task::purpose);
 }
 
 void request(scene::Workspace& w, Purpose purpose, const std::filesystem::path& path) {
   scene::Requests& requests = w.requests;
-  switch (purpose) {
-    case Purpose::model: requests.open = scene::OpenRequest{What::model, {path}}; break;
-    case Purpose::cage: requests.open = scene::OpenRequest{What::cage, {path}}; break;
-    case Purpose::pose: requests.open = scene::OpenRequest{What::pose, {path}}; break;
-    case Purpose::poses: requests.open = scene::OpenRequest{What::poses, {path}}; break;
-    case Purpose::shapes: requests.open = scene::OpenRequest{What::shapes, {path}}; break;
-    case Purpose::animation: requests.open = scene::OpenRequest{What::animation, {path}}; break;
-    case Purpose::locate_model:
-    case Purpose::locate_cage:
-      if ((requests.open = std::exchange(w.unopened, std::nullopt)))
-        (purpose == Purpose::locate_model ? requests.open->located.model : requests.open->located.cage) =
-            path;
-      break;
-    case Purpose::save_session: requests.save_session = path; break;
-    case Purpose::save_pose: requests.save_pose = path; break;
-    case Purpose::save_named_pose: requests.save_named_pose = path; break;
-    case Purpose::save_cage: requests.save_cage = path; break;
-    case Purpose::save_model: requests.save_model = path; break;
-    case Purpose::save_animation: requests.save_animation = path; break;
+  const Task& task = task_of(purpose);
+  if (task.open) {
+    requests.open = scene::OpenRequest{*task.open, {path}};
+  } else if (task.save) {
+    requests.*task.save = path;
+  } else if ((requests.open = std::exchange(w.unopened, std::nullopt))) {
+    auto& located = requests.open->located;
+    (purpose == Purpose::locate_model ? located.model : located.cage) = path;
   }
 }
 
@@ -156,18 +152,16 @@ void format_buttons(const Context& ui, const std::vector<std::string_view>& form
     const bool active = now == format;
     ImGui::PushStyleColor(ImGuiCol_Button, active ? ui.colors.card_active : ui.colors.card);
     ImGui::PushStyleColor(ImGuiCol_Text, active ? ui.colors.text : ui.colors.faint);
-    if (ImGui::Button(label.c_str())) scene::set_format(browser, std::string(format));
+    if (button(ui, label.c_str(), "format_" + std::string(format), "Write " + label + "."))
+      scene::set_format(browser, std::string(format));
     ImGui::PopStyleColor(2);
-    record(ui, "format_" + std::string(format));
-    hint("Write " + label + ".");
   }
 }
 
 void filter_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
-  if (ImGui::Button("Up")) scene::enter(browser, browser.folder.parent_path());
-  record(ui, "file_up");
-  hint("Go to the parent folder.  (Backspace)");
+  if (button(ui, "Up", "file_up", "Go to the parent folder.  (Backspace)"))
+    scene::enter(browser, browser.folder.parent_path());
   ImGui::SameLine();
   if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
   const auto formats = browser.saves() ? browser.formats() : std::vector<std::string_view>();
@@ -275,17 +269,14 @@ void morph_row(const Context& ui) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Tolerance");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(64);
-  if (const auto percent = number_field(ui, "morph_tolerance", 100 * morphs.tolerance))
+  if (const auto percent = number_field(ui, "morph_tolerance", 100 * morphs.tolerance, 64,
+                                        "Maximum playback error, in percent of the model's diagonal."))
     morphs.tolerance = std::clamp(*percent / 100, 1e-7, 1.0);
-  record(ui, "morph_tolerance");
-  hint("Maximum playback error, in percent of the model's diagonal.");
   ImGui::SameLine();
   ImGui::TextUnformatted("%");
   ImGui::SameLine(0, 18);
-  ImGui::Checkbox("Normals", &morphs.normals);
-  record(ui, "morph_normals");
-  hint("Export normals, for correct shading in every player. Doubles the file size.");
+  checkbox(ui, "Normals", "morph_normals", morphs.normals,
+           "Export normals, for correct shading in every player. Doubles the file size.");
   ImGui::SameLine(0, 18);
   const std::string& size = ui.workspace.browser.morph_size;
   note(ui, size.empty() ? "computing size" : size);
@@ -296,9 +287,7 @@ void morph_row(const Context& ui) {
 void picture_choices(const Context& ui) {
   scene::PictureChoice& choice = *ui.workspace.browser.pictures;
   const auto box = [&](const char* label, const char* name, bool& on, const char* what) {
-    ImGui::Checkbox(label, &on);
-    record(ui, name);
-    hint(what);
+    checkbox(ui, label, name, on, what);
     ImGui::SameLine(0, 18);
   };
   box("Cage", "picture_cage", choice.cage, "Draw the cage.");
@@ -306,12 +295,9 @@ void picture_choices(const Context& ui) {
   box("Light theme", "picture_light", choice.light, "Use the light theme.");
   box("Panels", "picture_panels", choice.panels, "Include the panels and bars of the window.");
   const auto side = [&](const char* name, int& pixels) {
-    ImGui::SetNextItemWidth(64);
-    if (const auto typed = number_field(ui, name, pixels))
-      pixels =
-          static_cast<int>(std::clamp(*typed, double{scene::least_picture}, double{scene::largest_picture}));
-    record(ui, name);
-    hint("Width and height in pixels, 16 to 8192.");
+    constexpr double least = scene::least_picture, most = scene::largest_picture;
+    if (const auto typed = number_field(ui, name, pixels, 64, "Width and height in pixels, 16 to 8192."))
+      pixels = static_cast<int>(std::clamp(*typed, least, most));
   };
   side("picture_width", choice.width);
   ImGui::SameLine();
@@ -362,17 +348,15 @@ void button_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   const bool replaces = browser.replaces();
   const char* label = !browser.saves() ? "Open###choose" : replaces ? "Replace###choose" : "Save###choose";
-  const bool confirmed = ImGui::Button(label);
-  record(ui, "file_choose");
+  const bool confirmed = button(ui, label, "file_choose", "");
   ImGui::SameLine();
-  if (ImGui::Button("Cancel")) browser.open = false;
-  record(ui, "file_cancel");
+  if (button(ui, "Cancel", "file_cancel", "")) browser.open = false;
   if (browser.purpose == Purpose::poses || browser.purpose == Purpose::shapes) {
     ImGui::SameLine();
-    if (ImGui::Button("Import folder")) ask(ui.workspace, browser.folder);
-    record(ui, "file_folder");
-    hint(browser.purpose == Purpose::poses ? "Import all posed versions of the cage in this folder."
-                                           : "Import all shapes of the model in this folder.");
+    if (button(ui, "Import folder", "file_folder",
+               browser.purpose == Purpose::poses ? "Import all posed versions of the cage in this folder."
+                                                 : "Import all shapes of the model in this folder."))
+      ask(ui.workspace, browser.folder);
   }
   if (!confirmed) return;
   const auto entries = scene::shown(browser);
@@ -406,7 +390,8 @@ void file_panel(const Context& ui) {
   bool open = true;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   scene::refresh(browser);
-  ImGui::Begin(title(browser.purpose), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::Begin((std::string(task_of(browser.purpose).title) + "###file_panel").c_str(), &open,
+               ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
   keep_within(display);
   path_field(ui);
   const bool typing_path = ImGui::IsItemActive() || ImGui::IsItemDeactivated();

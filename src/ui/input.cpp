@@ -85,7 +85,6 @@ scene::PointerInput pointer_input(bool keys) {
 void handle_input(scene::Workspace& workspace, scene::Pointer& pointer) {
   if (!workspace.interaction.setting_key.empty()) return set_key(workspace);
   const bool escaped = take_escape(workspace), keys = !workspace.question && !escaped;
-  if (keys && workspace.view.help && key_pressed(scene::Key::escape)) workspace.view.help = false;
   pointer.frame(workspace, pointer_input(keys));
   if (!escaped) run_shortcuts(workspace, pointer);
 }

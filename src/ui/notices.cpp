@@ -19,29 +19,26 @@ namespace viete::ui {
 
 namespace {
 
-const char* word_of(scene::Severity severity) {
-  switch (severity) {
-    case scene::Severity::error: return "Error: ";
-    case scene::Severity::warning: return "Warning: ";
-    case scene::Severity::info: break;
-  }
-  return "";
+struct SeverityLook {
+  const char* word;
+  ImU32 Palette::*color;
+};
+
+const SeverityLook& look_of(scene::Severity severity) {
+  static constexpr SeverityLook error{"Error: ", &Palette::bad}, warning{"Warning: ", &Palette::warn},
+      info{"", &Palette::text};
+  return severity == scene::Severity::error ? error : severity == scene::Severity::warning ? warning : info;
 }
 
 }  // namespace
 
 ImU32 severity_color(const Context& ui, scene::Severity severity) {
-  switch (severity) {
-    case scene::Severity::error: return ui.colors.bad;
-    case scene::Severity::warning: return ui.colors.warn;
-    case scene::Severity::info: break;
-  }
-  return ui.colors.text;
+  return ui.colors.*look_of(severity).color;
 }
 
 std::string message_text(const scene::Message& message) {
   const std::string times = message.times > 1 ? "  (" + std::to_string(message.times) + " times)" : "";
-  return word_of(message.severity) + message.text + times;
+  return look_of(message.severity).word + message.text + times;
 }
 
 void message_log(const Context& ui) {
@@ -61,12 +58,9 @@ void message_log(const Context& ui) {
     hint("Click to copy the message.");
   }
   ImGui::EndChild();
-  if (ImGui::Button("Clear")) w.messages.clear();
-  record(ui, "clear_messages");
-  hint("Clear the list of messages.");
+  if (button(ui, "Clear", "clear_messages", "Clear the list of messages.")) w.messages.clear();
   ImGui::SameLine();
-  if (ImGui::Button("Close") || key_pressed(scene::Key::escape)) open = false;
-  record(ui, "close_messages");
+  if (button(ui, "Close", "close_messages", "") || key_pressed(scene::Key::escape)) open = false;
   w.show_messages = open;
 }
 
@@ -184,14 +178,9 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   const ImVec2 size{text.x + beside, text.y + 16};
   const ImVec2 low{std::floor(v.origin.x + 0.5f * (v.size.x - size.x)), bottom - size.y};
   bottom = low.y - toast_gap;
-  ImGui::SetNextWindowPos(low);
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(toast.name.c_str(), nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav);
+  const Window window(toast.name.c_str(),
+                      {.at = low, .pivot = {0, 0}, .size = size, .rounding = 0, .padding = {0, 0}},
+                      passive_flags | ImGuiWindowFlags_NoBackground);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 high{low.x + size.x, low.y + size.y};
   draw.AddRectFilled(low, high, ui.colors.card, 6);
@@ -212,8 +201,6 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
           ImGui::IsItemHovered() ? ui.colors.text : ui.colors.faint);
     hint("Dismiss. The message stays in Help, Show messages.");
   }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
   return pressed;
 }
 
@@ -264,14 +251,9 @@ bool answer_button(const Context& ui, std::size_t i) {
       ImGui::PushStyleColor(color, ui.colors.accent);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.on_axis);
   }
-  const bool clicked = ImGui::Button(scene::label(question.kind, answers[i]));
+  const bool clicked = button(ui, scene::label(question.kind, answers[i]), names[i], "");
   if (chosen) ImGui::PopStyleColor(4);
-  record(ui, names[i]);
   return clicked;
-}
-
-float button_width(const scene::Question& question, Answer answer) {
-  return ImGui::CalcTextSize(scene::label(question.kind, answer)).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
 // Destructive answers are separated, at the far end.
@@ -281,7 +263,8 @@ std::optional<Answer> answer_row(const Context& ui) {
   for (std::size_t i = 0; i < answer_count(ui.workspace.question->kind); ++i) {
     if (i > 0) ImGui::SameLine();
     if (answers[i] == Answer::proceed)
-      ImGui::SetCursorPosX(left + question_width - button_width(*ui.workspace.question, answers[i]));
+      ImGui::SetCursorPosX(left + question_width -
+                           width_of(scene::label(ui.workspace.question->kind, answers[i])));
     if (answer_button(ui, i)) answer = answers[i];
   }
   return answer;
@@ -384,28 +367,17 @@ float work_bar(const Context& ui, float bottom) {
 namespace {
 
 bool shows_badge(const scene::Workspace& w) {
-  return w.checks.badge && w.has_user && w.view.panels && !w.view.help && !w.browser.open && !w.question &&
-         !w.making.open && !w.loading.running && !w.interaction.drag && !offers_next_step(w);
+  return w.checks.badge && w.has_user && w.view.panels && !w.key_list.open && !w.browser.open &&
+         !w.question && !w.making.open && !w.loading.running && !w.interaction.drag && !offers_next_step(w);
 }
 
 // Shows or hides the elements. Disabled while the checks run.
 void show_button(const Context& ui, const scene::CheckBadge& badge) {
   const auto at = scene::find_finding(ui.workspace.checks, badge.kind);
-  ImGui::BeginDisabled(!at);
   const bool shown = at && ui.workspace.checks.shown == at;
-  if (ImGui::Button(shown ? "Hide##badge" : "Show##badge")) scene::toggle_finding(ui.workspace, *at);
-  ImGui::EndDisabled();
-  record(ui, "badge/show", at.has_value());
-  hint("Show or hide the problems in the view. Checks steps through them.");
-}
-
-void helping_button(const Context& ui, const scene::Command& command) {
-  const bool enabled = command.enabled(ui.workspace);
-  ImGui::BeginDisabled(!enabled);
-  if (ImGui::Button((std::string(command.label) + "##badge").c_str())) command.run(ui.workspace);
-  ImGui::EndDisabled();
-  record(ui, "badge/" + std::string(command.name), enabled);
-  hint(hint_of(ui, command));
+  if (button(ui, shown ? "Hide##badge" : "Show##badge", "badge/show",
+             "Show or hide the problems in the view. Checks steps through them.", {0, 0}, at.has_value()))
+    scene::toggle_finding(ui.workspace, *at);
 }
 
 }  // namespace
@@ -425,14 +397,16 @@ float check_badge(const Context& ui, float bottom) {
   if (helps.empty()) {
     show_button(ui, badge);
   } else {
-    helping_button(ui, *scene::find_command(helps));
+    const scene::Command& command = *scene::find_command(helps);
+    if (button(ui, (std::string(command.label) + "##badge").c_str(), "badge/" + std::string(helps),
+               hint_of(ui, command), {0, 0}, command.enabled(w)))
+      command.run(w);
   }
   ImGui::SameLine(0, 2);
   ImGui::PushStyleColor(ImGuiCol_Button, 0);
-  if (ImGui::Button("x##badge")) scene::dismiss_badge(w.checks);
+  if (button(ui, "x##badge", "badge/close", "Dismiss. The section Checks still lists it."))
+    scene::dismiss_badge(w.checks);
   ImGui::PopStyleColor();
-  record(ui, "badge/close");
-  hint("Dismiss. The section Checks still lists it.");
   return ImGui::GetWindowPos().y - 8;
 }
 

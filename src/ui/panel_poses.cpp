@@ -86,11 +86,9 @@ void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, d
   const std::string part = named.part.empty() ? "" : " It affects only " + moves + ".";
   hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate." + part);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-  ImGui::SetNextItemWidth(percent_width);
-  if (const auto typed = number_field(ui, id + "/typed", percent))
+  if (const auto typed =
+          number_field(ui, id + "/typed", percent, percent_width, "Weight in percent, from -200 to 300."))
     wish.weight = std::pair(row, 0.01 * *typed);
-  record(ui, id + "/typed");
-  hint("Weight in percent, from -200 to 300.");
 }
 
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {

@@ -71,23 +71,14 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
 }
 
 // A large toggle: the method's name, its time per matrix and worst error, coloured where it is best.
-void card(const Context& ui, std::size_t index, float width, bool used) {
+void method_card(const Context& ui, std::size_t index, float width, bool used) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(command_names[index]);
   const bool active = w.document.method == scene::compared_methods[index];
   const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 46};
   if (ImGui::InvisibleButton(command_names[index], size)) command.run(w);
   record(ui, command_names[index], used);
-  const bool hovered = ImGui::IsItemHovered();
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 end{at.x + size.x, at.y + size.y};
-  draw.AddRectFilled(at, end,
-                     active && used ? ui.colors.card_active
-                     : hovered      ? ui.colors.card_hover
-                                    : ui.colors.card,
-                     6);
-  if (active && used) draw.AddRect(at, end, ui.colors.accent, 6, 0, 1.5f);
-
+  card(ui, at, {at.x + size.x, at.y + size.y}, active && used);
   const bool measured = running_sample(w) != nullptr;
   const Marks marks = measured ? marks_of(w.methods, index) : Marks{};
   card_text(ui, at, width, command.brief.data(), measured ? &w.methods.samples[index] : nullptr, used, marks,
@@ -106,7 +97,7 @@ void panel_method(const Context& ui) {
   ImGui::BeginDisabled(!used);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t i = 0; i < scene::compared_methods.size(); ++i) {
-    card(ui, i, width, used);
+    method_card(ui, i, width, used);
     if (i % 2 == 0) ImGui::SameLine();
   }
   ImGui::PopStyleVar();

@@ -1,4 +1,4 @@
-// The stages of a deformation, for the timings and the formula.
+// The stages of a deformation, for the timings.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,5 @@ namespace viete::ui {
 const char* stage_hint(scene::Link stage);
 /// Its colour; fainter while another stage is hovered.
 ImU32 lit_stage_color(const Context& ui, scene::Link stage);
-
-/// Draws the formula of the running frame, each term in the colour of its stage. Returns the stage of the
-/// hovered term, if any.
-std::optional<scene::Link> frame_formula(const Context& ui);
 
 }  // namespace viete::ui

@@ -15,8 +15,8 @@ namespace viete::ui {
 void draw_panels(const Context& ui);
 
 void menu_bar(const Context& ui);
-/// A menu line for a command. True if chosen.
-bool menu_item(const Context& ui, const scene::Command& command, std::string_view called);
+/// A menu line that runs a command, by its label or another name. True if chosen.
+bool menu_item(const Context& ui, const scene::Command& command, std::string_view called = "");
 void context_menu(const Context& ui);  ///< at the right click
 void tool_strip(const Context& ui);    ///< in the view
 void command_palette(const Context& ui);
@@ -53,7 +53,6 @@ struct DrawnBefore {
 void repeat_in_views(const Context& ui, const DrawnBefore& before);
 void panel_display(const Context& ui);
 void status_bar(const Context& ui);
-void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
 void question_panel(const Context& ui);        ///< see scene/workspace/question.h
 void message_log(const Context& ui);           ///< all messages

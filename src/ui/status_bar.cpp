@@ -109,13 +109,13 @@ std::string numbers_text(const scene::Workspace& w) {
 
 void status_bar(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0, display.y - status_height});
-  ImGui::SetNextWindowSize({display.x, status_height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 5});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin("Status", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  const Window window("Status",
+                      {.at = {0, display.y - status_height},
+                       .pivot = {0, 0},
+                       .size = {display.x, status_height},
+                       .rounding = 0,
+                       .padding = {12, 5}},
+                      fixed_flags | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
   const std::string numbers = numbers_text(ui.workspace);
   ImGui::PushFont(ui.fonts.numbers);
   const float numbers_start = display.x - 36 - ImGui::CalcTextSize(numbers.c_str()).x;
@@ -124,8 +124,6 @@ void status_bar(const Context& ui) {
   text_in(ui.colors.faint, fitting(mouse_text(ui.workspace), numbers_start - ImGui::GetCursorPosX()));
   const float y = display.y - status_height;
   ImGui::GetWindowDrawList()->AddLine({0, y}, {display.x, y}, ui.colors.line);
-  ImGui::End();
-  ImGui::PopStyleVar(2);
 }
 
 }  // namespace viete::ui

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "scene/document/time_edit.h"
@@ -74,18 +75,15 @@ void export_icon(const TimePen& pen, bool) {
 
 void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen&, bool)) {
   const scene::Command& command = *scene::find_command(name);
-  const bool enabled = command.enabled(ui.workspace);
-  const bool on = command.on(ui.workspace);
-  ImGui::BeginDisabled(!enabled);
+  const bool enabled = command.enabled(ui.workspace), on = command.on(ui.workspace);
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
-  if (ImGui::Button((std::string("##") + name).c_str(), {28, bar_height})) command.run(ui.workspace);
+  if (button(ui, (std::string("##") + name).c_str(), std::string("time/") + name,
+             std::string(command.label) + ".  " + hint_of(ui, command), {28, bar_height}, enabled))
+    command.run(ui.workspace);
   if (on) ImGui::PopStyleColor();
-  record(ui, std::string("time/") + name, enabled);
-  ImGui::EndDisabled();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImU32 color = faded(on ? ui.colors.accent : ui.colors.text, enabled ? 1 : 0.35f);
   draw({*ImGui::GetWindowDrawList(), {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, color}, on);
-  hint(std::string(command.label) + ".  " + hint_of(ui, command));
 }
 
 // An integer field with a label.
@@ -96,10 +94,7 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
     text_in(ui.colors.faint, label);
     ImGui::SameLine(0, 4);
   }
-  ImGui::SetNextItemWidth(width);
-  const auto typed = number_field(ui, name, value);
-  record(ui, name);
-  hint(what);
+  const auto typed = number_field(ui, name, value, width, what);
   if (!typed || !std::isfinite(*typed)) return std::nullopt;
   constexpr double largest = scene::Timeline::largest_frame;
   return static_cast<int>(std::lround(std::clamp(*typed, -largest, largest)));
@@ -124,9 +119,7 @@ struct ToolPiece {
 ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const TimePen&, bool),
                        float gap = 4) {
   return {28, gap, [&ui, name, icon] { icon_button(ui, name, icon); },
-          [&ui, &command = *scene::find_command(name)] {
-            if (menu_item(ui, command, command.label)) command.run(ui.workspace);
-          }};
+          [&ui, name] { menu_item(ui, *scene::find_command(name)); }};
 }
 
 std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
@@ -140,13 +133,13 @@ std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
 
 // The parts that do not fit, in a menu.
 void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece> others) {
-  if (ImGui::Button((std::string("##") + name).c_str(), {more_width, bar_height})) ImGui::OpenPopup(name);
-  record(ui, name);
+  if (button(ui, (std::string("##") + name).c_str(), name, "More timeline settings.",
+             {more_width, bar_height}))
+    ImGui::OpenPopup(name);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   for (const float x : {-5.0f, 0.0f, 5.0f})
     ImGui::GetWindowDrawList()->AddCircleFilled({0.5f * (low.x + high.x) + x, 0.5f * (low.y + high.y)}, 1.6f,
                                                 ui.colors.text);
-  hint("More timeline settings.");
   if (!ImGui::BeginPopup(name)) return;
   if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
   for (const ToolPiece& piece : others) piece.in_menu();
@@ -168,14 +161,15 @@ void row_of_pieces(const Context& ui, const char* menu, std::span<const ToolPiec
 }
 
 void transport(const Context& ui, float right) {
-  icon_button(ui, "first_frame", first_icon);
-  ImGui::SameLine();
-  icon_button(ui, "previous_key", previous_key_icon);
-  ImGui::SameLine();
-  icon_button(ui, "play", play_icon);
-  ImGui::SameLine();
-  icon_button(ui, "next_key", next_key_icon);
-  ImGui::SameLine();
+  constexpr std::pair<const char*, void (*)(const TimePen&, bool)> first[] = {
+      {"first_frame", first_icon},
+      {"previous_key", previous_key_icon},
+      {"play", play_icon},
+      {"next_key", next_key_icon}};
+  for (const auto& [name, icon] : first) {
+    icon_button(ui, name, icon);
+    ImGui::SameLine();
+  }
   icon_button(ui, "last_frame", last_icon);
   const ToolPiece pieces[] = {{112, 12, [&] { frame_shown(ui); }},
                               button_piece(ui, "set_key", key_icon, 12),
@@ -198,21 +192,18 @@ void way_choice(const Context& ui) {
     const bool on = straight == (i == 1);
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-    if (ImGui::Button(labels[i], {76, bar_height}) && !on) command.run(ui.workspace);
+    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/straight", hints[i], {76, bar_height}) && !on)
+      command.run(ui.workspace);
     if (on) ImGui::PopStyleColor(2);
-    record(ui, i == 0 ? "time/log_space" : "time/straight");
-    hint(hints[i]);
   }
   ImGui::EndDisabled();
 }
 
 void rate_field(const Context& ui) {
-  ImGui::SetNextItemWidth(40);
   scene::Document& document = ui.workspace.document;
   scene::Play play = scene::play_of(document.timeline);
-  const auto rate = number_field(ui, "time/rate", play.rate);
-  record(ui, "time/rate");
-  hint("Playback rate in frames per second, 1 to 240.");
+  const auto rate =
+      number_field(ui, "time/rate", play.rate, 40, "Playback rate in frames per second, 1 to 240.");
   ImGui::SameLine(0, 4);
   ImGui::AlignTextToFramePadding();
   text_in(ui.colors.faint, "fps");
@@ -254,30 +245,25 @@ void range(const Context& ui, float right) {
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }
 
-bool begin_panel(const Context& ui) {
-  const scene::Viewport& v = ui.workspace.viewport;
-  constexpr float height = scene::PanelLayout::timeline_height;
-  const float top = v.origin.y + v.size.y;
-  ImGui::SetNextWindowPos({v.origin.x, top});
-  ImGui::SetNextWindowSize({v.size.x, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 8});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 6});
-  ImGui::Begin("Timeline", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                   ImGuiWindowFlags_NoScrollWithMouse);
-  ui.workspace.time_view.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  ImGui::GetWindowDrawList()->AddLine({v.origin.x, top}, {v.origin.x + v.size.x, top}, ui.colors.line);
-  return true;
-}
-
 }  // namespace
 
 void timeline_panel(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   w.time_view.hovered = false;
   if (!w.preferences.layout.timeline) return;
-  begin_panel(ui);
+  const scene::Viewport& v = w.viewport;
+  const float edge = v.origin.y + v.size.y;
+  const Window window("Timeline",
+                      {.at = {v.origin.x, edge},
+                       .pivot = {0, 0},
+                       .size = {v.size.x, scene::PanelLayout::timeline_height},
+                       .rounding = 0,
+                       .padding = {10, 8}},
+                      fixed_flags | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                          ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 6});
+  w.time_view.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  ImGui::GetWindowDrawList()->AddLine({v.origin.x, edge}, {v.origin.x + v.size.x, edge}, ui.colors.line);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   ImGui::BeginDisabled(!w.document.model.surface);
   transport(ui, low.x + room.x);
@@ -287,8 +273,7 @@ void timeline_panel(const Context& ui) {
   ImGui::SetCursorScreenPos({low.x, bottom + 6});
   range(ui, low.x + room.x);
   ImGui::EndDisabled();
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar();
 }
 
 }  // namespace viete::ui

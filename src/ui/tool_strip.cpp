@@ -148,7 +148,8 @@ bool is_on(const Context& ui, const StripTool& entry) {
 }
 
 // Returns true if clicked.
-bool card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 at, bool enabled, bool on) {
+bool tool_card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 at, bool enabled,
+               bool on) {
   ImGui::SetCursorScreenPos(at);
   ImGui::BeginDisabled(!enabled);
   const bool clicked = ImGui::InvisibleButton(name, {tool_size, tool_size});
@@ -168,7 +169,7 @@ bool card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 
 void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
   const scene::Command& command = *scene::find_command(entry.command);
   const bool enabled = command.enabled(ui.workspace);
-  if (card(ui, entry.command, entry.icon, at, enabled, is_on(ui, entry))) command.run(ui.workspace);
+  if (tool_card(ui, entry.command, entry.icon, at, enabled, is_on(ui, entry))) command.run(ui.workspace);
   const std::string key = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const float size = key.size() > 1 ? 9.0f : 11.0f;
   const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
@@ -181,14 +182,11 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
 // The tools that do not fit, in a menu.
 void more_tools(const Context& ui, std::span<const StripTool> others, ImVec2 at) {
   const bool on = std::ranges::any_of(others, [&](const StripTool& t) { return is_on(ui, t); });
-  if (card(ui, "more", more_icon, at, true, on)) ImGui::OpenPopup("More tools");
+  if (tool_card(ui, "more", more_icon, at, true, on)) ImGui::OpenPopup("More tools");
   hint("More tools.");
   if (!ImGui::BeginPopup("More tools")) return;
   if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
-  for (const StripTool& entry : others) {
-    const scene::Command& command = *scene::find_command(entry.command);
-    if (menu_item(ui, command, command.label)) command.run(ui.workspace);
-  }
+  for (const StripTool& entry : others) menu_item(ui, *scene::find_command(entry.command));
   ImGui::EndPopup();
 }
 
@@ -201,18 +199,11 @@ void tool_strip(const Context& ui) {
   const bool all = count == std::size(strip);
   const float height = top_of(count - (all ? 1 : 0)) + tool_size;
   const ImVec2 low{v.origin.x + strip_inset, v.origin.y + strip_top};
-  ImGui::SetNextWindowPos(low);
-  ImGui::SetNextWindowSize({tool_size, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin("Strip", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  ImGui::PopStyleVar(2);
+  const Window window(
+      "Strip", {.at = low, .pivot = {0, 0}, .size = {tool_size, height}, .rounding = 0, .padding = {0, 0}},
+      passive_flags | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus);
   for (std::size_t i = 0; i < count; ++i) tool(ui, strip[i], {low.x, low.y + top_of(i)});
   if (!all) more_tools(ui, std::span(strip).subspan(count), {low.x, low.y + top_of(count)});
-  ImGui::End();
 }
 
 }  // namespace viete::ui

@@ -58,12 +58,13 @@ Window::Window(const char* name, const Place& place, ImGuiWindowFlags flags, boo
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, place.rounding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, place.border);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin(name, open, flags);
 }
 
 Window::~Window() {
   ImGui::End();
-  ImGui::PopStyleVar(3);
+  ImGui::PopStyleVar(4);
 }
 
 ImVec2 middle_at(const Context& ui, float y) {
@@ -126,6 +127,31 @@ void record(const Context& ui, const std::string& name, bool enabled) {
   if (!ui.recorder) return;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ui.recorder->add(name, {low.x, low.y, high.x, high.y, ImGui::IsItemVisible(), enabled});
+}
+
+bool button(const Context& ui, const char* label, const std::string& name, const std::string& tip,
+            ImVec2 size, bool enabled) {
+  ImGui::BeginDisabled(!enabled);
+  const bool clicked = ImGui::Button(label, size);
+  record(ui, name, enabled);
+  ImGui::EndDisabled();
+  if (!tip.empty()) hint(tip);
+  return clicked;
+}
+
+void checkbox(const Context& ui, const char* label, const std::string& name, bool& on, const char* tip) {
+  ImGui::Checkbox(label, &on);
+  record(ui, name);
+  hint(tip);
+}
+
+void card(const Context& ui, ImVec2 low, ImVec2 high, bool active) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 color = active                   ? ui.colors.card_active
+                      : ImGui::IsItemHovered() ? ui.colors.card_hover
+                                               : ui.colors.card;
+  draw.AddRectFilled(low, high, color, 6);
+  if (active) draw.AddRect(low, high, ui.colors.accent, 6, 0, 1.5f);
 }
 
 bool section(const Context& ui, const char* title, bool open_at_first) {
@@ -239,13 +265,10 @@ std::string shortened(std::string text, float width) {
 
 void command_button(const Context& ui, std::string_view name, float width) {
   const scene::Command& command = require(name);
-  const bool enabled = command.enabled(ui.workspace);
-  ImGui::BeginDisabled(!enabled);
   const std::string label = std::string(command.brief) + "##" + std::string(name);
-  if (ImGui::Button(label.c_str(), {width, 0})) command.run(ui.workspace);
-  record(ui, std::string(name), enabled);
-  ImGui::EndDisabled();
-  hint(hint_of(ui, command));
+  if (button(ui, label.c_str(), std::string(name), hint_of(ui, command), {width, 0},
+             command.enabled(ui.workspace)))
+    command.run(ui.workspace);
 }
 
 void command_row(const Context& ui, std::initializer_list<std::string_view> commands) {
@@ -310,12 +333,16 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
 }
 
 // Uses InputText because InputDouble rejects commas and, in older versions, lacks EnterReturnsTrue.
-std::optional<double> number_field(const Context& ui, const std::string& name, double value) {
+std::optional<double> number_field(const Context& ui, const std::string& name, double value, float width,
+                                   const char* tip, bool enabled) {
+  if (width != 0) ImGui::SetNextItemWidth(width);
   const std::string shown = printed(value, ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x);
   char text[64] = "";
   typed_so_far(ui, name, shown).copy(text, sizeof text - 1);
   constexpr auto flags = ImGuiInputTextFlags_CallbackCharFilter | ImGuiInputTextFlags_AutoSelectAll;
   ImGui::InputText(("##" + name).c_str(), text, sizeof text, flags, filter_number);
+  record(ui, name, enabled);
+  if (*tip) hint(tip);
   if (ImGui::IsItemActive()) {
     ui.workspace.typed[name] = {text, ImGui::GetFrameCount()};
     return std::nullopt;
@@ -371,6 +398,36 @@ Slid slider(const Context& ui, const std::string& name, double value, double lea
   }
   record(ui, name, enabled);
   return slid;
+}
+
+std::optional<double> slider(const Context& ui, const std::string& name, double value, const SliderLook& look,
+                             float width) {
+  auto moved = static_cast<float>(value);
+  constexpr auto usual = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+  ImGui::SetNextItemWidth(width);
+  const Slid slid = slider(
+      ui, name, value, look.least, look.most,
+      [&] {
+        return ImGui::SliderFloat(("##" + name).c_str(), &moved, static_cast<float>(look.least),
+                                  static_cast<float>(look.most), look.format,
+                                  look.logarithmic ? usual | ImGuiSliderFlags_Logarithmic : usual);
+      },
+      look.enabled);
+  hint(look.tip);
+  if (!slid.moved) return slid.typed;
+  const double to = std::clamp(static_cast<double>(moved), look.least, look.most);
+  return look.rounded ? look.rounded(to) : to;
+}
+
+std::optional<double> slider_row(const Context& ui, const char* label, float distance,
+                                 const std::string& name, double value, const std::string& shown,
+                                 const SliderLook& look) {
+  constexpr float value_width = 52;
+  row_label(label, distance);
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const auto chosen = slider(ui, name, value, look, -value_width);
+  value_beside(right, shown);
+  return chosen;
 }
 
 std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,

@@ -1,6 +1,4 @@
 // The running method's accuracy in the panel and on the mesh.
-#include <set>
-
 #include "program/driver.h"
 
 using namespace viete;
@@ -119,23 +117,4 @@ TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_th
   d.settle();
   CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
   CHECK(d.until([&] { return d.workspace().fused_error > 0; }));
-}
-
-TEST_CASE("the_term_of_the_formula_under_the_cursor_lights_its_link") {
-  Driver d;
-  open_posed_dragon(d);
-  d.place_of("formula");
-  const auto rect = d.viewer().recorder().find("formula");
-  REQUIRE(rect);
-  std::set<deform::Link> lit;
-  for (float x = rect->x0; x < rect->x1; x += 4) {
-    d.move({x, rect->y0 + 14});
-    d.frame();
-    if (const auto stage = d.workspace().interaction.stage) lit.insert(*stage);
-  }
-  CHECK(lit.contains(deform::Link::fused));
-  CHECK(lit.contains(deform::Link::log_maps));
-  d.move({700, 20});
-  d.frame();
-  CHECK_FALSE(d.workspace().interaction.stage);
 }

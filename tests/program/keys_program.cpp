@@ -30,7 +30,7 @@ std::string key_of(Driver& d, const char* command) {
 void open_list(Driver& d) {
   d.click("menu/Help");
   d.frame(2);
-  d.click("menu/edit_keys");
+  d.click("menu/help");
   d.frame(2);
   REQUIRE(d.workspace().key_list.open);
 }
@@ -183,6 +183,6 @@ TEST_CASE("mouse_help_matches_the_preset") {
     d.frame(3);
     keep_picture(d, ("help_" + std::string(scene::entry_of(preset).word) + ".png").c_str());
     d.press_key(scene::Key::escape);
-    CHECK_FALSE(d.workspace().view.help);
+    CHECK_FALSE(d.workspace().key_list.open);
   }
 }

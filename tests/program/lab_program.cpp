@@ -108,17 +108,6 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   d.settle();
   CHECK(d.workspace().field.stats.most < 1e-6);
   CHECK(d.workspace().field.stats.high == stats.high);
-  // It can be typed only while the range is fixed.
-  d.click("map/high");
-  d.type("0.25");
-  d.press_key(scene::Key::enter);
-  d.settle();
-  CHECK(d.workspace().field.stats.high == doctest::Approx(0.25));
-  d.click("map/low");
-  d.type("3");
-  d.press_key(scene::Key::enter);
-  d.settle();
-  CHECK(d.workspace().field.stats.low < 0.25);
   d.click("hold_map_range");
   d.press_key('Z', true, true);
   d.settle();
@@ -320,12 +309,6 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.settle();
   CHECK_FALSE(d.workspace().vertex.vertex);
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
-  // A click on a term of the formula also opens the vertex inspector.
-  d.place_of("formula");
-  const auto formula = d.viewer().recorder().find("formula");
-  d.click(d.place_of("formula") - glm::vec2(0.5f * (formula->x1 - formula->x0) - 6, 0));
-  d.settle();
-  CHECK(d.workspace().vertex.vertex);
   // With the key, under the cursor; it follows the pose.
   d.move(d.workspace().viewport.middle());
   d.press_key('Y', false, false, true);

@@ -206,7 +206,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
 
 TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
   Held d;
-  for (const char* dialog : {"open_model", "command_palette", "edit_keys", "show_messages"}) {
+  for (const char* dialog : {"open_model", "command_palette", "help", "show_messages"}) {
     CAPTURE(dialog);
     d.move(d.place_of("keep_pose"));
     d.frame(3);
