@@ -72,14 +72,7 @@ void choose(scene::Workspace& w, const std::filesystem::path& path) {
   w.preferences.folder = path.parent_path();
 }
 
-void choose_recent(scene::Workspace& w, std::size_t index) {
-  if (!w.browser.asked.empty()) return;
-  open_recent(w, index);
-  w.browser.asked = w.preferences.recent[index].file;
-}
-
 void choose_typed(scene::Workspace& w) {
-  if (w.browser.recent < w.preferences.recent.size()) return choose_recent(w, w.browser.recent);
   if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
   const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
@@ -129,7 +122,6 @@ void path_field(const Context& ui) {
   if (browser.path != before) {
     browser.problem.clear();
     browser.highlighted = browser.saves() ? Browser::none : 0;
-    browser.recent = Browser::none;
   }
   if (enter) confirm_typed(ui.workspace);
   if (enter && browser.open) ImGui::SetKeyboardFocusHere(-1);
@@ -173,7 +165,6 @@ void filter_row(const Context& ui) {
   record(ui, "file_filter");
   if (browser.filter != before) {
     browser.highlighted = 0;
-    browser.recent = Browser::none;
     if (!browser.saves()) browser.path = browser.folder.string();
   }
   format_buttons(ui, formats, own_row);
@@ -186,7 +177,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& entry = *entries[i];
     const Browser& browser = ui.workspace.browser;
-    const bool highlighted = i == browser.highlighted && browser.recent == Browser::none;
+    const bool highlighted = i == browser.highlighted;
     const float line = ImGui::GetCursorScreenPos().y;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const std::string label = entry.folder ? entry.name + "/" : entry.name;
@@ -225,12 +216,6 @@ void click_entry(scene::Workspace& w, std::size_t index) {
   if (ImGui::IsMouseDoubleClicked(0) && (entry.folder || !w.browser.saves())) take(w, entry);
 }
 
-void click_recent(scene::Workspace& w, std::size_t index) {
-  if (ImGui::IsMouseDoubleClicked(0)) return choose_recent(w, index);
-  w.browser.recent = index;
-  w.browser.path = w.preferences.recent[index].file.string();
-}
-
 // Up and Down move in the list, Enter confirms, Backspace without a filter goes to the parent folder, Esc
 // closes. True if the highlight moved.
 bool handle_keys(const Context& ui, bool typing_path) {
@@ -248,9 +233,7 @@ bool handle_keys(const Context& ui, bool typing_path) {
     return false;
   }
   const auto entries = scene::shown(browser);
-  if (key_pressed(scene::Key::enter) && browser.recent != Browser::none) {
-    choose_typed(ui.workspace);
-  } else if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
+  if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
     browser.appearing = browser.open;  // keeps the keyboard in the list
   } else if (key_pressed(scene::Key::enter) && browser.saves()) {
@@ -308,17 +291,8 @@ void picture_choices(const Context& ui) {
 
 void lists(const Context& ui, bool moved) {
   Browser& browser = ui.workspace.browser;
-  const bool recent = browser.purpose == Purpose::model && !ui.workspace.preferences.recent.empty();
   const float row = ImGui::GetFrameHeight() + 12;
   const float height = browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row;
-  if (recent) {
-    ImGui::BeginChild("recent", {220, height}, true);
-    note(ui, "Recent");
-    const auto clicked = recent_list(ui, scene::Preferences::most, browser.recent);
-    ImGui::EndChild();
-    ImGui::SameLine();
-    if (clicked) click_recent(ui.workspace, *clicked);
-  }
   ImGui::BeginChild("entries", {0, height}, true);
   const auto clicked = entry_list(ui, scene::shown(browser), moved);
   ImGui::EndChild();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,7 +60,7 @@ void recent_menu(const Context& ui) {
     const std::string folder = shortened(recent.file.parent_path().filename().string(), 160);
     if (ImGui::MenuItem(name.c_str(), folder.c_str())) chosen = i;
     record(ui, "menu/recent/" + std::to_string(i));
-    hint(recent.file.string() + (recent.cage.empty() ? "" : "  in  " + recent.cage.string()));
+    hint(place_of(recent));
   }
   ImGui::EndMenu();
   if (chosen) open_recent(w, *chosen);
@@ -92,35 +93,12 @@ void items(const Context& ui, const scene::Menu& menu) {
   if (open) ImGui::EndMenu();
 }
 
-// Commands of the context menu, in order; empty: a separator. Disabled ones are omitted.
-constexpr const char* offers[] = {"undo",
-                                  "redo",
-                                  "",
-                                  "reset_selected",
-                                  "",
-                                  "frame_selection",
-                                  "frame_all",
-                                  "",
-                                  "select_all",
-                                  "select_none",
-                                  "invert_selection",
-                                  "select_linked",
-                                  "",
-                                  "split_edges",
-                                  "cut_faces",
-                                  "extrude_faces",
-                                  "merge_vertices",
-                                  "remove_elements",
-                                  "",
-                                  "make_cage",
-                                  "edit_cage",
-                                  "",
-                                  "set_key",
-                                  "keep_pose",
-                                  "",
-                                  "add_probe",
-                                  "",
-                                  "command_palette"};
+// Commands of the context menu, in order; |: a separator. Disabled ones are omitted.
+constexpr const char* offers =
+    "undo redo | reset_selected | frame_selection frame_all | select_all select_none invert_selection "
+    "select_linked | split_edges cut_faces extrude_faces merge_vertices remove_elements | make_cage "
+    "edit_cage "
+    "| set_key keep_pose | add_probe | command_palette";
 
 }  // namespace
 
@@ -170,7 +148,8 @@ void context_menu(const Context& ui) {
   bool line = false, any = false, chosen = false;
   auto& w = ui.workspace;
   const auto cursor = std::exchange(w.interaction.cursor, w.interaction.menu_at);  // commands act there
-  for (const std::string_view offer : offers) {
+  std::istringstream words(offers);
+  for (std::string offer; words >> offer;) {
     const scene::Command* command = scene::find_command(offer);
     line |= !command;
     if (!command || !command->enabled(w)) continue;

@@ -28,7 +28,7 @@ void panel_model(const Context& ui) {
   if (!model.surface) {
     note(ui, "No model. Open one or drop a file on the window.");
     command_button(ui, "open_model");
-    if (const auto clicked = recent_list(ui, 4)) open_recent(ui.workspace, *clicked);
+    if (const auto clicked = recent_list(ui)) open_recent(ui.workspace, *clicked);
     return;
   }
   ImGui::PushTextWrapPos(0);

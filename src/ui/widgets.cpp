@@ -446,40 +446,27 @@ std::optional<std::string> name_field(const Context& ui, const std::string& id, 
   return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
 }
 
-namespace {
-
-// The folder of a recent file, since many have the same name; shortened to fit.
-void folder_beside(const Context& ui, ImVec2 at, float right, const std::string& name,
-                   const std::string& folder) {
-  constexpr float gap = 16;
-  const float left = std::max(at.x + ImGui::CalcTextSize(name.c_str()).x + gap,
-                              right - ImGui::CalcTextSize(folder.c_str()).x);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.PushClipRect({left, at.y}, {right, at.y + ImGui::GetTextLineHeightWithSpacing()}, true);
-  draw.AddText({left, at.y}, ui.colors.faint, folder.c_str());
-  draw.PopClipRect();
-}
-
-}  // namespace
-
-std::optional<std::size_t> recent_list(const Context& ui, std::size_t most, std::size_t chosen) {
+std::optional<std::size_t> recent_list(const Context& ui) {
+  constexpr std::size_t most = 4;
   const auto& recent = ui.workspace.preferences.recent;
   std::optional<std::size_t> clicked;
-  ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
   for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
-    const scene::RecentFile& file = recent[i];
-    const std::string id = "##recent" + std::to_string(i);
-    const std::string name = file.file.filename().string();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float right = at.x + ImGui::GetContentRegionAvail().x;
-    if (ImGui::Selectable((name + id).c_str(), i == chosen, ImGuiSelectableFlags_AllowDoubleClick))
-      clicked = i;
-    folder_beside(ui, at, right, name, file.file.parent_path().filename().string());
+    const std::string name = recent[i].file.filename().string();
+    const float y = ImGui::GetCursorScreenPos().y, width = ImGui::GetContentRegionAvail().x,
+                right = ImGui::GetCursorScreenPos().x + width;
+    if (ImGui::Selectable((name + "##recent" + std::to_string(i)).c_str())) clicked = i;
     record(ui, "recent/" + std::to_string(i));
-    hint("Open " + file.file.string() + (file.cage.empty() ? "" : "  in  " + file.cage.string()));
+    hint("Open " + place_of(recent[i]));
+    // The folder, since many files have the same name.
+    const std::string folder = recent[i].file.parent_path().filename().string();
+    text_right(ui, right, shortened(folder, width - ImGui::CalcTextSize(name.c_str()).x - 16),
+               ui.colors.faint, y);
   }
-  ImGui::PopStyleColor();
   return clicked;
+}
+
+std::string place_of(const scene::RecentFile& recent) {
+  return recent.file.string() + (recent.cage.empty() ? "" : "  in  " + recent.cage.string());
 }
 
 void open_recent(scene::Workspace& w, std::size_t index) {

@@ -156,9 +156,10 @@ bool types_into_slider(const scene::Workspace& workspace);
 std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
                                       float width, const char* what);
 
-/// The newest recent files, at most so many, one per line, with `chosen` marked; returns the clicked one.
-std::optional<std::size_t> recent_list(const Context& ui, std::size_t most,
-                                       std::size_t chosen = scene::FileBrowser::none);
+/// The newest four recent files, one per line; returns the clicked one.
+std::optional<std::size_t> recent_list(const Context& ui);
+/// "FILE  in  CAGE".
+std::string place_of(const scene::RecentFile& recent);
 /// Opens it with its cage.
 void open_recent(scene::Workspace& workspace, std::size_t index);
 
