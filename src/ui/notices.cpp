@@ -6,7 +6,6 @@
 #include <string>
 
 #include "scene/files/recovery.h"
-#include "scene/workspace/check_view.h"
 #include "scene/workspace/command.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
@@ -359,55 +358,6 @@ float work_bar(const Context& ui, float bottom) {
   if (shows(w.exporting) && shows(work)) ImGui::Spacing();
   if (shows(work)) row(ui, work, w.time_left, "stop_work");
   return ImGui::GetWindowPos().y + 28;
-}
-
-// At the bottom of the view: the main defect of cage or model and its remedy, visible without the section of
-// the checks.
-
-namespace {
-
-bool shows_badge(const scene::Workspace& w) {
-  return w.checks.badge && w.has_user && w.view.panels && !w.key_list.open && !w.browser.open &&
-         !w.question && !w.making.open && !w.loading.running && !w.interaction.drag && !offers_next_step(w);
-}
-
-// Shows or hides the elements. Disabled while the checks run.
-void show_button(const Context& ui, const scene::CheckBadge& badge) {
-  const auto at = scene::find_finding(ui.workspace.checks, badge.kind);
-  const bool shown = at && ui.workspace.checks.shown == at;
-  if (button(ui, shown ? "Hide##badge" : "Show##badge", "badge/show",
-             "Show or hide the problems in the view. Checks steps through them.", {0, 0}, at.has_value()))
-    scene::toggle_finding(ui.workspace, *at);
-}
-
-}  // namespace
-
-float check_badge(const Context& ui, float bottom) {
-  scene::Workspace& w = ui.workspace;
-  if (!shows_badge(w)) return bottom;
-  const scene::CheckBadge badge = *w.checks.badge;
-  const Window window("Check badge",
-                      {.at = middle_at(ui, bottom), .pivot = {0.5f, 1}, .rounding = 6, .padding = {10, 5}},
-                      card_flags);
-  ImGui::AlignTextToFramePadding();
-  text_in(ui.colors.warn, badge.title);
-  record(ui, "badge");
-  ImGui::SameLine();
-  const std::string_view helps = scene::remedy(badge);
-  if (helps.empty()) {
-    show_button(ui, badge);
-  } else {
-    const scene::Command& command = *scene::find_command(helps);
-    if (button(ui, (std::string(command.label) + "##badge").c_str(), "badge/" + std::string(helps),
-               hint_of(ui, command), {0, 0}, command.enabled(w)))
-      command.run(w);
-  }
-  ImGui::SameLine(0, 2);
-  ImGui::PushStyleColor(ImGuiCol_Button, 0);
-  if (button(ui, "x##badge", "badge/close", "Dismiss. The section Checks still lists it."))
-    scene::dismiss_badge(w.checks);
-  ImGui::PopStyleColor();
-  return ImGui::GetWindowPos().y - 8;
 }
 
 }  // namespace viete::ui

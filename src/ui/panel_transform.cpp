@@ -102,7 +102,6 @@ void mirror_row(const Context& ui) {
   label_row(ui, "Mirror");
   const float width = half_of_rest();
   choice_list(ui, "mirror", std::optional(w.handling.mirror), width);
-  w.interaction.show_partners = ImGui::IsItemHovered() && w.mirror.mirror.has_value();
   ImGui::SameLine();
   const float right = ImGui::GetCursorScreenPos().x + width;
   const bool lacks = w.mirror.mirror && w.mirror.mirror->unpaired() > 0;

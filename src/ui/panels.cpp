@@ -88,7 +88,7 @@ void draw_panels(const Context& ui) {
   const float free = std::min({cage_offer(ui, bottom), work_bar(ui, bottom), map_legend(ui, bottom),
                                key_question(ui, bottom)}) -
                      44;
-  toasts(ui, check_badge(ui, free));
+  toasts(ui, free);
   if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
   message_log(ui);
   command_palette(ui);

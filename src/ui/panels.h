@@ -63,7 +63,6 @@ float cage_offer(const Context& ui,
 bool offers_next_step(const scene::Workspace& workspace);
 /// The available width for notices in the middle of the view, next to the tools.
 float notice_room(const Context& ui);
-float check_badge(const Context& ui, float bottom);  ///< findings of the checks, and remedies
 float work_bar(const Context& ui,
                float bottom);              ///< running work, its progress, and Cancel
 void notice_bar(const Context& ui);        ///< recoverable unsaved work

@@ -58,8 +58,6 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.field = {};
   w.vertex = {};
   forget_findings(w.checks);
-  w.checks.badge.reset();
-  w.checks.dismissed.clear();
   ++w.opened;
 }
 
