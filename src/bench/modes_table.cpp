@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "bench/mode_comparison.h"
+#include "bench/modes.h"
 #include "bench/table.h"
 
 namespace viete::bench {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "bench/mode_comparison.h"
+#include "bench/modes.h"
 
 namespace viete::bench {
 

@@ -38,35 +38,22 @@ std::string system_name() {
 
 }  // namespace
 
-Made made_here(std::string command, double seconds) {
-  const std::string processor = processor_name();
+Made made_here(const std::string& command, double seconds) {
   const double bytes =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  return {std::move(command),
-          date_now(),
-          std::string("viete ") + app::version() + ", " + app::build_type(),
-          std::string(sym3::kernel_name()),
-          (processor.empty() ? "a processor without a name" : processor) + ", " +
-              base::counted(std::thread::hardware_concurrency(), "thread"),
-          base::memory_size(bytes),
-          system_name(),
-          seconds};
-}
-
-std::vector<std::pair<std::string, std::string>> facts_of(const Made& made) {
-  return {{"Machine", made.processor},
-          {"Memory", made.memory},
-          {"System", made.system},
-          {"Program", made.program},
-          {"Kernel of the vector code", made.kernel},
-          {"Made", made.date + ", in " + base::few_digits(made.seconds) + " s"},
-          {"By", made.command}};
-}
-
-nlohmann::json to_json(const Made& made) {
-  nlohmann::json json;
-  for (const auto& [what, value] : facts_of(made)) json[what] = value;
-  return json;
+  std::string processor = processor_name();
+  if (processor.empty()) processor = "an unnamed processor";
+  processor += ", " + base::counted(std::thread::hardware_concurrency(), "thread");
+  const std::string date = date_now();
+  return {date,
+          processor,
+          {{"Machine", processor},
+           {"Memory", base::memory_size(bytes)},
+           {"System", system_name()},
+           {"Program", std::string("viete ") + app::version() + ", " + app::build_type()},
+           {"Kernel of the vector code", std::string(sym3::kernel_name())},
+           {"Made", date + ", in " + base::few_digits(seconds) + " s"},
+           {"By", command}}};
 }
 
 namespace {
@@ -191,7 +178,7 @@ std::string html(const Section& section) {
 
 std::string footer(const Made& made, const nlohmann::json& json) {
   Table table{{"", "here"}, {}, {"here"}};
-  for (const auto& [what, value] : facts_of(made)) table.rows.push_back({what, value});
+  for (const auto& [what, value] : made.facts) table.rows.push_back({what, value});
   return "<footer id=\"made\">\n<h2>How it was measured</h2>\n" +
          paragraph(
              "Times are medians of interleaved rounds, in processor time of the calling thread, so that "
@@ -219,7 +206,7 @@ std::string page_style() {
 nlohmann::json report_json(const Figures& figures, const Made& made) {
   nlohmann::json json = to_json(figures);
   json["figure"] = "report";
-  json["made"] = to_json(made);
+  for (const auto& [what, value] : made.facts) json["made"][what] = value;
   return json;
 }
 

@@ -61,17 +61,15 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
                  const ChoiceListWords& words = {}) {
   ImGui::SetNextItemWidth(width);
   const char* const shown = now ? base::entry_of(*now).label.data() : words.none;
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown, ImGuiComboFlags_HeightLargest);
-  record(ui, name, now.has_value());
-  if (!open) return hint(*words.about || !now ? words.about : std::string(base::entry_of(*now).hint));
+  const std::string about = *words.about || !now ? words.about : std::string(base::entry_of(*now).hint);
+  if (!begin_list(ui, name, shown, about)) return;
   const std::span<const base::Choice> all = choices(Value{});
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto value = static_cast<Value>(i);
     const scene::Command& command = *scene::find_command(scene::choice_command_name(value));
-    if (ImGui::Selectable(all[i].label.data(), value == now) && command.enabled(ui.workspace))
+    if (list_entry(ui, all[i].label, words.prefix + command.name, value == now, all[i].hint) &&
+        command.enabled(ui.workspace))
       command.run(ui.workspace);
-    record(ui, words.prefix + command.name);
-    hint(std::string(all[i].hint));
   }
   ImGui::EndCombo();
 }
@@ -80,25 +78,18 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
 template <class Entry, class Value = decltype(Entry::value)>
 std::optional<Value> entry_list(const Context& ui, const std::string& name, std::span<const Entry> table,
                                 Value now) {
-  const auto label = [](const Entry& e) {
+  const auto label = [](const Entry& e) -> std::string_view {
     if constexpr (requires { e.label; })
-      return e.label.data();
+      return e.label;
     else
-      return e.name.data();
+      return e.name;
   };
-  std::optional<Value> chosen;
   const Entry& shown = entry(now);
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), label(shown));
-  record(ui, name);
-  if (!open) {
-    hint(std::string(shown.sentence));
-    return chosen;
-  }
-  for (const Entry& e : table) {
-    if (ImGui::Selectable(label(e), e.value == now)) chosen = e.value;
-    record(ui, name + '_' + std::string(e.name));
-    hint(std::string(e.sentence));
-  }
+  std::optional<Value> chosen;
+  if (!begin_list(ui, name, label(shown).data(), std::string(shown.sentence))) return chosen;
+  for (const Entry& e : table)
+    if (list_entry(ui, label(e), name + '_' + std::string(e.name), e.value == now, e.sentence))
+      chosen = e.value;
   ImGui::EndCombo();
   return chosen;
 }

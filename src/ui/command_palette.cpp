@@ -23,7 +23,6 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
   record(ui, "palette/" + std::string(command.name), enabled);
   const bool mouse_moves = ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0;
   if (ImGui::IsItemHovered() && mouse_moves) ui.workspace.palette.highlighted = index;
-  if (ImGui::IsItemClicked(1)) ui.workspace.interaction.setting_key = command.name;
   if (highlighted && follow) ImGui::SetScrollHereY();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (highlighted) draw.AddRectFilled(at, {at.x + width, at.y + palette_row}, ui.colors.card_active, 4);
@@ -91,26 +90,12 @@ void command_palette(const Context& ui) {
   if (found.empty()) note(ui, "No command matches.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  note(ui, "Right click a command to change its key;  Help, Show keys and mouse lists all");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
     chosen = found[palette.highlighted];
   if ((key_pressed(scene::Key::escape) || beside) && !appeared) palette.open = false;
-  if (!w.interaction.setting_key.empty()) palette.open = false;
   if (chosen) run(w, *chosen);
-}
-
-// Asks for the new key of a command.
-void key_prompt(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
-  const scene::Command* const command = scene::find_command(w.interaction.setting_key);
-  if (!command || w.key_list.open) return;  // the list shows it itself
-  const scene::Viewport& v = w.viewport;
-  const Window window("New key", {.at = middle_at(ui, v.origin.y + 0.4f * v.size.y)}, sized_flags);
-  const std::string now = scene::text(w.preferences.keymap.of(*command).first);
-  ImGui::TextUnformatted(("Press the new key for \"" + std::string(command->label) + '"').c_str());
-  note(ui, (now.empty() ? "No key now" : "Now " + now) + std::string(";  Delete removes it, Esc cancels"));
 }
 
 }  // namespace viete::ui

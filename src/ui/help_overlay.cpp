@@ -79,26 +79,16 @@ scene::Keymap plain_preset(const scene::Keymap& keymap) {
   return plain;
 }
 
-// Explains a missing preset key: the user's changes assign it to another command.
-std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, const scene::Command& command) {
-  const scene::Shortcut preset = plain.of(command).first;
-  const auto losers = keymap.losers(command.name, preset);
-  if (losers.empty() || keymap.of(command).first == preset) return "";
-  return "\n" + scene::text(preset) + " is used by \"" + std::string(losers.front()->label) + '"';
-}
-
-void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
+void key_of_command(const Context& ui, const scene::Command& command) {
   scene::Workspace& w = ui.workspace;
   const std::string name(command.name), keys = scene::text(w.preferences.keymap.of(command));
   const bool waits = w.interaction.setting_key == name;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
-  if (ImGui::Button(label.c_str(), {keys_width, 0})) w.interaction.setting_key = waits ? "" : name;
-  record(ui, "key/" + name);
+  if (button(ui, label.c_str(), "key/" + name,
+             waits ? "" : "Click and press the new key. Delete removes it, Esc cancels.", {keys_width, 0}))
+    w.interaction.setting_key = waits ? "" : name;
   if (waits) ImGui::PopStyleColor();
-  if (waits || !ImGui::IsItemHovered()) return;
-  hint("Click and press the new key. Delete removes it, Esc cancels." +
-       lost_key(w.preferences.keymap, plain, command));
 }
 
 void give_back(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
@@ -118,7 +108,7 @@ void key_row(const Context& ui, const scene::Keymap& plain, const scene::Command
   ImGui::TextUnformatted(std::string(command.label).c_str());
   hint(std::string(command.hint));
   ImGui::SameLine(right - keys_width - back_width - ImGui::GetStyle().ItemSpacing.x);
-  key_of_command(ui, plain, command);
+  key_of_command(ui, command);
   give_back(ui, plain, command);
 }
 

@@ -93,7 +93,6 @@ void draw_panels(const Context& ui) {
   message_log(ui);
   command_palette(ui);
   key_list(ui);
-  key_prompt(ui);
   question_panel(ui);
 }
 

@@ -23,7 +23,6 @@ void command_palette(const Context& ui);
 void key_list(const Context& ui);  ///< all commands and their keys, editable
 /// The keymap choice at the first start, at the bottom of the view like other offers.
 float key_question(const Context& ui, float bottom);
-void key_prompt(const Context& ui);    ///< asks for the new key of a command
 void column_edges(const Context& ui);  ///< column borders to drag, and tabs to fold
 
 void panel_model(const Context& ui);

@@ -32,16 +32,6 @@ std::string shape_words(const scene::TransformDrag& drag) {
          "click confirms,  Esc cancels,  Shift slows,  Ctrl snaps";
 }
 
-// Logs of rotations depend on the frame of reference: see the manual, blending.
-bool changes_shape_when_turned(const scene::Workspace& w) {
-  const scene::Document& d = w.document;
-  if (w.tool != scene::Tool::rotate || !d.has_cage() || d.selection.kind() == scene::ElementKind::probe)
-    return false;
-  const auto& rest = d.cage->surface.positions;
-  return d.scheme.exponential() && d.pose.positions != rest &&
-         scene::selected_vertices(*d.cage, d.selection).size() == rest.size();
-}
-
 }  // namespace
 
 std::string mouse_text(const scene::Workspace& w) {
@@ -69,9 +59,6 @@ std::string mouse_text(const scene::Workspace& w) {
            "or right drag " +
            std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
   if (w.interaction.over_axes) return "Click to view along an axis, drag to orbit";
-  if (w.interaction.handle && changes_shape_when_turned(w))
-    return scene::handle_name(w.tool, *w.interaction.handle) +
-           ":  drag;  rotates the posed cage, which can slightly change the model's shape";
   if (w.interaction.handle)
     return scene::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";

@@ -145,6 +145,21 @@ void checkbox(const Context& ui, const char* label, const std::string& name, boo
   hint(tip);
 }
 
+bool begin_list(const Context& ui, const std::string& name, const char* shown, const std::string& tip) {
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown, ImGuiComboFlags_HeightLargest);
+  record(ui, name);
+  if (!open && !tip.empty()) hint(tip);
+  return open;
+}
+
+bool list_entry(const Context& ui, std::string_view label, const std::string& name, bool chosen,
+                std::string_view tip) {
+  const bool clicked = ImGui::Selectable(std::string(label).c_str(), chosen);
+  record(ui, name);
+  hint(std::string(tip));
+  return clicked;
+}
+
 void card(const Context& ui, ImVec2 low, ImVec2 high, bool active) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 color = active                   ? ui.colors.card_active

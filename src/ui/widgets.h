@@ -65,6 +65,10 @@ void record(const Context& ui, const std::string& name, bool enabled = true);
 bool button(const Context& ui, const char* label, const std::string& name, const std::string& tip,
             ImVec2 size = {0, 0}, bool enabled = true);
 void checkbox(const Context& ui, const char* label, const std::string& name, bool& on, const char* tip);
+/// A list to choose from: its tooltip while it is closed. If true, entries and ImGui::EndCombo() follow.
+bool begin_list(const Context& ui, const std::string& name, const char* shown, const std::string& tip);
+bool list_entry(const Context& ui, std::string_view label, const std::string& name, bool chosen,
+                std::string_view tip);
 /// The background of a large button, from its rectangle; accented while it is active.
 void card(const Context& ui, ImVec2 low, ImVec2 high, bool active);
 
