@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <type_traits>
 #include <vector>
 
 #include "bench/ensembles.h"
@@ -123,15 +122,6 @@ void add(Accuracy& accuracy, double error, std::size_t samples) {
 }
 
 template <class T>
-sym3::Sym3<T> answer(const ExpMethod& method, const sym3::Sym3<T>& s) {
-  if constexpr (std::is_same_v<T, float>) {
-    return method.in_float(s);
-  } else {
-    return method.in_double(s);
-  }
-}
-
-template <class T>
 AccuracyTable::Row measured(const Ensemble& ensemble, std::size_t samples, base::Progress& progress) {
   const auto methods = exp_methods();
   AccuracyTable::Row row = {ensemble.name, ensemble.value, std::vector<Accuracy>(methods.size())};
@@ -140,7 +130,7 @@ AccuracyTable::Row measured(const Ensemble& ensemble, std::size_t samples, base:
     const auto in = rounded<T>(matrices[i]);
     const Matrix exact_in = rounded<double>(in);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      add(row.cells[m], sym3::relative_error(rounded<double>(answer(methods[m], in)), exact_in), samples);
+      add(row.cells[m], sym3::relative_error(rounded<double>(methods[m](in)), exact_in), samples);
     }
     progress.report(static_cast<double>(i) / static_cast<double>(samples));
   }

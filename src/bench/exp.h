@@ -19,6 +19,9 @@ struct ExpMethod {
   const char* name;
   sym3::Sym3<double> (*in_double)(const sym3::Sym3<double>&);
   sym3::Sym3<float> (*in_float)(const sym3::Sym3<float>&);
+
+  sym3::Sym3<double> operator()(const sym3::Sym3<double>& s) const { return in_double(s); }
+  sym3::Sym3<float> operator()(const sym3::Sym3<float>& s) const { return in_float(s); }
 };
 
 /// Diag, Direct (Eigen's closed-form computeDirect instead of QR), SD, Improved SD as printed and guarded,

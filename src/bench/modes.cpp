@@ -7,6 +7,7 @@
 #include <deque>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "base/clock.h"
@@ -47,16 +48,10 @@ sym3::Mat3<double> turned(double scale) {
   return m;
 }
 
-// Vertices of the cage's triangles, spread evenly over their indices.
-std::vector<std::uint32_t> spread_cage_vertices(const deform::Cage& cage, std::size_t limit) {
-  std::vector<std::uint32_t> used;
-  for (const auto& t : cage.surface.triangles) used.insert(used.end(), t.begin(), t.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const std::size_t count = std::min(limit, used.size());
-  std::vector<std::uint32_t> chosen;
-  for (std::size_t i = 0; i < count; ++i) chosen.push_back(used[i * used.size() / count]);
-  return chosen;
+// The vertices with triangles, ascending.
+std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
+  const std::set<std::uint32_t> used(surface.corners.begin(), surface.corners.end());
+  return {used.begin(), used.end()};
 }
 
 std::vector<Point> cage_normals(const mesh::Surface& cage) {
@@ -95,7 +90,10 @@ double leak(const deform::Cage& cage, std::span<const Point> model, const Deform
   const std::vector<Point> normals = cage_normals(cage.surface);
   const std::vector<Point> rest = deform(deform::rest_pose(cage));
   std::vector<double> medians;
-  for (const auto v : spread_cage_vertices(cage, 8)) {
+  const auto used = used_vertices(cage.surface);
+  const std::size_t count = std::min<std::size_t>(8, used.size());
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto v = used[n * used.size() / count];
     deform::Pose pose = deform::rest_pose(cage);
     const Point from = pose.positions[v];
     pose.positions[v] = from + 0.1 * cage.diagonal * normals[v];
@@ -154,9 +152,7 @@ constexpr std::size_t most_starts = 20000;
 std::vector<mesh::Edge> near_pairs(const mesh::Surface& model, base::WorkerPool& pool) {
   const mesh::Surface welded = mesh::welded(model);
   const double diagonal = mesh::used_bounds(welded).diagonal();
-  std::vector<std::uint32_t> used = welded.corners;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const std::vector<std::uint32_t> used = used_vertices(welded);
   if (used.empty()) return {};
   const mesh::EdgePaths paths(welded);
   const auto& p = welded.positions;

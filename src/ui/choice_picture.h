@@ -1,6 +1,8 @@
 // Lists of commands that choose a value, with tooltips and pictures.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "scene/pictures/choice_picture.h"
@@ -11,31 +13,9 @@
 
 namespace viete::ui {
 
-/// Draws into the current window, relative to a corner.
-class PicturePainter {
-public:
-  PicturePainter(const Context& ui, ImVec2 corner);
-  ~PicturePainter();
-  PicturePainter(const PicturePainter&) = delete;
-  PicturePainter& operator=(const PicturePainter&) = delete;
-
-  void draw(const scene::PictureShape& shape);
-
-private:
-  using Shape = scene::PictureShape;
-
-  std::vector<ImVec2> placed(const Shape& shape) const;
-  void line(const Shape& shape, ImU32 color, float width, ImDrawFlags flags = 0);
-  void fill(const Shape& shape, ImU32 color);
-  void lit(const Shape& shape);
-  ImU32 color_of(float weight) const;
-  void weighed(const Shape& shape);
-  void triangles(const Shape& shape, const std::vector<ImU32>& colors);
-
-  const Context& ui_;
-  ImDrawList& list_;
-  ImVec2 corner_;
-};
+/// Draws into the current window, within a rounded card.
+void draw_picture(const Context& ui, std::span<const scene::PictureShape> shapes, ImVec2 low, ImVec2 high,
+                  ImU32 card, float rounding);
 
 /// Placed next to the window or list of the last item, so that no other entry is covered.
 void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const std::string& sentence,

@@ -133,22 +133,7 @@ void notice_bar(const Context& ui) {
 
 namespace {
 
-constexpr float widest_toast = 480, toast_padding = 12, toast_gap = 8, close_width = 28, mark_width = 3;
 constexpr std::size_t most_toasts = 3;
-
-struct Toast {
-  std::string name, text;
-  ImU32 color;
-  bool closes = true;
-};
-
-enum class Pressed { nothing, text, close };
-
-void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
-  constexpr float r = 4;
-  draw.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, color, 1.5f);
-  draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, 1.5f);
-}
 
 // Shortened to two lines; the message list has the whole text.
 std::string in_two_lines(const std::string& text, float width) {
@@ -167,43 +152,36 @@ std::string in_two_lines(const std::string& text, float width) {
   return text.substr(0, low) + "...";
 }
 
-// Drawn above `bottom`, which moves up.
-Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
-  const scene::Viewport& v = ui.workspace.viewport;
-  const float beside = mark_width + 2 * toast_padding + (toast.closes ? close_width : 0);
-  const float room = std::min(widest_toast, notice_room(ui)) - beside;
-  const std::string shown = in_two_lines(toast.text, room);
-  const ImVec2 text = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
-  const ImVec2 size{text.x + beside, text.y + 16};
-  const ImVec2 low{std::floor(v.origin.x + 0.5f * (v.size.x - size.x)), bottom - size.y};
-  bottom = low.y - toast_gap;
-  const Window window(toast.name.c_str(),
-                      {.at = low, .pivot = {0, 0}, .size = size, .rounding = 0, .padding = {0, 0}},
-                      passive_flags | ImGuiWindowFlags_NoBackground);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 high{low.x + size.x, low.y + size.y};
-  draw.AddRectFilled(low, high, ui.colors.card, 6);
-  draw.AddRect(low, high, ui.colors.line, 6);
-  draw.AddRectFilled({low.x, low.y + 4}, {low.x + mark_width, high.y - 4}, toast.color, 1.5f);
-  Pressed pressed = Pressed::nothing;
-  if (ImGui::InvisibleButton("text", {size.x - (toast.closes ? close_width : 0), size.y}))
-    pressed = Pressed::text;
-  record(ui, toast.name);
-  if (toast.closes) hint("Click to see all messages.");
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + mark_width + toast_padding, low.y + 8},
-               ui.colors.text, shown.c_str(), nullptr, room + 1);
-  if (toast.closes) {
-    ImGui::SameLine(0, 0);
-    if (ImGui::InvisibleButton("close", {close_width, size.y})) pressed = Pressed::close;
-    record(ui, toast.name + "/close");
-    cross(draw, {high.x - 0.5f * close_width - 2, 0.5f * (low.y + high.y)},
-          ImGui::IsItemHovered() ? ui.colors.text : ui.colors.faint);
-    hint("Dismiss. The message stays in Help, Show messages.");
-  }
-  return pressed;
+// Drawn above `bottom`, which moves up. A click on its text shows all messages. True if it is to be
+// dismissed.
+bool toast(const Context& ui, const std::string& name, const std::string& text, ImU32 color, bool closes,
+           float& bottom) {
+  constexpr float widest = 480, padding = 12, gap = 8;
+  const float beside = 2 * padding + (closes ? 32 : 0), room = std::min(widest, notice_room(ui)) - beside;
+  const std::string shown = in_two_lines(text, room);
+  const ImVec2 words = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
+  const Window window(name.c_str(),
+                      {.at = middle_at(ui, bottom),
+                       .pivot = {0.5f, 1},
+                       .size = {std::ceil(words.x) + beside, words.y + 16},
+                       .padding = {padding, 8},
+                       .border = 1},
+                      passive_flags | ImGuiWindowFlags_NoScrollWithMouse);
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  bottom = low.y - gap;
+  ImGui::GetWindowDrawList()->AddRectFilled({low.x + 1, low.y + 5}, {low.x + 4, low.y + size.y - 5}, color);
+  ImGui::PushTextWrapPos(padding + room + 1);
+  text_in(ui.colors.text, shown);
+  ImGui::PopTextWrapPos();
+  record(ui, name);
+  if (ImGui::IsItemClicked()) ui.workspace.show_messages = true;
+  hint("Click to see all messages.");
+  if (!closes) return false;
+  ImGui::SameLine(size.x - 30);
+  return button(ui, "x", name + "/close", "Dismiss. The message stays in Help, Show messages.");
 }
 
-// Newest at the bottom.
+// Newest first.
 std::vector<std::size_t> visible_messages(const scene::Messages& messages) {
   std::vector<std::size_t> newest;
   for (std::size_t i = messages.all().size(); i-- > 0;) {
@@ -220,17 +198,14 @@ void toasts(const Context& ui, float bottom) {
   const auto newest = visible_messages(w.messages);
   for (std::size_t i = 0; i < std::min(most_toasts, newest.size()); ++i) {
     const scene::Message& message = w.messages.all()[newest[i]];
-    const Toast toast{
-        "toast/" + std::to_string(i), message_text(message),
-        message.severity == scene::Severity::info ? ui.colors.good : severity_color(ui, message.severity)};
-    const Pressed pressed = draw_toast(ui, toast, bottom);
-    if (pressed == Pressed::text) w.show_messages = true;
-    if (pressed == Pressed::close) w.messages.dismiss(newest[i]);
+    const ImU32 color =
+        message.severity == scene::Severity::info ? ui.colors.good : severity_color(ui, message.severity);
+    if (toast(ui, "toast/" + std::to_string(i), message_text(message), color, true, bottom))
+      w.messages.dismiss(newest[i]);
   }
-  if (newest.size() <= most_toasts) return;
-  const std::string more = "and " + std::to_string(newest.size() - most_toasts) + " more";
-  if (draw_toast(ui, {"toast/more", more, ui.colors.faint, false}, bottom) == Pressed::text)
-    w.show_messages = true;
+  if (newest.size() > most_toasts)
+    toast(ui, "toast/more", "and " + std::to_string(newest.size() - most_toasts) + " more", ui.colors.faint,
+          false, bottom);
 }
 
 namespace {
