@@ -136,14 +136,6 @@ void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t>
   });
 }
 
-void add_frame_bench(CLI::App& command, Action& action) {
-  add_sized_bench(command, action, {50, 100, 300, 600}, 11, bench_frame);
-}
-
-void add_bind_bench(CLI::App& command, Action& action) {
-  add_sized_bench(command, action, {300}, 5, bench_bind);
-}
-
 void add_modes_bench(CLI::App& command, Action& action) {
   auto bench = add_model_bench(command, 11, "the dragon's cage");
   auto settings = std::make_shared<ModeSettings>();
@@ -215,8 +207,10 @@ void add_bench_command(CLI::App& app, Action& action) {
   add_examples(*command, {"bench exp --json exp.json", "bench frame --json frame.json"});
   for (const MatrixBench& bench : matrix_benches)
     add_matrix_bench(*command->add_subcommand(bench.name, bench.text), action, bench);
-  add_frame_bench(*command->add_subcommand("frame", "Time of a frame by path, cage and stage"), action);
-  add_bind_bench(*command->add_subcommand("bind", "Time and memory of binding a model"), action);
+  add_sized_bench(*command->add_subcommand("frame", "Time of a frame by path, cage and stage"), action,
+                  {50, 100, 300, 600}, 11, bench_frame);
+  add_sized_bench(*command->add_subcommand("bind", "Time and memory of binding a model"), action, {300}, 5,
+                  bench_bind);
   add_modes_bench(*command->add_subcommand("modes", "Exactness, distortion and cost of every deformer"),
                   action);
 }

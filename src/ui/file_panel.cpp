@@ -339,34 +339,19 @@ void button_row(const Context& ui) {
                                                    : choose_typed(ui.workspace);
 }
 
-// Keeps the dialog inside a window that became smaller.
-void keep_within(const ImVec2& display) {
-  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  const ImVec2 fitting{std::min(size.x, display.x), std::min(size.y, display.y)};
-  if (fitting.x < size.x || fitting.y < size.y) ImGui::SetWindowSize(fitting);
-  const ImVec2 inside{std::clamp(at.x, 0.0f, display.x - fitting.x),
-                      std::clamp(at.y, 0.0f, display.y - fitting.y)};
-  if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
-}
-
 }  // namespace
 
 void file_panel(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const auto& v = ui.workspace.viewport;
-  const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)};
-  const ImVec2 low{v.origin.x + 0.5f * (v.size.x - size.x), v.origin.y + 0.5f * (v.size.y - size.y)};
-  ImGui::SetNextWindowPos(
-      {std::clamp(low.x, 0.0f, display.x - size.x), std::clamp(low.y, 0.0f, display.y - size.y)},
-      ImGuiCond_Appearing);
-  ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+  const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)}, middle = middle_of_view(ui);
   bool open = true;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   scene::refresh(browser);
-  ImGui::Begin((std::string(task_of(browser.purpose).title) + "###file_panel").c_str(), &open,
-               ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
-  keep_within(display);
+  const Window window((std::string(task_of(browser.purpose).title) + "###file_panel").c_str(),
+                      {.at = {std::clamp(middle.x, 0.5f * size.x, display.x - 0.5f * size.x),
+                              std::clamp(middle.y, 0.5f * size.y, display.y - 0.5f * size.y)},
+                       .size = size},
+                      dialog_flags, &open);
   path_field(ui);
   const bool typing_path = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
   path_note(ui);
@@ -379,8 +364,6 @@ void file_panel(const Context& ui) {
   button_row(ui);
   if (!open) browser.open = false;
   if (!browser.open) browser.asked.clear();  // later errors become messages
-  ImGui::End();
-  ImGui::PopStyleVar();
 }
 
 }  // namespace viete::ui

@@ -23,57 +23,53 @@ namespace {
 
 constexpr float bar_height = 24, more_width = 28, icon = 5;
 
-// Draws button icons in coordinates from -1 to 1.
-struct TimePen {
-  ImDrawList& draw;
-  ImVec2 middle;
-  ImU32 color;
+void arrow(const Pen& pen, float x, float way) {
+  pen.draw.AddTriangleFilled(pen.at(x + way, 0), pen.at(x - 0.4f * way, -0.9f), pen.at(x - 0.4f * way, 0.9f),
+                             pen.color);
+}
+void bar(const Pen& pen, float x) {
+  pen.draw.AddRectFilled(pen.at(x - 0.18f, -0.9f), pen.at(x + 0.18f, 0.9f), pen.color);
+}
+void diamond(const Pen& pen, float x) {
+  pen.draw.AddQuadFilled(pen.at(x, -0.7f), pen.at(x + 0.6f, 0), pen.at(x, 0.7f), pen.at(x - 0.6f, 0),
+                         pen.color);
+}
 
-  ImVec2 at(float x, float y) const { return {middle.x + icon * x, middle.y + icon * y}; }
-  void arrow(float x, float way) const {
-    draw.AddTriangleFilled(at(x + way, 0), at(x - 0.4f * way, -0.9f), at(x - 0.4f * way, 0.9f), color);
-  }
-  void bar(float x) const { draw.AddRectFilled(at(x - 0.18f, -0.9f), at(x + 0.18f, 0.9f), color); }
-  void diamond(float x) const {
-    draw.AddQuadFilled(at(x, -0.7f), at(x + 0.6f, 0), at(x, 0.7f), at(x - 0.6f, 0), color);
-  }
-};
-
-void first_icon(const TimePen& pen, bool) {
-  pen.bar(-0.9f), pen.arrow(0.1f, -0.8f);
+void first_icon(const Pen& pen, bool) {
+  bar(pen, -0.9f), arrow(pen, 0.1f, -0.8f);
 }
-void previous_key_icon(const TimePen& pen, bool) {
-  pen.diamond(0.8f), pen.arrow(-0.4f, -0.8f);
+void previous_key_icon(const Pen& pen, bool) {
+  diamond(pen, 0.8f), arrow(pen, -0.4f, -0.8f);
 }
-void play_icon(const TimePen& pen, bool playing) {
-  if (!playing) return pen.arrow(-0.15f, 1.1f);
-  pen.bar(-0.45f), pen.bar(0.45f);
+void play_icon(const Pen& pen, bool playing) {
+  if (!playing) return arrow(pen, -0.15f, 1.1f);
+  bar(pen, -0.45f), bar(pen, 0.45f);
 }
-void next_key_icon(const TimePen& pen, bool) {
-  pen.diamond(-0.8f), pen.arrow(0.4f, 0.8f);
+void next_key_icon(const Pen& pen, bool) {
+  diamond(pen, -0.8f), arrow(pen, 0.4f, 0.8f);
 }
-void last_icon(const TimePen& pen, bool) {
-  pen.bar(0.9f), pen.arrow(-0.1f, 0.8f);
+void last_icon(const Pen& pen, bool) {
+  bar(pen, 0.9f), arrow(pen, -0.1f, 0.8f);
 }
-void key_icon(const TimePen& pen, bool) {
-  pen.diamond(0);
+void key_icon(const Pen& pen, bool) {
+  diamond(pen, 0);
 }
-void camera_icon(const TimePen& pen, bool) {
+void camera_icon(const Pen& pen, bool) {
   pen.draw.AddRect(pen.at(-1, -0.6f), pen.at(0.4f, 0.6f), pen.color, 1, 0, 1.25f);
   pen.draw.AddTriangleFilled(pen.at(0.4f, 0), pen.at(1, -0.5f), pen.at(1, 0.5f), pen.color);
 }
-void auto_icon(const TimePen& pen, bool on) {
+void auto_icon(const Pen& pen, bool on) {
   if (on) return pen.draw.AddCircleFilled(pen.middle, 0.8f * icon, pen.color);
   pen.draw.AddCircle(pen.middle, 0.8f * icon, pen.color, 0, 1.25f);
 }
-void export_icon(const TimePen& pen, bool) {
+void export_icon(const Pen& pen, bool) {
   pen.draw.AddLine(pen.at(0, 0.4f), pen.at(0, -0.7f), pen.color, 1.25f);
   pen.draw.AddTriangleFilled(pen.at(0, -1.1f), pen.at(-0.5f, -0.4f), pen.at(0.5f, -0.4f), pen.color);
   const ImVec2 tray[] = {pen.at(-0.9f, 0.2f), pen.at(-0.9f, 0.9f), pen.at(0.9f, 0.9f), pen.at(0.9f, 0.2f)};
   pen.draw.AddPolyline(tray, 4, pen.color, 0, 1.25f);
 }
 
-void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen&, bool)) {
+void icon_button(const Context& ui, const char* name, void (*draw)(const Pen&, bool)) {
   const scene::Command& command = *scene::find_command(name);
   const bool enabled = command.enabled(ui.workspace), on = command.on(ui.workspace);
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
@@ -83,7 +79,7 @@ void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen
   if (on) ImGui::PopStyleColor();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImU32 color = faded(on ? ui.colors.accent : ui.colors.text, enabled ? 1 : 0.35f);
-  draw({*ImGui::GetWindowDrawList(), {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, color}, on);
+  draw({*ImGui::GetWindowDrawList(), {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, color, icon}, on);
 }
 
 // An integer field with a label.
@@ -116,8 +112,7 @@ struct ToolPiece {
   std::function<void()> in_menu = draw;
 };
 
-ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const TimePen&, bool),
-                       float gap = 4) {
+ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const Pen&, bool), float gap = 4) {
   return {28, gap, [&ui, name, icon] { icon_button(ui, name, icon); },
           [&ui, name] { menu_item(ui, *scene::find_command(name)); }};
 }
@@ -161,11 +156,10 @@ void row_of_pieces(const Context& ui, const char* menu, std::span<const ToolPiec
 }
 
 void transport(const Context& ui, float right) {
-  constexpr std::pair<const char*, void (*)(const TimePen&, bool)> first[] = {
-      {"first_frame", first_icon},
-      {"previous_key", previous_key_icon},
-      {"play", play_icon},
-      {"next_key", next_key_icon}};
+  constexpr std::pair<const char*, void (*)(const Pen&, bool)> first[] = {{"first_frame", first_icon},
+                                                                          {"previous_key", previous_key_icon},
+                                                                          {"play", play_icon},
+                                                                          {"next_key", next_key_icon}};
   for (const auto& [name, icon] : first) {
     icon_button(ui, name, icon);
     ImGui::SameLine();

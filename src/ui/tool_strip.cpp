@@ -17,50 +17,44 @@ namespace {
 constexpr float tool_size = 36, tool_gap = 4, strip_inset = 20, strip_top = 12, icon_radius = 8;
 constexpr float pi = 3.14159265f;
 
-// Draws icons in coordinates from -1 to 1.
-struct Pen {
-  ImDrawList& draw;
-  ImVec2 middle;
-  ImU32 color;
+void spot(const Pen& pen, float x, float y) {
+  pen.draw.AddCircleFilled(pen.at(x, y), 2.2f, pen.color);
+}
 
-  ImVec2 at(float x, float y) const { return {middle.x + icon_radius * x, middle.y + icon_radius * y}; }
-  void line(float x0, float y0, float x1, float y1) const {
-    draw.AddLine(at(x0, y0), at(x1, y1), color, 1.5f);
-  }
-  void dot(float x, float y) const { draw.AddCircleFilled(at(x, y), 2.2f, color); }
-  // An arrow head with its tip at (x, y), pointing along (dx, dy).
-  void head(float x, float y, float dx, float dy) const {
-    draw.AddTriangleFilled(at(x, y), at(x - 0.45f * dx - 0.35f * dy, y - 0.45f * dy + 0.35f * dx),
-                           at(x - 0.45f * dx + 0.35f * dy, y - 0.45f * dy - 0.35f * dx), color);
-  }
-};
+// An arrow head with its tip at (x, y), pointing along (dx, dy).
+void head(const Pen& pen, float x, float y, float dx, float dy) {
+  pen.draw.AddTriangleFilled(pen.at(x, y), pen.at(x - 0.45f * dx - 0.35f * dy, y - 0.45f * dy + 0.35f * dx),
+                             pen.at(x - 0.45f * dx + 0.35f * dy, y - 0.45f * dy - 0.35f * dx), pen.color);
+}
+
+// A closed line.
+template <std::size_t n>
+void outline(const Pen& pen, const float (&corners)[n][2]) {
+  for (std::size_t i = 0; i < n; ++i)
+    pen.line(corners[i][0], corners[i][1], corners[(i + 1) % n][0], corners[(i + 1) % n][1]);
+}
 
 void select_icon(const Pen& pen) {
-  constexpr float shape[][2] = {{-0.55f, -0.95f}, {-0.55f, 0.6f}, {-0.15f, 0.25f},
-                                {0.2f, 0.95f},    {0.4f, 0.05f},  {0.7f, 0.05f}};
-  for (std::size_t i = 0; i < std::size(shape); ++i) {
-    const auto& a = shape[i];
-    const auto& b = shape[(i + 1) % std::size(shape)];
-    pen.line(a[0], a[1], b[0], b[1]);
-  }
+  outline(pen,
+          {{-0.55f, -0.95f}, {-0.55f, 0.6f}, {-0.15f, 0.25f}, {0.2f, 0.95f}, {0.4f, 0.05f}, {0.7f, 0.05f}});
 }
 
 void move_icon(const Pen& pen) {
   pen.line(-0.8f, 0, 0.8f, 0);
   pen.line(0, -0.8f, 0, 0.8f);
-  pen.head(1, 0, 1, 0), pen.head(-1, 0, -1, 0), pen.head(0, 1, 0, 1), pen.head(0, -1, 0, -1);
+  head(pen, 1, 0, 1, 0), head(pen, -1, 0, -1, 0), head(pen, 0, 1, 0, 1), head(pen, 0, -1, 0, -1);
 }
 
 void rotate_icon(const Pen& pen) {
   pen.draw.PathArcTo(pen.middle, 0.8f * icon_radius, -0.35f * pi, 1.3f * pi, 24);
   pen.draw.PathStroke(pen.color, 0, 1.5f);
-  pen.head(0.05f, -0.95f, -0.9f, -0.45f);
+  head(pen, 0.05f, -0.95f, -0.9f, -0.45f);
 }
 
 void scale_icon(const Pen& pen) {
   pen.draw.AddRect(pen.at(-0.9f, 0.1f), pen.at(-0.1f, 0.9f), pen.color, 0, 0, 1.5f);
   pen.line(0.05f, -0.05f, 0.75f, -0.75f);
-  pen.head(0.95f, -0.95f, 0.7f, -0.7f);
+  head(pen, 0.95f, -0.95f, 0.7f, -0.7f);
 }
 
 void paint_icon(const Pen& pen) {
@@ -91,28 +85,24 @@ void lasso_icon(const Pen& pen) {
 
 void brush_icon(const Pen& pen) {
   pen.draw.AddCircle(pen.middle, 0.85f * icon_radius, pen.color, 0, 1.5f);
-  pen.dot(0, 0);
+  spot(pen, 0, 0);
 }
 
 void cage_icon(const Pen& pen) {
   constexpr float corners[][2] = {{-0.85f, 0.7f}, {0.5f, 0.9f}, {0.85f, -0.4f}, {-0.3f, -0.9f}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& a = corners[i];
-    const auto& b = corners[(i + 1) % 4];
-    pen.line(a[0], a[1], b[0], b[1]);
-    pen.dot(a[0], a[1]);
-  }
+  outline(pen, corners);
+  for (const auto& [x, y] : corners) spot(pen, x, y);
 }
 
 void probe_icon(const Pen& pen) {
   pen.line(-0.2f, 0.2f, -0.2f, -0.9f);
   pen.line(-0.2f, 0.2f, 0.9f, 0.2f);
   pen.line(-0.2f, 0.2f, -0.85f, 0.85f);
-  pen.dot(-0.2f, 0.2f);
+  spot(pen, -0.2f, 0.2f);
 }
 
 void more_icon(const Pen& pen) {
-  for (const float x : {-0.75f, 0.0f, 0.75f}) pen.dot(x, 0.2f);
+  for (const float x : {-0.75f, 0.0f, 0.75f}) spot(pen, x, 0.2f);
 }
 
 struct StripTool {
@@ -162,7 +152,7 @@ bool tool_card(const Context& ui, const char* name, void (*icon)(const Pen&), Im
   draw.AddRectFilled(at, end, faded(back, enabled ? 0.94f : 0.5f), 6);
   if (on) draw.AddRect(at, end, faded(ui.colors.accent, 0.8f), 6);
   const ImU32 color = on ? ui.colors.accent : hovered ? ui.colors.text : ui.colors.faint;
-  icon({draw, {at.x + 15, at.y + 16}, faded(color, enabled ? 1 : 0.45f)});
+  icon({draw, {at.x + 15, at.y + 16}, faded(color, enabled ? 1 : 0.45f), icon_radius});
   return clicked;
 }
 
