@@ -114,8 +114,7 @@ const nlohmann::json* most_lost(const nlohmann::json& halfway) {
 }
 
 std::string name_of_shape(const nlohmann::json& row) {
-  const std::string name = row["name"], prefix = "shape_";
-  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+  return without_prefix(row["name"], "shape_");
 }
 
 }  // namespace viete::bench

@@ -115,6 +115,10 @@ BenchModel::BenchModel(const ModelOptions& options) {
     cages.push_back(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, faces))));
 }
 
+std::string without_prefix(const std::string& name, const std::string& prefix) {
+  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+}
+
 mesh::Surface subdivided(const mesh::Surface& surface) {
   std::vector<Point> positions = surface.positions;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;

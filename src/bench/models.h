@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "deform/cage.h"
@@ -37,6 +38,9 @@ struct BenchModel {
   mesh::Surface model;
   std::vector<std::shared_ptr<const deform::Cage>> cages;
 };
+
+/// "pose_alert" without "pose_" is "alert".
+std::string without_prefix(const std::string& name, const std::string& prefix);
 
 /// Divides each triangle into four at the midpoints of its edges.
 mesh::Surface subdivided(const mesh::Surface& surface);

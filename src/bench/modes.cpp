@@ -398,12 +398,6 @@ void attempt(Mode& mode, const Measure& measure) {
   }
 }
 
-// Pose name from its file: "pose_alert.obj" is alert.
-std::string name_of_pose(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string(), prefix = "pose_";
-  return stem.starts_with(prefix) ? stem.substr(prefix.size()) : stem;
-}
-
 }  // namespace
 
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
@@ -437,7 +431,7 @@ std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, 
                                   std::vector<std::string>& warnings) {
   std::vector<NamedPose> poses;
   for (const auto& file : files)
-    poses.push_back({name_of_pose(file), deform::read_pose(file, cage, warnings)});
+    poses.push_back({without_prefix(file.stem().string(), "pose_"), deform::read_pose(file, cage, warnings)});
   return poses;
 }
 

@@ -45,12 +45,6 @@ void explanation(const Context& ui, const scene::Command* command) {
   record(ui, "palette_hint");
 }
 
-void step(scene::Palette& palette, std::size_t count, int steps) {
-  if (count == 0) return;
-  const auto n = static_cast<int>(count);
-  palette.highlighted = static_cast<std::size_t>((static_cast<int>(palette.highlighted) + steps + n) % n);
-}
-
 // Closes first: a command may open a window that takes the keyboard.
 void run(scene::Workspace& w, const scene::Command& command) {
   if (!command.enabled(w)) return;
@@ -76,10 +70,9 @@ void command_palette(const Context& ui) {
   search_field(ui, "palette_text", palette.typed, palette.appearing);
   if (palette.typed != before) palette.highlighted = 0;
   const auto found = scene::find_commands(w, palette.typed);
-  const int steps =
-      (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
-  if (steps != 0) step(palette, found.size(), steps);
-  palette.highlighted = std::min(palette.highlighted, found.empty() ? 0 : found.size() - 1);
+  const int steps = arrow_steps();
+  const auto n = static_cast<int>(std::max<std::size_t>(1, found.size()));
+  palette.highlighted = static_cast<std::size_t>((static_cast<int>(palette.highlighted) + steps + n) % n);
   const float rows = std::min(palette_rows, std::floor((v.size.y - 180) / palette_row));
   const scene::Command* chosen = nullptr;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 0});
@@ -92,8 +85,7 @@ void command_palette(const Context& ui) {
   ImGui::PopStyleVar();
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
-  if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
-    chosen = found[palette.highlighted];
+  if (!found.empty() && enter_pressed()) chosen = found[palette.highlighted];
   if ((key_pressed(scene::Key::escape) || beside) && !appeared) palette.open = false;
   if (chosen) run(w, *chosen);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -127,19 +128,14 @@ void path_field(const Context& ui) {
   if (enter && browser.open) ImGui::SetKeyboardFocusHere(-1);
 }
 
-std::string in_capitals(std::string_view format) {
-  std::string text(format);
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
-  return text;
-}
-
 // Buttons for OBJ, PLY and so on that change the extension.
 void format_buttons(const Context& ui, const std::vector<std::string_view>& formats, bool own_row) {
   Browser& browser = ui.workspace.browser;
   const std::string now = scene::format_of(browser);
   for (const std::string_view format : formats) {
-    const std::string label = in_capitals(format);
+    std::string label(format);
+    std::ranges::transform(label, label.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     if (!own_row || format != formats.front()) ImGui::SameLine();
     const bool active = now == format;
     ImGui::PushStyleColor(ImGuiCol_Button, active ? ui.colors.card_active : ui.colors.card);
@@ -220,8 +216,7 @@ void click_entry(scene::Workspace& w, std::size_t index) {
 // closes. True if the highlight moved.
 bool handle_keys(const Context& ui, bool typing_path) {
   Browser& browser = ui.workspace.browser;
-  const int steps =
-      (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
+  const int steps = arrow_steps();
   if (steps != 0) scene::move_highlight(browser, steps);
   if (key_pressed(scene::Key::escape)) browser.open = false;
   if (typing_path) return steps != 0;

@@ -58,4 +58,12 @@ inline bool key_pressed(scene::Key key, bool repeat = false) {
   return k > 0 && ImGui::IsKeyPressed(static_cast<ImGuiKey>(k), repeat);
 }
 
+/// 1 if the down arrow was pressed or repeated, -1 for the up arrow.
+inline int arrow_steps() {
+  return (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
+}
+inline bool enter_pressed() {
+  return key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter);
+}
+
 }  // namespace viete::ui

@@ -252,7 +252,7 @@ std::optional<Answer> answer_by_key(scene::Question& question) {
   const std::size_t count = answer_count(question.kind);
   if (back || forth) question.chosen = (question.chosen + (forth ? 1 : count - 1)) % count;
   if (key_pressed(Key::escape)) return Answer::cancel;
-  if (key_pressed(Key::enter) || key_pressed(Key::pad_enter)) return answers[question.chosen];
+  if (enter_pressed()) return answers[question.chosen];
   return std::nullopt;
 }
 
