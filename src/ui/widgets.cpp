@@ -60,11 +60,11 @@ Window::Window(const char* name, const Place& place, ImGuiWindowFlags flags, boo
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, place.border);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin(name, open, flags);
+  ImGui::PopStyleVar(4);  // menus and tooltips of the window have the usual style
 }
 
 Window::~Window() {
   ImGui::End();
-  ImGui::PopStyleVar(4);
 }
 
 ImVec2 middle_at(const Context& ui, float y) {
