@@ -101,11 +101,10 @@ std::vector<Plan> plans(bool in_float) {
   if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // exp overflows beyond
   return {
       ensembles_plan(),
-      by_value("two eigenvalues so close, the third anywhere in [0, 3]", "gap", gaps,
-               ensembles::pairs<double>),
-      by_value("three eigenvalues so close, in [0, 3]", "gap", gaps, ensembles::triples<double>),
+      by_value("two close eigenvalues, the third anywhere in [0, 3]", "gap", gaps, ensembles::pairs<double>),
+      by_value("three close eigenvalues, in [0, 3]", "gap", gaps, ensembles::triples<double>),
       by_value(
-          "by spread, largest minus smallest eigenvalue, half of them with close ones", "spread", sizes,
+          "by spread: largest minus smallest eigenvalue, half of them with close ones", "spread", sizes,
           [](double spread, std::size_t n) { return ensembles::spreads<double>(spread, -spread / 2, n); }),
       by_value("by scale, entries uniform in [-scale, scale]", "scale",
                {1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1e-2, 1, 10}, [](double scale, std::size_t n) {

@@ -73,44 +73,20 @@ std::span<const Sym3<T>> turn(const std::vector<Sym3<T>>& matrices, std::size_t 
 }
 
 template <class T>
-RoundCase slow_case(const std::vector<Sym3<T>>& matrices, std::vector<Sym3<T>>& out, Method method) {
-  return {std::string(sym3::name(method)), window,
-          [&, method](std::size_t round) { sym3::exp<T>(turn(matrices, round), out, method); }};
-}
-
-template <class T>
-std::vector<BenchResult> measure_methods(const std::vector<Sym3<T>>& matrices, std::size_t count,
-                                         base::Progress& progress) {
-  MatrixArray<T> in(Layout::packed, count), result(Layout::packed, count);
-  in.fill(matrices), result.fill(matrices);
-  std::vector<Sym3<T>> out(window);
-  std::vector<RoundCase> cases;
-  for (const Method m : {Method::diag, Method::sd, Method::improved_sd})
-    cases.push_back(slow_case(matrices, out, m));
-  cases.push_back({"fast", count, [&](std::size_t) { sym3::exp(in.view(), result.view(), count); }});
-  cases.push_back({"copy", count, [&](std::size_t) { in.copy_to(result); }});
-  return measure_rounds(cases, 21, progress);
-}
-
-template <class T>
 LayoutResult measure_layout(const std::vector<Sym3<T>>& matrices, Layout layout, std::size_t count,
                             base::Progress& progress) {
   MatrixArray<T> in(layout, count), result(layout, count);
   in.fill(matrices), result.fill(matrices);
   std::vector<Sym3<T>> out(window);
   const std::size_t often = std::max<std::size_t>(1, 200'000 / count);
-  const std::vector<RoundCase> cases = {
-      {"fast", count, [&](std::size_t) { sym3::exp(in.view(), result.view(), count); }, often},
-      {"copy", count, [&](std::size_t) { in.copy_to(result); }, often},
-      slow_case(matrices, out, Method::diag),
-      slow_case(matrices, out, Method::improved_sd)};
-  const auto results = measure_rounds(cases, count > 1'000'000 ? 7 : 21, progress);
-  return {layout,
-          count,
-          results[0].ns_per_item,
-          results[1].ns_per_item,
-          results[2].ns_per_item,
-          results[3].ns_per_item};
+  std::vector<RoundCase> cases;
+  for (const Method m : {Method::diag, Method::sd, Method::improved_sd})
+    cases.push_back({std::string(sym3::name(m)), window,
+                     [&, m](std::size_t round) { sym3::exp<T>(turn(matrices, round), out, m); }});
+  cases.push_back({"fast", count, [&](std::size_t) { sym3::exp(in.view(), result.view(), count); }, often});
+  cases.push_back({"copy", count, [&](std::size_t) { in.copy_to(result); }, often});
+  const std::size_t rounds = count > 1'000'000 && layout != Layout::packed ? 7 : 21;
+  return {layout, count, measure_rounds(cases, rounds, progress)};
 }
 
 std::vector<std::size_t> sizes_up_to(std::size_t count) {
@@ -125,27 +101,22 @@ template <class T>
 void measure(ExpBench& bench, base::Progress& progress) {
   const auto matrices = ensembles::paper_ensemble<T>(distinct);
   const auto sizes = sizes_up_to(bench.count);
-  const double steps = static_cast<double>(1 + layouts.size() * sizes.size());
-  double step = 0;
-  const auto next = [&] {
-    progress.section(step / steps, (step + 1) / steps);
-    ++step;
-  };
-  next();
-  bench.methods = measure_methods(matrices, bench.count, progress);
+  const double steps = static_cast<double>(layouts.size() * sizes.size());
   for (const Layout layout : layouts) {
     for (const std::size_t size : sizes) {
-      next();
+      const auto step = static_cast<double>(bench.layouts.size());
+      progress.section(step / steps, (step + 1) / steps);
       bench.layouts.push_back(measure_layout(matrices, layout, size, progress));
     }
+    if (layout == Layout::packed) bench.methods = bench.layouts.back().times;
   }
 }
 
 /// The shortest time among sizes that fit the second-level cache.
 double best_in_cache(const ExpBench& bench) {
-  double best = bench.layouts.front().fast;
+  double best = time_of(bench.layouts.front().times, "fast");
   for (const LayoutResult& r : bench.layouts) {
-    if (r.count <= 4096) best = std::min(best, r.fast);
+    if (r.count <= 4096) best = std::min(best, time_of(r.times, "fast"));
   }
   return best;
 }
@@ -190,11 +161,12 @@ const char* layout_name(Layout layout) {
 }  // namespace
 
 Table layouts_table(const ExpBench& bench) {
-  using base::few_digits;
   Table table{{"layout", "matrices", "Fast, ns", "copy, ns", "Diag, ns", "Improved SD, ns"}, {}};
-  for (const LayoutResult& r : bench.layouts)
-    table.rows.push_back({layout_name(r.layout), base::with_thousands(r.count), few_digits(r.fast),
-                          few_digits(r.copy), few_digits(r.diag), few_digits(r.improved_sd)});
+  for (const LayoutResult& r : bench.layouts) {
+    table.rows.push_back({layout_name(r.layout), base::with_thousands(r.count)});
+    for (const char* name : {"fast", "copy", "diag", "improved_sd"})
+      table.rows.back().push_back(base::few_digits(time_of(r.times, name)));
+  }
   return table;
 }
 
@@ -208,12 +180,8 @@ void print(const ExpBench& bench) {
 nlohmann::json to_json(const ExpBench& bench) {
   nlohmann::json layouts = nlohmann::json::array();
   for (const LayoutResult& r : bench.layouts) {
-    layouts.push_back({{"layout", layout_name(r.layout)},
-                       {"count", r.count},
-                       {"fast", r.fast},
-                       {"copy", r.copy},
-                       {"diag", r.diag},
-                       {"improved_sd", r.improved_sd}});
+    layouts.push_back({{"layout", layout_name(r.layout)}, {"count", r.count}});
+    for (const BenchResult& time : r.times) layouts.back()[time.name] = time.ns_per_item;
   }
   return {{"figure", "exp"},
           {"count", bench.count},
@@ -231,19 +199,20 @@ Plot plot_of(const ExpBench& bench) {
     plot.bars.push_back({r.name, r.ns_per_item, ours ? plot_color::ours[0] : color});
   }
   const auto curve = [&](const std::string& name, const char* color, bool dashed, Layout layout,
-                         double LayoutResult::*time) {
+                         const char* time) {
     plot.curves.push_back({name, color, dashed, {}});
     for (const LayoutResult& r : bench.layouts) {
-      if (r.layout == layout) plot.curves.back().points.push_back({static_cast<double>(r.count), r.*time});
+      if (r.layout == layout)
+        plot.curves.back().points.push_back({static_cast<double>(r.count), time_of(r.times, time)});
     }
   };
   for (const Layout layout : layouts) {
     const char* color = plot_color::ours[static_cast<std::size_t>(layout)];
-    curve(std::string("Fast, ") + layout_name(layout), color, false, layout, &LayoutResult::fast);
-    curve(std::string("copy, ") + layout_name(layout), color, true, layout, &LayoutResult::copy);
+    curve(std::string("Fast, ") + layout_name(layout), color, false, layout, "fast");
+    curve(std::string("copy, ") + layout_name(layout), color, true, layout, "copy");
   }
-  curve("Diag", plot_color::reference, false, Layout::packed, &LayoutResult::diag);
-  curve("Improved SD", plot_color::rival, false, Layout::packed, &LayoutResult::improved_sd);
+  curve("Diag", plot_color::reference, false, Layout::packed, "diag");
+  curve("Improved SD", plot_color::rival, false, Layout::packed, "improved_sd");
   return plot;
 }
 

@@ -28,11 +28,11 @@ struct ExpMethod {
 /// Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp), and Fast, one matrix per call.
 std::span<const ExpMethod> exp_methods();
 
-/// One layout and size; nanoseconds per matrix, all from the same interleaved run.
+/// One layout and size, all from the same interleaved run.
 struct LayoutResult {
   sym3::Layout layout;
   std::size_t count = 0;
-  double fast = 0, copy = 0, diag = 0, improved_sd = 0;
+  std::vector<BenchResult> times;  ///< diag, sd, improved_sd, fast, copy
 };
 
 /// Throws base::Cancelled.
@@ -42,7 +42,7 @@ struct ExpBench {
   std::size_t count = 0;
   bool in_float = false;
   std::string kernel;
-  std::vector<BenchResult> methods;   ///< Diag, SD, Improved SD, Fast, copy; `count` packed matrices
+  std::vector<BenchResult> methods;   ///< the times of `count` packed matrices
   std::vector<LayoutResult> layouts;  ///< by layout, then by size from 1024 to `count`
 };
 

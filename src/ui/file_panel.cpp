@@ -284,16 +284,6 @@ void picture_choices(const Context& ui) {
   side("picture_height", choice.height);
 }
 
-void lists(const Context& ui, bool moved) {
-  Browser& browser = ui.workspace.browser;
-  const float row = ImGui::GetFrameHeight() + 12;
-  const float height = browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row;
-  ImGui::BeginChild("entries", {0, height}, true);
-  const auto clicked = entry_list(ui, scene::shown(browser), moved);
-  ImGui::EndChild();
-  if (clicked) click_entry(ui.workspace, *clicked);
-}
-
 // Below the path, two lines high: an error, or the file to be replaced.
 void path_note(const Context& ui) {
   const Browser& browser = ui.workspace.browser;
@@ -353,7 +343,12 @@ void file_panel(const Context& ui) {
   filter_row(ui);
   browser.appearing = false;
   const bool moved = browser.open && handle_keys(ui, typing_path);
-  lists(ui, moved);
+  const float row = ImGui::GetFrameHeight() + 12;
+  ImGui::BeginChild("entries", {0, browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row},
+                    true);
+  const auto clicked = entry_list(ui, scene::shown(browser), moved);
+  ImGui::EndChild();
+  if (clicked) click_entry(ui.workspace, *clicked);
   if (browser.makes_morphs()) morph_row(ui);
   if (shows_pictures(browser)) picture_choices(ui);
   button_row(ui);

@@ -112,13 +112,6 @@ void key_row(const Context& ui, const scene::Keymap& plain, const scene::Command
   give_back(ui, plain, command);
 }
 
-void key_heading(const Context& ui, std::string_view title) {
-  ImGui::Spacing();
-  ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted(std::string(title).c_str());
-  ImGui::PopFont();
-}
-
 // Commands of transient questions, which have a button only.
 bool is_transient_answer(const Context& ui, const scene::Command& command) {
   return command.passing && scene::text(ui.workspace.preferences.keymap.of(command)).empty();
@@ -126,14 +119,14 @@ bool is_transient_answer(const Context& ui, const scene::Command& command) {
 
 // The mouse buttons, and the program itself.
 void mouse_rows(const Context& ui) {
-  key_heading(ui, "Mouse");
+  heading(ui, "Mouse");
   for (const MouseLine& line : mouse_lines(ui.workspace.preferences.keymap)) {
     ImGui::TextUnformatted(line.action.c_str());
     ImGui::SameLine(mouse_width);
     note(ui, line.what);
   }
   const scene::About& about = ui.workspace.about;
-  key_heading(ui, "About");
+  heading(ui, "About");
   note(ui, "Viete " + about.version + ", " + about.build + ".  Kernel: " + about.kernel +
                ".  OpenGL: " + about.renderer);
 }
@@ -144,7 +137,7 @@ void key_rows(const Context& ui) {
   const scene::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
   if (typed.empty()) {
     for (const scene::Menu& menu : scene::menus()) {
-      key_heading(ui, menu.title);
+      heading(ui, std::string(menu.title).c_str());
       for (const scene::Command* command : menu.items) {
         if (!is_transient_answer(ui, *command)) key_row(ui, plain, *command);
       }

@@ -101,13 +101,10 @@ void hints(const Context& ui) {
 // An empty view shows how to get the model back.
 void restore_hint(const Context& ui) {
   const scene::Command& command = *scene::find_command("toggle_panels");
-  const std::string text =
-      scene::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again";
   const auto& v = ui.workspace.viewport;
-  ImGui::PushFont(ui.fonts.text);
-  ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 16, v.origin.y + v.size.y - 28},
-                                          faded(ui.colors.text, 0.5f), text.c_str());
-  ImGui::PopFont();
+  centered(ui, v.origin.y + v.size.y - 28,
+           scene::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again",
+           faded(ui.colors.text, 0.5f));
 }
 
 }  // namespace
