@@ -119,7 +119,7 @@ float edge_x(const scene::Viewport& v, const Side& side) {
 }
 
 // A window over the view for a single button, from the edge inwards.
-Window::Place strip(const Side& side, ImVec2 at, ImVec2 size) {
+Window::Place edge_strip(const Side& side, ImVec2 at, ImVec2 size) {
   return {
       .at = at, .pivot = {side.inward > 0 ? 0.0f : 1.0f, 0}, .size = size, .rounding = 0, .padding = {0, 0}};
 }
@@ -132,7 +132,7 @@ void edge(const Context& ui, const Side& side) {
   const float x = edge_x(v, side);
   const std::string name = std::string("edge/") + side.name;
   const ImVec2 size{edge_thickness, scene::column_height(v)};
-  const Window window(name.c_str(), strip(side, {x, v.origin.y}, size), strip_flags);
+  const Window window(name.c_str(), edge_strip(side, {x, v.origin.y}, size), strip_flags);
   ImGui::InvisibleButton("strip", size);
   record(ui, name);
   const bool held = ImGui::IsItemActive();
@@ -163,7 +163,7 @@ void tab(const Context& ui, const Side& side, bool shown) {
   const ImVec2 at{edge_x(v, side), v.origin.y + 0.5f * (v.size.y - tab_height)};
   const std::string name = std::string("tab/") + side.name;
   const ImVec2 size{tab_width, tab_height};
-  const Window window(name.c_str(), strip(side, at, size), strip_flags);
+  const Window window(name.c_str(), edge_strip(side, at, size), strip_flags);
   const bool clicked = ImGui::InvisibleButton("strip", size);
   record(ui, name);
   const bool hovered = ImGui::IsItemHovered();
