@@ -87,12 +87,19 @@ Eigen::Matrix3d exp_rodrigues(const Eigen::Matrix3d& y) {
 
 }  // namespace
 
+struct ReferenceFrame::Handle {
+  Eigen::Matrix3d stretch, rotation;  // logs
+  Eigen::Vector3d center;
+};
+
 ReferenceFrame::ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding)
     : cage_(cage),
       binding_(binding),
       handles_(binding.handles),
       positions_(binding.vertices),
       normals_(binding.vertices) {}
+
+ReferenceFrame::~ReferenceFrame() = default;
 
 void ReferenceFrame::deform(const deform::Pose& pose) {
   log_cage(pose);

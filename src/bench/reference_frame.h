@@ -1,7 +1,6 @@
 // Plain loops for weights and frames as in published tools: the baseline of the benchmarks.
 #pragma once
 
-#include <Eigen/Core>
 #include <span>
 #include <vector>
 
@@ -33,6 +32,7 @@ class ReferenceFrame {
 public:
   /// Keeps references to cage and binding; the binding must have weights.
   ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding);
+  ~ReferenceFrame();
 
   void deform(const deform::Pose& pose);
 
@@ -40,10 +40,7 @@ public:
   std::span<const mesh::Point> normals() const { return normals_; }
 
 private:
-  struct Handle {
-    Eigen::Matrix3d stretch, rotation;  ///< logs
-    Eigen::Vector3d center;
-  };
+  struct Handle;
   void log_cage(const deform::Pose& pose);
   mesh::Point place(std::size_t vertex) const;
   void scatter_normals();

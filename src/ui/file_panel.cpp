@@ -18,7 +18,7 @@ using Browser = scene::FileBrowser;
 using Purpose = Browser::Purpose;
 using What = scene::OpenRequest::What;
 
-/// What the panel does with the chosen file: opens it, or requests that it is saved.
+/// Opening or saving the chosen file.
 struct Task {
   Purpose purpose;
   const char* title;
