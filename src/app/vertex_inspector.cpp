@@ -55,7 +55,7 @@ scene::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
     const auto& x = term.stretch;
     partial = {partial.xx + w * x.xx, partial.xy + w * x.xy, partial.xz + w * x.xz,
                partial.yy + w * x.yy, partial.yz + w * x.yz, partial.zz + w * x.zz};
-    view.terms.push_back({term.handle, w, map_of(x, term.turn), term.at, sym3::eigenvalues(partial)});
+    view.terms.push_back({term.handle, w, term.at, sym3::eigenvalues(partial)});
   }
   if (!sum.has_logs) return view;
   view.map = map_of(sum.stretch, sum.turn);

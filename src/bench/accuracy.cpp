@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <type_traits>
 #include <vector>
 
 #include "bench/ensembles.h"
@@ -102,11 +101,10 @@ std::vector<Plan> plans(bool in_float) {
   if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // exp overflows beyond
   return {
       ensembles_plan(),
-      by_value("two eigenvalues so close, the third anywhere in [0, 3]", "gap", gaps,
-               ensembles::pairs<double>),
-      by_value("three eigenvalues so close, in [0, 3]", "gap", gaps, ensembles::triples<double>),
+      by_value("two close eigenvalues, the third anywhere in [0, 3]", "gap", gaps, ensembles::pairs<double>),
+      by_value("three close eigenvalues, in [0, 3]", "gap", gaps, ensembles::triples<double>),
       by_value(
-          "by spread, largest minus smallest eigenvalue, half of them with close ones", "spread", sizes,
+          "by spread: largest minus smallest eigenvalue, half of them with close ones", "spread", sizes,
           [](double spread, std::size_t n) { return ensembles::spreads<double>(spread, -spread / 2, n); }),
       by_value("by scale, entries uniform in [-scale, scale]", "scale",
                {1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1e-2, 1, 10}, [](double scale, std::size_t n) {
@@ -123,15 +121,6 @@ void add(Accuracy& accuracy, double error, std::size_t samples) {
 }
 
 template <class T>
-sym3::Sym3<T> answer(const ExpMethod& method, const sym3::Sym3<T>& s) {
-  if constexpr (std::is_same_v<T, float>) {
-    return method.in_float(s);
-  } else {
-    return method.in_double(s);
-  }
-}
-
-template <class T>
 AccuracyTable::Row measured(const Ensemble& ensemble, std::size_t samples, base::Progress& progress) {
   const auto methods = exp_methods();
   AccuracyTable::Row row = {ensemble.name, ensemble.value, std::vector<Accuracy>(methods.size())};
@@ -140,23 +129,18 @@ AccuracyTable::Row measured(const Ensemble& ensemble, std::size_t samples, base:
     const auto in = rounded<T>(matrices[i]);
     const Matrix exact_in = rounded<double>(in);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      add(row.cells[m], sym3::relative_error(rounded<double>(answer(methods[m], in)), exact_in), samples);
+      add(row.cells[m], sym3::relative_error(rounded<double>(methods[m](in)), exact_in), samples);
     }
     progress.report(static_cast<double>(i) / static_cast<double>(samples));
   }
   return row;
 }
 
-std::string cell(const Accuracy& accuracy, double u) {
-  char text[48];
-  const double error = accuracy.worst / u;
-  std::snprintf(text, sizeof text, error < 1e5 ? error < 100 ? "%.1f" : "%.0f" : "%.0e", error);
-  std::string result = accuracy.nan_share < 1 ? text : "";
-  if (accuracy.nan_share > 0) {
-    std::snprintf(text, sizeof text, "NaN %.0f %%", std::max(1.0, 100 * accuracy.nan_share));
-    result += (result.empty() ? "" : ", ") + std::string(text);
-  }
-  return result;
+std::string cell(const Accuracy& accuracy) {
+  std::string text = accuracy.nan_share < 1 ? error_text(accuracy.worst) : "";
+  if (accuracy.nan_share > 0)
+    text += (text.empty() ? "NaN " : ", NaN ") + percent(std::max(1.0, 100 * accuracy.nan_share));
+  return text;
 }
 
 }  // namespace
@@ -179,17 +163,14 @@ std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, 
   return tables;
 }
 
-void print(const AccuracyTable& table, bool in_float) {
-  const double u = in_float ? 0x1p-24 : 0x1p-53;
-  std::printf("%c%s\n\n| %-18s |", std::toupper(table.title[0]), table.title.c_str() + 1, table.by.c_str());
-  for (const ExpMethod& method : exp_methods()) std::printf(" %16s |", method.name);
-  std::printf("\n|--------------------|");
-  for (std::size_t m = 0; m < exp_methods().size(); ++m) std::printf("-----------------:|");
-  for (const auto& row : table.rows) {
-    std::printf("\n| %-18s |", row.name.c_str());
-    for (const Accuracy& accuracy : row.cells) std::printf(" %16s |", cell(accuracy, u).c_str());
+Table errors_table(const AccuracyTable& accuracy) {
+  Table table{{accuracy.by}, {}};
+  for (const ExpMethod& method : exp_methods()) table.columns.emplace_back(method.name);
+  for (const auto& row : accuracy.rows) {
+    table.rows.push_back({row.name});
+    for (const Accuracy& a : row.cells) table.rows.back().push_back(cell(a));
   }
-  std::printf("\n\n");
+  return table;
 }
 
 nlohmann::json to_json(const std::vector<AccuracyTable>& tables) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "bench/table.h"
 
 namespace viete::bench {
 
@@ -30,8 +31,8 @@ struct AccuracyTable {
 /// first rounded to float, and the error refers to exp of the rounded input. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
-/// Prints the table as Markdown. Errors are in units of the roundoff u: 2^-53, or 2^-24 for float.
-void print(const AccuracyTable& table, bool in_float);
+/// The relative errors of every method.
+Table errors_table(const AccuracyTable& accuracy);
 
 nlohmann::json to_json(const std::vector<AccuracyTable>& tables);
 

@@ -30,12 +30,10 @@ constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform
 /// One model in one cage, and every method of binding.
 class BindRuns {
 public:
-  explicit BindRuns(const BindOptions& options) {
-    const scene::Document opened = open_model(options.model, options.cage);
-    model_ = *opened.model.surface;
-    while (model_.positions.size() < options.count) model_ = subdivided(model_);
-    cage_ = opened.has_cage() ? *opened.cage : deform::make_cage(star_cage(model_, options.faces));
-    if (options.count == 0)
+  /// Plain loops need much memory: only for models of usual size.
+  BindRuns(const mesh::Surface& model, const deform::Cage& cage, bool with_plain_loops)
+      : model_(model), cage_(cage) {
+    if (with_plain_loops)
       plain_ = std::make_unique<PlainWeights>(model_.positions.size(), cage_.element_count());
     for (const auto v : lay_out(model_, cage_, faces).leaves.order)
       leaf_points_.push_back(model_.positions[v]);
@@ -95,8 +93,8 @@ private:
     return deform::bind_tiles(model_, cage_, weighting, pool_, tolerance);
   }
 
-  mesh::Surface model_;
-  deform::Cage cage_;
+  const mesh::Surface& model_;
+  const deform::Cage& cage_;
   base::WorkerPool pool_{1};
   std::unique_ptr<PlainWeights> plain_;
   std::vector<mesh::Point> leaf_points_;
@@ -105,39 +103,46 @@ private:
 };
 
 void print(const BindRuns& runs, const std::vector<BenchResult>& results) {
-  std::printf(
-      "bind: %s vertices, %zu cage triangles, kernel %s; one thread, its processor time, medians of "
-      "interleaved runs\n",
-      base::with_thousands(runs.size()).c_str(), runs.elements(), std::string(sym3::kernel_name()).c_str());
-  for (const auto& r : results) {
-    const double ms = r.ns_per_item * static_cast<double>(runs.size()) * 1e-6;
-    std::printf("  %-30s %10.1f ms %8.2f ns a pair\n", r.name.c_str(), ms,
-                r.ns_per_item / static_cast<double>(runs.elements()));
+  const auto size = static_cast<double>(runs.size()), elements = static_cast<double>(runs.elements());
+  Table table{{"", "ms", "ns a pair"}, {}};
+  for (const auto& r : results)
+    table.rows.push_back(
+        {r.name, base::few_digits(r.ns_per_item * size * 1e-6), base::few_digits(r.ns_per_item / elements)});
+  print("bind: " + base::with_thousands(runs.size()) + " vertices, " + std::to_string(runs.elements()) +
+            " cage triangles, kernel " + std::string(sym3::kernel_name()) +
+            "; one thread, its processor time, medians of interleaved runs",
+        table);
+}
+
+// The limits of generated cages.
+void check(const BindRuns& runs, const std::vector<BenchResult>& results, Bars& bars) {
+  if (const double plain = time_of(results, "plain loops"); plain > 0) {
+    bars.check("weights: plain loops / vectors", plain / time_of(results, "vectors"), 45, true);
+    bars.check("bound, compressed: plain loops /", plain / time_of(results, "bound, compressed"), 5, true);
   }
+  bars.check("memory: dense / compressed",
+             static_cast<double>(runs.dense().bytes()) / static_cast<double>(runs.compressed().bytes()),
+             runs.size() < 400'000 ? 4 : 9, true);
 }
 
 }  // namespace
 
-void bench_bind(const BindOptions& options) {
-  BindRuns runs(options);
-  const auto results = runs.run(options.rounds);
-  print(runs, results);
+void bench_bind(const ModelOptions& options) {
+  const BenchModel opened(options);
+  nlohmann::json json = {{"figure", "bind"}, {"results", nlohmann::json::array()}};
   Bars bars;
-  const auto faster = [&](const char* slow, const char* fast) {
-    return time_of(results, slow) / time_of(results, fast);
-  };
-  const bool promised = options.cage.empty();  // limits apply to generated cages
-  if (promised && time_of(results, "plain loops") > 0) {
-    bars.check("weights: plain loops / vectors", faster("plain loops", "vectors"), 45, true);
-    bars.check("bound, compressed: plain loops /", faster("plain loops", "bound, compressed"), 5, true);
+  for (const auto& cage : opened.cages) {
+    BindRuns runs(opened.model, *cage, options.count == 0);
+    const auto results = runs.run(options.rounds);
+    print(runs, results);
+    std::printf("  memory: %.1f MB dense, %.1f MB compressed to %g\n",
+                static_cast<double>(runs.dense().bytes()) * 1e-6,
+                static_cast<double>(runs.compressed().bytes()) * 1e-6, runs.compressed().tolerance);
+    if (options.cage.empty()) check(runs, results, bars);
+    json["results"].push_back({{"faces", runs.elements()}, {"times", to_json(results)}});
   }
-  const double memory =
-      static_cast<double>(runs.dense().bytes()) / static_cast<double>(runs.compressed().bytes());
-  std::printf("  memory: %.1f MB dense, %.1f MB compressed to %g\n",
-              static_cast<double>(runs.dense().bytes()) * 1e-6,
-              static_cast<double>(runs.compressed().bytes()) * 1e-6, runs.compressed().tolerance);
-  if (promised) bars.check("memory: dense / compressed", memory, runs.size() < 400'000 ? 4 : 9, true);
-  write_json(options.json, {{"figure", "bind"}, {"results", to_json(results)}, {"bars", bars.rows}});
+  json["bars"] = bars.rows;
+  write_json(options.json, json);
 }
 
 }  // namespace viete::bench

@@ -56,8 +56,8 @@ EigenBench measure_eigen(std::size_t count, base::Progress& progress) {
 }
 
 void print(const EigenBench& bench) {
-  print_table("eigenvalues: " + base::with_thousands(bench.count) + " matrices S = M M^T, double, one thread",
-              bench.results, "QR", "copy");
+  print("eigenvalues: " + base::with_thousands(bench.count) + " matrices S = M M^T, double, one thread",
+        times_table(bench.results));
 }
 
 nlohmann::json to_json(const EigenBench& bench) {
@@ -66,9 +66,6 @@ nlohmann::json to_json(const EigenBench& bench) {
 
 Plot plot_of(const EigenBench& bench) {
   Plot plot;
-  plot.title = "Eigenvalues of symmetric 3x3 matrices";
-  plot.subtitle = "S = M M^T, double, one thread, " + processor_name();
-  plot.bars_title = base::with_thousands(bench.count) + " matrices, ns a matrix";
   const char* colors[] = {plot_color::reference, plot_color::reference, plot_color::rival,
                           plot_color::ours[0], plot_color::copy};
   for (std::size_t i = 0; i < bench.results.size(); ++i) {

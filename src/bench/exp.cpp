@@ -73,50 +73,20 @@ std::span<const Sym3<T>> turn(const std::vector<Sym3<T>>& matrices, std::size_t 
 }
 
 template <class T>
-RoundCase slow_case(const std::vector<Sym3<T>>& matrices, std::vector<Sym3<T>>& out, Method method) {
-  return {std::string(sym3::name(method)), window,
-          [&, method](std::size_t round) { sym3::exp<T>(turn(matrices, round), out, method); }};
-}
-
-template <class T>
-std::vector<BenchResult> measure_methods(const std::vector<Sym3<T>>& matrices, std::size_t count,
-                                         base::Progress& progress) {
-  MatrixArray<T> in(Layout::packed, count), result(Layout::packed, count);
-  in.fill(matrices), result.fill(matrices);
-  std::vector<Sym3<T>> out(window);
-  std::vector<RoundCase> cases;
-  for (const Method m : {Method::diag, Method::sd, Method::improved_sd})
-    cases.push_back(slow_case(matrices, out, m));
-  cases.push_back({"fast", count, [&](std::size_t) { sym3::exp(in.view(), result.view(), count); }});
-  cases.push_back({"copy", count, [&](std::size_t) { in.copy_to(result); }});
-  return measure_rounds(cases, 21, progress);
-}
-
-template <class T>
 LayoutResult measure_layout(const std::vector<Sym3<T>>& matrices, Layout layout, std::size_t count,
                             base::Progress& progress) {
   MatrixArray<T> in(layout, count), result(layout, count);
   in.fill(matrices), result.fill(matrices);
   std::vector<Sym3<T>> out(window);
-  // Short runs are repeated to exceed the clock resolution, after one run to fill the cache.
-  const std::size_t times = std::max<std::size_t>(1, 200'000 / count);
-  const auto repeated = [=](auto once) {
-    return [=](std::size_t) {
-      for (std::size_t i = 0; i < times; ++i) once();
-    };
-  };
-  const std::vector<RoundCase> cases = {
-      {"fast", count * times, repeated([&] { sym3::exp(in.view(), result.view(), count); })},
-      {"copy", count * times, repeated([&] { in.copy_to(result); })},
-      slow_case(matrices, out, Method::diag),
-      slow_case(matrices, out, Method::improved_sd)};
-  const auto results = measure_rounds(cases, count > 1'000'000 ? 7 : 21, progress);
-  return {layout,
-          count,
-          results[0].ns_per_item,
-          results[1].ns_per_item,
-          results[2].ns_per_item,
-          results[3].ns_per_item};
+  const std::size_t often = std::max<std::size_t>(1, 200'000 / count);
+  std::vector<RoundCase> cases;
+  for (const Method m : {Method::diag, Method::sd, Method::improved_sd})
+    cases.push_back({std::string(sym3::name(m)), window,
+                     [&, m](std::size_t round) { sym3::exp<T>(turn(matrices, round), out, m); }});
+  cases.push_back({"fast", count, [&](std::size_t) { sym3::exp(in.view(), result.view(), count); }, often});
+  cases.push_back({"copy", count, [&](std::size_t) { in.copy_to(result); }, often});
+  const std::size_t rounds = count > 1'000'000 && layout != Layout::packed ? 7 : 21;
+  return {layout, count, measure_rounds(cases, rounds, progress)};
 }
 
 std::vector<std::size_t> sizes_up_to(std::size_t count) {
@@ -131,27 +101,22 @@ template <class T>
 void measure(ExpBench& bench, base::Progress& progress) {
   const auto matrices = ensembles::paper_ensemble<T>(distinct);
   const auto sizes = sizes_up_to(bench.count);
-  const double steps = static_cast<double>(1 + layouts.size() * sizes.size());
-  double step = 0;
-  const auto next = [&] {
-    progress.section(step / steps, (step + 1) / steps);
-    ++step;
-  };
-  next();
-  bench.methods = measure_methods(matrices, bench.count, progress);
+  const double steps = static_cast<double>(layouts.size() * sizes.size());
   for (const Layout layout : layouts) {
     for (const std::size_t size : sizes) {
-      next();
+      const auto step = static_cast<double>(bench.layouts.size());
+      progress.section(step / steps, (step + 1) / steps);
       bench.layouts.push_back(measure_layout(matrices, layout, size, progress));
     }
+    if (layout == Layout::packed) bench.methods = bench.layouts.back().times;
   }
 }
 
 /// The shortest time among sizes that fit the second-level cache.
 double best_in_cache(const ExpBench& bench) {
-  double best = bench.layouts.front().fast;
+  double best = time_of(bench.layouts.front().times, "fast");
   for (const LayoutResult& r : bench.layouts) {
-    if (r.count <= 4096) best = std::min(best, r.fast);
+    if (r.count <= 4096) best = std::min(best, time_of(r.times, "fast"));
   }
   return best;
 }
@@ -164,18 +129,22 @@ std::string shown_name(const std::string& name) {
 
 }  // namespace
 
+LayoutResult measure_layout(sym3::Layout layout, std::size_t count, bool in_float, base::Progress& progress) {
+  return in_float ? measure_layout(ensembles::paper_ensemble<float>(distinct), layout, count, progress)
+                  : measure_layout(ensembles::paper_ensemble<double>(distinct), layout, count, progress);
+}
+
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress) {
   ExpBench bench = {count, in_float, std::string(sym3::kernel_name()), {}, {}};
   in_float ? measure<float>(bench, progress) : measure<double>(bench, progress);
   return bench;
 }
 
-std::vector<ExpBar> bars_of(const ExpBench& bench) {
-  std::vector<ExpBar> bars;
-  for (const BenchResult& r : bench.methods)
-    bars.push_back({shown_name(r.name), r.ns_per_item, r.name == sym3::name(Method::fast)});
-  bars.push_back({"Fast, in cache", best_in_cache(bench), true});
-  return bars;
+std::vector<BenchResult> labelled_times(const ExpBench& bench) {
+  std::vector<BenchResult> times;
+  for (const BenchResult& r : bench.methods) times.push_back({shown_name(r.name), r.ns_per_item});
+  times.push_back({"Fast, in cache", best_in_cache(bench)});
+  return times;
 }
 
 namespace {
@@ -184,36 +153,35 @@ const char* precision(const ExpBench& bench) {
   return bench.in_float ? "float" : "double";
 }
 
-}  // namespace
-
-const char* layout_name(sym3::Layout layout) {
+const char* layout_name(Layout layout) {
   constexpr const char* names[] = {"planes", "packed", "full"};
   return names[static_cast<std::size_t>(layout)];
 }
 
-void print(const ExpBench& bench) {
-  print_table("exp: " + base::with_thousands(bench.count) + " matrices S = M M^T, " + precision(bench) +
-                  ", one thread, kernel " + bench.kernel,
-              bench.methods, "diag", "copy");
-  std::printf(
-      "\nfast by layout and size, each against the others in the same run\n\n"
-      "| layout | matrices |  fast ns |  copy ns | x copy | diag / it | improved_sd / it |\n"
-      "|--------|---------:|---------:|---------:|-------:|----------:|-----------------:|\n");
+}  // namespace
+
+Table layouts_table(const ExpBench& bench) {
+  Table table{{"layout", "matrices", "Fast, ns", "copy, ns", "Diag, ns", "Improved SD, ns"}, {}};
   for (const LayoutResult& r : bench.layouts) {
-    std::printf("| %-6s | %8zu | %8.2f | %8.2f | %6.2f | %9.1f | %16.1f |\n", layout_name(r.layout), r.count,
-                r.fast, r.copy, r.fast / r.copy, r.diag / r.fast, r.improved_sd / r.fast);
+    table.rows.push_back({layout_name(r.layout), base::with_thousands(r.count)});
+    for (const char* name : {"fast", "copy", "diag", "improved_sd"})
+      table.rows.back().push_back(base::few_digits(time_of(r.times, name)));
   }
+  return table;
+}
+
+void print(const ExpBench& bench) {
+  print("exp: " + base::with_thousands(bench.count) + " matrices S = M M^T, " + precision(bench) +
+            ", one thread, kernel " + bench.kernel,
+        times_table(labelled_times(bench)));
+  print("by layout and size, each against the others in the same run", layouts_table(bench));
 }
 
 nlohmann::json to_json(const ExpBench& bench) {
   nlohmann::json layouts = nlohmann::json::array();
   for (const LayoutResult& r : bench.layouts) {
-    layouts.push_back({{"layout", layout_name(r.layout)},
-                       {"count", r.count},
-                       {"fast", r.fast},
-                       {"copy", r.copy},
-                       {"diag", r.diag},
-                       {"improved_sd", r.improved_sd}});
+    layouts.push_back({{"layout", layout_name(r.layout)}, {"count", r.count}});
+    for (const BenchResult& time : r.times) layouts.back()[time.name] = time.ns_per_item;
   }
   return {{"figure", "exp"},
           {"count", bench.count},
@@ -225,29 +193,26 @@ nlohmann::json to_json(const ExpBench& bench) {
 
 Plot plot_of(const ExpBench& bench) {
   Plot plot;
-  plot.title = "exp of symmetric 3x3 matrices";
-  plot.subtitle = std::string("S = M M^T, ") + precision(bench) + ", one thread, kernel " + bench.kernel +
-                  ", " + processor_name();
-  plot.bars_title = base::with_thousands(bench.count) + " matrices from memory, ns a matrix";
-  for (const ExpBar& bar : bars_of(bench)) {
-    const char* color = bar.name == "copy" ? plot_color::copy : color_of_method(bar.name);
-    plot.bars.push_back({bar.name, bar.ns, bar.ours ? plot_color::ours[0] : color});
+  for (const BenchResult& r : labelled_times(bench)) {
+    const bool ours = r.name.starts_with("Fast");
+    const char* color = r.name == "copy" ? plot_color::copy : color_of_method(r.name);
+    plot.bars.push_back({r.name, r.ns_per_item, ours ? plot_color::ours[0] : color});
   }
-  plot.curves_title = "ns a matrix against size, by layout";
   const auto curve = [&](const std::string& name, const char* color, bool dashed, Layout layout,
-                         double LayoutResult::*time) {
+                         const char* time) {
     plot.curves.push_back({name, color, dashed, {}});
     for (const LayoutResult& r : bench.layouts) {
-      if (r.layout == layout) plot.curves.back().points.push_back({static_cast<double>(r.count), r.*time});
+      if (r.layout == layout)
+        plot.curves.back().points.push_back({static_cast<double>(r.count), time_of(r.times, time)});
     }
   };
   for (const Layout layout : layouts) {
     const char* color = plot_color::ours[static_cast<std::size_t>(layout)];
-    curve(std::string("Fast, ") + layout_name(layout), color, false, layout, &LayoutResult::fast);
-    curve(std::string("copy, ") + layout_name(layout), color, true, layout, &LayoutResult::copy);
+    curve(std::string("Fast, ") + layout_name(layout), color, false, layout, "fast");
+    curve(std::string("copy, ") + layout_name(layout), color, true, layout, "copy");
   }
-  curve("Diag", plot_color::reference, false, Layout::packed, &LayoutResult::diag);
-  curve("Improved SD", plot_color::rival, false, Layout::packed, &LayoutResult::improved_sd);
+  curve("Diag", plot_color::reference, false, Layout::packed, "diag");
+  curve("Improved SD", plot_color::rival, false, Layout::packed, "improved_sd");
   return plot;
 }
 

@@ -19,24 +19,30 @@ struct ExpMethod {
   const char* name;
   sym3::Sym3<double> (*in_double)(const sym3::Sym3<double>&);
   sym3::Sym3<float> (*in_float)(const sym3::Sym3<float>&);
+
+  sym3::Sym3<double> operator()(const sym3::Sym3<double>& s) const { return in_double(s); }
+  sym3::Sym3<float> operator()(const sym3::Sym3<float>& s) const { return in_float(s); }
 };
 
 /// Diag, Direct (Eigen's closed-form computeDirect instead of QR), SD, Improved SD as printed and guarded,
 /// Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp), and Fast, one matrix per call.
 std::span<const ExpMethod> exp_methods();
 
-/// One layout and size; nanoseconds per matrix, all from the same interleaved run.
+/// One layout and size, all from the same interleaved run.
 struct LayoutResult {
   sym3::Layout layout;
   std::size_t count = 0;
-  double fast = 0, copy = 0, diag = 0, improved_sd = 0;
+  std::vector<BenchResult> times;  ///< diag, sd, improved_sd, fast, copy
 };
+
+/// Throws base::Cancelled.
+LayoutResult measure_layout(sym3::Layout layout, std::size_t count, bool in_float, base::Progress& progress);
 
 struct ExpBench {
   std::size_t count = 0;
   bool in_float = false;
   std::string kernel;
-  std::vector<BenchResult> methods;   ///< Diag, SD, Improved SD, Fast, copy; `count` packed matrices
+  std::vector<BenchResult> methods;   ///< the times of `count` packed matrices
   std::vector<LayoutResult> layouts;  ///< by layout, then by size from 1024 to `count`
 };
 
@@ -44,17 +50,9 @@ struct ExpBench {
 /// 10^7. Throws base::Cancelled.
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
 
-struct ExpBar {
-  std::string name;
-  double ns = 0;      ///< per matrix
-  bool ours = false;  ///< false: a reference
-};
-
-/// Bars for one plot: the methods, matrices from memory, and our method in the cache.
-std::vector<ExpBar> bars_of(const ExpBench& bench);
-
-/// "planes".
-const char* layout_name(sym3::Layout layout);
+/// The times of the methods by their labels, and of our method in the cache.
+std::vector<BenchResult> labelled_times(const ExpBench& bench);
+Table layouts_table(const ExpBench& bench);
 
 void print(const ExpBench& bench);
 nlohmann::json to_json(const ExpBench& bench);

@@ -18,10 +18,8 @@ namespace viete::bench {
 
 namespace {
 
-constexpr std::size_t moments = 21;  // moments between two shapes
-
 std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base::Progress& progress) {
-  FrameOptions options;
+  ModelOptions options;
   options.model = figures.files.model;
   if (in_own_cage) options.cage = figures.files.cage;
   options.faces = figures.sizes.faces;
@@ -57,15 +55,16 @@ ShapePicture picture_of(std::string name, const mesh::Surface& rest,
   return picture;
 }
 
-std::vector<ShapePicture> pictures_of(const Figures& figures, const ShapesOfModel& model) {
+void measure_shapes(Figures& figures, const ShapesOfModel& model, base::Progress& progress) {
+  Halfway halfway = measure_halfway(model, progress);
+  figures.shapes = std::move(halfway.rows);
   const nlohmann::json* most = most_lost(figures.shapes);
-  if (!most) return {};
+  if (!most) return;
   const auto i = static_cast<std::size_t>(most - &figures.shapes[0]);
-  const HalfwayShapes halfway = halfway_to(model, i);
-  return {picture_of("at rest", model.rest, model.rest.positions),
-          picture_of("halfway, straight", model.rest, halfway.straight),
-          picture_of("halfway, logs", model.rest, halfway.in_log_space),
-          picture_of(name_of_shape(*most), model.rest, model.shapes[i])};
+  figures.pictures = {picture_of("at rest", model.rest, model.rest.positions),
+                      picture_of("halfway, linear", model.rest, halfway.shapes[i].straight),
+                      picture_of("halfway, log space", model.rest, halfway.shapes[i].in_log_space),
+                      picture_of(name_of_shape(*most), model.rest, model.shapes[i])};
 }
 
 }  // namespace
@@ -93,10 +92,7 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
                {7, [&] { figures.deformation = frames_of(figures, true, progress); }},
                {28, [&] { figures.frames = frames_of(figures, false, progress); }},
                {25, [&] { figures.ways = ways_of(figures, opened, progress); }},
-               {5, [&] {
-                  figures.shapes = measure_halfway(shapes, progress, moments);
-                  figures.pictures = pictures_of(figures, shapes);
-                }}};
+               {5, [&] { measure_shapes(figures, shapes, progress); }}};
   double all = 0, done = 0;
   for (const auto& work : works) all += work.seconds;
   for (const auto& work : works) {
@@ -119,16 +115,6 @@ nlohmann::json to_json(const Figures& f) {
 
 double percent_less(double time, double than) {
   return 100 * (1 - time / than);
-}
-
-std::string percent(double value) {
-  return std::to_string(std::lround(value)) + "\u00a0%";
-}
-
-const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces) {
-  const auto found = std::ranges::find_if(
-      times, [&](const FrameTime& t) { return t.name == name && t.faces == faces && t.threads == 1; });
-  return found == times.end() ? nullptr : &*found;
 }
 
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {

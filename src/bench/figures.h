@@ -66,10 +66,6 @@ inline constexpr std::size_t usual_faces = 300;
 
 /// Time saved relative to `than`, in percent: 76 for 0.24 and 1.
 double percent_less(double time, double than);
-/// "76 %", with a no-break space.
-std::string percent(double value);
-/// The single-threaded time of this name; null if there is none.
-const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces);
 /// The frame by links, with exp by this method.
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method);
 /// Largest error over all gaps of two and three eigenvalues, of the method with this label.

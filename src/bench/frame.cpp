@@ -13,8 +13,8 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/median.h"
+#include "base/text.h"
 #include "base/worker_pool.h"
-#include "bench/floors.h"
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "bench/table.h"
@@ -24,135 +24,74 @@
 
 namespace viete::bench {
 
+const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces,
+                          bool threaded) {
+  const auto found = std::ranges::find_if(times, [&](const FrameTime& t) {
+    return t.name == name && t.faces == faces && (t.threads > 1) == threaded;
+  });
+  return found == times.end() ? nullptr : &*found;
+}
+
 namespace {
 
 using namespace frame_names;
+using deform::Link;
+using sym3::Method;
 
-/// Times for one number of vertices; null if not measured.
-class Times {
-public:
-  Times(std::span<const FrameTime> all, std::size_t vertices) : all_(all), vertices_(vertices) {}
-
-  std::size_t vertices() const { return vertices_; }
-
-  const FrameTime* of(const std::string& name, std::size_t faces, bool threaded = false) const {
-    const auto found = std::find_if(all_.begin(), all_.end(), [&](const FrameTime& t) {
-      return t.vertices == vertices_ && t.name == name && t.faces == faces && (t.threads > 1) == threaded;
-    });
-    return found == all_.end() ? nullptr : &*found;
-  }
-
-  double worst_error(const std::string& name) const {
-    double worst = -1;
-    for (const auto& t : all_) {
-      if (t.vertices == vertices_ && t.name == name) worst = std::fmax(worst, t.error);
-    }
-    return worst;
-  }
-
-private:
-  std::span<const FrameTime> all_;
-  std::size_t vertices_;
+/// A limit of the ratio of two times.
+struct RatioBar {
+  const char* over;
+  std::size_t over_faces;
+  const char* under;
+  std::size_t under_faces;
+  double bar;
+  bool at_least = true;
+  bool threaded = false;  ///< `under` runs on all threads
 };
 
-std::string at(std::size_t faces) {
-  return ", " + std::to_string(faces) + " faces";
-}
+constexpr RatioBar ratio_bars[] = {{reference, 50, dense, 50, 16},
+                                   {reference, 100, dense, 100, 14},
+                                   {reference, 300, dense, 300, 12},
+                                   {reference, 50, compressed, 50, 26},
+                                   {reference, 100, compressed, 100, 32},
+                                   {reference, 300, compressed, 300, 45},
+                                   {reference, 50, dragged, 50, 35},
+                                   {reference, 100, dragged, 100, 50},
+                                   {reference, 300, dragged, 300, 110},
+                                   {dragged, 600, dragged, 50, 1.5, false},
+                                   {compressed, 300, compressed, 50, 2.5, false},
+                                   {dense, 300, dense, 300, 1.8, true, true},
+                                   {compressed, 300, compressed, 300, 1.5, true, true}};
 
-void check_ratio(const std::string& what, const FrameTime* over, const FrameTime* under, double bar,
-                 bool at_least, Bars& bars) {
-  if (over && under) bars.check(what, over->cpu_ms / under->cpu_ms, bar, at_least);
-}
-
-void check_speed(const Times& times, Bars& bars) {
-  const struct {
-    const char* name;
-    std::array<double, 3> bars;
-  } paths[] = {{dense, {16, 14, 12}}, {compressed, {26, 32, 45}}, {dragged, {35, 50, 110}}};
-  constexpr std::array<std::size_t, 3> faces = {50, 100, 300};
-  for (const auto& path : paths) {
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      check_ratio(std::string("reference / ") + path.name + at(faces[i]), times.of(reference, faces[i]),
-                  times.of(path.name, faces[i]), path.bars[i], true, bars);
-    }
-  }
-  check_ratio("one vertex dragged: 600 / 50 faces", times.of(dragged, 600), times.of(dragged, 50), 1.5, false,
-              bars);
-  check_ratio("compressed: 300 / 50 faces", times.of(compressed, 300), times.of(compressed, 50), 2.5, false,
-              bars);
-  check_ratio("exponentials alone / compressed" + at(300), times.of(exponential, 300),
-              times.of(compressed, 300), 0.1, false, bars);
-  for (const auto& [name, bar] : {std::pair{dense, 1.8}, {compressed, 1.5}}) {
-    const auto* threaded = times.of(name, 300, true);
-    if (!threaded) continue;
-    check_ratio(std::string(name) + at(300) + ": one thread / " + std::to_string(threaded->threads),
-                times.of(name, 300), threaded, bar, true, bars);
-  }
-}
-
-// The larger of memory and arithmetic time, the lower bound of a frame.
-void check_floor(const Times& times, Bars& bars) {
-  const auto *frame = times.of(dense, 300), *read = times.of(read_floor, 300),
-             *sums = times.of(multiply_add_floor, 300);
-  if (!frame || !read || !sums) return;
-  const double fused = frame->links[deform::Link::fused], floor = std::max(read->cpu_ms, sums->cpu_ms);
-  bars.check("fused pass, dense / the larger floor" + at(300), fused / floor, 1.6, false);
-}
-
-void check_errors(const Times& times, Bars& bars) {
-  for (const auto& [name, bar] :
-       {std::pair{dense, 1e-6}, {dragged, 2e-5}, {staged_fast, 1e-13}, {compressed, 2e-5}}) {
-    const double error = times.worst_error(name);
-    if (error >= 0) bars.check(std::string(name) + ": error in diagonals", error, bar, false);
-  }
-}
-
-void check_memory(const Times& times, double bar, Bars& bars) {
-  const auto *full = times.of(dense, 300), *small = times.of(compressed, 300);
-  if (!full || !small) return;
-  bars.check("bytes, compressed / dense, " + std::to_string(times.vertices()) + " vertices" + at(300),
-             static_cast<double>(small->bytes) / static_cast<double>(full->bytes), bar, false);
+std::string at(const char* name, std::size_t faces) {
+  return std::string(name) + ", " + std::to_string(faces) + " faces";
 }
 
 }  // namespace
 
 void check_frame(std::span<const FrameTime> times, Bars& bars) {
-  if (times.empty()) return;
-  const auto [least, most] = std::minmax_element(
-      times.begin(), times.end(), [](const auto& a, const auto& b) { return a.vertices < b.vertices; });
-  const Times small(times, least->vertices), large(times, most->vertices);
-  check_speed(small, bars);
-  check_floor(small, bars);
-  check_errors(small, bars);
-  check_memory(small, 1.0 / 4, bars);
-  if (large.vertices() < 8 * small.vertices()) return;
-  check_memory(large, 1.0 / 9, bars);
-  const auto *a = small.of(compressed, 300), *b = large.of(compressed, 300);
-  if (!a || !b) return;
-  const double growth = static_cast<double>(large.vertices()) / static_cast<double>(small.vertices());
-  bars.check("compressed, time a vertex: " + std::to_string(large.vertices()) + " / " +
-                 std::to_string(small.vertices()) + " vertices",
-             b->cpu_ms / a->cpu_ms / growth, 1.0, false);
+  for (const RatioBar& r : ratio_bars) {
+    const auto *over = frame_of(times, r.over, r.over_faces),
+               *under = frame_of(times, r.under, r.under_faces, r.threaded);
+    if (over && under)
+      bars.check(
+          at(r.over, r.over_faces) + " / " + at(r.under, r.under_faces) + (r.threaded ? ", all threads" : ""),
+          over->cpu_ms / under->cpu_ms, r.bar, r.at_least);
+  }
+  for (const auto& [name, bar] :
+       {std::pair{dense, 1e-6}, {dragged, 2e-5}, {staged_fast, 1e-13}, {compressed, 2e-5}}) {
+    double error = -1;
+    for (const FrameTime& t : times)
+      if (t.name == name) error = std::fmax(error, t.error);
+    if (error >= 0) bars.check(std::string(name) + ": error in diagonals", error, bar, false);
+  }
+  const auto *full = frame_of(times, dense, 300), *small = frame_of(times, compressed, 300);
+  if (full && small)
+    bars.check("bytes, compressed / dense, 300 faces",
+               static_cast<double>(small->bytes) / static_cast<double>(full->bytes), 0.25, false);
 }
 
 namespace {
-
-using deform::Link;
-using sym3::Method;
-
-constexpr std::size_t exp_portion = 4096;  // matrices that fit the cache
-
-// The model, truncated or subdivided to about this number of vertices.
-mesh::Surface of_size(mesh::Surface model, std::size_t count) {
-  while (count > 2 * model.positions.size()) model = subdivided(model);
-  if (count == 0 || 2 * count > model.positions.size()) return model;
-  std::vector<mesh::Triangle> kept;
-  for (const auto& t : model.triangles) {
-    if (t[0] < count && t[1] < count && t[2] < count) kept.push_back(t);
-  }
-  model.positions.resize(std::max<std::size_t>(count, 3));
-  return mesh::from_triangles(std::move(model.positions), kept);
-}
 
 /// A timed case with its results.
 struct Case {
@@ -162,7 +101,6 @@ struct Case {
   std::function<deform::LinkTimes()> links;  ///< times of each link of `run`; may be empty
   std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
   std::size_t bytes = 0;                     ///< read once per frame
-  int repeats = 1;                           ///< repetitions, for short cases
   std::vector<double> cpu_ms{}, wall_ms{};
   std::vector<deform::LinkTimes> link_ms{};
 };
@@ -180,11 +118,11 @@ void warm_up(const Case& c) {
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
   const double wall = base::wall_seconds(), cpu = base::thread_seconds();
-  for (int n = 0; n < c.repeats; ++n) c.run();
-  const double seconds = base::thread_seconds() - cpu, ms = 1e3 / c.repeats;
-  c.wall_ms.push_back(ms * (base::wall_seconds() - wall));
+  c.run();
+  const double seconds = base::thread_seconds() - cpu;
+  c.wall_ms.push_back(1e3 * (base::wall_seconds() - wall));
   const auto now = c.pool->cost();
-  c.cpu_ms.push_back(ms * (seconds - (now.caller - cost.caller) + (now.longest - cost.longest)));
+  c.cpu_ms.push_back(1e3 * (seconds - (now.caller - cost.caller) + (now.longest - cost.longest)));
   if (c.links) c.link_ms.push_back(c.links());
 }
 
@@ -229,11 +167,11 @@ struct FusedFrame {
 /// One model in one cage, with all compared paths bound.
 class FrameRuns {
 public:
-  FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage, double tolerance)
+  FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage)
       : cage_(std::move(cage)), pose_(moderate_pose(*cage_)) {
     bind_staged(model);
     dense_ = bind_fused(model, 0, deform::Storage::dense);
-    compressed_ = bind_fused(model, tolerance, std::nullopt);
+    compressed_ = bind_fused(model, deform::usual_tolerance, std::nullopt);
     if (staged_) add_staged();
     for (auto* pool : {&one_, &all_}) {
       if (pool == &all_ && all_.threads() == 1) continue;
@@ -241,7 +179,6 @@ public:
       if (compressed_->compressed()) add_fused(frame_names::compressed, compressed_, *pool, false);
       add_fused(frame_names::dragged, compressed_, *pool, true);
     }
-    add_floors();
   }
 
   void run(std::size_t rounds, base::Progress& progress) {
@@ -256,8 +193,14 @@ public:
     }
   }
 
-  std::vector<FrameTime> times() const;
-  void print(std::span<const FrameTime> times) const;
+  std::vector<FrameTime> times() const {
+    std::vector<FrameTime> times;
+    for (const Case& c : cases_)
+      times.push_back({dense_->leaves.vertices, cage_->element_count(), c.name, c.pool->threads(),
+                       base::median(c.cpu_ms), base::median(c.wall_ms), c.error ? c.error() : std::nan(""),
+                       c.bytes, link_medians(c)});
+    return times;
+  }
 
 private:
   // Skipped if memory does not suffice: then there is no staged reference.
@@ -283,41 +226,12 @@ private:
       cases_.push_back({"staged, " + std::string(sym3::name(m)), &one_, run,
                         [this] { return staged_->times(); }, error, bytes});
     }
-    add_exponentials();
-  }
-
-  // As many exponentials as in a frame, of its matrices, in cache: a lower bound of the fused pass.
-  void add_exponentials() {
-    staged_->deform(pose_, Method::fast);
-    const auto matrices = staged_->sample_matrices(expected_.size());
-    const std::size_t stride = sym3::padded_stride<float>(exp_portion);
-    exp_in_.resize(6 * stride), exp_out_.resize(6 * stride);
-    for (std::size_t i = 0; i < exp_portion; ++i) {
-      const auto& m = matrices[i * matrices.size() / exp_portion];
-      const double entries[] = {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
-      for (std::size_t k = 0; k < 6; ++k) exp_in_[k * stride + i] = static_cast<float>(entries[k]);
-    }
-    const sym3::View<const float, 6> in(exp_in_.data(), stride);
-    const sym3::View<float, 6> out(exp_out_.data(), stride);
-    cases_.push_back({frame_names::exponential,
-                      &one_,
-                      [in, out, count = matrices.size()] {
-                        for (std::size_t i = 0; i < count; i += exp_portion)
-                          sym3::exp(in, out, std::min(exp_portion, count - i));
-                      },
-                      {},
-                      {},
-                      0,
-                      10});
   }
 
   std::shared_ptr<const deform::TiledBinding> bind_fused(const mesh::Surface& model, double tolerance,
                                                          std::optional<deform::Storage> storage) {
-    const double start = base::thread_seconds();
-    auto tiles = std::make_shared<const deform::TiledBinding>(
+    return std::make_shared<const deform::TiledBinding>(
         deform::bind_tiles(model, *cage_, weighting_, one_, tolerance, nullptr, storage));
-    bind_ms_.push_back(1e3 * (base::thread_seconds() - start));
-    return tiles;
   }
 
   void add_fused(const std::string& name, const std::shared_ptr<const deform::TiledBinding>& tiles,
@@ -346,69 +260,36 @@ private:
     cases_.push_back(std::move(c));
   }
 
-  void add_floors() {
-    const auto& w = dense_->weights;
-    cases_.push_back({frame_names::read_floor,
-                      &one_,
-                      [this, &w] { sink_ = sink_ + run_read_floor(w.data(), w.size()); },
-                      {},
-                      {},
-                      dense_->bytes()});
-    const std::size_t sums = 12 * w.size();
-    cases_.push_back({frame_names::multiply_add_floor,
-                      &one_,
-                      [this, sums] { sink_ = sink_ + run_multiply_add_floor(sums); },
-                      {},
-                      {},
-                      0});
-  }
-
   std::shared_ptr<const deform::Cage> cage_;
   deform::Pose pose_;
   deform::Weighting weighting_;
   base::WorkerPool one_{1}, all_{0};
   std::shared_ptr<const deform::Binding> binding_;
   std::shared_ptr<const deform::TiledBinding> dense_, compressed_;
-  std::vector<double> bind_ms_;
   int step_ = 0;
   std::unique_ptr<deform::Deformer> staged_;
   std::unique_ptr<ReferenceFrame> reference_;
   std::vector<std::unique_ptr<FusedFrame>> frames_;
   std::vector<mesh::Point> expected_;
   std::vector<Case> cases_;
-  base::AlignedVector<float> exp_in_, exp_out_;
-  volatile float sink_ = 0;
 };
 
-std::vector<FrameTime> FrameRuns::times() const {
-  std::vector<FrameTime> times;
-  for (const Case& c : cases_) {
-    times.push_back({dense_->leaves.vertices, cage_->element_count(), c.name, c.pool->threads(),
-                     base::median(c.cpu_ms), base::median(c.wall_ms), c.error ? c.error() : std::nan(""),
-                     c.bytes, link_medians(c)});
-  }
-  return times;
-}
-
-void FrameRuns::print(std::span<const FrameTime> times) const {
-  const double reference = reference_ ? times.front().cpu_ms : 0;
-  std::printf(
-      "\n%zu vertices, %zu cage triangles; ms a frame: processor time (of the slower thread), wall; links: "
-      "wall\n",
-      dense_->leaves.vertices, cage_->element_count());
-  std::printf("  %-31s %9s %9s %8s %9s %8s ", "", "cpu", "wall", "faster", "error", "MB");
-  for (std::size_t l = 0; l < deform::link_count; ++l)
-    std::printf(" %9s", std::string(deform::name(Link(l))).c_str());
+// Times of one cage.
+void print(std::span<const FrameTime> times) {
+  Table table{{"", "cpu", "wall", "faster", "error", "MB"}, {}};
+  for (std::size_t l = 0; l < deform::link_count; ++l) table.columns.emplace_back(deform::name(Link(l)));
+  const FrameTime* plain = frame_of(times, reference, times.front().faces);
   for (const FrameTime& t : times) {
-    const std::string name = t.threads > 1 ? t.name + ", " + std::to_string(t.threads) + " threads" : t.name;
-    std::printf("\n  %-31s %9.3f %9.3f %7.1fx", name.c_str(), t.cpu_ms, t.wall_ms, reference / t.cpu_ms);
-    std::isnan(t.error) ? std::printf(" %9s", "") : std::printf(" %9.1e", t.error);
-    std::printf(" %8.1f ", static_cast<double>(t.bytes) * 1e-6);
-    for (const double ms : t.links.ms) ms > 0 ? std::printf(" %9.3f", ms) : std::printf(" %9s", "");
+    table.rows.push_back({t.threads > 1 ? t.name + ", " + std::to_string(t.threads) + " threads" : t.name,
+                          base::few_digits(t.cpu_ms), base::few_digits(t.wall_ms),
+                          plain ? base::few_digits(plain->cpu_ms / t.cpu_ms) : "",
+                          std::isnan(t.error) ? "" : error_text(t.error),
+                          base::few_digits(1e-6 * static_cast<double>(t.bytes))});
+    for (const double ms : t.links.ms) table.rows.back().push_back(ms > 0 ? base::few_digits(ms) : "");
   }
-  std::printf("\n  bound in %.0f ms dense, %.0f ms compressed%s", bind_ms_[0], bind_ms_[1],
-              compressed_->compressed() ? "" : " (which does not pay here)");
-  std::printf(" (processor time, one thread)\n");
+  print(std::to_string(times.front().vertices) + " vertices, " + std::to_string(times.front().faces) +
+            " cage triangles; ms a frame: processor time (of the slower thread), wall; stages: wall",
+        table);
 }
 
 nlohmann::json to_json(const FrameTime& t) {
@@ -421,48 +302,21 @@ nlohmann::json to_json(const FrameTime& t) {
   return json;
 }
 
-using Cages = std::vector<std::shared_ptr<const deform::Cage>>;
-
-// The opened cage, or generated ones.
-Cages cages_around(const mesh::Surface& model, const scene::Document& opened,
-                   const std::vector<std::size_t>& faces) {
-  if (opened.has_cage()) return {opened.cage};
-  Cages cages;
-  for (const std::size_t count : faces)
-    cages.push_back(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, count))));
-  return cages;
-}
-
-// Calls show(runs, times) after each.
-template <class Show>
-std::vector<FrameTime> measured(const FrameOptions& options, const scene::Document& opened, const Show& show,
-                                base::Progress& progress) {
-  std::vector<FrameTime> all;
-  const std::size_t each = opened.has_cage() ? 1 : options.faces.size();
-  const auto total = static_cast<double>(options.counts.size() * each);
-  double done = 0;
-  for (const std::size_t count : options.counts) {
-    const mesh::Surface model = of_size(*opened.model.surface, count);
-    const auto share =
-        std::max<std::size_t>(1, model.positions.size() / 50'000);  // rounds, reduced for large models
-    for (const auto& cage : cages_around(model, opened, options.faces)) {
-      progress.section(done / total, (done + 1) / total);
-      ++done;
-      FrameRuns runs(model, cage, options.tolerance);
-      runs.run(std::max<std::size_t>(3, options.rounds / share), progress);
-      const auto times = runs.times();
-      show(runs, times);
-      all.insert(all.end(), times.begin(), times.end());
-    }
-  }
-  return all;
-}
-
 }  // namespace
 
-std::vector<FrameTime> measure_frames(const FrameOptions& options, base::Progress& progress) {
-  const auto silent = [](const auto&...) {};
-  return measured(options, open_model(options.model, options.cage), silent, progress);
+std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progress& progress) {
+  const BenchModel opened(options);
+  std::vector<FrameTime> all;
+  const std::size_t fewer = std::max<std::size_t>(1, opened.model.positions.size() / 50'000);
+  for (std::size_t i = 0; i < opened.cages.size(); ++i) {
+    const auto total = static_cast<double>(opened.cages.size());
+    progress.section(static_cast<double>(i) / total, static_cast<double>(i + 1) / total);
+    FrameRuns runs(opened.model, opened.cages[i]);
+    runs.run(std::max<std::size_t>(3, options.rounds / fewer), progress);
+    const auto times = runs.times();
+    all.insert(all.end(), times.begin(), times.end());
+  }
+  return all;
 }
 
 nlohmann::json to_json(std::span<const FrameTime> times) {
@@ -471,16 +325,19 @@ nlohmann::json to_json(std::span<const FrameTime> times) {
   return results;
 }
 
-void bench_frame(const FrameOptions& options) {
+void bench_frame(const ModelOptions& options) {
   std::printf("frame: kernel %s, %s\n", std::string(sym3::kernel_name()).c_str(), processor_name().c_str());
-  const scene::Document opened = open_model(options.model, options.cage);
   base::Progress progress;
-  const auto show = [](const FrameRuns& runs, const std::vector<FrameTime>& times) { runs.print(times); };
-  const std::vector<FrameTime> all = measured(options, opened, show, progress);
-  std::printf("\n");
+  const std::vector<FrameTime> all = measure_frames(options, progress);
+  for (std::span<const FrameTime> rest = all; !rest.empty();) {
+    const auto faces = rest.front().faces;
+    const auto end = std::ranges::find_if(rest, [&](const FrameTime& t) { return t.faces != faces; });
+    const auto count = static_cast<std::size_t>(end - rest.begin());
+    print(rest.first(count));
+    rest = rest.subspan(count);
+  }
   Bars bars;
-  // The limits apply to generated cages.
-  if (!opened.has_cage()) check_frame(all, bars);
+  if (options.cage.empty()) check_frame(all, bars);
   write_json(options.json, {{"figure", "frame"}, {"results", to_json(all)}, {"bars", bars.rows}});
 }
 

@@ -1,23 +1,20 @@
 // viete bench frame: every path of the frame, timed and compared.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
+#include "bench/models.h"
 #include "bench/table.h"
 #include "deform/deformer.h"
-#include "deform/scheme.h"
-#include "deform/tiled_binding.h"
 
 namespace viete::bench {
 
-/// One measurement at one size: a path, on one thread or all, or a lower bound.
+/// One measurement: a path, on one thread or all.
 struct FrameTime {
   std::size_t vertices, faces;
   std::string name;  ///< see below
@@ -34,29 +31,21 @@ inline constexpr const char* staged_fast = "staged, fast";
 inline constexpr const char* dense = "fused, dense";
 inline constexpr const char* compressed = "fused, compressed";
 inline constexpr const char* dragged = "one vertex dragged";
-inline constexpr const char* exponential = "exponentials alone";
-inline constexpr const char* read_floor = "floor: reading";
-inline constexpr const char* multiply_add_floor = "floor: multiply-adds";
 }  // namespace frame_names
 
-/// Checks the limits that these times cover. Sizes are the smallest number of vertices and the largest.
-void check_frame(std::span<const FrameTime> times, Bars& bars);
-
-struct FrameOptions {
-  std::filesystem::path model;
-  std::filesystem::path cage;             ///< empty: cages of `faces` triangles are generated for the model
-  std::vector<std::size_t> counts = {0};  ///< vertices: the model is truncated or subdivided; 0: unchanged
-  std::vector<std::size_t> faces = {50, 100, 300, 600};
-  std::size_t rounds = 11;
-  double tolerance = deform::usual_tolerance;
-  std::filesystem::path json;  ///< output of the numbers; empty: none
-};
-
-/// Measures each number of vertices in each cage, all paths interleaved. Throws base::Error, base::Cancelled.
-std::vector<FrameTime> measure_frames(const FrameOptions& options, base::Progress& progress);
+/// Measures the model in its cage or, without one, in a generated cage for each number of faces; all paths
+/// interleaved. Throws base::Error, base::Cancelled.
+std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progress& progress);
 nlohmann::json to_json(std::span<const FrameTime> times);
 
+/// The single-threaded time of this name; null if there is none.
+const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces,
+                          bool threaded = false);
+
+/// Checks the limits for generated cages.
+void check_frame(std::span<const FrameTime> times, Bars& bars);
+
 /// Prints the tables. Throws base::Error.
-void bench_frame(const FrameOptions& options);
+void bench_frame(const ModelOptions& options);
 
 }  // namespace viete::bench

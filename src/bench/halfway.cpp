@@ -73,13 +73,14 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
   return model;
 }
 
-nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress, std::size_t moments) {
+Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
+  constexpr std::size_t moments = 21;
   base::WorkerPool pool(1);
   const deform::ShapeSpace space(model.rest, pool);
   const std::vector<mesh::Edge> edges = mesh::polygon_edges(model.rest);
   const RestModel rest(model.rest);
   const Points& from = rest.positions();
-  nlohmann::json rows = nlohmann::json::array();
+  Halfway halfway{nlohmann::json::array(), {}};
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     const Points& to = model.shapes[i];
     const double smaller = std::min(1.0, rest.volume(to));
@@ -90,23 +91,18 @@ nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progr
       return nlohmann::json{{"edges", edge_error(edges, from, to, half)}, {"volume", volume(half)}};
     };
     Between between(space, to);
-    nlohmann::json log = measured(between.in_log_space(0.5)), line = measured(between.straight(0.5));
+    halfway.shapes.push_back({between.straight(0.5), between.in_log_space(0.5)});
+    nlohmann::json log = measured(halfway.shapes.back().in_log_space),
+                   line = measured(halfway.shapes.back().straight);
     for (std::size_t m = 0; m < moments; ++m) {
       const double share = static_cast<double>(m) / static_cast<double>(moments - 1);
       log["volumes"].push_back(volume(between.in_log_space(share)));
       line["volumes"].push_back(volume(between.straight(share)));
       progress.report((static_cast<double>(i) + share) / static_cast<double>(model.shapes.size()));
     }
-    rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
+    halfway.rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
   }
-  return rows;
-}
-
-HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape) {
-  base::WorkerPool pool(1);
-  const deform::ShapeSpace space(model.rest, pool);
-  Between between(space, model.shapes[shape]);
-  return {between.straight(0.5), between.in_log_space(0.5)};
+  return halfway;
 }
 
 const nlohmann::json* most_lost(const nlohmann::json& halfway) {
@@ -118,8 +114,7 @@ const nlohmann::json* most_lost(const nlohmann::json& halfway) {
 }
 
 std::string name_of_shape(const nlohmann::json& row) {
-  const std::string name = row["name"], prefix = "shape_";
-  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+  return without_prefix(row["name"], "shape_");
 }
 
 }  // namespace viete::bench

@@ -29,15 +29,20 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
                   std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 
-/// Halfway from rest to each shape, in log space and linearly: deviations of edges and volume from those of
-/// both ends. The volume is relative to the smaller end's, NaN for a model that encloses none; `moments` > 0
-/// adds volumes at evenly spaced moments from rest (first) to the shape (last). Throws base::Cancelled.
-nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress, std::size_t moments = 0);
 /// Positions halfway: linearly, and in log space.
-struct HalfwayShapes {
+struct HalfwayShape {
   std::vector<mesh::Point> straight, in_log_space;
 };
-HalfwayShapes halfway_to(const ShapesOfModel& model, std::size_t shape);
+
+/// Halfway from rest to each shape, in log space and linearly.
+struct Halfway {
+  /// Deviations of edges and volume from those of both ends. The volume is relative to the smaller end's, NaN
+  /// for a model that encloses none; "volumes": at 21 evenly spaced moments from rest to the shape.
+  nlohmann::json rows;
+  std::vector<HalfwayShape> shapes;
+};
+/// Throws base::Cancelled.
+Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress);
 
 /// The row of the shape with the largest volume loss on straight lines; null if there is none.
 const nlohmann::json* most_lost(const nlohmann::json& halfway);

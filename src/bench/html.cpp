@@ -1,5 +1,7 @@
 #include "bench/html.h"
 
+#include <algorithm>
+
 #include "bench/plot.h"
 
 namespace viete::bench {
@@ -13,7 +15,7 @@ std::string command_line(std::string_view command) {
   return "<pre class=\"command\"><code>" + escaped(command) + "</code></pre>\n";
 }
 
-std::string html(const HtmlTable& table) {
+std::string html(const Table& table) {
   const auto opened = [&](const char* tag, std::size_t column, const char* scope) {
     const bool is_word = column == 0 || std::ranges::count(table.words, table.columns[column]) > 0;
     return std::string("<") + tag + (*scope ? std::string(" scope=\"") + scope + "\"" : "") +

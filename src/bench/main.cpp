@@ -4,7 +4,6 @@
 
 #include "app/program.h"
 #include "bench/options.h"
-#include "bench/report.h"
 
 namespace {
 

@@ -10,7 +10,6 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/median.h"
 #include "mesh/half_edges.h"
 #include "mesh/summary.h"
 #include "mesh/triangle.h"
@@ -85,12 +84,39 @@ std::vector<double> radii_around(const mesh::Surface& model, const Point& center
   return radii;
 }
 
+// The model, truncated or subdivided to about this number of vertices.
+mesh::Surface of_size(mesh::Surface model, std::size_t count) {
+  while (count > 2 * model.positions.size()) model = subdivided(model);
+  if (count == 0 || 2 * count > model.positions.size()) return model;
+  std::vector<mesh::Triangle> kept;
+  for (const auto& t : model.triangles) {
+    if (t[0] < count && t[1] < count && t[2] < count) kept.push_back(t);
+  }
+  model.positions.resize(std::max<std::size_t>(count, 3));
+  return mesh::from_triangles(std::move(model.positions), kept);
+}
+
 }  // namespace
 
 scene::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage) {
   scene::Document document = scene::open_document(model, cage);
   scene::check_drawable(document);
   return document;
+}
+
+BenchModel::BenchModel(const ModelOptions& options) {
+  const scene::Document opened = open_model(options.model, options.cage);
+  model = of_size(*opened.model.surface, options.count);
+  if (opened.has_cage()) {
+    cages = {opened.cage};
+    return;
+  }
+  for (const std::size_t faces : options.faces)
+    cages.push_back(std::make_shared<const deform::Cage>(deform::make_cage(star_cage(model, faces))));
+}
+
+std::string without_prefix(const std::string& name, const std::string& prefix) {
+  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
 mesh::Surface subdivided(const mesh::Surface& surface) {
@@ -146,7 +172,7 @@ deform::Pose moderate_pose(const deform::Cage& cage) {
 
 namespace {
 
-using mesh::cross, mesh::dot, mesh::norm, mesh::Point, mesh::squared_norm;
+using mesh::norm, mesh::squared_norm;
 
 bool has_area(std::span<const Point> p, const mesh::Triangle& t) {
   return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]);
@@ -218,23 +244,15 @@ void RestModel::add_hinges(const mesh::Surface& model) {
 
 Distortion RestModel::distortion(std::span<const Point> positions) const {
   Distortion result;
-  std::vector<double> shears;
-  shears.reserve(faces_.size());
   for (const lab::FlatFace& f : faces_) {
     const auto [x, y] = lab::plane_map(f, positions);  // columns of J, in space
-    const double xx = squared_norm(x), yy = squared_norm(y);
     const bool lost = !has_area(positions, f.corners);
-    const double stretch = lost ? 0 : norm(cross(x, y));                       // area ratio: det J
-    const double larger = (xx + yy + std::hypot(xx - yy, 2 * dot(x, y))) / 2;  // squared
-    shears.push_back(larger / stretch);
-    result.energy += f.area() / area_ * ((xx + yy) * (1 + 1 / (stretch * stretch)) - 4);
+    const double stretch = lost ? 0 : norm(cross(x, y));  // area ratio: det J
+    result.energy +=
+        f.area() / area_ * ((squared_norm(x) + squared_norm(y)) * (1 + 1 / (stretch * stretch)) - 4);
     result.collapsed += lost;
   }
-  // A triangle collapsed to a point has no defined shear, but counts as collapsed.
-  for (double& shear : shears) shear = std::isnan(shear) ? std::numeric_limits<double>::infinity() : shear;
   if (result.collapsed) result.energy = std::numeric_limits<double>::infinity();
-  result.worst_shear = *std::max_element(shears.begin(), shears.end());
-  result.median_shear = base::median(std::move(shears));
   return result;
 }
 

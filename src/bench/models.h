@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "deform/cage.h"
@@ -15,8 +17,30 @@
 
 namespace viete::bench {
 
+/// Inputs and sizes of a benchmark of a model.
+struct ModelOptions {
+  std::filesystem::path model;
+  std::filesystem::path cage;                ///< empty: cages of `faces` triangles are generated
+  std::vector<std::filesystem::path> poses;  ///< posed cages
+  std::size_t count = 0;                     ///< vertices: the model is truncated or subdivided; 0: unchanged
+  std::vector<std::size_t> faces = {50, 100, 300, 600};
+  std::size_t rounds = 11;
+  std::filesystem::path json;  ///< output of the numbers; empty: none
+};
+
 /// A model, and its cage if given, prepared for frames in float. Throws base::Error.
 scene::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage = {});
+
+/// The model of these options, and its cages.
+struct BenchModel {
+  explicit BenchModel(const ModelOptions& options);
+
+  mesh::Surface model;
+  std::vector<std::shared_ptr<const deform::Cage>> cages;
+};
+
+/// "pose_alert" without "pose_" is "alert".
+std::string without_prefix(const std::string& name, const std::string& prefix);
 
 /// Divides each triangle into four at the midpoints of its edges.
 mesh::Surface subdivided(const mesh::Surface& surface);
@@ -34,8 +58,6 @@ struct Distortion {
   /// Symmetric Dirichlet energy |J|^2 + |J^-1|^2 minus 4, its value at rest; mean by area at rest. 0 without
   /// stretching; infinite if a triangle has collapsed.
   double energy = 0;
-  /// The ratio of the singular values of J, largest to smallest: 1 for uniform stretching.
-  double median_shear = 1, worst_shear = 1;
   std::size_t collapsed = 0;  ///< triangles whose area became 0
 };
 

@@ -7,6 +7,7 @@
 #include <deque>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "base/clock.h"
@@ -47,16 +48,10 @@ sym3::Mat3<double> turned(double scale) {
   return m;
 }
 
-// Vertices of the cage's triangles, spread evenly over their indices.
-std::vector<std::uint32_t> spread_cage_vertices(const deform::Cage& cage, std::size_t limit) {
-  std::vector<std::uint32_t> used;
-  for (const auto& t : cage.surface.triangles) used.insert(used.end(), t.begin(), t.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const std::size_t count = std::min(limit, used.size());
-  std::vector<std::uint32_t> chosen;
-  for (std::size_t i = 0; i < count; ++i) chosen.push_back(used[i * used.size() / count]);
-  return chosen;
+// The vertices with triangles, ascending.
+std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
+  const std::set<std::uint32_t> used(surface.corners.begin(), surface.corners.end());
+  return {used.begin(), used.end()};
 }
 
 std::vector<Point> cage_normals(const mesh::Surface& cage) {
@@ -95,7 +90,10 @@ double leak(const deform::Cage& cage, std::span<const Point> model, const Deform
   const std::vector<Point> normals = cage_normals(cage.surface);
   const std::vector<Point> rest = deform(deform::rest_pose(cage));
   std::vector<double> medians;
-  for (const auto v : spread_cage_vertices(cage, 8)) {
+  const auto used = used_vertices(cage.surface);
+  const std::size_t count = std::min<std::size_t>(8, used.size());
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto v = used[n * used.size() / count];
     deform::Pose pose = deform::rest_pose(cage);
     const Point from = pose.positions[v];
     pose.positions[v] = from + 0.1 * cage.diagonal * normals[v];
@@ -154,9 +152,7 @@ constexpr std::size_t most_starts = 20000;
 std::vector<mesh::Edge> near_pairs(const mesh::Surface& model, base::WorkerPool& pool) {
   const mesh::Surface welded = mesh::welded(model);
   const double diagonal = mesh::used_bounds(welded).diagonal();
-  std::vector<std::uint32_t> used = welded.corners;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const std::vector<std::uint32_t> used = used_vertices(welded);
   if (used.empty()) return {};
   const mesh::EdgePaths paths(welded);
   const auto& p = welded.positions;
@@ -307,7 +303,9 @@ private:
   }
 
   ShapeQuality quality(const deform::Pose& pose, std::span<const mesh::Point> positions) const {
-    return {model_.distortion(positions),
+    const auto [energy, collapsed] = model_.distortion(positions);
+    return {energy,
+            collapsed,
             model_.bending(positions),
             model_.volume(positions),
             gap_of(pose, positions),
@@ -381,7 +379,7 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
   for (Mode& mode : modes) {
     for (std::size_t p = 0; p < mode.qualities.size(); ++p) {
       ShapeQuality& q = mode.qualities[p];
-      q.energy_ratio = ratio(q.distortion.energy, theirs[p].distortion.energy);
+      q.energy_ratio = ratio(q.energy, theirs[p].energy);
       q.bending_ratio = ratio(q.bending, theirs[p].bending);
       q.torn_ratio = ratio(q.torn, theirs[p].torn);
     }
@@ -398,12 +396,6 @@ void attempt(Mode& mode, const Measure& measure) {
     mode.problem = error.what();
     mode.qualities.clear();
   }
-}
-
-// Pose name from its file: "pose_alert.obj" is alert.
-std::string name_of_pose(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string(), prefix = "pose_";
-  return stem.starts_with(prefix) ? stem.substr(prefix.size()) : stem;
 }
 
 }  // namespace
@@ -439,22 +431,23 @@ std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, 
                                   std::vector<std::string>& warnings) {
   std::vector<NamedPose> poses;
   for (const auto& file : files)
-    poses.push_back({name_of_pose(file), deform::read_pose(file, cage, warnings)});
+    poses.push_back({without_prefix(file.stem().string(), "pose_"), deform::read_pose(file, cage, warnings)});
   return poses;
 }
 
-void bench_modes(const ModesOptions& options) {
+void bench_modes(const ModelOptions& options, ModeSettings settings) {
   const scene::Document opened = open_model(options.model, options.cage);
   const mesh::Surface& model = *opened.model.surface;
   std::vector<std::string> warnings = opened.cage->warnings;
   const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);
   std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
               base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
-              std::string(sym3::name(options.settings.method)).c_str(),
-              std::string(sym3::kernel_name()).c_str(), processor_name().c_str(), modes_legend);
+              std::string(sym3::name(settings.method)).c_str(), std::string(sym3::kernel_name()).c_str(),
+              processor_name().c_str(), modes_legend);
   for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
   base::Progress progress;
-  const ModeComparison compared = measure_modes(model, opened.cage, poses, options.settings, progress);
+  settings.rounds = options.rounds;
+  const ModeComparison compared = measure_modes(model, opened.cage, poses, settings, progress);
   print(compared, poses);
   write_json(options.json, to_json(compared, poses));
 }

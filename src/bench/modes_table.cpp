@@ -3,28 +3,55 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
-#include "bench/mode_comparison.h"
+#include "base/text.h"
+#include "bench/modes.h"
+#include "bench/table.h"
 
 namespace viete::bench {
 
 namespace {
 
-// Lines fit 130 columns if names of schemes have at most 36 characters.
-constexpr int column = 9;
+/// A measure of a shape: its column in the table of a pose, and its key in JSON.
+struct Measure {
+  const char *column, *key;
+  double ShapeQuality::*value;
+  const char* format;
+};
 
-void print_cell(double value, const char* format) {
+constexpr Measure measures[] = {{"volume", "volume", &ShapeQuality::volume, "%.4f"},
+                                {"energy", "energy", &ShapeQuality::energy, "%.3g"},
+                                {"x mvc", "energy_to_mean_value", &ShapeQuality::energy_ratio, "%.3f"},
+                                {"bending", "bending", &ShapeQuality::bending, "%.3g"},
+                                {"x mvc", "bending_to_mean_value", &ShapeQuality::bending_ratio, "%.3f"},
+                                {"gap", "gap", &ShapeQuality::gap, "%.4f"},
+                                {"torn", "torn", &ShapeQuality::torn, "%.2e"},
+                                {"x mvc", "torn_to_mean_value", &ShapeQuality::torn_ratio, "%.2f"}};
+
+/// A column of the summary of all poses.
+struct Summary {
+  const char* column;
+  double ShapeQuality::*value;
+  double OverPoses::*over;
+  const char* format;
+};
+
+constexpr Summary summaries[] = {{"volume", &ShapeQuality::volume, &OverPoses::least, "%.4f"},
+                                 {"to", &ShapeQuality::volume, &OverPoses::most, "%.4f"},
+                                 {"energy", &ShapeQuality::energy_ratio, &OverPoses::middle, "%.3f"},
+                                 {"worst", &ShapeQuality::energy_ratio, &OverPoses::most, "%.3f"},
+                                 {"bending", &ShapeQuality::bending_ratio, &OverPoses::middle, "%.3f"},
+                                 {"worst", &ShapeQuality::bending_ratio, &OverPoses::most, "%.3f"},
+                                 {"gap", &ShapeQuality::gap, &OverPoses::middle, "%.4f"},
+                                 {"torn", &ShapeQuality::torn, &OverPoses::most, "%.2e"},
+                                 {"x mvc", &ShapeQuality::torn_ratio, &OverPoses::most, "%.2f"}};
+
+std::string cell(double value, const char* format) {
   char text[32] = "-";
   if (!std::isnan(value)) std::snprintf(text, sizeof text, format, value);
-  std::printf("%*s", column, text);
-}
-
-void print_deviation(double value) {
-  if (value <= exactly) return (void)std::printf("%*s", column, "exact");
-  print_cell(value, "%.1e");
+  return text;
 }
 
 // "smooth: face, biharmonic, srl".
@@ -33,77 +60,37 @@ std::string name_of(const Mode& mode) {
   return (way ? std::string(deform::entry(*way).name) + ": " : "") + deform::text(mode.scheme);
 }
 
-int name_width(std::span<const Mode> modes) {
-  std::size_t longest = 0;
-  for (const Mode& mode : modes) longest = std::max(longest, name_of(mode).size());
-  return static_cast<int>(longest) + 2;
-}
-
-/// A line for each scheme that was measured.
+/// A line for each scheme that was measured; `row` returns its numbers.
 template <class Row>
-void print_rows(const std::string& title, std::initializer_list<const char*> columns,
-                std::span<const Mode> modes, const Row& row) {
-  const int width = name_width(modes);
-  std::printf("\n%-*s", width, title.c_str());
-  for (const char* name : columns) std::printf("%*s", column, name);
+void print_modes(const std::string& title, std::vector<std::string> columns, std::span<const Mode> modes,
+                 const Row& row) {
+  Table table{std::move(columns), {}};
   for (const Mode& mode : modes) {
     if (!mode.problem.empty()) continue;
-    std::printf("\n  %-*s", width - 2, name_of(mode).c_str());
-    row(mode);
+    table.rows.push_back(row(mode));
+    table.rows.back().insert(table.rows.back().begin(), name_of(mode));
   }
-  std::printf("\n");
+  print(title, table);
 }
 
-void print_modes(std::span<const Mode> modes) {
-  print_rows("by themselves", {"moved", "rigid", "similar", "affine", "leak", "frame", "bind"}, modes,
-             [](const Mode& mode) {
-               for (const double d : mode.deviations) print_deviation(d);
-               print_cell(mode.leak, "%.1e");
-               print_cell(mode.frame_ms, mode.fused ? "%.3f" : "%.3f*");
-               print_cell(mode.bind_ms, "%.1f");
-             });
+std::vector<std::string> own_cells(const Mode& mode) {
+  std::vector<std::string> cells;
+  for (const double d : mode.deviations) cells.push_back(d <= exactly ? "exact" : cell(d, "%.1e"));
+  cells.insert(cells.end(), {cell(mode.leak, "%.1e"), cell(mode.frame_ms, mode.fused ? "%.3f" : "%.3f*"),
+                             cell(mode.bind_ms, "%.1f")});
+  return cells;
 }
 
-void print_pose(std::span<const Mode> modes, const std::string& name, std::size_t p) {
-  print_rows(name,
-             {"volume", "energy", "x mvc", "shear", "worst", "bending", "x mvc", "gap", "torn", "x mvc"},
-             modes, [p](const Mode& mode) {
-               const ShapeQuality& q = mode.qualities[p];
-               print_cell(q.volume, "%.4f");
-               print_cell(q.distortion.energy, "%.3g");
-               print_cell(q.energy_ratio, "%.3f");
-               print_cell(q.distortion.median_shear, "%.3f");
-               print_cell(q.distortion.worst_shear, "%.3g");
-               print_cell(q.bending, "%.3g");
-               print_cell(q.bending_ratio, "%.3f");
-               print_cell(q.gap, "%.4f");
-               print_cell(q.torn, "%.2e");
-               print_cell(q.torn_ratio, "%.2f");
-             });
-}
-
-void print_all_poses(std::span<const Mode> modes, std::size_t poses) {
-  print_rows("all " + std::to_string(poses) + " poses",
-             {"volume", "to", "energy", "worst", "bending", "worst", "gap", "torn", "x mvc"}, modes,
-             [&](const Mode& mode) {
-               const auto volumes = over_poses(mode, [](const auto& q) { return q.volume; });
-               print_cell(volumes.least, "%.4f");
-               print_cell(volumes.most, "%.4f");
-               for (const auto& ratios : {over_poses(mode, [](const auto& q) { return q.energy_ratio; }),
-                                          over_poses(mode, [](const auto& q) { return q.bending_ratio; })}) {
-                 print_cell(ratios.middle, "%.3f");
-                 print_cell(ratios.most, "%.3f");
-               }
-               print_cell(over_poses(mode, [](const auto& q) { return q.gap; }).middle, "%.4f");
-               print_cell(over_poses(mode, [](const auto& q) { return q.torn; }).most, "%.2e");
-               print_cell(over_poses(mode, [](const auto& q) { return q.torn_ratio; }).most, "%.2f");
-             });
-  std::printf("  (energy and bending x mvc: median and worst; gap: median; torn: worst)\n");
+template <class Entries>
+std::vector<std::string> columns_of(const Entries& entries) {
+  std::vector<std::string> columns = {""};
+  for (const auto& entry : entries) columns.emplace_back(entry.column);
+  return columns;
 }
 
 void print_notes(const ModeComparison& compared, std::span<const NamedPose> poses) {
   std::printf("\ngap at rest: %.4f\n", compared.rest_gap);
-  if (!compared.encloses) std::printf("note: the model is not closed, and has no volume to compare\n");
+  if (!compared.encloses) std::printf("note: the model is not closed and has no volume to compare\n");
   if (compared.without_area)
     std::printf("note: %zu triangles of the model have no area at rest and are left out\n",
                 compared.without_area);
@@ -112,26 +99,11 @@ void print_notes(const ModeComparison& compared, std::span<const NamedPose> pose
     const std::string name = name_of(mode);
     if (!mode.problem.empty()) std::printf("note: no %s: %s\n", name.c_str(), mode.problem.c_str());
     for (std::size_t p = 0; p < mode.qualities.size(); ++p) {
-      if (const auto collapsed = mode.qualities[p].distortion.collapsed)
+      if (const auto collapsed = mode.qualities[p].collapsed)
         std::printf("note: %s, %s: %zu triangles have collapsed\n", name.c_str(), poses[p].name.c_str(),
                     collapsed);
     }
   }
-}
-
-nlohmann::json to_json(const ShapeQuality& q, const std::string& pose) {
-  return {{"pose", pose},
-          {"volume", q.volume},
-          {"energy", q.distortion.energy},
-          {"energy_to_mean_value", q.energy_ratio},
-          {"median_shear", q.distortion.median_shear},
-          {"worst_shear", q.distortion.worst_shear},
-          {"collapsed", q.distortion.collapsed},
-          {"bending", q.bending},
-          {"bending_to_mean_value", q.bending_ratio},
-          {"gap", q.gap},
-          {"torn", q.torn},
-          {"torn_to_mean_value", q.torn_ratio}};
 }
 
 nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
@@ -150,16 +122,19 @@ nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
   json["fused"] = mode.fused;
   json["frame_ms"] = mode.frame_ms;
   json["bind_ms"] = mode.bind_ms;
-  for (std::size_t p = 0; p < poses.size(); ++p)
-    json["poses"].push_back(to_json(mode.qualities[p], poses[p].name));
+  for (std::size_t p = 0; p < poses.size(); ++p) {
+    nlohmann::json pose = {{"pose", poses[p].name}, {"collapsed", mode.qualities[p].collapsed}};
+    for (const Measure& m : measures) pose[m.key] = mode.qualities[p].*m.value;
+    json["poses"].push_back(std::move(pose));
+  }
   return json;
 }
 
 }  // namespace
 
-OverPoses over_poses(const Mode& mode, const std::function<double(const ShapeQuality&)>& value) {
+OverPoses over_poses(const Mode& mode, double ShapeQuality::*value) {
   std::vector<double> values;
-  for (const ShapeQuality& q : mode.qualities) values.push_back(value(q));
+  for (const ShapeQuality& q : mode.qualities) values.push_back(q.*value);
   std::erase_if(values, [](double v) { return std::isnan(v); });
   if (values.empty()) return {std::nan(""), std::nan(""), std::nan("")};
   std::sort(values.begin(), values.end());
@@ -167,10 +142,24 @@ OverPoses over_poses(const Mode& mode, const std::function<double(const ShapeQua
 }
 
 void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
-  const std::vector<Mode>& modes = compared.modes;
-  print_modes(modes);
-  for (std::size_t p = 0; p < poses.size(); ++p) print_pose(modes, poses[p].name, p);
-  if (poses.size() > 1) print_all_poses(modes, poses.size());
+  print_modes("independent of the poses",
+              {"", "moved", "rigid", "similar", "affine", "leak", "frame", "bind"}, compared.modes,
+              own_cells);
+  for (std::size_t p = 0; p < poses.size(); ++p)
+    print_modes(poses[p].name, columns_of(measures), compared.modes, [&](const Mode& mode) {
+      std::vector<std::string> cells;
+      for (const Measure& m : measures) cells.push_back(cell(mode.qualities[p].*m.value, m.format));
+      return cells;
+    });
+  if (poses.size() > 1)
+    print_modes("all " + std::to_string(poses.size()) +
+                    " poses; energy and bending x mvc: median and worst; gap: median; torn: worst",
+                columns_of(summaries), compared.modes, [](const Mode& mode) {
+                  std::vector<std::string> cells;
+                  for (const Summary& s : summaries)
+                    cells.push_back(cell(over_poses(mode, s.value).*s.over, s.format));
+                  return cells;
+                });
   print_notes(compared, poses);
 }
 

@@ -1,11 +1,10 @@
 // The results of all schemes, as tables and as JSON.
 #pragma once
 
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "bench/mode_comparison.h"
+#include "bench/modes.h"
 
 namespace viete::bench {
 
@@ -15,11 +14,10 @@ inline constexpr const char* modes_legend =
     cage, in diagonals; exact: below 1e-9
   leak: motion of vertices more than a quarter of the diagonal away when one vertex of the cage moves
     by a tenth of it, in diagonals; median over the model, and over 8 vertices of the cage
-  frame, bind: ms, processor time of one thread; *: link by link, in double
+  frame, bind: ms, processor time of one thread; *: stage by stage, in double
   volume: relative to rest
   energy: symmetric Dirichlet energy of the triangles, 0 at rest, mean by area; x mvc: relative to mean
     value coordinates
-  shear: longest over shortest stretch (singular values) of a triangle, median and worst
   bending: energy of the changes of angle between triangles (discrete shells); kinks increase it
   gap: mean distance of the surface from the posed nearest point of the cage, in diagonals
   torn: largest change of distance of vertices within 1 % of the diagonal in different parts, or within
@@ -30,7 +28,7 @@ inline constexpr const char* modes_legend =
 struct OverPoses {
   double least, middle, most;
 };
-OverPoses over_poses(const Mode& mode, const std::function<double(const ShapeQuality&)>& value);
+OverPoses over_poses(const Mode& mode, double ShapeQuality::*value);
 
 /// One table of the schemes, one per pose, and a summary if there are several poses.
 void print(const ModeComparison& compared, std::span<const NamedPose> poses);

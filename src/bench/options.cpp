@@ -5,9 +5,8 @@
 
 #include "app/assets.h"
 #include "app/help.h"
+#include "app/inputs.h"
 #include "app/options.h"
-#include "base/atomic_file.h"
-#include "base/error.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "bench/accuracy.h"
@@ -23,36 +22,28 @@
 
 namespace viete::bench {
 
-using app::Content, app::FilesInUse;
-
-void BenchFiles::check(const FilesInUse& inputs) const {
-  app::check_output(json, Content::json, inputs, force);
-  FilesInUse all = inputs;
-  all.add(json, "the numbers");
-  app::check_output(plot, Content::svg, all, force);
-}
-
-void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual) {
-  app::whole_in_range(app.add_option("--rounds", rounds, "Number of repetitions"), 1, 1000)
-      ->default_str(usual);
-}
-
-void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot) {
-  app::add_file_option(app, "--json", files.json, "JSON file for the numbers");
-  if (has_plot) app::add_file_option(app, "--plot", files.plot, "SVG file for a plot");
-  app::add_force_option(app, files.force);
-}
-
 // viete bench exp|eigen|accuracy|sym3|frame|bind|modes.
 
 namespace {
 
 using namespace app;
 
-struct BenchOptions {
+/// The file for the numbers; empty: none.
+struct JsonFile {
+  std::filesystem::path path;
+  bool force = false;
+
+  void add_to(CLI::App& command) {
+    add_file_option(command, "--json", path, "JSON file for the numbers");
+    add_force_option(command, force);
+  }
+  void check(const FilesInUse& inputs = {}) const { check_output(path, Content::json, inputs, force); }
+};
+
+struct MatrixOptions {
   std::size_t count = 0;
   bool in_float = false;
-  BenchFiles files;
+  JsonFile json;
 };
 
 constexpr std::size_t paper_count = 10'000'000;
@@ -64,147 +55,111 @@ void require_memory_for(std::size_t count) {
                         "give a smaller number", "--count"});
 }
 
-template <class Bench>
-int report(const Bench& bench, const BenchOptions& options) {
+void run_exp(const MatrixOptions& options, base::Progress& progress) {
+  const ExpBench bench = measure_exp(options.count, options.in_float, progress);
   print(bench);
-  write_json(options.files.json, to_json(bench));
-  if (!options.files.plot.empty()) base::replace_file(options.files.plot, draw_plot(plot_of(bench)));
-  return exit_ok;
+  write_json(options.json.path, to_json(bench));
 }
 
-int run_exp(const BenchOptions& options) {
-  base::Progress progress;
-  return report(measure_exp(options.count, options.in_float, progress), options);
+void run_eigen(const MatrixOptions& options, base::Progress& progress) {
+  const EigenBench bench = measure_eigen(options.count, progress);
+  print(bench);
+  write_json(options.json.path, to_json(bench));
 }
 
-int run_eigen(const BenchOptions& options) {
-  base::Progress progress;
-  return report(measure_eigen(options.count, progress), options);
+void run_sym3(const MatrixOptions& options, base::Progress&) {
+  bench_sym3(options.count, options.json.path);
 }
 
-int run_sym3(const BenchOptions& options) {
-  bench_sym3(options.count, options.files.json);
-  return exit_ok;
-}
-
-int run_accuracy(const BenchOptions& options) {
-  base::Progress progress;
+void run_accuracy(const MatrixOptions& options, base::Progress& progress) {
   const auto tables = measure_accuracy(options.count, options.in_float, progress);
-  std::printf("Largest relative error (Frobenius norm) in u = 2^%d against 106 bits, kernel %s\n\n",
-              options.in_float ? -24 : -53, std::string(sym3::kernel_name()).c_str());
-  for (const auto& table : tables) print(table, options.in_float);
-  write_json(options.files.json, {{"figure", "accuracy"}, {"tables", to_json(tables)}});
-  return exit_ok;
+  std::printf("Largest relative error (Frobenius norm) against 106 bits, kernel %s\n",
+              std::string(sym3::kernel_name()).c_str());
+  for (const auto& table : tables) print(table.title, errors_table(table));
+  write_json(options.json.path, {{"figure", "accuracy"}, {"tables", to_json(tables)}});
 }
 
-// A benchmark of a model: its options and outputs.
-template <class Options>
+/// A benchmark of a model: its options, and its output.
 struct ModelBench {
-  Options options{};
-  BenchFiles files{};
+  ModelOptions options{};
+  JsonFile json{};
 };
 
-// The last options, and the run: `prepare` checks the files and takes the bundled model if none is given;
-// `check` completes the options, or rejects them.
-template <class Options, class Prepare>
-void finish(
-    CLI::App& command, Action& action, const std::shared_ptr<ModelBench<Options>>& bench,
-    void (*run)(const Options&), Prepare prepare, const std::function<void()>& check = [] {}) {
-  add_bench_files(command, bench->files);
+std::shared_ptr<ModelBench> add_model_bench(CLI::App& command, std::size_t rounds, const char* usual_cage) {
+  auto bench = std::make_shared<ModelBench>();
+  ModelOptions& options = bench->options;
+  options.rounds = rounds;
+  add_file_option(command, "MODEL", options.model, mesh::a_mesh())->default_str("the bundled dragon");
+  add_file_option(command, "CAGE", options.cage, "Cage at rest")->default_str(usual_cage);
+  whole_in_range(command.add_option("--rounds", options.rounds, "Number of repetitions"), 1, 1000)
+      ->default_str(std::to_string(rounds));
+  bench->json.add_to(command);
+  return bench;
+}
+
+// Checks the files; takes the bundled model if none is given.
+void prepare(ModelBench& bench, bool posed) {
+  ModelOptions& options = bench.options;
+  FilesInUse inputs{options.model, options.cage};
+  for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
+  bench.json.check(inputs);
+  options.json = bench.json.path;
+  if (!options.model.empty()) return;
+  const BundledModel bundled = bundled_model();
+  options.model = bundled.model;
+  if (posed) options.cage = bundled.cage, options.poses = bundled.poses;
+}
+
+void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t> faces, std::size_t rounds,
+                     void (*run)(const ModelOptions&)) {
+  auto bench = add_model_bench(command, rounds, "generated cages, see --faces");
+  ModelOptions& options = bench->options;
+  options.faces = std::move(faces);
+  whole_in_range(command.add_option("--count", options.count,
+                                    "Number of vertices: the model is truncated or subdivided to about it"),
+                 1, 10'000'000)
+      ->default_str("all");
+  std::string usual;
+  for (const std::size_t count : options.faces) usual += (usual.empty() ? "" : ",") + std::to_string(count);
+  whole_in_range(command.add_option("--faces", options.faces, "Numbers of cage triangles, comma-separated"),
+                 8, 10'000)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->default_str(usual)
+      ->excludes("CAGE");
   command.callback([=, &action] {
-    check();
     action = [=] {
-      prepare(bench->options, bench->files);
-      bench->options.json = bench->files.json;
+      prepare(*bench, false);
       run(bench->options);
       return exit_ok;
     };
   });
 }
 
-CLI::Option* add_model(CLI::App& command, std::filesystem::path& model) {
-  return add_file_option(command, "MODEL", model, mesh::a_mesh())->default_str("the bundled dragon");
-}
-
-template <class Options>
-CLI::Option* add_model_and_cage(CLI::App& command, Options& options, const char* usual_cage) {
-  add_model(command, options.model);
-  return add_file_option(command, "CAGE", options.cage, "Cage at rest")->default_str(usual_cage);
-}
-
-template <class Options>
-void prepare_model(Options& options, const BenchFiles& files) {
-  files.check({options.model, options.cage});
-  if (options.model.empty()) options.model = bundled_model().model;
-}
-
-void add_frame_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<FrameOptions>>();
-  auto& options = bench->options;
-  auto* cage = add_model_and_cage(command, options, "generated cages, see --faces");
-  auto* counts =
-      command.add_option("--count", options.counts,
-                         "Numbers of vertices, comma-separated; 200000 and 800000 subdivide the model");
-  whole_in_range(counts, 1, most_vertices)->delimiter(',')->allow_extra_args(false)->default_str("all");
-  auto* faces = command.add_option("--faces", options.faces, "Numbers of cage triangles, comma-separated");
-  whole_in_range(faces, 8, 10'000)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->default_str("50,100,300,600")
-      ->excludes(cage);
-  add_rounds_option(command, options.rounds, "11");
-  auto* tolerance =
-      command.add_option("--tolerance", options.tolerance, "Tolerance of the compressed weights");
-  in_range(tolerance, 0, 0.1)->default_str("3e-5");
-  finish(command, action, bench, bench_frame, prepare_model<FrameOptions>);
-}
-
-void add_bind_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<BindOptions>>();
-  auto& options = bench->options;
-  auto* cage = add_model_and_cage(command, options, "a generated cage, see --faces");
-  auto* count = command.add_option("--count", options.count, "Minimum number of vertices, by subdivision");
-  whole_in_range(count, 1, most_vertices)->default_str("all");
-  auto* faces = command.add_option("--faces", options.faces, "Number of cage triangles");
-  whole_in_range(faces, 8, 10'000)->default_str("300")->excludes(cage);
-  add_rounds_option(command, options.rounds, "5");
-  finish(command, action, bench, bench_bind, prepare_model<BindOptions>);
-}
-
-void prepare_modes(ModesOptions& options, const BenchFiles& files) {
-  FilesInUse inputs{options.model, options.cage};
-  for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
-  files.check(inputs);
-  if (!options.model.empty()) return;
-  const BundledModel bundled = bundled_model();
-  options.model = bundled.model, options.cage = bundled.cage, options.poses = bundled.poses;
-}
-
-void require_pose(const std::filesystem::path& model, const std::filesystem::path& cage, bool is_posed) {
-  if (!model.empty() && !is_posed) throw CLI::RequiredError(cage.empty() ? "CAGE" : "POSE");
-}
-
 void add_modes_bench(CLI::App& command, Action& action) {
-  auto bench = std::make_shared<ModelBench<ModesOptions>>();
-  auto& options = bench->options;
-  auto& settings = options.settings;
-  add_model_and_cage(command, options, "the dragon's cage");
-  command.add_option("POSE", options.poses, "Posed cages (same vertices, same order)")
-      ->default_str("the dragon's poses");
-  add_method_option(command, [&settings](sym3::Method method) { settings.method = method; });
-  add_choice_options(command, settings.choice);
-  add_radius_option(command, settings.radius);
+  auto bench = add_model_bench(command, 11, "the dragon's cage");
+  auto settings = std::make_shared<ModeSettings>();
   auto asked = std::make_shared<scene::RequestedSettings>();
+  command.add_option("POSE", bench->options.poses, "Posed cages (same vertices, same order)")
+      ->default_str("the dragon's poses");
+  add_method_option(command, [settings](sym3::Method method) { settings->method = method; });
+  add_choice_options(command, settings->choice);
+  add_radius_option(command, settings->radius);
   add_stitching_options(command, *asked);
-  add_rounds_option(command, settings.rounds, "11");
-  const auto check = [&options, asked] {
-    options.settings.iterations = asked->iterations.value_or(0);
+  command.callback([=, &action] {
+    settings->iterations = asked->iterations.value_or(0);
     if ((asked->pins || asked->hold) && !asked->iterations)
       throw CLI::ValidationError(asked->pins ? "--pins" : "--hold", "needs --stitched");
-    options.settings.holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
-    require_pose(options.model, options.cage, !options.poses.empty());
-  };
-  finish(command, action, bench, bench_modes, prepare_modes, check);
+    settings->holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
+    const ModelOptions& options = bench->options;
+    if (!options.model.empty() && options.poses.empty())
+      throw CLI::RequiredError(options.cage.empty() ? "CAGE" : "POSE");
+    action = [=] {
+      prepare(*bench, true);
+      bench_modes(bench->options, *settings);
+      return exit_ok;
+    };
+  });
 }
 
 struct MatrixBench {
@@ -213,50 +168,51 @@ struct MatrixBench {
   const char* count;
   std::size_t usual_count;
   std::int64_t most;
-  bool has_plot, has_float;
-  int (*run)(const BenchOptions&);
+  bool has_float;
+  void (*run)(const MatrixOptions&, base::Progress&);
 };
 
 constexpr MatrixBench matrix_benches[] = {
-    {"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices, true, true,
-     run_exp},
+    {"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices, true, run_exp},
     {"eigen", "Time of eigenvalues: QR, Viete's formula and ours", "Matrices", paper_count, most_matrices,
-     true, false, run_eigen},
+     false, run_eigen},
     {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices per row", 4096,
-     1'000'000, false, true, run_accuracy},
+     1'000'000, true, run_accuracy},
     {"sym3", "Check every guarantee of exp by kernel and layout", "Matrices in memory", paper_count,
-     most_matrices, false, false, run_sym3}};
+     most_matrices, false, run_sym3}};
+
+void add_matrix_bench(CLI::App& command, Action& action, const MatrixBench& bench) {
+  auto options = std::make_shared<MatrixOptions>();
+  options->count = bench.usual_count;
+  whole_in_range(command.add_option("--count", options->count, bench.count), 1, bench.most)
+      ->default_str(base::with_thousands(bench.usual_count));
+  options->json.add_to(command);
+  if (bench.has_float) command.add_flag("--float", options->in_float, "Use single precision");
+  command.callback([options, &action, run = bench.run] {
+    action = [options, run] {
+      options->json.check();
+      require_memory_for(options->count);
+      base::Progress progress;
+      run(*options, progress);
+      return exit_ok;
+    };
+  });
+}
 
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("bench", "Measure speed and accuracy on this machine");
   command->require_subcommand(1);
-  add_examples(*command, {"bench exp --plot exp.svg", "bench frame --json frame.json"});
-  for (const MatrixBench& bench : matrix_benches) {
-    auto* sub = command->add_subcommand(bench.name, bench.text);
-    auto options = std::make_shared<BenchOptions>();
-    options->count = bench.usual_count;
-    whole_in_range(sub->add_option("--count", options->count, bench.count), 1, bench.most)
-        ->default_str(base::with_thousands(bench.usual_count));
-    add_bench_files(*sub, options->files, bench.has_plot);
-    if (bench.has_float) sub->add_flag("--float", options->in_float, "Use single precision");
-    sub->callback([options, &action, run = bench.run] {
-      action = [options, run] {
-        options->files.check();
-        require_memory_for(options->count);
-        return run(*options);
-      };
-    });
-  }
-  const struct {
-    const char* name;
-    const char* text;
-    void (*add)(CLI::App&, Action&);
-  } model_benches[] = {{"frame", "Time of a frame by path, cage and stage", add_frame_bench},
-                       {"bind", "Time and memory of binding a model", add_bind_bench},
-                       {"modes", "Exactness, distortion and cost of every deformer", add_modes_bench}};
-  for (const auto& bench : model_benches) bench.add(*command->add_subcommand(bench.name, bench.text), action);
+  add_examples(*command, {"bench exp --json exp.json", "bench frame --json frame.json"});
+  for (const MatrixBench& bench : matrix_benches)
+    add_matrix_bench(*command->add_subcommand(bench.name, bench.text), action, bench);
+  add_sized_bench(*command->add_subcommand("frame", "Time of a frame by path, cage and stage"), action,
+                  {50, 100, 300, 600}, 11, bench_frame);
+  add_sized_bench(*command->add_subcommand("bind", "Time and memory of binding a model"), action, {300}, 5,
+                  bench_bind);
+  add_modes_bench(*command->add_subcommand("modes", "Exactness, distortion and cost of every deformer"),
+                  action);
 }
 
 }  // namespace viete::bench

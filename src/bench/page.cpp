@@ -38,35 +38,22 @@ std::string system_name() {
 
 }  // namespace
 
-Made made_here(std::string command, double seconds) {
-  const std::string processor = processor_name();
+Made made_here(const std::string& command, double seconds) {
   const double bytes =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  return {std::move(command),
-          date_now(),
-          std::string("viete ") + app::version() + ", " + app::build_type(),
-          std::string(sym3::kernel_name()),
-          (processor.empty() ? "a processor without a name" : processor) + ", " +
-              base::counted(std::thread::hardware_concurrency(), "thread"),
-          base::memory_size(bytes),
-          system_name(),
-          seconds};
-}
-
-std::vector<std::pair<std::string, std::string>> facts_of(const Made& made) {
-  return {{"Machine", made.processor},
-          {"Memory", made.memory},
-          {"System", made.system},
-          {"Program", made.program},
-          {"Kernel of the vector code", made.kernel},
-          {"Made", made.date + ", in " + base::few_digits(made.seconds) + " s"},
-          {"By", made.command}};
-}
-
-nlohmann::json to_json(const Made& made) {
-  nlohmann::json json;
-  for (const auto& [what, value] : facts_of(made)) json[what] = value;
-  return json;
+  std::string processor = processor_name();
+  if (processor.empty()) processor = "an unnamed processor";
+  processor += ", " + base::counted(std::thread::hardware_concurrency(), "thread");
+  const std::string date = date_now();
+  return {date,
+          processor,
+          {{"Machine", processor},
+           {"Memory", base::memory_size(bytes)},
+           {"System", system_name()},
+           {"Program", std::string("viete ") + app::version() + ", " + app::build_type()},
+           {"Kernel of the vector code", std::string(sym3::kernel_name())},
+           {"Made", date + ", in " + base::few_digits(seconds) + " s"},
+           {"By", command}}};
 }
 
 namespace {
@@ -137,22 +124,22 @@ using Glance = std::vector<std::pair<std::string, std::string>>;
 // The summary: values with their descriptions.
 Glance glance_of(const Figures& figures) {
   const double diag = time_of(figures.exp.methods, "diag"), fast = time_of(figures.exp.methods, "fast");
-  Glance glance = {
-      {few_digits(diag / fast) + "\u00d7", "faster than Diag: exponentials by Fast, double, from memory"},
-      {error_text(worst_of_clusters(figures.accuracy, "Fast")),
-       "largest relative error of Fast where eigenvalues come close; Improved SD " +
-           error_text(worst_of_clusters(figures.accuracy, "Improved SD"))}};
+  Glance glance = {{few_digits(diag / fast) + "\u00d7",
+                    "exponentials by Fast compared with Diag, double precision, from memory"},
+                   {error_text(worst_of_clusters(figures.accuracy, "Fast")),
+                    "largest relative error of Fast where eigenvalues are close; Improved SD: " +
+                        error_text(worst_of_clusters(figures.accuracy, "Improved SD"))}};
   const FrameTime* plain = frame_of(figures.frames, frame_names::reference, usual_faces);
   const FrameTime* ours = frame_of(figures.frames, frame_names::compressed, usual_faces);
   if (plain && ours)
     glance.push_back({base::milliseconds(ours->cpu_ms),
                       "a frame of " + base::with_thousands(ours->vertices) + " vertices in a cage of " +
-                          std::to_string(usual_faces) + " triangles; plainly built " +
-                          base::milliseconds(plain->cpu_ms)});
+                          std::to_string(usual_faces) +
+                          " triangles; published method: " + base::milliseconds(plain->cpu_ms)});
   if (const auto* most = most_lost(figures.shapes))
     glance.push_back({lost_volume((*most)["straight"]),
                       "of the volume is lost halfway to " + name_of_shape(*most) +
-                          " on straight lines; in log space " + lost_volume((*most)["log_space"])});
+                          " by linear interpolation; in log space: " + lost_volume((*most)["log_space"])});
   return glance;
 }
 
@@ -166,10 +153,10 @@ std::string head(const std::string& title) {
 
 std::string header(const Figures& figures, const Made& made, const std::vector<Section>& sections) {
   std::string text =
-      "<header>\n<h1>Exponentials, and what they move</h1>\n" +
-      paragraph("What Viete measures on " + made.processor + ", " + made.date +
-                ": the three figures of the paper behind it, and five of our own. Times of one table were "
-                "taken in turns, so that ratios are worth more than nanoseconds.") +
+      "<header>\n<h1>Matrix exponentials and deformation</h1>\n" +
+      paragraph("Measured by Viete on " + made.processor + ", " + made.date +
+                ": the three figures of the paper, and five of our own. The times of one table are measured "
+                "in turns, so ratios are more reliable than absolute times.") +
       "<dl class=\"glance\">\n";
   for (const auto& [value, what] : glance_of(figures))
     text += "<div><dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
@@ -190,15 +177,14 @@ std::string html(const Section& section) {
 }
 
 std::string footer(const Made& made, const nlohmann::json& json) {
-  HtmlTable table{{"", "here"}, {}, {"here"}};
-  for (const auto& [what, value] : facts_of(made)) table.rows.push_back({what, value});
+  Table table{{"", "here"}, {}, {"here"}};
+  for (const auto& [what, value] : made.facts) table.rows.push_back({what, value});
   return "<footer id=\"made\">\n<h2>How it was measured</h2>\n" +
          paragraph(
-             "Medians of interleaved rounds, in processor time of the calling thread, so that what else runs "
-             "disturbs "
-             "little, and all of a table alike. Ratios vary by a third from run to run on a machine that "
-             "others "
-             "use. Everything random has a fixed seed.") +
+             "Times are medians of interleaved rounds, in processor time of the calling thread, so that "
+             "other "
+             "work on the machine affects all of a table equally. On a busy machine, ratios vary by a third "
+             "from run to run. Random inputs have a fixed seed.") +
          html(table) +
          "<details class=\"raw\"><summary>All numbers, as in report.json</summary>\n<pre class=\"raw\">" +
          escaped(json.dump(1)) + "</pre></details>\n</footer>\n";
@@ -220,7 +206,7 @@ std::string page_style() {
 nlohmann::json report_json(const Figures& figures, const Made& made) {
   nlohmann::json json = to_json(figures);
   json["figure"] = "report";
-  json["made"] = to_json(made);
+  for (const auto& [what, value] : made.facts) json["made"][what] = value;
   return json;
 }
 

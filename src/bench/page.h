@@ -11,22 +11,13 @@
 
 namespace viete::bench {
 
+/// When and where the figures were measured.
 struct Made {
-  std::string command;    ///< as typed
-  std::string date;       ///< "2026-11-26 11:18 UTC"
-  std::string program;    ///< version, build, compiler
-  std::string kernel;     ///< kernel of the vector code
-  std::string processor;  ///< with its number of threads
-  std::string memory, system;
-  double seconds = 0;  ///< duration
+  std::string date, processor;  ///< "2026-11-26 11:18 UTC"; with its number of threads
+  std::vector<std::pair<std::string, std::string>> facts;  ///< with their labels, in reading order
 };
-
-/// The facts about this machine and run.
-Made made_here(std::string command, double seconds);
-
-/// The facts with their labels, in reading order.
-std::vector<std::pair<std::string, std::string>> facts_of(const Made& made);
-nlohmann::json to_json(const Made& made);
+/// On this machine, by this command, as typed.
+Made made_here(const std::string& command, double seconds);
 
 /// The raw numbers of the page and of report.json.
 nlohmann::json report_json(const Figures& figures, const Made& made);

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/text.h"
+#include "bench/table.h"
 #include "sym3/exp.h"
 
 namespace viete::bench {
@@ -49,7 +50,6 @@ void Svg::text(SvgPoint at, std::string_view text, const SvgText& style) {
   body_ += formatted("<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" font-size=\"%g\" text-anchor=\"%s\"", at.x,
                      at.y, style.color, style.size, style.anchor);
   if (style.strong) body_ += " font-weight=\"600\"";
-  if (style.turn != 0) body_ += formatted(" transform=\"rotate(%g %.1f %.1f)\"", style.turn, at.x, at.y);
   body_ += ">" + escaped(text) + "</text>\n";
 }
 
@@ -89,8 +89,8 @@ void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
 
 namespace {
 
-constexpr double width = 1000, top = 116, small_width = 400, letter = 7.7;  // letter: wider than most letters
-constexpr const char *paper = "#ffffff", *ink = "#1f2933", *faint = "#6b7785", *rule = "#e4e8ec";
+constexpr double plot_width = 400, letter = 7.7;  // letter: wider than most letters
+constexpr const char *paper = "#ffffff", *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
   char text[32];
@@ -252,14 +252,6 @@ void add_curves(Svg& svg, const Plot& plot, const Area& area, double end) {
 
 }  // namespace
 
-std::string error_text(double error) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1e", error);
-  std::string result = text;
-  if (const auto zero = result.find("e-0"); zero != result.npos) result.erase(zero + 2, 1);
-  return result;
-}
-
 const char* color_of_method(const std::string& name) {
   using sym3::label, sym3::Method;
   if (name == label(Method::fast)) return plot_color::ours[0];
@@ -267,26 +259,12 @@ const char* color_of_method(const std::string& name) {
   return name == label(Method::sd) ? plot_color::ours[2] : plot_color::reference;
 }
 
-std::string draw_plot(const Plot& plot) {
-  const double bottom = top + std::max(330.0, 36.0 * static_cast<double>(plot.bars.size()));
-  Svg svg(width, bottom + 64, paper);
-  svg.text({32, 42}, plot.title, {.color = ink, .size = 20, .strong = true});
-  svg.text({32, 64}, plot.subtitle, {.color = faint, .size = 12.5});
-  svg.text({32, top - 22}, plot.bars_title, {.size = 13, .strong = true});
-  add_bars(svg, plot, {32, top, plot.curves.empty() ? width - 32 : 452, bottom}, 118);
-  if (!plot.curves.empty()) {
-    svg.text({494, top - 22}, plot.curves_title, {.size = 13, .strong = true});
-    add_curves(svg, plot, {528, top, 838, bottom}, width - 32);
-  }
-  return svg.document();
-}
-
 std::string draw_bars(const Plot& plot) {
   const double height = 30 * static_cast<double>(plot.bars.size());
-  Svg svg(small_width, height, paper);
+  Svg svg(plot_width, height, paper);
   std::size_t longest = 0;
   for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.name.size());
-  add_bars(svg, plot, {0, 0, small_width, height}, 16 + letter * static_cast<double>(longest));
+  add_bars(svg, plot, {0, 0, plot_width, height}, 16 + letter * static_cast<double>(longest));
   return svg.document();
 }
 
@@ -297,9 +275,9 @@ std::string draw_curves(const Plot& plot) {
     name = std::max(name, curve.name.size());
     if (!plot.linear) value = std::max(value, value_text(curve.points.back().ns).size());
   }
-  const double right = small_width - 16 - letter * static_cast<double>(name + value + 1);
-  Svg svg(small_width, height, paper);
-  add_curves(svg, plot, {40, 8, right, height - 48}, small_width);
+  const double right = plot_width - 16 - letter * static_cast<double>(name + value + 1);
+  Svg svg(plot_width, height, paper);
+  add_curves(svg, plot, {40, 8, right, height - 48}, plot_width);
   return svg.document();
 }
 

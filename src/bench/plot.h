@@ -1,4 +1,4 @@
-// Benchmarks as SVG pictures: bars of times next to curves of time against size.
+// Benchmarks as SVG pictures: bars of times, and curves of time against size.
 #pragma once
 
 #include <span>
@@ -20,7 +20,6 @@ struct SvgText {
   double size = 12;
   const char* anchor = "start";  ///< or "middle", "end"
   bool strong = false;
-  double turn = 0;  ///< degrees, clockwise
 };
 
 /// Lengths in pixels, y down; colours as CSS writes them. y of a text is its baseline.
@@ -61,12 +60,9 @@ struct PlotCurve {
 };
 
 struct Plot {
-  std::string title, subtitle;
-  std::string bars_title;
   std::vector<PlotBar> bars;  ///< the first one is the reference
-  std::string curves_title;
   std::vector<PlotCurve> curves;
-  std::string unit = " ns";  ///< unit of bars; that of curves is in their title, or the same
+  std::string unit = " ns";  ///< unit of the bars
   bool compared = true;      ///< show bars relative to the first one
   std::string across = "matrices in a batch";
   bool linear = false;  ///< curves from 0 to 1, without end values; else both axes are logarithmic, and
@@ -85,12 +81,7 @@ inline constexpr const char* ours[] = {"#0072b2", "#009e73", "#b3589a", "#3a3f9e
 /// The colour of a method, the same in every plot; other names get that of references.
 const char* color_of_method(const std::string& name);
 
-/// "4.3e-16".
-std::string error_text(double error);
-
-/// An SVG document, 1000 pixels wide.
-std::string draw_plot(const Plot& plot);
-/// Only the bars, or only the curves, 400 pixels wide and without titles.
+/// An SVG document with the bars, or the curves, 400 pixels wide.
 std::string draw_bars(const Plot& plot);
 std::string draw_curves(const Plot& plot);
 

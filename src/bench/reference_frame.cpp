@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sym3/eigen.h"
 #include "sym3/exp.h"
 
 namespace viete::bench {
@@ -35,7 +36,7 @@ double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
 
 }  // namespace
 
-void PlainWeights::compute(std::span<const mesh::Point> positions, const Cage& cage, double exponent) {
+void PlainWeights::compute(std::span<const mesh::Point> positions, const Cage& cage) {
   const std::size_t k = cage.element_count();
   const auto& corners = cage.surface.positions;
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -47,7 +48,7 @@ void PlainWeights::compute(std::span<const mesh::Point> positions, const Cage& c
   for (std::size_t i = 0; i < positions.size(); ++i) {
     double sum = 0;
     for (std::size_t j = 0; j < k; ++j) {
-      weights_[i * k + j] = std::pow(distances_[i * k + j], -exponent);
+      weights_[i * k + j] = std::pow(distances_[i * k + j], -2.0);
       sum += weights_[i * k + j];
     }
     for (std::size_t j = 0; j < k; ++j) weights_[i * k + j] /= sum;
@@ -56,22 +57,8 @@ void PlainWeights::compute(std::span<const mesh::Point> positions, const Cage& c
 
 namespace {
 
-using Rows3 = std::array<std::array<double, 3>, 3>;
-
-Rows3 product(const Rows3& a, const Rows3& b) {
-  Rows3 c{};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      for (int k = 0; k < 3; ++k) c[i][j] += a[i][k] * b[k][j];
-    }
-  }
-  return c;
-}
-
-Rows3 exp_stretch(const Rows3& m) {
-  const auto e = sym3::exp(sym3::Sym3<double>{m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]},
-                           sym3::Method::improved_sd);
-  return {{{e.xx, e.xy, e.xz}, {e.xy, e.yy, e.yz}, {e.xz, e.yz, e.zz}}};
+Eigen::Matrix3d exp_stretch(const Eigen::Matrix3d& m) {
+  return sym3::to_eigen(sym3::exp(sym3::from_eigen<double>(m), sym3::Method::improved_sd));
 }
 
 Eigen::Vector3d vector(const deform::Vec3& v) {
@@ -90,28 +77,20 @@ Eigen::Matrix3d frame_of(const std::array<Eigen::Vector3d, 3>& t) {
   return frame;
 }
 
-Rows3 rows_of(const Eigen::Matrix3d& m) {
-  Rows3 rows;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) rows[r][c] = m(r, c);
-  }
-  return rows;
-}
-
 // I + sin t / t Y + (1 - cos t) / t^2 Y^2.
-Rows3 exp_rodrigues(const Rows3& y) {
-  const double square = y[2][1] * y[2][1] + y[0][2] * y[0][2] + y[1][0] * y[1][0], angle = std::sqrt(square);
+Eigen::Matrix3d exp_rodrigues(const Eigen::Matrix3d& y) {
+  const double square = 0.5 * y.squaredNorm(), angle = std::sqrt(square);
   const double a = angle > 1e-8 ? std::sin(angle) / angle : 1.0;
   const double b = angle > 1e-8 ? (1 - std::cos(angle)) / square : 0.5;
-  const Rows3 squared = product(y, y);
-  Rows3 r{};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) r[i][j] = (i == j ? 1 : 0) + a * y[i][j] + b * squared[i][j];
-  }
-  return r;
+  return Eigen::Matrix3d::Identity() + a * y + b * y * y;
 }
 
 }  // namespace
+
+struct ReferenceFrame::Handle {
+  Eigen::Matrix3d stretch, rotation;  // logs
+  Eigen::Vector3d center;
+};
 
 ReferenceFrame::ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding)
     : cage_(cage),
@@ -119,6 +98,8 @@ ReferenceFrame::ReferenceFrame(const deform::Cage& cage, const deform::Binding& 
       handles_(binding.handles),
       positions_(binding.vertices),
       normals_(binding.vertices) {}
+
+ReferenceFrame::~ReferenceFrame() = default;
 
 void ReferenceFrame::deform(const deform::Pose& pose) {
   log_cage(pose);
@@ -136,47 +117,37 @@ void ReferenceFrame::log_cage(const deform::Pose& pose) {
     const Eigen::Matrix3d stretch =
         v * svd.singularValues().array().log().matrix().asDiagonal() * v.transpose();
     const Eigen::AngleAxisd turn(Eigen::Matrix3d(svd.matrixU() * v.transpose()));
-    const Eigen::Vector3d y = turn.angle() * turn.axis(), c = (posed[0] + posed[1] + posed[2]) / 3;
-    handles_[j] = {
-        rows_of(stretch), {{{0, -y[2], y[1]}, {y[2], 0, -y[0]}, {-y[1], y[0], 0}}}, {c[0], c[1], c[2]}};
+    const Eigen::Vector3d y = turn.angle() * turn.axis();
+    Handle& h = handles_[j];
+    h.stretch = stretch;
+    h.rotation << 0, -y[2], y[1], y[2], 0, -y[0], -y[1], y[0], 0;
+    h.center = (posed[0] + posed[1] + posed[2]) / 3;
   }
 }
 
 mesh::Point ReferenceFrame::place(std::size_t vertex) const {
   const double* weights = binding_.weights.data() + vertex * binding_.handles;
-  Rows3 stretch{}, rotation{};
-  mesh::Point sum{0, 0, 0};
+  Eigen::Matrix3d stretch = Eigen::Matrix3d::Zero(), rotation = stretch;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (std::size_t j = 0; j < handles_.size(); ++j) {
-    const Handle& h = handles_[j];
-    for (int r = 0; r < 3; ++r) {
-      for (int c = 0; c < 3; ++c) stretch[r][c] += weights[j] * h.stretch[r][c];
-      for (int c = 0; c < 3; ++c) rotation[r][c] += weights[j] * h.rotation[r][c];
-      sum[r] += weights[j] * h.center[r];
-    }
+    stretch += weights[j] * handles_[j].stretch;
+    rotation += weights[j] * handles_[j].rotation;
+    center += weights[j] * handles_[j].center;
   }
-  const Rows3 affine = product(exp_rodrigues(rotation), exp_stretch(stretch));
-  const mesh::Point& x = binding_.offsets[vertex];
-  mesh::Point p;
-  for (int r = 0; r < 3; ++r) {
-    p[r] = affine[r][0] * x[0] + affine[r][1] * x[1] + affine[r][2] * x[2] + sum[r];
-  }
-  return p;
+  const Eigen::Vector3d p =
+      exp_rodrigues(rotation) * exp_stretch(stretch) * vector(binding_.offsets[vertex]) + center;
+  return {p[0], p[1], p[2]};
 }
 
 void ReferenceFrame::scatter_normals() {
   for (auto& n : normals_) n = {0, 0, 0};
   for (const auto& t : binding_.triangles) {
-    const mesh::Point &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
-    const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
-                 v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    for (const auto corner : t) {
-      for (int i = 0; i < 3; ++i) normals_[corner][i] += n[i];
-    }
+    const mesh::Point& a = positions_[t[0]];
+    const mesh::Point n = cross(positions_[t[1]] - a, positions_[t[2]] - a);
+    for (const auto corner : t) normals_[corner] = normals_[corner] + n;
   }
   for (auto& n : normals_) {
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    if (length > 0) n = {n[0] / length, n[1] / length, n[2] / length};
+    if (const double length = norm(n); length > 0) n = (1 / length) * n;
   }
 }
 

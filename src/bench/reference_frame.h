@@ -1,7 +1,6 @@
 // Plain loops for weights and frames as in published tools: the baseline of the benchmarks.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -11,14 +10,14 @@
 namespace viete::bench {
 
 /// Loops over vertices and cage triangles, in double: distance to the triangle's plane by barycentric
-/// coordinates, and to its three edges; the smallest of them to the power of -exponent; then each row divided
+/// coordinates, and to its three edges; the smallest of them to the power of -2; then each row divided
 /// by its sum. Two arrays, distances and weights, of n rows of k each.
 class PlainWeights {
 public:
   PlainWeights(std::size_t vertices, std::size_t elements)
       : distances_(vertices * elements), weights_(vertices * elements) {}
 
-  void compute(std::span<const mesh::Point> positions, const deform::Cage& cage, double exponent = 2);
+  void compute(std::span<const mesh::Point> positions, const deform::Cage& cage);
   std::span<const double> weights() const { return weights_; }
 
 private:
@@ -33,6 +32,7 @@ class ReferenceFrame {
 public:
   /// Keeps references to cage and binding; the binding must have weights.
   ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding);
+  ~ReferenceFrame();
 
   void deform(const deform::Pose& pose);
 
@@ -40,11 +40,7 @@ public:
   std::span<const mesh::Point> normals() const { return normals_; }
 
 private:
-  using Matrix = std::array<std::array<double, 3>, 3>;
-  struct Handle {
-    Matrix stretch, rotation;  ///< logs
-    std::array<double, 3> center;
-  };
+  struct Handle;
   void log_cage(const deform::Pose& pose);
   mesh::Point place(std::size_t vertex) const;
   void scatter_normals();

@@ -1,5 +1,5 @@
 // viete report [MODEL CAGE [POSE...]] -o FOLDER: the figures, measured here, as one page.
-#include "bench/report.h"
+#include "bench/options.h"
 
 #include <cstdio>
 #include <filesystem>

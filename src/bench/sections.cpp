@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "base/text.h"
 #include "bench/exp.h"
 #include "bench/figures.h"
+#include "bench/halfway.h"
 #include "bench/html.h"
 #include "bench/modes_table.h"
 #include "bench/plot.h"
@@ -18,261 +21,86 @@ namespace {
 using base::few_digits;
 using sym3::Method;
 
-std::string error_cell(const Accuracy& a) {
-  std::string text = a.nan_share < 1 ? error_text(a.worst) : "";
-  if (a.nan_share > 0) text += (text.empty() ? "NaN " : ", NaN ") + percent(std::max(1.0, 100 * a.nan_share));
-  return text;
+constexpr Method shown_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
+
+std::string plots(const std::string& figures, const char* kind = "plots") {
+  return "<div class=\"" + std::string(kind) + "\">" + figures + "</div>\n";
 }
 
-HtmlTable errors_table(const AccuracyTable& accuracy) {
-  HtmlTable table{{accuracy.by}, {}};
-  for (const ExpMethod& method : exp_methods()) table.columns.emplace_back(method.name);
-  for (const auto& row : accuracy.rows) {
-    table.rows.push_back({row.name});
-    for (const Accuracy& a : row.cells) table.rows.back().push_back(error_cell(a));
-  }
-  return table;
+std::string details(const std::string& title, const std::string& body) {
+  return "<details><summary>" + title + "</summary>\n" + body + "</details>\n";
 }
-
-// Errors of the four methods, without scales so small that all matrices are zero by rounding.
-std::string errors_plot(const AccuracyTable& accuracy) {
-  constexpr double least = 1e-20;
-  Plot plot;
-  plot.across = accuracy.by;
-  const auto methods = exp_methods();
-  for (const Method m : {Method::diag, Method::sd, Method::improved_sd, Method::fast}) {
-    const auto at =
-        std::ranges::find(methods, sym3::label(m), [](const auto& e) { return std::string_view(e.name); });
-    PlotCurve curve{at->name, color_of_method(at->name), false, {}};
-    for (const auto& row : accuracy.rows)
-      if (row.value >= least)
-        curve.points.push_back({row.value, row.cells[static_cast<std::size_t>(at - methods.begin())].worst});
-    std::ranges::sort(curve.points, {}, &PlotCurve::Point::count);
-    plot.curves.push_back(std::move(curve));
-  }
-  return draw_curves(plot);
-}
-
-struct ErrorsOf {
-  const char* what;
-  std::size_t table;
-};
-
-std::string error_plots(const Figures& figures) {
-  constexpr ErrorsOf plots[] = {{"Two eigenvalues close to each other", 1},
-                                {"Three eigenvalues close to each other", 2},
-                                {"By spread, the largest less the smallest eigenvalue", 3},
-                                {"By scale of the entries", 4}};
-  std::string text;
-  for (const auto& [what, table] : plots) {
-    text += "<h3>" + escaped(what) + "</h3>\n<div class=\"plots\">";
-    text += figure("largest relative error, double", errors_plot(figures.accuracy[table]));
-    text +=
-        figure("largest relative error, float", errors_plot(figures.accuracy_in_float[table])) + "</div>\n";
-  }
-  return text;
-}
-
-std::string error_tables(const char* precision, const std::vector<AccuracyTable>& tables) {
-  std::string text = std::string("<details><summary>All errors, in ") + precision + "</summary>\n";
-  for (const AccuracyTable& table : tables)
-    text += paragraph(table.title, "note") + html(errors_table(table));
-  return text + "</details>\n";
-}
-
-std::string frames_seen(const Figures& figures) {
-  std::string seen = "There is not enough memory for the plain frame.";
-  const FrameTime* plain = frame_of(figures.frames, frame_names::reference, usual_faces);
-  const FrameTime* ours = frame_of(figures.frames, frame_names::compressed, usual_faces);
-  const FrameTime* dragged = frame_of(figures.frames, frame_names::dragged, usual_faces);
-  if (!ours) ours = frame_of(figures.frames, frame_names::dense, usual_faces);
-  if (plain && ours && dragged)
-    seen = "In a cage of " + std::to_string(usual_faces) + " triangles a frame of " +
-           base::with_thousands(ours->vertices) + " vertices takes " + base::milliseconds(ours->cpu_ms) +
-           ", " + few_digits(plain->cpu_ms / ours->cpu_ms) +
-           " times less than the plain one. While one vertex is dragged it takes " +
-           base::milliseconds(dragged->cpu_ms) + ".";
-  return seen;
-}
-
-}  // namespace
-
-Section accuracy_section(const Figures& figures) {
-  const auto worst = [&](Method m) {
-    return error_text(worst_of_clusters(figures.accuracy, std::string(sym3::label(m))));
-  };
-  const std::string count = "viete bench accuracy --count " + std::to_string(figures.sizes.samples);
-  return {"errors",
-          "Ours",
-          "How exact",
-          "Where eigenvalues come close, SD is off by up to " + worst(Method::sd) + " and Improved SD by " +
-              worst(Method::improved_sd) + ", in double; Diag by " + worst(Method::diag) + " and Fast by " +
-              worst(Method::fast) + ", at any gap.",
-          "SD and Improved SD divide by differences of eigenvalues. As these shrink, digits go, until below "
-          "a gap of "
-          "1e-6 two count as equal, which leaves an error of the size of the gap. Diag and Fast divide by "
-          "none. With "
-          "the spread the error of all grows: exp itself does.",
-          error_plots(figures) + error_tables("double", figures.accuracy) +
-              error_tables("float", figures.accuracy_in_float) +
-              paragraph("The largest of " + base::with_thousands(figures.sizes.samples) +
-                            " matrices each, in the Frobenius norm, against 106 bits.",
-                        "note"),
-          {count, count + " --float"}};
-}
-
-Section frames_section(const Figures& figures) {
-  const struct {
-    const char *name, *label, *color;
-  } paths[] = {{frame_names::reference, "plain", plot_color::reference},
-               {frame_names::dense, "dense", plot_color::ours[2]},
-               {frame_names::compressed, "compressed", plot_color::ours[0]},
-               {frame_names::dragged, "dragged", plot_color::ours[1]}};
-  Plot plot;
-  plot.across = "triangles of the cage";
-  HtmlTable table{{"cage triangles"}, {}};
-  for (const auto& path : paths) {
-    PlotCurve curve{path.label, path.color, false, {}};
-    for (const std::size_t faces : figures.sizes.faces) {
-      if (const FrameTime* t = frame_of(figures.frames, path.name, faces))
-        curve.points.push_back({static_cast<double>(faces), t->cpu_ms});
-    }
-    if (curve.points.empty()) continue;
-    plot.curves.push_back(std::move(curve));
-    table.columns.push_back(std::string(path.label) + ", ms");
-  }
-  table.columns.insert(table.columns.end(), {"error, dense", "error, compressed"});
-  for (const std::size_t faces : figures.sizes.faces) {
-    table.rows.push_back({std::to_string(faces)});
-    for (const auto& path : paths)
-      if (const FrameTime* t = frame_of(figures.frames, path.name, faces))
-        table.rows.back().push_back(few_digits(t->cpu_ms));
-    for (const char* name : {frame_names::dense, frame_names::compressed}) {
-      const FrameTime* t = frame_of(figures.frames, name, faces);
-      table.rows.back().push_back(t && !std::isnan(t->error) ? error_text(t->error) : "");
-    }
-  }
-  std::string sizes;
-  for (const std::size_t faces : figures.sizes.faces)
-    sizes += (sizes.empty() ? "" : ",") + std::to_string(faces);
-  const std::string command = "viete bench frame " + shell_word(figures.files.model) + " --faces " + sizes +
-                              " --rounds " + std::to_string(figures.sizes.rounds);
-  return {"frames",
-          "Ours",
-          "Frames by cage",
-          frames_seen(figures),
-          "Plain is a rebuild of published tools: matrices blended in double, one vertex after the other. "
-          "Dense blends "
-          "all weights in one pass in float. Compressed blends a few vertices of each leaf exactly and "
-          "interpolates "
-          "the logarithms of the others. Dragged adds only what moves to sums that were formed at the first "
-          "frame.",
-          "<div class=\"plots\">" + figure("ms a frame with normals, one thread", draw_curves(plot)) +
-              "</div>\n" + html(table) +
-              paragraph("Processor time of one thread; cages are made around the model. Errors are against "
-                        "double, in diagonals of the "
-                        "cage.",
-                        "note"),
-          {command}};
-}
-
-namespace {
-
-using base::few_digits, sym3::Method;
 
 std::string count_option(std::size_t count) {
   return " --count " + std::to_string(count);
+}
+
+Section eigenvalues_section(const Figures& figures) {
+  const EigenBench& bench = figures.eigen;
+  const auto ns = [&](const char* name) { return time_of(bench.results, name); };
+  return {
+      "eigenvalues",
+      "Figure 1 of the paper",
+      "Eigenvalues",
+      "Viete\u2019s formula takes " + percent(percent_less(ns("Viete"), ns("QR"))) +
+          " less time than QR; ours takes " + percent(percent_less(ns("Fast"), ns("QR"))) + " less.",
+      "QR rotates the matrix repeatedly until it is diagonal. The formula solves the characteristic "
+      "polynomial with one arc cosine and three cosines, without iteration. Direct is Eigen\u2019s closed "
+      "form.",
+      plots(figure("ns per matrix, " + base::with_thousands(bench.count) + " matrices, double",
+                   draw_bars(plot_of(bench)))) +
+          html(times_table(bench.results, "ns per matrix")),
+      {"viete bench eigen" + count_option(bench.count)}};
 }
 
 double ns_of(const ExpBench& bench, Method method) {
   return time_of(bench.methods, std::string(sym3::name(method)));
 }
 
-// Ratios to the first row and to the copy.
-HtmlTable times_table(const std::vector<PlotBar>& bars, double copy, const std::string& unit) {
-  HtmlTable table{{"", unit, "times faster than " + bars.front().name}, {}};
-  if (copy > 0) table.columns.emplace_back("times the copy");
-  for (const PlotBar& bar : bars) {
-    table.rows.push_back({bar.name, few_digits(bar.ns), few_digits(bars.front().ns / bar.ns)});
-    if (copy > 0) table.rows.back().push_back(few_digits(bar.ns / copy));
-  }
-  return table;
-}
-
 std::string method_table() {
-  HtmlTable table{{"method", "what it does"}, {}, {"what it does"}};
+  Table table{{"method", "what it does"}, {}, {"what it does"}};
   for (const sym3::MethodEntry& m : sym3::methods()) {
     if (m.method != Method::improved_sd_faithful) table.rows.push_back({m.label, m.sentence});
   }
   return html(table);
 }
 
-std::string layouts_table(const ExpBench& bench) {
-  HtmlTable table{{"layout", "matrices", "Fast, ns", "copy, ns", "Diag, ns", "Improved SD, ns"}, {}};
-  for (const LayoutResult& r : bench.layouts)
-    table.rows.push_back({layout_name(r.layout), base::with_thousands(r.count), few_digits(r.fast),
-                          few_digits(r.copy), few_digits(r.diag), few_digits(r.improved_sd)});
-  return html(table);
-}
-
-std::string plots_of(const ExpBench& bench, const std::string& precision) {
+std::string exponentials(const ExpBench& bench, const std::string& precision) {
   const Plot plot = plot_of(bench);
-  return "<h3>In " + precision + "</h3>\n<div class=\"plots\">" +
-         figure("ns a matrix, " + base::with_thousands(bench.count) + " from memory", draw_bars(plot)) +
-         figure("ns a matrix, by size of the batch and layout", draw_curves(plot)) + "</div>\n" +
-         html(times_table(plot.bars, time_of(bench.methods, "copy"), "ns a matrix")) +
-         "<details><summary>By layout and size, in " + precision + "</summary>" + layouts_table(bench) +
-         "</details>\n";
-}
-
-}  // namespace
-
-Section eigenvalues_section(const Figures& figures) {
-  const EigenBench& bench = figures.eigen;
-  const auto ns = [&](const char* name) { return time_of(bench.results, name); };
-  const Plot plot = plot_of(bench);
-  return {
-      "eigenvalues",
-      "Figure 1 of the paper",
-      "Eigenvalues",
-      "Viete\u2019s formula takes " + percent(percent_less(ns("Viete"), ns("QR"))) +
-          " less time than QR, ours " + percent(percent_less(ns("Fast"), ns("QR"))) + " less.",
-      "QR rotates the matrix again and again until it is diagonal. The formula solves the characteristic "
-      "polynomial with one arc cosine and three cosines, without a loop. Direct is Eigen\u2019s closed form.",
-      "<div class=\"plots\">" +
-          figure("ns a matrix, " + base::with_thousands(bench.count) + " matrices, double", draw_bars(plot)) +
-          "</div>\n" + html(times_table(plot.bars, ns("copy"), "ns a matrix")),
-      {"viete bench eigen" + count_option(bench.count)}};
+  return "<h3>In " + precision + " precision</h3>\n" +
+         plots(
+             figure("ns per matrix, " + base::with_thousands(bench.count) + " from memory", draw_bars(plot)) +
+             figure("ns per matrix, by batch size and layout", draw_curves(plot))) +
+         html(times_table(labelled_times(bench), "ns per matrix")) +
+         details("By layout and size, in " + precision + " precision", html(layouts_table(bench)));
 }
 
 Section exponentials_section(const Figures& figures) {
   const ExpBench& bench = figures.exp;
-  const double diag = ns_of(bench, Method::diag), sd = percent_less(ns_of(bench, Method::sd), diag),
+  const double diag = ns_of(bench, Method::diag), fast = ns_of(bench, Method::fast),
+               sd = percent_less(ns_of(bench, Method::sd), diag),
                improved = percent_less(ns_of(bench, Method::improved_sd), diag);
-  const std::string saved = std::abs(sd) < 4 ? "next to nothing" : percent(sd);
-  return {
-      "exponentials",
-      "Figure 2 of the paper",
-      "Exponentials",
-      "Against Diag, SD saves " + saved + ", Improved SD " + percent(improved) + ", and Fast is " +
-          few_digits(diag / ns_of(bench, Method::fast)) + " times faster: " +
-          few_digits(ns_of(bench, Method::fast)) + " ns a matrix, where a copy of the same bytes takes " +
-          few_digits(time_of(bench.methods, "copy")) + " ns.",
-      "Diag needs eigenvalues and eigenvectors. SD does without the vectors, but its eigenvalues are still "
-      "by "
-      "QR, which is what costs. Improved SD takes them by the formula. Fast needs no eigenvalues at all: it "
-      "sums the series by a recurrence in two invariants, without branch, division or cosine, many matrices "
-      "at once.",
-      method_table() + plots_of(bench, "double") + plots_of(figures.exp_in_float, "float"),
-      {"viete bench exp" + count_option(bench.count),
-       "viete bench exp" + count_option(figures.exp_in_float.count) + " --float"}};
+  return {"exponentials",
+          "Figure 2 of the paper",
+          "Exponentials",
+          "Compared with Diag, SD saves " + (std::abs(sd) < 4 ? "next to nothing" : percent(sd)) +
+              ", Improved SD saves " + percent(improved) + ", and Fast is " + few_digits(diag / fast) +
+              " times faster: " + few_digits(fast) + " ns per matrix. Copying the same bytes takes " +
+              few_digits(time_of(bench.methods, "copy")) + " ns.",
+          "Diag computes eigenvalues and eigenvectors. SD needs no eigenvectors, but computes the "
+          "eigenvalues by QR, which takes most of the time. Improved SD uses the formula instead. Fast needs "
+          "no eigenvalues: it evaluates the series by a recurrence in two invariants, without branches, "
+          "divisions or cosines, for many matrices at once.",
+          method_table() + exponentials(bench, "double") + exponentials(figures.exp_in_float, "single"),
+          {"viete bench exp" + count_option(bench.count),
+           "viete bench exp" + count_option(figures.exp_in_float.count) + " --float"}};
 }
 
 Section deformation_section(const Figures& figures) {
   Plot plot;
   plot.unit = " ms";
-  HtmlTable table{{"method", "frame, ms", "exponentials, ms", "their share", "blend, ms", "rest, ms"}, {}};
-  for (const Method m : {Method::diag, Method::sd, Method::improved_sd, Method::fast}) {
+  Table table{{"method", "frame, ms", "exponentials, ms", "their share", "blend, ms", "rest, ms"}, {}};
+  for (const Method m : shown_methods) {
     const FrameTime* t = staged_frame(figures.deformation, m);
     if (!t) continue;
     const std::string label(sym3::label(m));
@@ -286,30 +114,29 @@ Section deformation_section(const Figures& figures) {
   section.commands = {"viete bench frame " + shell_word(figures.files.model) + " " +
                       shell_word(figures.files.cage) + " --rounds " + std::to_string(figures.sizes.rounds)};
   if (plot.bars.size() < 4) {
-    section.seen = "There is not enough memory for frames link by link, in double.";
+    section.seen = "There is not enough memory to measure frames stage by stage in double precision.";
     return section;
   }
   const FrameTime& first = figures.deformation.front();
-  section.seen = "Of a whole frame the exponentials are " + table.rows[0][3] + " with Diag, " +
-                 table.rows[2][3] + " with Improved SD and " + table.rows[3][3] +
-                 " with Fast, which makes the frame " + few_digits(plot.bars[0].ns / plot.bars[3].ns) +
-                 " times faster.";
+  section.seen = "The exponentials take " + table.rows[0][3] + " of a frame with Diag, " + table.rows[2][3] +
+                 " with Improved SD and " + table.rows[3][3] + " with Fast, which makes the frame " +
+                 few_digits(plot.bars[0].ns / plot.bars[3].ns) + " times faster.";
   section.why =
-      "Every vertex takes one exponential a frame. What remains when that is cheap is the weighted sum of "
-      "the cage\u2019s logarithms (blend), which grows with the cage. The program itself runs all of it in "
-      "one "
-      "pass, see below.";
-  section.body = "<div class=\"plots\">" +
-                 figure("ms a frame, " + base::with_thousands(first.vertices) + " vertices, cage of " +
-                            std::to_string(first.faces) + " triangles; in colour: exponentials",
-                        draw_bars(plot)) +
-                 "</div>\n" + html(table);
+      "Each vertex needs one exponential per frame. When it is cheap, most of the time goes into the "
+      "weighted "
+      "sum of the cage\u2019s logarithms (blend), which grows with the cage. The viewer computes everything "
+      "in one pass; see Frames by cage.";
+  section.body =
+      plots(figure("ms per frame, " + base::with_thousands(first.vertices) + " vertices, cage of " +
+                       std::to_string(first.faces) + " triangles; coloured: exponentials",
+                   draw_bars(plot))) +
+      html(table);
   return section;
 }
 
 Section paper_section(const Figures& figures) {
   const auto ns = [&](const char* name) { return time_of(figures.eigen.results, name); };
-  HtmlTable table{{"less time", "in the paper", "here"}, {}};
+  Table table{{"time saved", "in the paper", "here"}, {}};
   table.rows = {
       {"Eigenvalues: formula against QR", "69 %", percent(percent_less(ns("Viete"), ns("QR")))},
       {"Exponentials: Improved SD against Diag", "76 %",
@@ -322,21 +149,342 @@ Section paper_section(const Figures& figures) {
   return {
       "paper",
       "All three figures",
-      "Beside the paper",
-      "What the paper claims holds here, too: the formula makes eigenvalues, and with them exponentials, "
-      "several "
-      "times cheaper.",
+      "Comparison with the paper",
+      "The claims of the paper hold here too: the formula makes eigenvalues, and therefore exponentials, "
+      "several times cheaper.",
       "S. Kaji and H. Ochiai, A Fast Computation of 3x3 Matrix Exponentials and its Application in CG.",
       html(table) +
-          paragraph(
-              "What differs: machine, compiler and year. The paper times a dragon of 50,000 vertices and "
-              "100,000 triangles. It does not say in which precision, and its cosine is a routine of "
-              "single precision. Its processor, its compiler, its absolute times and the size of its cage "
-              "are not known to this program, so that only savings stand side by side. The share of the "
-              "exponentials in a frame, and with it the last row, depends on the cage. Formulas are as "
-              "printed but for misprints.",
-              "note"),
+          paragraph("Machine, compiler and year differ. The paper measures a dragon of 50,000 vertices and "
+                    "100,000 triangles and does not state the precision; its cosine is a single-precision "
+                    "routine. Its processor, compiler, absolute times and cage size are unknown, so only the "
+                    "savings are compared. The share of the exponentials in a frame, and therefore the last "
+                    "row, depends on the cage. The formulas are as printed, with misprints corrected.",
+                    "note"),
       {}};
+}
+
+// Errors of the four methods, without scales so small that all matrices are zero by rounding.
+std::string errors_plot(const AccuracyTable& accuracy) {
+  constexpr double least = 1e-20;
+  Plot plot;
+  plot.across = accuracy.by;
+  const auto methods = exp_methods();
+  for (const Method m : shown_methods) {
+    const auto at =
+        std::ranges::find(methods, sym3::label(m), [](const auto& e) { return std::string_view(e.name); });
+    PlotCurve curve{at->name, color_of_method(at->name), false, {}};
+    for (const auto& row : accuracy.rows)
+      if (row.value >= least)
+        curve.points.push_back({row.value, row.cells[static_cast<std::size_t>(at - methods.begin())].worst});
+    std::ranges::sort(curve.points, {}, &PlotCurve::Point::count);
+    plot.curves.push_back(std::move(curve));
+  }
+  return draw_curves(plot);
+}
+
+std::string error_plots(const Figures& figures) {
+  constexpr const char* titles[] = {"Two close eigenvalues", "Three close eigenvalues",
+                                    "By spread: largest minus smallest eigenvalue",
+                                    "By scale of the entries"};
+  std::string text;
+  for (std::size_t i = 0; i < std::size(titles); ++i)
+    text += "<h3>" + std::string(titles[i]) + "</h3>\n" +
+            plots(figure("largest relative error, double", errors_plot(figures.accuracy[i + 1])) +
+                  figure("largest relative error, float", errors_plot(figures.accuracy_in_float[i + 1])));
+  return text;
+}
+
+std::string error_tables(const std::string& precision, const std::vector<AccuracyTable>& tables) {
+  std::string text;
+  for (const AccuracyTable& table : tables)
+    text += paragraph(table.title, "note") + html(errors_table(table));
+  return details("All errors, in " + precision, text);
+}
+
+Section accuracy_section(const Figures& figures) {
+  const auto worst = [&](Method m) {
+    return error_text(worst_of_clusters(figures.accuracy, std::string(sym3::label(m))));
+  };
+  const std::string count = "viete bench accuracy" + count_option(figures.sizes.samples);
+  return {
+      "errors",
+      "Ours",
+      "Accuracy",
+      "Where eigenvalues are close, the largest relative error is " + worst(Method::sd) + " with SD and " +
+          worst(Method::improved_sd) + " with Improved SD, in double precision. Diag stays at " +
+          worst(Method::diag) + " and Fast at " + worst(Method::fast) + " at any gap.",
+      "SD and Improved SD divide by differences of eigenvalues. Small differences lose digits; below 1e-6 "
+      "two eigenvalues count as equal, which leaves an error of about the gap. Diag and Fast do not divide "
+      "by differences. All errors grow with the spread, because exp itself becomes more sensitive.",
+      error_plots(figures) + error_tables("double", figures.accuracy) +
+          error_tables("float", figures.accuracy_in_float) +
+          paragraph("The largest error of " + base::with_thousands(figures.sizes.samples) +
+                        " matrices per row, in the Frobenius norm, against 106-bit results.",
+                    "note"),
+      {count, count + " --float"}};
+}
+
+std::string frames_seen(const Figures& figures) {
+  const FrameTime* plain = frame_of(figures.frames, frame_names::reference, usual_faces);
+  const FrameTime* ours = frame_of(figures.frames, frame_names::compressed, usual_faces);
+  const FrameTime* dragged = frame_of(figures.frames, frame_names::dragged, usual_faces);
+  if (!ours) ours = frame_of(figures.frames, frame_names::dense, usual_faces);
+  if (!plain || !ours || !dragged) return "There is not enough memory for the published method.";
+  return "In a cage of " + std::to_string(usual_faces) + " triangles, a frame of " +
+         base::with_thousands(ours->vertices) + " vertices takes " + base::milliseconds(ours->cpu_ms) + ", " +
+         few_digits(plain->cpu_ms / ours->cpu_ms) +
+         " times less than the published method. While one vertex is dragged, it takes " +
+         base::milliseconds(dragged->cpu_ms) + ".";
+}
+
+Section frames_section(const Figures& figures) {
+  const struct {
+    const char *name, *label, *color;
+  } paths[] = {{frame_names::reference, "published", plot_color::reference},
+               {frame_names::dense, "dense", plot_color::ours[2]},
+               {frame_names::compressed, "compressed", plot_color::ours[0]},
+               {frame_names::dragged, "dragged", plot_color::ours[1]}};
+  Plot plot;
+  plot.across = "triangles of the cage";
+  Table table{{"cage triangles"}, {}};
+  std::string sizes;
+  for (const std::size_t faces : figures.sizes.faces) {
+    table.rows.push_back({std::to_string(faces)});
+    sizes += (sizes.empty() ? "" : ",") + std::to_string(faces);
+  }
+  for (const auto& path : paths) {
+    PlotCurve curve{path.label, path.color, false, {}};
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      if (const FrameTime* t = frame_of(figures.frames, path.name, figures.sizes.faces[i])) {
+        curve.points.push_back({static_cast<double>(t->faces), t->cpu_ms});
+        table.rows[i].push_back(few_digits(t->cpu_ms));
+      }
+    if (curve.points.empty()) continue;
+    plot.curves.push_back(std::move(curve));
+    table.columns.push_back(std::string(path.label) + ", ms");
+  }
+  table.columns.insert(table.columns.end(), {"error, dense", "error, compressed"});
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    for (const char* name : {frame_names::dense, frame_names::compressed}) {
+      const FrameTime* t = frame_of(figures.frames, name, figures.sizes.faces[i]);
+      table.rows[i].push_back(t && !std::isnan(t->error) ? error_text(t->error) : "");
+    }
+  return {"frames",
+          "Ours",
+          "Frames by cage",
+          frames_seen(figures),
+          "Published: a rebuild of published tools, which blends matrices in double precision, vertex by "
+          "vertex. Dense: blends all weights in one pass in single precision. Compressed: blends a few "
+          "vertices of each block exactly and interpolates the logarithms of the others. Dragged: adds only "
+          "the change to the sums from the start of the drag.",
+          plots(figure("ms per frame with normals, one thread", draw_curves(plot))) + html(table) +
+              paragraph("Processor time of one thread. The cages are generated around the model. Errors are "
+                        "relative to double precision, in diagonals of the cage.",
+                        "note"),
+          {"viete bench frame " + shell_word(figures.files.model) + " --faces " + sizes + " --rounds " +
+           std::to_string(figures.sizes.rounds)}};
+}
+
+std::string label_of(const Mode& mode) {
+  const auto way = deform::way_of(mode.scheme);
+  return way ? std::string(deform::entry(*way).label) : deform::text(mode.scheme);
+}
+
+std::string number(double value) {
+  return std::isfinite(value) ? few_digits(value) : std::isnan(value) ? "" : "collapsed";
+}
+
+double energy(const Mode& mode) {
+  return over_poses(mode, &ShapeQuality::energy_ratio).middle;
+}
+double bending(const Mode& mode) {
+  return over_poses(mode, &ShapeQuality::bending_ratio).middle;
+}
+double frame(const Mode& mode) {
+  return mode.frame_ms;
+}
+
+using Modes = std::vector<const Mode*>;
+
+const Mode& least(const Modes& modes, double (*value)(const Mode&)) {
+  return **std::ranges::min_element(modes, {}, [&](const Mode* m) {
+    return std::isnan(value(*m)) ? std::numeric_limits<double>::infinity() : value(*m);
+  });
+}
+
+bool is_default(const Mode& mode) {
+  return deform::way_of(mode.scheme) == deform::Way::smooth;
+}
+
+std::string deformers_plot(const char* title, const Modes& modes, double (*value)(const Mode&),
+                           const char* unit) {
+  Plot plot;
+  plot.unit = unit, plot.compared = false;
+  for (const Mode* m : modes)
+    if (std::isfinite(value(*m)))
+      plot.bars.push_back({label_of(*m), value(*m), is_default(*m) ? plot_color::ours[0] : plot_color::copy});
+  return plot.bars.empty() ? "" : figure(title, draw_bars(plot));
+}
+
+Table deformers_table(const Modes& modes) {
+  Table table{
+      {"deformer", "energy", "at worst", "bending", "volume", "gap", "torn", "frame, ms", "binding, ms"}, {}};
+  for (const Mode* m : modes) {
+    const auto energies = over_poses(*m, &ShapeQuality::energy_ratio),
+               volumes = over_poses(*m, &ShapeQuality::volume);
+    table.rows.push_back(
+        {label_of(*m), number(energies.middle), number(energies.most), number(bending(*m)),
+         std::isnan(volumes.least) ? "" : percent(100 * volumes.least) + " to " + percent(100 * volumes.most),
+         few_digits(100 * over_poses(*m, &ShapeQuality::gap).middle),
+         few_digits(100 * over_poses(*m, &ShapeQuality::torn).most), few_digits(m->frame_ms),
+         std::to_string(std::lround(m->bind_ms))});
+  }
+  return table;
+}
+
+Table meaning_of_deformers(const Modes& modes) {
+  Table table{{"deformer", "what it does"}, {}, {"what it does"}};
+  for (const Mode* m : modes)
+    if (const auto way = deform::way_of(m->scheme))
+      table.rows.push_back({label_of(*m), std::string(deform::entry(*way).sentence)});
+  return table;
+}
+
+std::string deformers_seen(const Modes& modes, std::size_t poses) {
+  const auto frame_text = [](const Mode& mode) { return base::milliseconds(mode.frame_ms) + " per frame"; };
+  const Mode &undistorted = least(modes, energy), &unbent = least(modes, bending),
+             &fast = least(modes, frame);
+  std::string text = label_of(undistorted) + " distorts least: " + number(energy(undistorted)) +
+                     " times as much as mean value coordinates" +
+                     (poses > 1 ? " (median of " + std::to_string(poses) + " poses)" : "") + ", at " +
+                     frame_text(undistorted) + ". ";
+  text += &undistorted == &unbent ? "It also bends least. " : label_of(unbent) + " bends least. ";
+  for (const Mode* m : modes)
+    if (m != &undistorted && is_default(*m))
+      text += "Smooth, the default, distorts " + number(energy(*m)) + " times as much, at " + frame_text(*m) +
+              ". ";
+  return text + "The fastest is " + label_of(fast) +
+         (&fast == &undistorted ? "." : ", at " + frame_text(fast) + ".");
+}
+
+Section deformers_section(const Figures& figures) {
+  Modes modes;
+  std::string problems, poses;
+  for (const Mode& mode : figures.ways.modes) {
+    if (mode.problem.empty())
+      modes.push_back(&mode);
+    else
+      problems += paragraph(label_of(mode) + ": " + mode.problem, "note");
+  }
+  Section section{"deformers", "Ours", "Deformers", "", "", "", {}};
+  section.commands = {"viete bench modes " + shell_word(figures.files.model) + " " +
+                      shell_word(figures.files.cage)};
+  for (const auto& pose : figures.files.poses) section.commands[0] += " " + shell_word(pose);
+  for (const NamedPose& pose : figures.poses) poses += (poses.empty() ? "" : ", ") + pose.name;
+  section.body = problems;
+  if (modes.empty()) return section;
+  section.seen = deformers_seen(modes, figures.poses.size());
+  section.why =
+      "A deformer is a choice of maps, weights and blend. Low distortion is not the only criterion: Mean "
+      "value "
+      "reproduces affine poses exactly, Local leaves distant parts at rest, and As published needs neither a "
+      "surface nor a solver.";
+  section.body =
+      plots(deformers_plot("distortion, relative to mean value coordinates", modes, energy, "") +
+            deformers_plot("ms per frame, one thread", modes, frame, " ms")) +
+      html(deformers_table(modes)) + problems +
+      paragraph(
+          "Poses: " + poses +
+              ". Energy: symmetric Dirichlet energy of the triangles. Bending: energy of the changes of "
+              "angle between triangles (discrete shells). Both are medians relative to mean value "
+              "coordinates. Volume: relative to rest. Gap: mean distance of the surface from the motion "
+              "of the nearby cage. Torn: largest change of distance between vertices that are close at "
+              "rest. Gap and torn are in % of the diagonal.",
+          "note") +
+      details("Description of the deformers", html(meaning_of_deformers(modes)));
+  return section;
+}
+
+constexpr std::tuple<const char*, const char*, const char*> interpolations[] = {
+    {"linear", "straight", plot_color::rival}, {"log space", "log_space", plot_color::ours[0]}};
+
+Plot volumes_of(const nlohmann::json& row) {
+  Plot plot;
+  plot.linear = true, plot.across = "share of the way";
+  for (const auto& [name, key, color] : interpolations) {
+    PlotCurve curve{name, color, false, {}};
+    const auto& volumes = row[key]["volumes"];
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      curve.points.push_back(
+          {static_cast<double>(i) / static_cast<double>(volumes.size() - 1), double(volumes[i])});
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+// Draws all at the same scale.
+std::string drawn(const std::vector<ShapePicture>& pictures) {
+  constexpr double width = 200, height = 170, margin = 6;
+  double reach_x = 1e-9, reach_y = 1e-9;
+  for (const ShapePicture& picture : pictures)
+    for (const auto& [x, y] : picture.dots)
+      reach_x = std::max(reach_x, std::abs(x)), reach_y = std::max(reach_y, std::abs(y));
+  const double scale = std::min((width / 2 - margin) / reach_x, (height / 2 - margin) / reach_y);
+  std::string text;
+  for (const ShapePicture& picture : pictures) {
+    std::vector<SvgPoint> dots;
+    for (const auto& [x, y] : picture.dots) dots.push_back({width / 2 + scale * x, height / 2 - scale * y});
+    Svg svg(width, height, "#ffffff");
+    svg.dots(dots, "#1f2933", 0.9);
+    text += figure(picture.name, svg.document());
+  }
+  return text.empty() ? "" : plots(text, "plots small");
+}
+
+Section shapes_section(const Figures& figures) {
+  Section section{"shapes", "Ours", "Between shapes", "", "", "", {}};
+  Table table{{"halfway to", "volume, log space", "volume, linear", "edges, log space", "edges, linear"}, {}};
+  Plot edges;
+  edges.unit = " %", edges.compared = false;
+  std::string curves;
+  for (const auto& row : figures.shapes) {
+    const std::string name = name_of_shape(row);
+    curves += figure("volume on the way to " + name, draw_curves(volumes_of(row)));
+    for (const auto& [how, key, color] : interpolations)
+      edges.bars.push_back({name + ", " + how, 100 * double(row[key]["edges"]), color});
+    table.rows.push_back({name});
+    for (const char* what : {"volume", "edges"})
+      for (const char* key : {"log_space", "straight"})
+        table.rows.back().push_back(percent(100 * double(row[key][what])));
+  }
+  section.body =
+      drawn(figures.pictures) +
+      plots(curves + figure("deviation of edge lengths halfway, %", draw_bars(edges))) + html(table) +
+      paragraph(
+          "Volume: relative to the smaller end. Edges: root mean square deviation of the lengths, in "
+          "logarithms, from the geometric mean of both ends. Shapes of the bundled dragon.",
+          "note");
+  if (const auto* most = most_lost(figures.shapes)) {
+    const auto &straight = (*most)["straight"], &logs = (*most)["log_space"];
+    section.seen = "Halfway to " + name_of_shape(*most) + ", linear interpolation loses " +
+                   lost_volume(straight) + " of the volume, and edge lengths deviate by " +
+                   percent(100 * double(straight["edges"])) + ". Log space loses " + lost_volume(logs) +
+                   ", and edge lengths deviate by " + percent(100 * double(logs["edges"])) + ".";
+  }
+  section.why =
+      "Linear interpolation moves each point along a straight line. If a part rotates by 180\u00b0, its "
+      "points "
+      "meet at the axis and the part collapses. Logarithms interpolate the rotation itself, so that each "
+      "triangle turns about the axis and keeps its size.";
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> sections_of(const Figures& figures) {
+  return {eigenvalues_section(figures), exponentials_section(figures), deformation_section(figures),
+          paper_section(figures),       accuracy_section(figures),     frames_section(figures),
+          deformers_section(figures),   shapes_section(figures)};
 }
 
 }  // namespace viete::bench

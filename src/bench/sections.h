@@ -18,13 +18,5 @@ struct Section {
 
 /// The paper's three figures and its claims, then ours.
 std::vector<Section> sections_of(const Figures& figures);
-Section eigenvalues_section(const Figures& figures);
-Section exponentials_section(const Figures& figures);
-Section deformation_section(const Figures& figures);
-Section paper_section(const Figures& figures);
-Section accuracy_section(const Figures& figures);
-Section frames_section(const Figures& figures);
-Section ways_section(const Figures& figures);
-Section shapes_section(const Figures& figures);
 
 }  // namespace viete::bench

@@ -1,19 +1,24 @@
 #include "bench/sym3.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "bench/derivatives.h"
+#include "base/memory.h"
 #include "bench/ensembles.h"
+#include "bench/exp.h"
+#include "bench/matrix_array.h"
 #include "bench/table.h"
 #include "deform/maps.h"
+#include "deform/polar.h"
+#include "sym3/derivative.h"
+#include "sym3/eigen.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/log.h"
@@ -30,158 +35,77 @@ using sym3::Kernel;
 using sym3::Layout;
 using sym3::Method;
 using sym3::Sym3;
-using sym3::View;
+using sym3::SymView;
 
 constexpr std::size_t in_cache = 4096;  // matrices: 400 KB in double, in and out
-constexpr std::size_t pieces = 10;
+const std::string planes_text = ", planes in the second cache, per matrix";
 
-/// Page-aligned numbers like large arrays, not yet written.
-template <class T>
-class Numbers {
-public:
-  explicit Numbers(std::size_t count)
-      : data_(static_cast<T*>(std::aligned_alloc(4096, (count * sizeof(T) / 4096 + 1) * 4096))) {}
-  T* get() const { return data_.get(); }
-
-private:
-  struct Free {
-    void operator()(T* p) const { std::free(p); }
-  };
-  std::unique_ptr<T, Free> data_;
-};
-
-/// The same matrices, repeated, in planes or all nine.
-template <class T>
-void fill(const std::vector<Sym3<T>>& from, const View<T, 6>& to, std::size_t count) {
-  constexpr int entry_of_nine[] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
-  for (std::size_t i = 0; i < count; ++i) {
-    const T* e = &from[i % from.size()].xx;
-    if (to.layout == Layout::planes) {
-      for (int k = 0; k < 6; ++k) to.plane[k][i] = e[k];
-    } else {
-      for (int k = 0; k < 9; ++k) to.plane[0][9 * i + k] = e[entry_of_nine[k]];
-    }
-  }
+/// A case of all matrices, by calls for single matrices.
+template <class In, class Out, class Function>
+RoundCase one_by_one(const char* name, const std::vector<In>& in, std::vector<Out>& out, Function function) {
+  return {name, in_cache,
+          [&, function](std::size_t) { std::transform(in.begin(), in.end(), out.begin(), function); }};
 }
 
-/// A measured case: run(i) does the i-th piece of the work.
-struct BenchCase {
-  std::string name;
-  std::function<void(std::size_t piece)> run;
-  std::size_t repeats = 1;  ///< repetitions, for short cases
-};
+RoundCase batched(const std::string& name, std::size_t repeats, const std::function<void()>& run) {
+  return {name, in_cache, [run](std::size_t) { run(); }, repeats};
+}
 
-/// Runs `parts` pieces of `size` matrices each in turn, `passes` times.
-std::vector<BenchResult> measure(const std::string& title, const std::vector<BenchCase>& cases,
-                                 std::size_t parts, std::size_t size, std::size_t passes,
-                                 const std::string& reference) {
-  std::vector<RoundCase> rounds;
-  for (const BenchCase& c : cases) {
-    rounds.push_back({c.name, size * c.repeats, [&c, parts](std::size_t round) {
-                        for (std::size_t i = 0; i < c.repeats; ++i) c.run(round % parts);
-                      }});
-  }
+/// The copy of so many planes.
+RoundCase copy_of(const double* from, double* to, std::size_t planes, std::size_t stride) {
+  return batched("copy", 20, [=] { std::memcpy(to, from, planes * stride * sizeof(double)); });
+}
+
+std::vector<BenchResult> measure(const std::string& title, const std::vector<RoundCase>& cases) {
   base::Progress progress;
-  const auto results = measure_rounds(rounds, parts * passes, progress);
-  print_table(title, results, reference, "copy");
+  const auto results = measure_rounds(cases, 41, progress);
+  print(title + planes_text, times_table(results));
   return results;
 }
 
-double faster(const std::vector<BenchResult>& results, const std::string& slow, const std::string& fast) {
-  return time_of(results, slow) / time_of(results, fast);
-}
-
-/// Planes that fit the second-level cache.
 template <class T>
 void in_second_cache(const std::string& type, Bars& report) {
   const auto matrices = paper_ensemble<T>(in_cache);
-  const std::size_t stride = sym3::padded_stride<T>(in_cache);
-  const Numbers<T> in(6 * stride), out(6 * stride);
-  const View<T, 6> from(in.get(), stride), to(out.get(), stride);
-  fill(matrices, from, in_cache);
+  MatrixArray<T> in(Layout::planes, in_cache), out(Layout::planes, in_cache);
+  in.fill(matrices), out.fill(matrices);
   std::vector<Sym3<T>> answers(in_cache);
-  std::vector<BenchCase> cases;
-  for (const Method m : {Method::diag, Method::improved_sd}) {
-    cases.push_back(
-        {std::string(sym3::name(m)), [&, m](std::size_t) { sym3::exp<T>(matrices, answers, m); }});
-  }
-  cases.push_back({"one by one", [&](std::size_t) {
-                     for (std::size_t i = 0; i < in_cache; ++i) answers[i] = sym3::exp(matrices[i]);
-                   }});
+  std::vector<RoundCase> cases;
+  for (const Method m : {Method::diag, Method::improved_sd})
+    cases.push_back(batched(std::string(sym3::name(m)), 1, [&, m] { sym3::exp<T>(matrices, answers, m); }));
+  cases.push_back(one_by_one("one by one", matrices, answers, [](const Sym3<T>& s) { return sym3::exp(s); }));
   // Repeated, because a processor runs wide instructions slowly for the first 20 us or so.
-  for (const Kernel& k : sym3::kernels()) {
-    cases.push_back({std::string(k.name),
-                     [&, kernel = &k](std::size_t) { sym3::exp(from, to, in_cache, {kernel}); }, 100});
+  for (const Kernel& k : sym3::kernels())
+    cases.push_back(batched(std::string(k.name), 100,
+                            [&, kernel = &k] { sym3::exp(in.view(), out.view(), in_cache, {kernel}); }));
+  cases.push_back(batched("copy", 100, [&] { in.copy_to(out); }));
+  const auto r = measure("exp " + type, cases);
+  const struct {
+    const char *slow, *fast;
+    double bar, float_bar;  // 0: not checked
+  } bars[] = {{"diag", "avx512", 110, 200},  {"improved_sd", "avx512", 30, 75},
+              {"diag", "avx2", 80, 0},       {"improved_sd", "avx2", 22, 0},
+              {"diag", "one by one", 14, 0}, {"improved_sd", "one by one", 4, 0}};
+  for (const auto& [slow, fast, bar, float_bar] : bars) {
+    const double least = sizeof(T) == 8 ? bar : float_bar;
+    if (least > 0 && time_of(r, fast) > 0)
+      report.check("exp " + type + ", in cache: " + slow + " / " + fast, faster(r, slow, fast), least, true);
   }
-  cases.push_back(
-      {"copy", [&](std::size_t) { std::memcpy(out.get(), in.get(), 6 * stride * sizeof(T)); }, 100});
-  const auto r =
-      measure("exp " + type + ", planes in the second cache, ns per matrix", cases, 1, in_cache, 41, "diag");
-  const bool is_double = sizeof(T) == 8;
-  if (sym3::kernel_from_name("avx512")) {
-    report.check("exp " + type + ", in cache, avx512: diag /", faster(r, "diag", "avx512"),
-                 is_double ? 110 : 200, true);
-    report.check("exp " + type + ", in cache, avx512: improved_sd /", faster(r, "improved_sd", "avx512"),
-                 is_double ? 30 : 75, true);
-  } else {
-    std::printf("  this machine has no AVX-512: its rows are skipped\n");
-  }
-  if (is_double && sym3::kernel_from_name("avx2")) {
-    report.check("exp double, in cache, avx2: diag /", faster(r, "diag", "avx2"), 80, true);
-    report.check("exp double, in cache, avx2: improved_sd /", faster(r, "improved_sd", "avx2"), 22, true);
-  }
-  if (is_double) {
-    report.check("one matrix per call: diag /", faster(r, "diag", "one by one"), 14, true);
-    report.check("one matrix per call: improved_sd /", faster(r, "improved_sd", "one by one"), 4, true);
-  }
-}
-
-/// One layout from memory, compared with a copy of it piece by piece.
-template <class T>
-std::vector<BenchResult> from_memory(const std::string& title, Layout layout, std::size_t count) {
-  const std::size_t size = std::max<std::size_t>(64, count / pieces / 64 * 64), total = size * pieces;
-  const std::size_t width = layout == Layout::full ? 9 : 6, stride = sym3::padded_stride<T>(total);
-  const Numbers<T> in(width * stride), out(width * stride);
-  const auto view = [&](T* data) {
-    return layout == Layout::planes ? View<T, 6>(data, stride) : View<T, 6>(layout, data);
-  };
-  const auto part = [=](View<T, 6> v, std::size_t p) {
-    for (int k = 0; k < 6; ++k) {
-      if (v.plane[k]) v.plane[k] += p * size * (layout == Layout::planes ? 1 : width);
-    }
-    return v;
-  };
-  const auto matrices = paper_ensemble<T>(in_cache);
-  fill(matrices, view(in.get()), total);
-  std::memset(out.get(), 0, width * stride * sizeof(T));
-  std::vector<Sym3<T>> answers(in_cache);
-  const std::vector<BenchCase> cases = {
-      {"diag",
-       [&](std::size_t) {
-         for (std::size_t i = 0; i < size; i += in_cache) sym3::exp<T>(matrices, answers, Method::diag);
-       }},
-      {"fast",
-       [&](std::size_t p) {
-         sym3::exp(part(view(in.get()), p), part(view(out.get()), p), size,
-                   {nullptr, nullptr, sym3::Stores::automatic});
-       }},
-      {"copy", [&](std::size_t p) {
-         const auto from = part(view(in.get()), p), to = part(view(out.get()), p);
-         if (layout != Layout::planes)
-           return void(std::memcpy(to.plane[0], from.plane[0], width * size * sizeof(T)));
-         for (int k = 0; k < 6; ++k) std::memcpy(to.plane[k], from.plane[k], size * sizeof(T));
-       }}};
-  return measure(title + ", " + std::to_string(total) + " from memory", cases, pieces, size, 2, "diag");
 }
 
 void out_of_cache(std::size_t count, Bars& report) {
-  const auto planes = from_memory<double>("exp double, planes", Layout::planes, count);
-  report.check("exp double, from memory: / copy", 1 / faster(planes, "copy", "fast"), 1.25, false);
-  const auto planes_f = from_memory<float>("exp float, planes", Layout::planes, count);
-  report.check("exp float, from memory: / copy", 1 / faster(planes_f, "copy", "fast"), 1.15, false);
-  const auto full = from_memory<double>("exp of Matrix3d", Layout::full, count);
-  report.check("exp of Matrix3d, from memory: diag /", faster(full, "diag", "fast"), 60, true);
-  report.check("exp of Matrix3d, from memory: / copy", 1 / faster(full, "copy", "fast"), 1.3, false);
+  base::Progress progress;
+  for (const bool in_float : {false, true}) {
+    double best = HUGE_VAL;
+    for (const Layout layout : {Layout::planes, Layout::blocks}) {
+      const LayoutResult r = measure_layout(layout, count, in_float, progress);
+      best = std::min(best, faster(r.times, "fast", "copy"));
+    }
+    report.check(std::string("exp ") + (in_float ? "float" : "double") + ", from memory, best layout: / copy",
+                 best, in_float ? 1.15 : 1.25, false);
+  }
+  const LayoutResult full = measure_layout(Layout::full, count, false, progress);
+  report.check("exp of Matrix3d, from memory: diag /", faster(full.times, "diag", "fast"), 60, true);
+  report.check("exp of Matrix3d, from memory: / copy", faster(full.times, "fast", "copy"), 1.3, false);
 }
 
 /// R = cos a I + sin a / a [w] + (1 - cos a) / a^2 w w^T, with a case for small angles.
@@ -201,110 +125,186 @@ sym3::Vec3<double> textbook_log(const sym3::Mat3<double>& r) {
   return {f * (r[7] - r[5]), f * (r[2] - r[6]), f * (r[3] - r[1])};
 }
 
-/// By the quaternion's largest component and the arc tangent of half the angle; accurate at every angle.
-sym3::Vec3<double> log_by_quaternion(const sym3::Mat3<double>& r) {
-  const double x = r[0], y = r[4], z = r[8], trace = x + y + z;
-  const double dx = r[7] - r[5], dy = r[2] - r[6], dz = r[3] - r[1], sx = r[7] + r[5], sy = r[2] + r[6],
-               sz = r[3] + r[1];
-  std::array<double, 4> q;
-  if (trace >= std::max({x, y, z}))
-    q = {1 + trace, dx, dy, dz};
-  else if (x >= std::max(y, z))
-    q = {dx, 1 + x - y - z, sz, sy};
-  else if (y >= z)
-    q = {dy, sz, 1 + y - x - z, sx};
-  else
-    q = {dz, sy, sx, 1 + z - x - y};
-  const double sine = std::copysign(std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]), q[0]);
-  const double f = sine != 0 ? 2 * std::atan2(std::fabs(sine), std::fabs(q[0])) / sine : 0;
-  return {f * q[1], f * q[2], f * q[3]};
-}
-
-void rotation_logs(Bars& report) {
-  Random random(8);
-  const std::size_t stride = sym3::padded_stride<double>(in_cache);
-  std::vector<sym3::Mat3<double>> r(in_cache);
-  std::vector<sym3::Vec3<double>> w(in_cache);
-  const Numbers<double> planes(9 * stride), out(3 * stride);
-  for (std::size_t i = 0; i < in_cache; ++i) {
-    r[i] =
-        sym3::exp_rotation<double>({uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -3, 3)});
-    for (int k = 0; k < 9; ++k) planes.get()[k * stride + i] = r[i][k];
-  }
-  const sym3::VecView<double> to(out.get(), stride);
-  const auto a = measure(
-      "logs of rotations double, planes in the second cache",
-      {{"textbook", [&](std::size_t) { std::transform(r.begin(), r.end(), w.begin(), textbook_log); }},
-       {"by quaternion",
-        [&](std::size_t) { std::transform(r.begin(), r.end(), w.begin(), log_by_quaternion); }},
-       {"one by one",
-        [&](std::size_t) { std::transform(r.begin(), r.end(), w.begin(), sym3::log_rotation<double>); }},
-       {"batched",
-        [&](std::size_t) { sym3::log_rotation(sym3::MatView<double>(planes.get(), stride), to, in_cache); },
-        20},
-       {"copy", [&](std::size_t) { std::memcpy(out.get(), planes.get(), 3 * stride * sizeof(double)); }, 20}},
-      1, in_cache, 41, "textbook");
-  report.check("log of rotations: textbook / batched", faster(a, "textbook", "batched"), 6, true);
-}
-
 void rotations(Bars& report) {
   Random random(7);
   const std::size_t stride = sym3::padded_stride<double>(in_cache);
-  std::vector<sym3::Vec3<double>> w(in_cache);
-  std::vector<sym3::Mat3<double>> r(in_cache), m(in_cache);
-  const Numbers<double> planes_w(3 * stride), planes_m(9 * stride), out(9 * stride);
+  std::vector<sym3::Vec3<double>> w(in_cache), logs(in_cache);
+  std::vector<sym3::Mat3<double>> r(in_cache), m(in_cache), turns(in_cache);
+  base::AlignedVector<double> planes_w(3 * stride), planes_r(9 * stride), planes_m(9 * stride),
+      out(9 * stride);
   for (std::size_t i = 0; i < in_cache; ++i) {
-    for (int k = 0; k < 3; ++k) planes_w.get()[k * stride + i] = w[i][k] = uniform(random, -1.5, 1.5);
-    const auto turn = sym3::exp_rotation(w[i]);
-    for (int k = 0; k < 9; ++k)
-      planes_m.get()[k * stride + i] = m[i][k] = turn[k] + uniform(random, -0.3, 0.3);
+    for (int k = 0; k < 3; ++k) planes_w[k * stride + i] = w[i][k] = uniform(random, -1.5, 1.5);
+    turns[i] = sym3::exp_rotation(w[i]);
+    for (int k = 0; k < 9; ++k) {
+      planes_r[k * stride + i] = turns[i][k];
+      planes_m[k * stride + i] = m[i][k] = turns[i][k] + uniform(random, -0.3, 0.3);
+    }
   }
-  const sym3::MatView<double> to(out.get(), stride);
-  const auto a = measure(
-      "rotations double, planes in the second cache",
-      {{"textbook", [&](std::size_t) { std::transform(w.begin(), w.end(), r.begin(), textbook_rotation); }},
-       {"batched",
-        [&](std::size_t) { sym3::exp_rotation(sym3::VecView<double>(planes_w.get(), stride), to, in_cache); },
-        20},
-       {"copy", [&](std::size_t) { std::memcpy(out.get(), planes_m.get(), 6 * stride * sizeof(double)); },
-        20}},
-      1, in_cache, 41, "textbook");
-  report.check("rotation: textbook / batched", faster(a, "textbook", "batched"), 15, true);
-  const auto b = measure(
-      "polar double, rotations with stretches of some 30 %, planes",
-      {{"SVD",
-        [&](std::size_t) {
-          std::transform(m.begin(), m.end(), r.begin(),
-                         [](const auto& x) { return deform::polar(x).rotation; });
-        }},
-       {"batched",
-        [&](std::size_t) { sym3::polar(sym3::MatView<double>(planes_m.get(), stride), to, in_cache); }, 4},
-       {"copy", [&](std::size_t) { std::memcpy(out.get(), planes_m.get(), 9 * stride * sizeof(double)); },
-        20}},
-      1, in_cache, 21, "SVD");
-  report.check("polar: SVD / batched", faster(b, "SVD", "batched"), 40, true);
+  const sym3::VecView<double> from_w(planes_w.data(), stride), to_w(out.data(), stride);
+  const sym3::MatView<double> from_r(planes_r.data(), stride), from_m(planes_m.data(), stride),
+      to(out.data(), stride);
+  const auto exps =
+      measure("rotations double", {one_by_one("textbook", w, r, textbook_rotation),
+                                   batched("batched", 20, [&] { sym3::exp_rotation(from_w, to, in_cache); }),
+                                   copy_of(planes_m.data(), out.data(), 6, stride)});
+  report.check("rotation: textbook / batched", faster(exps, "textbook", "batched"), 15, true);
+  const auto back = measure("logs of rotations double",
+                            {one_by_one("textbook", turns, logs, textbook_log),
+                             one_by_one("one by one", turns, logs, sym3::log_rotation<double>),
+                             batched("batched", 20, [&] { sym3::log_rotation(from_r, to_w, in_cache); }),
+                             copy_of(planes_r.data(), out.data(), 3, stride)});
+  report.check("log of rotations: textbook / batched", faster(back, "textbook", "batched"), 6, true);
+  const auto polar =
+      measure("polar double, rotations with stretches of some 30 %",
+              {one_by_one("SVD", m, r, [](const auto& x) { return deform::polar(x).rotation; }),
+               batched("batched", 4, [&] { sym3::polar(from_m, to, in_cache); }),
+               copy_of(planes_m.data(), out.data(), 9, stride)});
+  report.check("polar: SVD / batched", faster(polar, "SVD", "batched"), 40, true);
 }
 
 void logarithms(const std::string& what, const std::vector<Sym3<double>>& matrices, Bars& report) {
-  const std::size_t stride = sym3::padded_stride<double>(in_cache);
-  const Numbers<double> in(6 * stride), out(6 * stride);
-  const View<double, 6> from(in.get(), stride), to(out.get(), stride);
-  fill(matrices, from, in_cache);
+  MatrixArray<double> in(Layout::planes, in_cache), out(Layout::planes, in_cache);
+  in.fill(matrices), out.fill(matrices);
   std::vector<Sym3<double>> answers(in_cache);
-  const auto r = measure(
-      "log double, " + what + ", planes in the second cache",
-      {{"QR",
-        [&](std::size_t) {
-          std::transform(matrices.begin(), matrices.end(), answers.begin(), sym3::log_qr<double>);
-        }},
-       {"one by one",
-        [&](std::size_t) {
-          std::transform(matrices.begin(), matrices.end(), answers.begin(), sym3::log<double>);
-        }},
-       {"batched", [&](std::size_t) { sym3::log(from, to, in_cache); }, 4},
-       {"copy", [&](std::size_t) { std::memcpy(out.get(), in.get(), 6 * stride * sizeof(double)); }, 20}},
-      1, in_cache, 41, "QR");
+  const auto r = measure("log double, " + what,
+                         {one_by_one("QR", matrices, answers, sym3::log_qr<double>),
+                          one_by_one("one by one", matrices, answers, sym3::log<double>),
+                          batched("batched", 4, [&] { sym3::log(in.view(), out.view(), in_cache); }),
+                          batched("copy", 20, [&] { in.copy_to(out); })});
   report.check("log, " + what + ": QR / batched", faster(r, "QR", "batched"), 20, true);
+}
+
+constexpr std::size_t matrices_in_cache = 1024;  // with six directions and their results: 640 KB in double
+constexpr double pow_exponent = 0.4;
+
+/// A function with its derivative in planes, and as numbers for the reference formula.
+template <class T>
+struct Differentiable {
+  std::string name;
+  void (*function)(const SymView<const T>&, const SymView<T>&, std::size_t);
+  void (*derivative)(const SymView<const T>&, sym3::Directions<T>, sym3::Derivatives<T>, std::size_t);
+  void (*tangent)(const SymView<const T>&, const sym3::TangentView<T>&, std::size_t);
+  T (*at)(T), (*slope_at)(T);
+};
+
+template <class T>
+std::vector<Differentiable<T>> differentiable() {
+  using Views = const SymView<const T>&;
+  using Out = const SymView<T>&;
+  using Directions = sym3::Directions<T>;
+  using Derivatives = sym3::Derivatives<T>;
+  using Tangents = const sym3::TangentView<T>&;
+  return {{"exp", [](Views s, Out f, std::size_t n) { sym3::exp(s, f, n); },
+           [](Views s, Directions e, Derivatives f, std::size_t n) { sym3::exp_derivative(s, e, f, n); },
+           [](Views s, Tangents f, std::size_t n) { sym3::exp_tangent(s, f, n); },
+           [](T x) { return std::exp(x); }, [](T x) { return std::exp(x); }},
+          {"log", [](Views s, Out f, std::size_t n) { sym3::log(s, f, n); },
+           [](Views s, Directions e, Derivatives f, std::size_t n) { sym3::log_derivative(s, e, f, n); },
+           [](Views s, Tangents f, std::size_t n) { sym3::log_tangent(s, f, n); },
+           [](T x) { return std::log(x); }, [](T x) { return 1 / x; }},
+          {"sqrt", [](Views s, Out f, std::size_t n) { sym3::sqrt(s, f, n); },
+           [](Views s, Directions e, Derivatives f, std::size_t n) { sym3::sqrt_derivative(s, e, f, n); },
+           [](Views s, Tangents f, std::size_t n) { sym3::sqrt_tangent(s, f, n); },
+           [](T x) { return std::sqrt(x); }, [](T x) { return T(0.5) / std::sqrt(x); }},
+          {"pow", [](Views s, Out f, std::size_t n) { sym3::pow(s, pow_exponent, f, n); },
+           [](Views s, Directions e, Derivatives f, std::size_t n) {
+             sym3::pow_derivative(s, pow_exponent, e, f, n);
+           },
+           [](Views s, Tangents f, std::size_t n) { sym3::pow_tangent(s, pow_exponent, f, n); },
+           [](T x) { return std::pow(x, T(pow_exponent)); },
+           [](T x) { return T(pow_exponent) * std::pow(x, T(pow_exponent - 1)); }}};
+}
+
+/// The usual method of finite element codes: eigenvectors by QR, divided differences of the function, its
+/// derivative for eigenvalues closer than a millionth.
+template <class T>
+void by_eigenvectors(const Differentiable<T>& f, const sym3::Sym3<T>& s,
+                     std::span<const sym3::Sym3<T>> directions, std::span<sym3::Sym3<T>> out) {
+  using Matrix = Eigen::Matrix<T, 3, 3>;
+  Eigen::SelfAdjointEigenSolver<Matrix> solver;
+  solver.compute(sym3::to_eigen(s));
+  const auto& x = solver.eigenvalues();
+  const Matrix& v = solver.eigenvectors();
+  const std::array<T, 3> values = {f.at(x[0]), f.at(x[1]), f.at(x[2])};
+  Matrix slopes;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const T gap = x[i] - x[j];
+      slopes(i, j) = std::abs(gap) > T(1e-6) ? (values[i] - values[j]) / gap : f.slope_at((x[i] + x[j]) / 2);
+    }
+  }
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const Matrix in_axes = v.transpose() * sym3::to_eigen(directions[k]) * v;
+    out[k] = sym3::from_eigen<T>(v * slopes.cwiseProduct(in_axes) * v.transpose());
+  }
+}
+
+/// Matrices, six directions for each, and space for the results, in planes.
+template <class T>
+struct Planes {
+  std::vector<sym3::Sym3<T>> matrices, directions;
+  std::vector<MatrixArray<T>> arrays;  // matrices, six of directions, six of results
+  std::vector<SymView<const T>> from;
+  std::vector<SymView<T>> to;
+  sym3::TangentView<T> tangents;
+
+  explicit Planes(const std::vector<sym3::Sym3<T>>& s)
+      : matrices(s), directions(uniform_entries<T>(-1, 1, 6 * s.size())) {
+    for (int k = 0; k < 13; ++k) arrays.emplace_back(sym3::Layout::planes, s.size());
+    arrays[0].fill(s);
+    std::array<T*, 36> all;
+    for (std::size_t k = 0; k < 6; ++k) {
+      arrays[1 + k].fill(std::span(directions).subspan(k * s.size(), s.size()));
+      from.push_back(arrays[1 + k].view()), to.push_back(arrays[7 + k].view());
+      std::copy_n(to[k].plane, 6, all.begin() + 6 * k);
+    }
+    tangents = sym3::TangentView<T>(all);
+  }
+};
+
+template <class T>
+void time_derivative(const Differentiable<T>& f, const std::string& type, Planes<T>& p, Bars& report) {
+  const std::size_t count = p.matrices.size();
+  const SymView<const T> s(p.arrays[0].view());
+  std::array<sym3::Sym3<T>, 6> answers;
+  const auto peer = [&](std::size_t n) {
+    for (std::size_t i = 0; i < count; ++i) {
+      by_eigenvectors<T>(f, p.matrices[i], std::span(p.directions).subspan(6 * i, n),
+                         std::span(answers).first(n));
+    }
+  };
+  constexpr std::size_t often = 20;
+  const auto derive = [&](std::size_t n) {
+    return
+        [&, n](std::size_t) { f.derivative(s, std::span(p.from).first(n), std::span(p.to).first(n), count); };
+  };
+  const std::vector<RoundCase> cases = {
+      {"eigenvectors 1", count, [&](std::size_t) { peer(1); }},
+      {"function", count, [&](std::size_t) { f.function(s, p.to[0], count); }, often},
+      {"1 direction", count, derive(1), often},
+      {"6 directions", count, derive(6), often},
+      {"tangent", count, [&](std::size_t) { f.tangent(s, p.tangents, count); }, often},
+      {"eigenvectors 6", count, [&](std::size_t) { peer(6); }},
+      {"copy", count, [&](std::size_t) { p.arrays[0].copy_to(p.arrays[7]); }, often}};
+  base::Progress progress;
+  const auto r = measure_rounds(cases, 41, progress);
+  const std::string what = "derivative of " + f.name + " " + type;
+  print(what + ", planes in the second cache, per matrix", times_table(r));
+  report.check(what + ", one direction: / function", faster(r, "1 direction", "function"), 3, false);
+  report.check(what + ", six directions: / function", faster(r, "6 directions", "function"), 8, false);
+  report.check(what + ", tangent: / function", faster(r, "tangent", "function"), 8, false);
+}
+
+template <class T>
+void derivatives(const std::string& type, Bars& report) {
+  // Positive definite with margin, for all functions; the paper's ensemble nearly is not.
+  Random random(12);
+  std::vector<sym3::Sym3<T>> matrices(matrices_in_cache);
+  for (auto& s : matrices)
+    s = with_eigenvalues<T>({uniform(random, 0.5, 3), uniform(random, 0.5, 3), uniform(random, 0.5, 3)},
+                            random);
+  Planes<T> planes(matrices);
+  for (const auto& f : differentiable<T>()) time_derivative(f, type, planes, report);
 }
 
 /// The largest relative error of exp in u, against 106 bits.
@@ -348,7 +348,6 @@ void bench_sym3(std::size_t count, const std::filesystem::path& json) {
   in_second_cache<float>("float", report);
   out_of_cache(count ? count : 10'000'000, report);
   rotations(report);
-  rotation_logs(report);
   Random random(11);
   std::vector<Sym3<double>> ordinary(in_cache);
   for (auto& s : ordinary)
@@ -356,7 +355,8 @@ void bench_sym3(std::size_t count, const std::filesystem::path& json) {
                                  random);
   logarithms("conditions up to 4", ordinary, report);
   logarithms("S = M M^T", paper_ensemble<double>(in_cache), report);
-  bench_derivatives(report);
+  derivatives<double>("double", report);
+  derivatives<float>("float", report);
   errors<double>("double", small ? count : 1'000'000, report);
   errors<float>("float", small ? count : 1'000'000, report);
   write_json(json, {{"figure", "sym3"}, {"results", report.rows}});

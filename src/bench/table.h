@@ -1,4 +1,4 @@
-// Interleaved rounds of measurements; printing and writing of their results.
+// Interleaved rounds of measurements; their results as tables and JSON.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,7 @@ struct RoundCase {
   std::string name;
   std::size_t items;
   std::function<void(std::size_t round)> run;
+  std::size_t repeats = 1;  ///< runs per round, for runs shorter than the resolution of the clock
 };
 
 struct BenchResult {
@@ -26,15 +27,30 @@ struct BenchResult {
 
 /// The time of the case with this name; 0 if there is none.
 double time_of(const std::vector<BenchResult>& results, const std::string& name);
+/// The ratio of two times.
+double faster(const std::vector<BenchResult>& results, const std::string& slow, const std::string& fast);
 
 /// Runs every case once per round, so that disturbances affect all alike, after one warm-up round. Processor
 /// time of the calling thread, medians. Throws base::Cancelled.
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
 
-/// Prints name, ns per item, the ratio to the time of `copy`, and the speedup over `reference`.
-void print_table(const std::string& title, const std::vector<BenchResult>& results,
-                 const std::string& reference, const std::string& copy);
+/// Rows of text, for the terminal and for the page. The first column has names; the others have numbers and
+/// are right-aligned, except columns listed in `words`.
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> words = {};
+};
+void print(const std::string& title, const Table& table);
+
+/// Times with their ratios to the first one and to that of "copy".
+Table times_table(const std::vector<BenchResult>& results, const std::string& unit = "ns");
+
+/// "4.3e-16".
+std::string error_text(double error);
+/// "76 %", with a no-break space.
+std::string percent(double value);
 
 nlohmann::json to_json(const std::vector<BenchResult>& results);
 /// Atomic. Throws base::Error. Does nothing for an empty path.

@@ -16,95 +16,81 @@ ImU32 darkened(ImU32 color, float tone) {
   return ImGui::ColorConvertFloat4ToU32({tone * c.x, tone * c.y, tone * c.z, c.w});
 }
 
-}  // namespace
+// Draws relative to a corner.
+class PicturePainter {
+public:
+  using Shape = scene::PictureShape;
 
-PicturePainter::PicturePainter(const Context& ui, ImVec2 corner)
-    : ui_(ui), list_(*ImGui::GetWindowDrawList()), corner_(corner) {
-  list_._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;
-}
+  PicturePainter(const Context& ui, ImVec2 corner)
+      : ui_(ui), list_(*ImGui::GetWindowDrawList()), corner_(corner) {}
 
-PicturePainter::~PicturePainter() {
-  list_._FringeScale = 1;
-}
-
-void PicturePainter::draw(const Shape& shape) {
-  const Palette& colors = ui_.colors;
-  using scene::Ink;
-  switch (shape.ink) {
-    case Ink::model: return lit(shape);
-    case Ink::lit: return fill(shape, darkened(ui_.colors.model, shape.tones[0]));
-    case Ink::weight: return weighed(shape);
-    case Ink::behind: return line(shape, faded(colors.accent, 0.4f), 1);
-    case Ink::cage: return line(shape, colors.accent, 1.25f);
-    case Ink::marked: return line(shape, colors.highlight, 2);
+  void draw(const Shape& shape) {
+    const Palette& colors = ui_.colors;
+    using scene::Ink;
+    switch (shape.ink) {
+      case Ink::model: return lit(shape);
+      case Ink::lit: return fill(shape, darkened(ui_.colors.model, shape.tones[0]));
+      case Ink::weight: return weighed(shape);
+      case Ink::behind: return line(shape, faded(colors.accent, 0.4f), 1);
+      case Ink::cage: return line(shape, colors.accent, 1.25f);
+      case Ink::marked: return line(shape, colors.highlight, 2);
+    }
   }
-}
 
-std::vector<ImVec2> PicturePainter::placed(const Shape& shape) const {
-  std::vector<ImVec2> points;
-  for (const glm::vec2& p : shape.points) points.push_back({corner_.x + p.x, corner_.y + p.y});
-  return points;
-}
+private:
+  std::vector<ImVec2> placed(const Shape& shape) const {
+    std::vector<ImVec2> points;
+    for (const glm::vec2& p : shape.points) points.push_back({corner_.x + p.x, corner_.y + p.y});
+    return points;
+  }
 
-void PicturePainter::line(const Shape& shape, ImU32 color, float width, ImDrawFlags flags) {
-  const auto points = placed(shape);
-  list_.AddPolyline(points.data(), static_cast<int>(points.size()), color, flags, width);
-}
+  void line(const Shape& shape, ImU32 color, float width, ImDrawFlags flags = 0) {
+    const auto points = placed(shape);
+    list_.AddPolyline(points.data(), static_cast<int>(points.size()), color, flags, width);
+  }
 
-void PicturePainter::fill(const Shape& shape, ImU32 color) {
-  const auto points = placed(shape);
-  if (!shape.triangles.empty()) return triangles(shape, std::vector(points.size(), color));
-  list_.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color);
-}
+  void fill(const Shape& shape, ImU32 color) {
+    const auto points = placed(shape);
+    if (!shape.triangles.empty()) return triangles(shape, std::vector(points.size(), color));
+    list_.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color);
+  }
 
-void PicturePainter::lit(const Shape& shape) {
-  fill(shape, darkened(ui_.colors.model, shape.tones[0]));
-  line(shape, faded(darkened(ui_.colors.model, 0.5f), 0.45f), 1, ImDrawFlags_Closed);
-}
+  void lit(const Shape& shape) {
+    fill(shape, darkened(ui_.colors.model, shape.tones[0]));
+    line(shape, faded(darkened(ui_.colors.model, 0.5f), 0.45f), 1, ImDrawFlags_Closed);
+  }
 
-ImU32 PicturePainter::color_of(float weight) const {
-  const auto& colors = ui_.field_colors.even;
-  if (colors.empty()) return faded(ui_.colors.highlight, weight);
-  return colors[static_cast<std::size_t>(weight * static_cast<float>(colors.size() - 1) + 0.5f)];
-}
+  ImU32 color_of(float weight) const {
+    const auto& colors = ui_.field_colors.even;
+    if (colors.empty()) return faded(ui_.colors.highlight, weight);
+    return colors[static_cast<std::size_t>(weight * static_cast<float>(colors.size() - 1) + 0.5f)];
+  }
 
-void PicturePainter::weighed(const Shape& shape) {
-  std::vector<ImU32> colors;
-  for (const float tone : shape.tones) colors.push_back(color_of(tone));
-  triangles(shape, colors);
-}
+  void weighed(const Shape& shape) {
+    std::vector<ImU32> colors;
+    for (const float tone : shape.tones) colors.push_back(color_of(tone));
+    triangles(shape, colors);
+  }
 
-// One colour per corner.
-void PicturePainter::triangles(const Shape& shape, const std::vector<ImU32>& colors) {
-  const auto points = placed(shape);
-  const auto count = static_cast<unsigned>(points.size());
-  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
-  list_.PrimReserve(static_cast<int>(3 * (count - 2)), static_cast<int>(count));
-  const unsigned first = list_._VtxCurrentIdx;
-  const auto write = [&](const std::array<unsigned, 3>& t) {
-    for (const unsigned corner : t) list_.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
-  };
-  for (unsigned i = 2; i < count && shape.triangles.empty(); ++i) write({0u, i - 1, i});
-  std::ranges::for_each(shape.triangles, write);
-  for (unsigned i = 0; i < count; ++i) list_.PrimWriteVtx(points[i], white, colors[i]);
-}
+  // One colour per corner.
+  void triangles(const Shape& shape, const std::vector<ImU32>& colors) {
+    const auto points = placed(shape);
+    const auto count = static_cast<unsigned>(points.size());
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    list_.PrimReserve(static_cast<int>(3 * (count - 2)), static_cast<int>(count));
+    const unsigned first = list_._VtxCurrentIdx;
+    const auto write = [&](const std::array<unsigned, 3>& t) {
+      for (const unsigned corner : t) list_.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
+    };
+    for (unsigned i = 2; i < count && shape.triangles.empty(); ++i) write({0u, i - 1, i});
+    std::ranges::for_each(shape.triangles, write);
+    for (unsigned i = 0; i < count; ++i) list_.PrimWriteVtx(points[i], white, colors[i]);
+  }
 
-namespace {
-
-constexpr float picture_rounding = 6;
-
-void draw_picture(const Context& ui, const scene::ChoicePicture& picture) {
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  ImGui::Dummy({scene::choice_picture_size.x, scene::choice_picture_size.y});
-  record(ui, "choice_picture");
-  const ImVec2 high = ImGui::GetItemRectMax();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, high, ui.colors.card, picture_rounding);
-  list.PushClipRect(low, high, true);
-  PicturePainter painter(ui, low);
-  for (const auto& shape : picture.shapes) painter.draw(shape);
-  list.PopClipRect();
-}
+  const Context& ui_;
+  ImDrawList& list_;
+  ImVec2 corner_;
+};
 
 // Aligns the tooltip with the item vertically, as far as it fits into the window.
 void place_beside() {
@@ -120,6 +106,18 @@ void place_beside() {
 
 }  // namespace
 
+void draw_picture(const Context& ui, std::span<const scene::PictureShape> shapes, ImVec2 low, ImVec2 high,
+                  ImU32 card, float rounding) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, high, card, rounding);
+  list.PushClipRect(low, high, true);
+  list._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;
+  PicturePainter painter(ui, low);
+  for (const auto& shape : shapes) painter.draw(shape);
+  list._FringeScale = 1;
+  list.PopClipRect();
+}
+
 void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const std::string& sentence,
                   const std::string& more) {
   place_beside();
@@ -127,7 +125,10 @@ void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const 
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + scene::choice_picture_size.x);
   ImGui::TextUnformatted(wrapped(sentence, scene::choice_picture_size.x).c_str());
   ImGui::Spacing();
-  draw_picture(ui, picture);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({scene::choice_picture_size.x, scene::choice_picture_size.y});
+  record(ui, "choice_picture");
+  draw_picture(ui, picture.shapes, low, ImGui::GetItemRectMax(), ui.colors.card, 6);
   text_in(ui.colors.faint, std::string(picture.caption));
   if (!more.empty()) {
     ImGui::Spacing();

@@ -1,6 +1,8 @@
 // Lists of commands that choose a value, with tooltips and pictures.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "scene/pictures/choice_picture.h"
@@ -11,31 +13,9 @@
 
 namespace viete::ui {
 
-/// Draws into the current window, relative to a corner.
-class PicturePainter {
-public:
-  PicturePainter(const Context& ui, ImVec2 corner);
-  ~PicturePainter();
-  PicturePainter(const PicturePainter&) = delete;
-  PicturePainter& operator=(const PicturePainter&) = delete;
-
-  void draw(const scene::PictureShape& shape);
-
-private:
-  using Shape = scene::PictureShape;
-
-  std::vector<ImVec2> placed(const Shape& shape) const;
-  void line(const Shape& shape, ImU32 color, float width, ImDrawFlags flags = 0);
-  void fill(const Shape& shape, ImU32 color);
-  void lit(const Shape& shape);
-  ImU32 color_of(float weight) const;
-  void weighed(const Shape& shape);
-  void triangles(const Shape& shape, const std::vector<ImU32>& colors);
-
-  const Context& ui_;
-  ImDrawList& list_;
-  ImVec2 corner_;
-};
+/// Draws into the current window, within a rounded card.
+void draw_picture(const Context& ui, std::span<const scene::PictureShape> shapes, ImVec2 low, ImVec2 high,
+                  ImU32 card, float rounding);
 
 /// Placed next to the window or list of the last item, so that no other entry is covered.
 void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const std::string& sentence,
@@ -61,17 +41,15 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
                  const ChoiceListWords& words = {}) {
   ImGui::SetNextItemWidth(width);
   const char* const shown = now ? base::entry_of(*now).label.data() : words.none;
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown, ImGuiComboFlags_HeightLargest);
-  record(ui, name, now.has_value());
-  if (!open) return hint(*words.about || !now ? words.about : std::string(base::entry_of(*now).hint));
+  const std::string about = *words.about || !now ? words.about : std::string(base::entry_of(*now).hint);
+  if (!begin_list(ui, name, shown, about)) return;
   const std::span<const base::Choice> all = choices(Value{});
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto value = static_cast<Value>(i);
     const scene::Command& command = *scene::find_command(scene::choice_command_name(value));
-    if (ImGui::Selectable(all[i].label.data(), value == now) && command.enabled(ui.workspace))
+    if (list_entry(ui, all[i].label, words.prefix + command.name, value == now, all[i].hint) &&
+        command.enabled(ui.workspace))
       command.run(ui.workspace);
-    record(ui, words.prefix + command.name);
-    hint(std::string(all[i].hint));
   }
   ImGui::EndCombo();
 }
@@ -80,25 +58,18 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
 template <class Entry, class Value = decltype(Entry::value)>
 std::optional<Value> entry_list(const Context& ui, const std::string& name, std::span<const Entry> table,
                                 Value now) {
-  const auto label = [](const Entry& e) {
+  const auto label = [](const Entry& e) -> std::string_view {
     if constexpr (requires { e.label; })
-      return e.label.data();
+      return e.label;
     else
-      return e.name.data();
+      return e.name;
   };
-  std::optional<Value> chosen;
   const Entry& shown = entry(now);
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), label(shown));
-  record(ui, name);
-  if (!open) {
-    hint(std::string(shown.sentence));
-    return chosen;
-  }
-  for (const Entry& e : table) {
-    if (ImGui::Selectable(label(e), e.value == now)) chosen = e.value;
-    record(ui, name + '_' + std::string(e.name));
-    hint(std::string(e.sentence));
-  }
+  std::optional<Value> chosen;
+  if (!begin_list(ui, name, label(shown).data(), std::string(shown.sentence))) return chosen;
+  for (const Entry& e : table)
+    if (list_entry(ui, label(e), name + '_' + std::string(e.name), e.value == now, e.sentence))
+      chosen = e.value;
   ImGui::EndCombo();
   return chosen;
 }

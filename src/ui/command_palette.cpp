@@ -23,7 +23,6 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
   record(ui, "palette/" + std::string(command.name), enabled);
   const bool mouse_moves = ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0;
   if (ImGui::IsItemHovered() && mouse_moves) ui.workspace.palette.highlighted = index;
-  if (ImGui::IsItemClicked(1)) ui.workspace.interaction.setting_key = command.name;
   if (highlighted && follow) ImGui::SetScrollHereY();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (highlighted) draw.AddRectFilled(at, {at.x + width, at.y + palette_row}, ui.colors.card_active, 4);
@@ -44,12 +43,6 @@ void explanation(const Context& ui, const scene::Command* command) {
   note_within(ui, 2, std::string(enabled ? command->hint : command->enabled.otherwise),
               enabled ? ui.colors.faint : ui.colors.warn);
   record(ui, "palette_hint");
-}
-
-void step(scene::Palette& palette, std::size_t count, int steps) {
-  if (count == 0) return;
-  const auto n = static_cast<int>(count);
-  palette.highlighted = static_cast<std::size_t>((static_cast<int>(palette.highlighted) + steps + n) % n);
 }
 
 // Closes first: a command may open a window that takes the keyboard.
@@ -77,10 +70,9 @@ void command_palette(const Context& ui) {
   search_field(ui, "palette_text", palette.typed, palette.appearing);
   if (palette.typed != before) palette.highlighted = 0;
   const auto found = scene::find_commands(w, palette.typed);
-  const int steps =
-      (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
-  if (steps != 0) step(palette, found.size(), steps);
-  palette.highlighted = std::min(palette.highlighted, found.empty() ? 0 : found.size() - 1);
+  const int steps = arrow_steps();
+  const auto n = static_cast<int>(std::max<std::size_t>(1, found.size()));
+  palette.highlighted = static_cast<std::size_t>((static_cast<int>(palette.highlighted) + steps + n) % n);
   const float rows = std::min(palette_rows, std::floor((v.size.y - 180) / palette_row));
   const scene::Command* chosen = nullptr;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 0});
@@ -91,26 +83,11 @@ void command_palette(const Context& ui) {
   if (found.empty()) note(ui, "No command matches.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  note(ui, "Right click a command to change its key;  Help, Change keys lists all");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
-  if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
-    chosen = found[palette.highlighted];
+  if (!found.empty() && enter_pressed()) chosen = found[palette.highlighted];
   if ((key_pressed(scene::Key::escape) || beside) && !appeared) palette.open = false;
-  if (!w.interaction.setting_key.empty()) palette.open = false;
   if (chosen) run(w, *chosen);
-}
-
-// Asks for the new key of a command.
-void key_prompt(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
-  const scene::Command* const command = scene::find_command(w.interaction.setting_key);
-  if (!command || w.key_list.open) return;  // the list shows it itself
-  const scene::Viewport& v = w.viewport;
-  const Window window("New key", {.at = middle_at(ui, v.origin.y + 0.4f * v.size.y)}, sized_flags);
-  const std::string now = scene::text(w.preferences.keymap.of(*command).first);
-  ImGui::TextUnformatted(("Press the new key for \"" + std::string(command->label) + '"').c_str());
-  note(ui, (now.empty() ? "No key now" : "Now " + now) + std::string(";  Delete removes it, Esc cancels"));
 }
 
 }  // namespace viete::ui

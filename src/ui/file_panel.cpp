@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -17,47 +18,43 @@ using Browser = scene::FileBrowser;
 using Purpose = Browser::Purpose;
 using What = scene::OpenRequest::What;
 
-const char* title(Purpose purpose) {
-  switch (purpose) {
-    case Purpose::model: return "Open model or session###file_panel";
-    case Purpose::cage: return "Open cage###file_panel";
-    case Purpose::pose: return "Open pose###file_panel";
-    case Purpose::poses: return "Import poses from a file or its folder###file_panel";
-    case Purpose::shapes: return "Import shapes from a file or its folder###file_panel";
-    case Purpose::animation: return "Import animation###file_panel";
-    case Purpose::locate_model: return "Locate model of the session###file_panel";
-    case Purpose::locate_cage: return "Locate cage of the session###file_panel";
-    case Purpose::save_session: return "Save session###file_panel";
-    case Purpose::save_pose: return "Save pose###file_panel";
-    case Purpose::save_named_pose: return "Export pose###file_panel";
-    case Purpose::save_cage: return "Save cage###file_panel";
-    case Purpose::save_model: return "Export deformed mesh###file_panel";
-    case Purpose::save_animation: return "Export animation###file_panel";
-  }
-  return "###file_panel";
+/// Opening or saving the chosen file.
+struct Task {
+  Purpose purpose;
+  const char* title;
+  std::optional<What> open{};
+  std::optional<std::filesystem::path> scene::Requests::*save = nullptr;
+};
+
+const Task tasks[] = {{Purpose::model, "Open model or session", What::model},
+                      {Purpose::cage, "Open cage", What::cage},
+                      {Purpose::pose, "Open pose", What::pose},
+                      {Purpose::poses, "Import poses from a file or its folder", What::poses},
+                      {Purpose::shapes, "Import shapes from a file or its folder", What::shapes},
+                      {Purpose::animation, "Import animation", What::animation},
+                      {Purpose::locate_model, "Locate model of the session"},
+                      {Purpose::locate_cage, "Locate cage of the session"},
+                      {Purpose::save_session, "Save session", {}, &scene::Requests::save_session},
+                      {Purpose::save_pose, "Save pose", {}, &scene::Requests::save_pose},
+                      {Purpose::save_named_pose, "Export pose", {}, &scene::Requests::save_named_pose},
+                      {Purpose::save_cage, "Save cage", {}, &scene::Requests::save_cage},
+                      {Purpose::save_model, "Export deformed mesh", {}, &scene::Requests::save_model},
+                      {Purpose::save_animation, "Export animation", {}, &scene::Requests::save_animation}};
+
+const Task& task_of(Purpose purpose) {
+  return *std::ranges::find(tasks, purpose, &Task::purpose);
 }
 
 void request(scene::Workspace& w, Purpose purpose, const std::filesystem::path& path) {
   scene::Requests& requests = w.requests;
-  switch (purpose) {
-    case Purpose::model: requests.open = scene::OpenRequest{What::model, {path}}; break;
-    case Purpose::cage: requests.open = scene::OpenRequest{What::cage, {path}}; break;
-    case Purpose::pose: requests.open = scene::OpenRequest{What::pose, {path}}; break;
-    case Purpose::poses: requests.open = scene::OpenRequest{What::poses, {path}}; break;
-    case Purpose::shapes: requests.open = scene::OpenRequest{What::shapes, {path}}; break;
-    case Purpose::animation: requests.open = scene::OpenRequest{What::animation, {path}}; break;
-    case Purpose::locate_model:
-    case Purpose::locate_cage:
-      if ((requests.open = std::exchange(w.unopened, std::nullopt)))
-        (purpose == Purpose::locate_model ? requests.open->located.model : requests.open->located.cage) =
-            path;
-      break;
-    case Purpose::save_session: requests.save_session = path; break;
-    case Purpose::save_pose: requests.save_pose = path; break;
-    case Purpose::save_named_pose: requests.save_named_pose = path; break;
-    case Purpose::save_cage: requests.save_cage = path; break;
-    case Purpose::save_model: requests.save_model = path; break;
-    case Purpose::save_animation: requests.save_animation = path; break;
+  const Task& task = task_of(purpose);
+  if (task.open) {
+    requests.open = scene::OpenRequest{*task.open, {path}};
+  } else if (task.save) {
+    requests.*task.save = path;
+  } else if ((requests.open = std::exchange(w.unopened, std::nullopt))) {
+    auto& located = requests.open->located;
+    (purpose == Purpose::locate_model ? located.model : located.cage) = path;
   }
 }
 
@@ -76,14 +73,7 @@ void choose(scene::Workspace& w, const std::filesystem::path& path) {
   w.preferences.folder = path.parent_path();
 }
 
-void choose_recent(scene::Workspace& w, std::size_t index) {
-  if (!w.browser.asked.empty()) return;
-  open_recent(w, index);
-  w.browser.asked = w.preferences.recent[index].file;
-}
-
 void choose_typed(scene::Workspace& w) {
-  if (w.browser.recent < w.preferences.recent.size()) return choose_recent(w, w.browser.recent);
   if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
   const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
@@ -133,17 +123,9 @@ void path_field(const Context& ui) {
   if (browser.path != before) {
     browser.problem.clear();
     browser.highlighted = browser.saves() ? Browser::none : 0;
-    browser.recent = Browser::none;
   }
   if (enter) confirm_typed(ui.workspace);
   if (enter && browser.open) ImGui::SetKeyboardFocusHere(-1);
-}
-
-std::string in_capitals(std::string_view format) {
-  std::string text(format);
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
-  return text;
 }
 
 // Buttons for OBJ, PLY and so on that change the extension.
@@ -151,23 +133,23 @@ void format_buttons(const Context& ui, const std::vector<std::string_view>& form
   Browser& browser = ui.workspace.browser;
   const std::string now = scene::format_of(browser);
   for (const std::string_view format : formats) {
-    const std::string label = in_capitals(format);
+    std::string label(format);
+    std::ranges::transform(label, label.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     if (!own_row || format != formats.front()) ImGui::SameLine();
     const bool active = now == format;
     ImGui::PushStyleColor(ImGuiCol_Button, active ? ui.colors.card_active : ui.colors.card);
     ImGui::PushStyleColor(ImGuiCol_Text, active ? ui.colors.text : ui.colors.faint);
-    if (ImGui::Button(label.c_str())) scene::set_format(browser, std::string(format));
+    if (button(ui, label.c_str(), "format_" + std::string(format), "Write " + label + "."))
+      scene::set_format(browser, std::string(format));
     ImGui::PopStyleColor(2);
-    record(ui, "format_" + std::string(format));
-    hint("Write " + label + ".");
   }
 }
 
 void filter_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
-  if (ImGui::Button("Up")) scene::enter(browser, browser.folder.parent_path());
-  record(ui, "file_up");
-  hint("Go to the parent folder.  (Backspace)");
+  if (button(ui, "Up", "file_up", "Go to the parent folder.  (Backspace)"))
+    scene::enter(browser, browser.folder.parent_path());
   ImGui::SameLine();
   if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
   const auto formats = browser.saves() ? browser.formats() : std::vector<std::string_view>();
@@ -179,7 +161,6 @@ void filter_row(const Context& ui) {
   record(ui, "file_filter");
   if (browser.filter != before) {
     browser.highlighted = 0;
-    browser.recent = Browser::none;
     if (!browser.saves()) browser.path = browser.folder.string();
   }
   format_buttons(ui, formats, own_row);
@@ -192,7 +173,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& entry = *entries[i];
     const Browser& browser = ui.workspace.browser;
-    const bool highlighted = i == browser.highlighted && browser.recent == Browser::none;
+    const bool highlighted = i == browser.highlighted;
     const float line = ImGui::GetCursorScreenPos().y;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     const std::string label = entry.folder ? entry.name + "/" : entry.name;
@@ -231,18 +212,11 @@ void click_entry(scene::Workspace& w, std::size_t index) {
   if (ImGui::IsMouseDoubleClicked(0) && (entry.folder || !w.browser.saves())) take(w, entry);
 }
 
-void click_recent(scene::Workspace& w, std::size_t index) {
-  if (ImGui::IsMouseDoubleClicked(0)) return choose_recent(w, index);
-  w.browser.recent = index;
-  w.browser.path = w.preferences.recent[index].file.string();
-}
-
 // Up and Down move in the list, Enter confirms, Backspace without a filter goes to the parent folder, Esc
 // closes. True if the highlight moved.
 bool handle_keys(const Context& ui, bool typing_path) {
   Browser& browser = ui.workspace.browser;
-  const int steps =
-      (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
+  const int steps = arrow_steps();
   if (steps != 0) scene::move_highlight(browser, steps);
   if (key_pressed(scene::Key::escape)) browser.open = false;
   if (typing_path) return steps != 0;
@@ -254,9 +228,7 @@ bool handle_keys(const Context& ui, bool typing_path) {
     return false;
   }
   const auto entries = scene::shown(browser);
-  if (key_pressed(scene::Key::enter) && browser.recent != Browser::none) {
-    choose_typed(ui.workspace);
-  } else if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
+  if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
     browser.appearing = browser.open;  // keeps the keyboard in the list
   } else if (key_pressed(scene::Key::enter) && browser.saves()) {
@@ -275,17 +247,14 @@ void morph_row(const Context& ui) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Tolerance");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(64);
-  if (const auto percent = number_field(ui, "morph_tolerance", 100 * morphs.tolerance))
+  if (const auto percent = number_field(ui, "morph_tolerance", 100 * morphs.tolerance, 64,
+                                        "Maximum playback error, in percent of the model's diagonal."))
     morphs.tolerance = std::clamp(*percent / 100, 1e-7, 1.0);
-  record(ui, "morph_tolerance");
-  hint("Maximum playback error, in percent of the model's diagonal.");
   ImGui::SameLine();
   ImGui::TextUnformatted("%");
   ImGui::SameLine(0, 18);
-  ImGui::Checkbox("Normals", &morphs.normals);
-  record(ui, "morph_normals");
-  hint("Export normals, for correct shading in every player. Doubles the file size.");
+  checkbox(ui, "Normals", "morph_normals", morphs.normals,
+           "Export normals, for correct shading in every player. Doubles the file size.");
   ImGui::SameLine(0, 18);
   const std::string& size = ui.workspace.browser.morph_size;
   note(ui, size.empty() ? "computing size" : size);
@@ -296,9 +265,7 @@ void morph_row(const Context& ui) {
 void picture_choices(const Context& ui) {
   scene::PictureChoice& choice = *ui.workspace.browser.pictures;
   const auto box = [&](const char* label, const char* name, bool& on, const char* what) {
-    ImGui::Checkbox(label, &on);
-    record(ui, name);
-    hint(what);
+    checkbox(ui, label, name, on, what);
     ImGui::SameLine(0, 18);
   };
   box("Cage", "picture_cage", choice.cage, "Draw the cage.");
@@ -306,37 +273,15 @@ void picture_choices(const Context& ui) {
   box("Light theme", "picture_light", choice.light, "Use the light theme.");
   box("Panels", "picture_panels", choice.panels, "Include the panels and bars of the window.");
   const auto side = [&](const char* name, int& pixels) {
-    ImGui::SetNextItemWidth(64);
-    if (const auto typed = number_field(ui, name, pixels))
-      pixels =
-          static_cast<int>(std::clamp(*typed, double{scene::least_picture}, double{scene::largest_picture}));
-    record(ui, name);
-    hint("Width and height in pixels, 16 to 8192.");
+    constexpr double least = scene::least_picture, most = scene::largest_picture;
+    if (const auto typed = number_field(ui, name, pixels, 64, "Width and height in pixels, 16 to 8192."))
+      pixels = static_cast<int>(std::clamp(*typed, least, most));
   };
   side("picture_width", choice.width);
   ImGui::SameLine();
   ImGui::TextUnformatted("x");
   ImGui::SameLine();
   side("picture_height", choice.height);
-}
-
-void lists(const Context& ui, bool moved) {
-  Browser& browser = ui.workspace.browser;
-  const bool recent = browser.purpose == Purpose::model && !ui.workspace.preferences.recent.empty();
-  const float row = ImGui::GetFrameHeight() + 12;
-  const float height = browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row;
-  if (recent) {
-    ImGui::BeginChild("recent", {220, height}, true);
-    note(ui, "Recent");
-    const auto clicked = recent_list(ui, scene::Preferences::most, browser.recent);
-    ImGui::EndChild();
-    ImGui::SameLine();
-    if (clicked) click_recent(ui.workspace, *clicked);
-  }
-  ImGui::BeginChild("entries", {0, height}, true);
-  const auto clicked = entry_list(ui, scene::shown(browser), moved);
-  ImGui::EndChild();
-  if (clicked) click_entry(ui.workspace, *clicked);
 }
 
 // Below the path, two lines high: an error, or the file to be replaced.
@@ -362,17 +307,15 @@ void button_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   const bool replaces = browser.replaces();
   const char* label = !browser.saves() ? "Open###choose" : replaces ? "Replace###choose" : "Save###choose";
-  const bool confirmed = ImGui::Button(label);
-  record(ui, "file_choose");
+  const bool confirmed = button(ui, label, "file_choose", "");
   ImGui::SameLine();
-  if (ImGui::Button("Cancel")) browser.open = false;
-  record(ui, "file_cancel");
+  if (button(ui, "Cancel", "file_cancel", "")) browser.open = false;
   if (browser.purpose == Purpose::poses || browser.purpose == Purpose::shapes) {
     ImGui::SameLine();
-    if (ImGui::Button("Import folder")) ask(ui.workspace, browser.folder);
-    record(ui, "file_folder");
-    hint(browser.purpose == Purpose::poses ? "Import all posed versions of the cage in this folder."
-                                           : "Import all shapes of the model in this folder.");
+    if (button(ui, "Import folder", "file_folder",
+               browser.purpose == Purpose::poses ? "Import all posed versions of the cage in this folder."
+                                                 : "Import all shapes of the model in this folder."))
+      ask(ui.workspace, browser.folder);
   }
   if (!confirmed) return;
   const auto entries = scene::shown(browser);
@@ -381,47 +324,36 @@ void button_row(const Context& ui) {
                                                    : choose_typed(ui.workspace);
 }
 
-// Keeps the dialog inside a window that became smaller.
-void keep_within(const ImVec2& display) {
-  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  const ImVec2 fitting{std::min(size.x, display.x), std::min(size.y, display.y)};
-  if (fitting.x < size.x || fitting.y < size.y) ImGui::SetWindowSize(fitting);
-  const ImVec2 inside{std::clamp(at.x, 0.0f, display.x - fitting.x),
-                      std::clamp(at.y, 0.0f, display.y - fitting.y)};
-  if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
-}
-
 }  // namespace
 
 void file_panel(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const auto& v = ui.workspace.viewport;
-  const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)};
-  const ImVec2 low{v.origin.x + 0.5f * (v.size.x - size.x), v.origin.y + 0.5f * (v.size.y - size.y)};
-  ImGui::SetNextWindowPos(
-      {std::clamp(low.x, 0.0f, display.x - size.x), std::clamp(low.y, 0.0f, display.y - size.y)},
-      ImGuiCond_Appearing);
-  ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+  const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)}, middle = middle_of_view(ui);
   bool open = true;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
   scene::refresh(browser);
-  ImGui::Begin(title(browser.purpose), &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
-  keep_within(display);
+  const Window window((std::string(task_of(browser.purpose).title) + "###file_panel").c_str(),
+                      {.at = {std::clamp(middle.x, 0.5f * size.x, display.x - 0.5f * size.x),
+                              std::clamp(middle.y, 0.5f * size.y, display.y - 0.5f * size.y)},
+                       .size = size},
+                      dialog_flags, &open);
   path_field(ui);
   const bool typing_path = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
   path_note(ui);
   filter_row(ui);
   browser.appearing = false;
   const bool moved = browser.open && handle_keys(ui, typing_path);
-  lists(ui, moved);
+  const float row = ImGui::GetFrameHeight() + 12;
+  ImGui::BeginChild("entries", {0, browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row},
+                    true);
+  const auto clicked = entry_list(ui, scene::shown(browser), moved);
+  ImGui::EndChild();
+  if (clicked) click_entry(ui.workspace, *clicked);
   if (browser.makes_morphs()) morph_row(ui);
   if (shows_pictures(browser)) picture_choices(ui);
   button_row(ui);
   if (!open) browser.open = false;
   if (!browser.open) browser.asked.clear();  // later errors become messages
-  ImGui::End();
-  ImGui::PopStyleVar();
 }
 
 }  // namespace viete::ui

@@ -27,12 +27,4 @@ std::string rough_error(double relative) {
   return text;
 }
 
-std::string length(double value) {
-  return print("%.3g", value);
-}
-
-std::string ratio(double value) {
-  return base::few_digits(value) + " x";
-}
-
 }  // namespace viete::ui

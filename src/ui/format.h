@@ -19,9 +19,5 @@ inline std::string count(std::size_t n) {
 std::string error(double relative);
 /// With one digit: "3e-16".
 std::string rough_error(double relative);
-/// Three significant digits: "0.123", "12.3", "1.23e+07".
-std::string length(double value);
-/// "124 x".
-std::string ratio(double value);
 
 }  // namespace viete::ui

@@ -194,23 +194,6 @@ void placed_pivot(const Context& ui, OverlayPainter& painter, const scene::Proje
   if (const auto at = project(*w.handling.point)) cross(ui, painter, glm::vec2(*at), ui.colors.neutral);
 }
 
-// Lines between partners; vertices on the plane and unpaired ones are marked individually.
-void partner_map(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
-                 const scene::Mirror& mirror) {
-  const auto& positions = ui.workspace.document.pose.positions;
-  for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const auto at = project(positions[v]);
-    if (!at || mirror.partners[v] < v) continue;
-    if (mirror.partners[v] == scene::Mirror::none) {
-      painter.circle(glm::vec2(*at), 8, ui.colors.bad, 1.5f);
-    } else if (mirror.is_on_plane(v)) {
-      painter.circle(glm::vec2(*at), 6, ui.colors.highlight, 1.25f);
-    } else if (const auto other = project(positions[mirror.partners[v]])) {
-      painter.line(glm::vec2(*at), glm::vec2(*other), ui.colors.highlight, 1, 0.5f);
-    }
-  }
-}
-
 // For the selection: rings on the other side, and a warning for unpaired vertices.
 void partners_of_selection(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
                            const scene::Mirror& mirror) {
@@ -255,13 +238,11 @@ void hand_overlay(const Context& ui) {
   OverlayPainter painter(ui);
   const scene::Projector project(w.document.space, w.camera, w.viewport);
   const scene::Mirror* const mirror = scene::mirror_of(w);
-  const bool shows = w.view.cage && mirror && w.document.has_cage();
-  if (shows && (w.interaction.show_partners || w.interaction.drag))
-    mirror_plane(ui, painter, project, *mirror);
-  if (shows && w.interaction.show_partners) {
-    partner_map(ui, painter, project, *mirror);
-  } else if (shows && !w.interaction.drag) {
-    partners_of_selection(ui, painter, project, *mirror);
+  if (w.view.cage && mirror && w.document.has_cage()) {
+    if (w.interaction.drag)
+      mirror_plane(ui, painter, project, *mirror);
+    else
+      partners_of_selection(ui, painter, project, *mirror);
   }
   placed_pivot(ui, painter, project);
   if (w.interaction.drag && w.handling.soft.on && !w.interaction.drag->grip().vertices.empty())

@@ -70,110 +70,7 @@ std::string empty_space_words(const scene::Keymap& keymap) {
 
 namespace {
 
-// A table row; a heading if the right side is empty.
-struct Row {
-  std::string left, right;
-};
-using Rows = std::vector<Row>;
-
-// All keys with the headings of their groups, which are consecutive in the command table: those for files,
-// edits and selections, or the others.
-void add_commands(const scene::Keymap& keymap, Rows& rows, bool of_hands) {
-  std::string_view group;
-  for (const auto& command : scene::commands()) {
-    const bool is_of_hands = command.group == "File" || command.group == "Edit" || command.group == "Select";
-    const std::string keys = scene::text(keymap.of(command));
-    if (is_of_hands != of_hands || keys.empty()) continue;
-    if (std::exchange(group, command.group) != command.group)
-      rows.push_back({std::string(command.group), ""});
-    rows.push_back({keys, std::string(command.hint)});
-  }
-}
-
-Rows hands_rows(const scene::Keymap& keymap) {
-  Rows rows{{"Mouse", ""}};
-  for (const auto& entry : mouse_lines(keymap)) rows.push_back({entry.action, entry.what});
-  add_commands(keymap, rows, true);
-  return rows;
-}
-
-Rows settings_rows(const scene::Keymap& keymap, const scene::About& about) {
-  Rows rows;
-  add_commands(keymap, rows, false);
-  rows.insert(rows.end(), {{"About", ""},
-                           {"Viete", about.version + ", " + about.build},
-                           {"Kernel", about.kernel},
-                           {"OpenGL", about.renderer}});
-  return rows;
-}
-
-float width_of(const Rows& rows) {
-  float left = 0, right = 0;
-  for (const auto& row : rows) {
-    left = std::max(left, ImGui::CalcTextSize(row.left.c_str()).x);
-    right = std::max(right, ImGui::CalcTextSize(row.right.c_str()).x);
-  }
-  return left + right + 3 * ImGui::GetStyle().CellPadding.x;
-}
-
-void draw_row(const Context& ui, const Row& row) {
-  const bool heading = row.right.empty();
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  if (heading) ImGui::Spacing();
-  if (heading) ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted(row.left.c_str());
-  if (heading) ImGui::PopFont();
-  ImGui::TableNextColumn();
-  text_in(ui.colors.faint, row.right);
-}
-
-void table(const Context& ui, const char* name, const Rows& rows) {
-  ImGui::BeginGroup();
-  if (ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
-    for (const auto& row : rows) draw_row(ui, row);
-    ImGui::EndTable();
-  }
-  ImGui::EndGroup();
-}
-
-std::string preset_label(const Context& ui) {
-  const scene::Keymap& keymap = ui.workspace.preferences.keymap;
-  const std::string label(scene::entry_of(keymap.preset()).label);
-  return label + (keymap.changes().empty() ? "" : ", changed");
-}
-
-}  // namespace
-
-// Two tables side by side, or one below the other if there is no room.
-void help_overlay(const Context& ui) {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  constexpr float gap = 32;
-  const Rows hands = hands_rows(ui.workspace.preferences.keymap),
-             settings = settings_rows(ui.workspace.preferences.keymap, ui.workspace.about);
-  const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
-  const scene::Viewport& v = ui.workspace.viewport;
-  const float middle = v.size.x > both ? v.origin.x + 0.5f * v.size.x : 0.5f * display.x;
-  ImGui::SetNextWindowSizeConstraints(
-      {420, 0}, {display.x - 40, display.y - scene::PanelLayout::menu_height - status_height - 16});
-  bool open = true;
-  const Window window(
-      "Keys and mouse",
-      {.at = {middle, 0.5f * (display.y + scene::PanelLayout::menu_height - status_height)}},
-      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize,
-      &open);
-  note(ui, "Keymap: " + preset_label(ui) + ".  Help, Change keys assigns other keys.");
-  table(ui, "hands", hands);
-  if (both < display.x - 40) ImGui::SameLine(0, gap);
-  table(ui, "settings", settings);
-  if (!open) ui.workspace.view.help = false;
-}
-
-// The searchable list of commands and keys. A click on a key, then a key press, changes it.
-
-namespace {
-
-constexpr float list_width = 620, keys_width = 150, back_width = 64;
+constexpr float list_width = 620, keys_width = 150, back_width = 64, mouse_width = 220;
 
 // The preset without user changes.
 scene::Keymap plain_preset(const scene::Keymap& keymap) {
@@ -182,26 +79,16 @@ scene::Keymap plain_preset(const scene::Keymap& keymap) {
   return plain;
 }
 
-// Explains a missing preset key: the user's changes assign it to another command.
-std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, const scene::Command& command) {
-  const scene::Shortcut preset = plain.of(command).first;
-  const auto losers = keymap.losers(command.name, preset);
-  if (losers.empty() || keymap.of(command).first == preset) return "";
-  return "\n" + scene::text(preset) + " is used by \"" + std::string(losers.front()->label) + '"';
-}
-
-void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
+void key_of_command(const Context& ui, const scene::Command& command) {
   scene::Workspace& w = ui.workspace;
   const std::string name(command.name), keys = scene::text(w.preferences.keymap.of(command));
   const bool waits = w.interaction.setting_key == name;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
-  if (ImGui::Button(label.c_str(), {keys_width, 0})) w.interaction.setting_key = waits ? "" : name;
-  record(ui, "key/" + name);
+  if (button(ui, label.c_str(), "key/" + name,
+             waits ? "" : "Click and press the new key. Delete removes it, Esc cancels.", {keys_width, 0}))
+    w.interaction.setting_key = waits ? "" : name;
   if (waits) ImGui::PopStyleColor();
-  if (waits || !ImGui::IsItemHovered()) return;
-  hint("Click and press the new key. Delete removes it, Esc cancels." +
-       lost_key(w.preferences.keymap, plain, command));
 }
 
 void give_back(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
@@ -209,10 +96,10 @@ void give_back(const Context& ui, const scene::Keymap& plain, const scene::Comma
   if (!keymap.changes().contains(command.name)) return;
   ImGui::SameLine();
   const std::string preset = scene::text(plain.of(command));
-  if (ImGui::Button(("Reset##" + std::string(command.name)).c_str(), {back_width, 0}))
+  const std::string name(command.name);
+  if (button(ui, ("Reset##" + name).c_str(), "key/" + name + "/reset",
+             "Reset to the key of the keymap: " + (preset.empty() ? "none" : preset), {back_width, 0}))
     keymap.take_back(command.name);
-  record(ui, "key/" + std::string(command.name) + "/reset");
-  hint("Reset to the key of the keymap: " + (preset.empty() ? "none" : preset));
 }
 
 void key_row(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
@@ -221,20 +108,27 @@ void key_row(const Context& ui, const scene::Keymap& plain, const scene::Command
   ImGui::TextUnformatted(std::string(command.label).c_str());
   hint(std::string(command.hint));
   ImGui::SameLine(right - keys_width - back_width - ImGui::GetStyle().ItemSpacing.x);
-  key_of_command(ui, plain, command);
+  key_of_command(ui, command);
   give_back(ui, plain, command);
-}
-
-void key_heading(const Context& ui, std::string_view title) {
-  ImGui::Spacing();
-  ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted(std::string(title).c_str());
-  ImGui::PopFont();
 }
 
 // Commands of transient questions, which have a button only.
 bool is_transient_answer(const Context& ui, const scene::Command& command) {
   return command.passing && scene::text(ui.workspace.preferences.keymap.of(command)).empty();
+}
+
+// The mouse buttons, and the program itself.
+void mouse_rows(const Context& ui) {
+  heading(ui, "Mouse");
+  for (const MouseLine& line : mouse_lines(ui.workspace.preferences.keymap)) {
+    ImGui::TextUnformatted(line.action.c_str());
+    ImGui::SameLine(mouse_width);
+    note(ui, line.what);
+  }
+  const scene::About& about = ui.workspace.about;
+  heading(ui, "About");
+  note(ui, "Viete " + about.version + ", " + about.build + ".  Kernel: " + about.kernel +
+               ".  OpenGL: " + about.renderer);
 }
 
 // Grouped by menus, or the matches of the search, best first.
@@ -243,12 +137,12 @@ void key_rows(const Context& ui) {
   const scene::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
   if (typed.empty()) {
     for (const scene::Menu& menu : scene::menus()) {
-      key_heading(ui, menu.title);
+      heading(ui, std::string(menu.title).c_str());
       for (const scene::Command* command : menu.items) {
         if (!is_transient_answer(ui, *command)) key_row(ui, plain, *command);
       }
     }
-    return;
+    return mouse_rows(ui);
   }
   const auto found = scene::find_commands(ui.workspace, typed);
   for (const scene::Command* command : found) key_row(ui, plain, *command);
@@ -261,18 +155,16 @@ void reset_all_button(const Context& ui) {
   scene::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().empty()) list.taken_back.reset();
   const bool brings = list.taken_back.has_value();
-  ImGui::BeginDisabled(!brings && keymap.changes().empty());
-  if (ImGui::Button(brings ? "Restore changes" : "Reset all")) {
-    if (brings) {
-      keymap.put(*std::exchange(list.taken_back, std::nullopt));
-    } else {
-      list.taken_back = keymap.changes();
-      keymap.take_all_back();
-    }
+  const char* what = brings ? "Restore the changes that were just reset." : "Reset all keys to the keymap.";
+  if (!button(ui, brings ? "Restore changes" : "Reset all", "reset_keys", what, {0, 0},
+              brings || !keymap.changes().empty()))
+    return;
+  if (brings) {
+    keymap.put(*std::exchange(list.taken_back, std::nullopt));
+  } else {
+    list.taken_back = keymap.changes();
+    keymap.take_all_back();
   }
-  record(ui, "reset_keys", brings || !keymap.changes().empty());
-  ImGui::EndDisabled();
-  hint(brings ? "Restore the changes that were just reset." : "Reset all keys to the keymap.");
 }
 
 void close_keys(scene::Workspace& w) {
@@ -287,7 +179,7 @@ void key_list(const Context& ui) {
   if (!w.key_list.open) return;
   const scene::Viewport& v = w.viewport;
   bool open = true;
-  const Window window("Change keys",
+  const Window window("Keys and mouse",
                       {.at = {0.5f * v.window.x, v.origin.y + 0.5f * v.size.y},
                        .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)}},
                       dialog_flags, &open);
@@ -299,8 +191,7 @@ void key_list(const Context& ui) {
   ImGui::EndChild();
   reset_all_button(ui);
   ImGui::SameLine();
-  if (ImGui::Button("Close")) open = false;
-  record(ui, "close_keys");
+  if (button(ui, "Close", "close_keys", "")) open = false;
   const bool waits = !w.interaction.setting_key.empty();
   // An Esc that cancels entering a key does not close the list.
   if (key_pressed(scene::Key::escape) && !waits && !w.key_list.waiting) open = false;
@@ -311,7 +202,7 @@ void key_list(const Context& ui) {
 float key_question(const Context& ui, float bottom) {
   scene::Workspace& w = ui.workspace;
   if (!w.view.hints) w.ask_keys = false;  // the user is already working
-  if (!w.ask_keys || !w.view.panels || w.view.help || w.loading.running || w.browser.open || w.question ||
+  if (!w.ask_keys || !w.view.panels || w.key_list.open || w.loading.running || w.browser.open || w.question ||
       offers_next_step(w))
     return bottom;
   const Window window("Choose keymap",
@@ -321,17 +212,14 @@ float key_question(const Context& ui, float bottom) {
   const auto presets = scene::choices(scene::KeyPreset{});
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (ImGui::Button(presets[i].label.data(), {72, 0})) {
+    if (button(ui, presets[i].label.data(), "ask_keys/" + std::string(presets[i].word),
+               std::string(presets[i].hint) + " Change it later in Help, Keymap.", {72, 0})) {
       w.preferences.keymap.set_preset(static_cast<scene::KeyPreset>(i));
       w.ask_keys = false;
     }
-    record(ui, "ask_keys/" + std::string(presets[i].word));
-    hint(std::string(presets[i].hint) + " Change it later in Help, Keymap.");
   }
   ImGui::SameLine();
-  if (ImGui::Button("x")) w.ask_keys = false;
-  record(ui, "ask_keys/close");
-  hint("Use the keymap Viete.");
+  if (button(ui, "x", "ask_keys/close", "Use the keymap Viete.")) w.ask_keys = false;
   return ImGui::GetWindowPos().y + 28;
 }
 

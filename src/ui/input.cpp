@@ -72,7 +72,7 @@ scene::PointerInput pointer_input(bool keys) {
   input.over_view = !io.WantCaptureMouse && ImGui::IsMousePosValid();
   input.escape = keys && key_pressed(scene::Key::escape);
   if (io.WantTextInput || !keys) return input;
-  input.enter = key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter);
+  input.enter = enter_pressed();
   input.backspace = key_pressed(scene::Key::backspace);
   for (const ImWchar c : io.InputQueueCharacters) {
     if (c > 0 && c < 128) input.typed += static_cast<char>(c);
@@ -85,7 +85,6 @@ scene::PointerInput pointer_input(bool keys) {
 void handle_input(scene::Workspace& workspace, scene::Pointer& pointer) {
   if (!workspace.interaction.setting_key.empty()) return set_key(workspace);
   const bool escaped = take_escape(workspace), keys = !workspace.question && !escaped;
-  if (keys && workspace.view.help && key_pressed(scene::Key::escape)) workspace.view.help = false;
   pointer.frame(workspace, pointer_input(keys));
   if (!escaped) run_shortcuts(workspace, pointer);
 }

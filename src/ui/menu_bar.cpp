@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/document/record.h"
@@ -58,7 +60,7 @@ void recent_menu(const Context& ui) {
     const std::string folder = shortened(recent.file.parent_path().filename().string(), 160);
     if (ImGui::MenuItem(name.c_str(), folder.c_str())) chosen = i;
     record(ui, "menu/recent/" + std::to_string(i));
-    hint(recent.file.string() + (recent.cage.empty() ? "" : "  in  " + recent.cage.string()));
+    hint(place_of(recent));
   }
   ImGui::EndMenu();
   if (chosen) open_recent(w, *chosen);
@@ -85,41 +87,31 @@ void items(const Context& ui, const scene::Menu& menu) {
     }
     if (submenu.empty() && command->group != group) ImGui::Separator();
     group = command->group;
-    if ((submenu.empty() || open) &&
-        menu_item(ui, *command, submenu.empty() ? std::string_view(command->label) : command->brief))
-      command->run(ui.workspace);
+    if (submenu.empty() || open) menu_item(ui, *command, submenu.empty() ? "" : command->brief);
     if (submenu.empty()) list_behind(ui, *command);
   }
   if (open) ImGui::EndMenu();
 }
 
-struct Offer {
-  const char* command;
-  bool line;  // separator above it
-};
-
-// Commands of the context menu, in order. Disabled ones are omitted.
-constexpr Offer offers[] = {{"undo", false},           {"redo", false},
-                            {"reset_selected", true},  {"frame_selection", true},
-                            {"frame_all", false},      {"select_all", true},
-                            {"select_none", false},    {"invert_selection", false},
-                            {"select_linked", false},  {"split_edges", true},
-                            {"cut_faces", false},      {"extrude_faces", false},
-                            {"merge_vertices", false}, {"remove_elements", false},
-                            {"make_cage", true},       {"edit_cage", false},
-                            {"set_key", true},         {"keep_pose", false},
-                            {"add_probe", true},       {"command_palette", true}};
+// Commands of the context menu, in order; |: a separator. Disabled ones are omitted.
+constexpr const char* offers =
+    "undo redo | reset_selected | frame_selection frame_all | select_all select_none invert_selection "
+    "select_linked | split_edges cut_faces extrude_faces merge_vertices remove_elements | make_cage "
+    "edit_cage "
+    "| set_key keep_pose | add_probe | command_palette";
 
 }  // namespace
 
 bool menu_item(const Context& ui, const scene::Command& command, std::string_view called) {
   const bool enabled = command.enabled(ui.workspace);
   const bool on = command.on(ui.workspace);
-  const std::string label = command.label_now(ui.workspace, called) + "##" + std::string(command.name);
+  const std::string label = command.label_now(ui.workspace, called.empty() ? command.label : called) + "##" +
+                            std::string(command.name);
   const std::string keys = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
   record(ui, "menu/" + std::string(command.name), enabled);
   hint(hint_of(ui, command));
+  if (chosen) command.run(ui.workspace);
   return chosen;
 }
 
@@ -153,17 +145,19 @@ void context_menu(const Context& ui) {
   }
   if (!ImGui::BeginPopup("Context")) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 8});
-  bool line = false, any = false;
-  for (const Offer& offer : offers) {
-    const scene::Command& command = *scene::find_command(offer.command);
-    line |= offer.line;
-    if (!command.enabled(ui.workspace)) continue;
+  bool line = false, any = false, chosen = false;
+  auto& w = ui.workspace;
+  const auto cursor = std::exchange(w.interaction.cursor, w.interaction.menu_at);  // commands act there
+  std::istringstream words(offers);
+  for (std::string offer; words >> offer;) {
+    const scene::Command* command = scene::find_command(offer);
+    line |= !command;
+    if (!command || !command->enabled(w)) continue;
     if (line && any) ImGui::Separator();
     line = false, any = true;
-    if (!menu_item(ui, command, command.label)) continue;
-    ui.workspace.interaction.cursor = ui.workspace.interaction.menu_at;
-    command.run(ui.workspace);
+    if (menu_item(ui, *command)) chosen = true;
   }
+  if (!chosen) w.interaction.cursor = cursor;
   ImGui::PopStyleVar();
   ImGui::EndPopup();
 }

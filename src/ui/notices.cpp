@@ -6,7 +6,6 @@
 #include <string>
 
 #include "scene/files/recovery.h"
-#include "scene/workspace/check_view.h"
 #include "scene/workspace/command.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
@@ -19,29 +18,26 @@ namespace viete::ui {
 
 namespace {
 
-const char* word_of(scene::Severity severity) {
-  switch (severity) {
-    case scene::Severity::error: return "Error: ";
-    case scene::Severity::warning: return "Warning: ";
-    case scene::Severity::info: break;
-  }
-  return "";
+struct SeverityLook {
+  const char* word;
+  ImU32 Palette::*color;
+};
+
+const SeverityLook& look_of(scene::Severity severity) {
+  static constexpr SeverityLook error{"Error: ", &Palette::bad}, warning{"Warning: ", &Palette::warn},
+      info{"", &Palette::text};
+  return severity == scene::Severity::error ? error : severity == scene::Severity::warning ? warning : info;
 }
 
 }  // namespace
 
 ImU32 severity_color(const Context& ui, scene::Severity severity) {
-  switch (severity) {
-    case scene::Severity::error: return ui.colors.bad;
-    case scene::Severity::warning: return ui.colors.warn;
-    case scene::Severity::info: break;
-  }
-  return ui.colors.text;
+  return ui.colors.*look_of(severity).color;
 }
 
 std::string message_text(const scene::Message& message) {
   const std::string times = message.times > 1 ? "  (" + std::to_string(message.times) + " times)" : "";
-  return word_of(message.severity) + message.text + times;
+  return look_of(message.severity).word + message.text + times;
 }
 
 void message_log(const Context& ui) {
@@ -61,12 +57,9 @@ void message_log(const Context& ui) {
     hint("Click to copy the message.");
   }
   ImGui::EndChild();
-  if (ImGui::Button("Clear")) w.messages.clear();
-  record(ui, "clear_messages");
-  hint("Clear the list of messages.");
+  if (button(ui, "Clear", "clear_messages", "Clear the list of messages.")) w.messages.clear();
   ImGui::SameLine();
-  if (ImGui::Button("Close") || key_pressed(scene::Key::escape)) open = false;
-  record(ui, "close_messages");
+  if (button(ui, "Close", "close_messages", "") || key_pressed(scene::Key::escape)) open = false;
   w.show_messages = open;
 }
 
@@ -140,22 +133,7 @@ void notice_bar(const Context& ui) {
 
 namespace {
 
-constexpr float widest_toast = 480, toast_padding = 12, toast_gap = 8, close_width = 28, mark_width = 3;
 constexpr std::size_t most_toasts = 3;
-
-struct Toast {
-  std::string name, text;
-  ImU32 color;
-  bool closes = true;
-};
-
-enum class Pressed { nothing, text, close };
-
-void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
-  constexpr float r = 4;
-  draw.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, color, 1.5f);
-  draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, 1.5f);
-}
 
 // Shortened to two lines; the message list has the whole text.
 std::string in_two_lines(const std::string& text, float width) {
@@ -174,50 +152,36 @@ std::string in_two_lines(const std::string& text, float width) {
   return text.substr(0, low) + "...";
 }
 
-// Drawn above `bottom`, which moves up.
-Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
-  const scene::Viewport& v = ui.workspace.viewport;
-  const float beside = mark_width + 2 * toast_padding + (toast.closes ? close_width : 0);
-  const float room = std::min(widest_toast, notice_room(ui)) - beside;
-  const std::string shown = in_two_lines(toast.text, room);
-  const ImVec2 text = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
-  const ImVec2 size{text.x + beside, text.y + 16};
-  const ImVec2 low{std::floor(v.origin.x + 0.5f * (v.size.x - size.x)), bottom - size.y};
-  bottom = low.y - toast_gap;
-  ImGui::SetNextWindowPos(low);
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(toast.name.c_str(), nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 high{low.x + size.x, low.y + size.y};
-  draw.AddRectFilled(low, high, ui.colors.card, 6);
-  draw.AddRect(low, high, ui.colors.line, 6);
-  draw.AddRectFilled({low.x, low.y + 4}, {low.x + mark_width, high.y - 4}, toast.color, 1.5f);
-  Pressed pressed = Pressed::nothing;
-  if (ImGui::InvisibleButton("text", {size.x - (toast.closes ? close_width : 0), size.y}))
-    pressed = Pressed::text;
-  record(ui, toast.name);
-  if (toast.closes) hint("Click to see all messages.");
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + mark_width + toast_padding, low.y + 8},
-               ui.colors.text, shown.c_str(), nullptr, room + 1);
-  if (toast.closes) {
-    ImGui::SameLine(0, 0);
-    if (ImGui::InvisibleButton("close", {close_width, size.y})) pressed = Pressed::close;
-    record(ui, toast.name + "/close");
-    cross(draw, {high.x - 0.5f * close_width - 2, 0.5f * (low.y + high.y)},
-          ImGui::IsItemHovered() ? ui.colors.text : ui.colors.faint);
-    hint("Dismiss. The message stays in Help, Show messages.");
-  }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  return pressed;
+// Drawn above `bottom`, which moves up. A click on its text shows all messages. True if it is to be
+// dismissed.
+bool toast(const Context& ui, const std::string& name, const std::string& text, ImU32 color, bool closes,
+           float& bottom) {
+  constexpr float widest = 480, padding = 12, gap = 8;
+  const float beside = 2 * padding + (closes ? 32 : 0), room = std::min(widest, notice_room(ui)) - beside;
+  const std::string shown = in_two_lines(text, room);
+  const ImVec2 words = ImGui::CalcTextSize(shown.c_str(), nullptr, false, room);
+  const Window window(name.c_str(),
+                      {.at = middle_at(ui, bottom),
+                       .pivot = {0.5f, 1},
+                       .size = {std::ceil(words.x) + beside, words.y + 16},
+                       .padding = {padding, 8},
+                       .border = 1},
+                      passive_flags | ImGuiWindowFlags_NoScrollWithMouse);
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  bottom = low.y - gap;
+  ImGui::GetWindowDrawList()->AddRectFilled({low.x + 1, low.y + 5}, {low.x + 4, low.y + size.y - 5}, color);
+  ImGui::PushTextWrapPos(padding + room + 1);
+  text_in(ui.colors.text, shown);
+  ImGui::PopTextWrapPos();
+  record(ui, name);
+  if (ImGui::IsItemClicked()) ui.workspace.show_messages = true;
+  hint("Click to see all messages.");
+  if (!closes) return false;
+  ImGui::SameLine(size.x - 30);
+  return button(ui, "x", name + "/close", "Dismiss. The message stays in Help, Show messages.");
 }
 
-// Newest at the bottom.
+// Newest first.
 std::vector<std::size_t> visible_messages(const scene::Messages& messages) {
   std::vector<std::size_t> newest;
   for (std::size_t i = messages.all().size(); i-- > 0;) {
@@ -234,17 +198,14 @@ void toasts(const Context& ui, float bottom) {
   const auto newest = visible_messages(w.messages);
   for (std::size_t i = 0; i < std::min(most_toasts, newest.size()); ++i) {
     const scene::Message& message = w.messages.all()[newest[i]];
-    const Toast toast{
-        "toast/" + std::to_string(i), message_text(message),
-        message.severity == scene::Severity::info ? ui.colors.good : severity_color(ui, message.severity)};
-    const Pressed pressed = draw_toast(ui, toast, bottom);
-    if (pressed == Pressed::text) w.show_messages = true;
-    if (pressed == Pressed::close) w.messages.dismiss(newest[i]);
+    const ImU32 color =
+        message.severity == scene::Severity::info ? ui.colors.good : severity_color(ui, message.severity);
+    if (toast(ui, "toast/" + std::to_string(i), message_text(message), color, true, bottom))
+      w.messages.dismiss(newest[i]);
   }
-  if (newest.size() <= most_toasts) return;
-  const std::string more = "and " + std::to_string(newest.size() - most_toasts) + " more";
-  if (draw_toast(ui, {"toast/more", more, ui.colors.faint, false}, bottom) == Pressed::text)
-    w.show_messages = true;
+  if (newest.size() > most_toasts)
+    toast(ui, "toast/more", "and " + std::to_string(newest.size() - most_toasts) + " more", ui.colors.faint,
+          false, bottom);
 }
 
 namespace {
@@ -264,14 +225,9 @@ bool answer_button(const Context& ui, std::size_t i) {
       ImGui::PushStyleColor(color, ui.colors.accent);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.on_axis);
   }
-  const bool clicked = ImGui::Button(scene::label(question.kind, answers[i]));
+  const bool clicked = button(ui, scene::label(question.kind, answers[i]), names[i], "");
   if (chosen) ImGui::PopStyleColor(4);
-  record(ui, names[i]);
   return clicked;
-}
-
-float button_width(const scene::Question& question, Answer answer) {
-  return ImGui::CalcTextSize(scene::label(question.kind, answer)).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
 // Destructive answers are separated, at the far end.
@@ -281,7 +237,8 @@ std::optional<Answer> answer_row(const Context& ui) {
   for (std::size_t i = 0; i < answer_count(ui.workspace.question->kind); ++i) {
     if (i > 0) ImGui::SameLine();
     if (answers[i] == Answer::proceed)
-      ImGui::SetCursorPosX(left + question_width - button_width(*ui.workspace.question, answers[i]));
+      ImGui::SetCursorPosX(left + question_width -
+                           width_of(scene::label(ui.workspace.question->kind, answers[i])));
     if (answer_button(ui, i)) answer = answers[i];
   }
   return answer;
@@ -295,7 +252,7 @@ std::optional<Answer> answer_by_key(scene::Question& question) {
   const std::size_t count = answer_count(question.kind);
   if (back || forth) question.chosen = (question.chosen + (forth ? 1 : count - 1)) % count;
   if (key_pressed(Key::escape)) return Answer::cancel;
-  if (key_pressed(Key::enter) || key_pressed(Key::pad_enter)) return answers[question.chosen];
+  if (enter_pressed()) return answers[question.chosen];
   return std::nullopt;
 }
 
@@ -376,64 +333,6 @@ float work_bar(const Context& ui, float bottom) {
   if (shows(w.exporting) && shows(work)) ImGui::Spacing();
   if (shows(work)) row(ui, work, w.time_left, "stop_work");
   return ImGui::GetWindowPos().y + 28;
-}
-
-// At the bottom of the view: the main defect of cage or model and its remedy, visible without the section of
-// the checks.
-
-namespace {
-
-bool shows_badge(const scene::Workspace& w) {
-  return w.checks.badge && w.has_user && w.view.panels && !w.view.help && !w.browser.open && !w.question &&
-         !w.making.open && !w.loading.running && !w.interaction.drag && !offers_next_step(w);
-}
-
-// Shows or hides the elements. Disabled while the checks run.
-void show_button(const Context& ui, const scene::CheckBadge& badge) {
-  const auto at = scene::find_finding(ui.workspace.checks, badge.kind);
-  ImGui::BeginDisabled(!at);
-  const bool shown = at && ui.workspace.checks.shown == at;
-  if (ImGui::Button(shown ? "Hide##badge" : "Show##badge")) scene::toggle_finding(ui.workspace, *at);
-  ImGui::EndDisabled();
-  record(ui, "badge/show", at.has_value());
-  hint("Show or hide the problems in the view. Checks steps through them.");
-}
-
-void helping_button(const Context& ui, const scene::Command& command) {
-  const bool enabled = command.enabled(ui.workspace);
-  ImGui::BeginDisabled(!enabled);
-  if (ImGui::Button((std::string(command.label) + "##badge").c_str())) command.run(ui.workspace);
-  ImGui::EndDisabled();
-  record(ui, "badge/" + std::string(command.name), enabled);
-  hint(hint_of(ui, command));
-}
-
-}  // namespace
-
-float check_badge(const Context& ui, float bottom) {
-  scene::Workspace& w = ui.workspace;
-  if (!shows_badge(w)) return bottom;
-  const scene::CheckBadge badge = *w.checks.badge;
-  const Window window("Check badge",
-                      {.at = middle_at(ui, bottom), .pivot = {0.5f, 1}, .rounding = 6, .padding = {10, 5}},
-                      card_flags);
-  ImGui::AlignTextToFramePadding();
-  text_in(ui.colors.warn, badge.title);
-  record(ui, "badge");
-  ImGui::SameLine();
-  const std::string_view helps = scene::remedy(badge);
-  if (helps.empty()) {
-    show_button(ui, badge);
-  } else {
-    helping_button(ui, *scene::find_command(helps));
-  }
-  ImGui::SameLine(0, 2);
-  ImGui::PushStyleColor(ImGuiCol_Button, 0);
-  if (ImGui::Button("x##badge")) scene::dismiss_badge(w.checks);
-  ImGui::PopStyleColor();
-  record(ui, "badge/close");
-  hint("Dismiss. The section Checks still lists it.");
-  return ImGui::GetWindowPos().y - 8;
 }
 
 }  // namespace viete::ui

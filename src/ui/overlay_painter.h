@@ -20,6 +20,19 @@ inline std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
           center + glm::vec2(-half, half)};
 }
 
+/// Draws icons in coordinates from -1 to 1.
+struct Pen {
+  ImDrawList& draw;
+  ImVec2 middle;
+  ImU32 color;
+  float radius;
+
+  ImVec2 at(float x, float y) const { return {middle.x + radius * x, middle.y + radius * y}; }
+  void line(float x0, float y0, float x1, float y1) const {
+    draw.AddLine(at(x0, y0), at(x1, y1), color, 1.5f);
+  }
+};
+
 /// Draws into ImGui's background list, with edges sharp to the device pixel at any scale.
 class OverlayPainter {
 public:

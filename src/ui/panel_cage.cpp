@@ -28,7 +28,7 @@ void panel_model(const Context& ui) {
   if (!model.surface) {
     note(ui, "No model. Open one or drop a file on the window.");
     command_button(ui, "open_model");
-    if (const auto clicked = recent_list(ui, 4)) open_recent(ui.workspace, *clicked);
+    if (const auto clicked = recent_list(ui)) open_recent(ui.workspace, *clicked);
     return;
   }
   ImGui::PushTextWrapPos(0);
@@ -75,38 +75,25 @@ void panel_cage(const Context& ui) {
 
 namespace {
 
-constexpr float making_label = 84, making_value = 52;
-
-// A slider with its value on the right.
-Slid slider_row(const Context& ui, const char* text, const std::string& name, float& value, float least,
-                float most, ImGuiSliderFlags flags, const std::string& shown, const char* sentence) {
-  row_label(text, making_label);
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  ImGui::SetNextItemWidth(-making_value);
-  flags |= ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
-  const Slid slid = slider(ui, name, value, least, most, [&] {
-    return ImGui::SliderFloat(("##" + name).c_str(), &value, least, most, "", flags);
-  });
-  hint(sentence);
-  value_beside(right, shown);
-  return slid;
-}
+constexpr float making_label = 84;
 
 // Reproducible steps: 12, 14 ... 100, 110 ... 2,000.
-std::size_t rounded_triangles(float value) {
+double rounded_triangles(double value) {
   const double step = value < 40 ? 2 : value < 100 ? 5 : value < 400 ? 10 : 50;
-  return static_cast<std::size_t>(std::lround(value / step) * std::lround(step));
+  return static_cast<double>(std::lround(value / step) * std::lround(step));
 }
 
 void triangles(const Context& ui, scene::CageWish& wish) {
-  constexpr float most = 2000;  // beyond this, slow to bind and impractical to pose
-  auto value = static_cast<float>(wish.triangles);
-  const Slid slid = slider_row(
-      ui, "Triangles", "cage_triangles", value, scene::least_triangles, most, ImGuiSliderFlags_Logarithmic,
+  const auto chosen = slider_row(
+      ui, "Triangles", making_label, "cage_triangles", static_cast<double>(wish.triangles),
       count(wish.triangles),
-      "Number of triangles of the cage. Fewer are easier to pose; more follow the model more closely.");
-  if (slid.moved) wish.triangles = rounded_triangles(value);
-  if (slid.typed) wish.triangles = static_cast<std::size_t>(std::lround(*slid.typed));
+      {.least = scene::least_triangles,
+       .most = 2000,  // beyond this, slow to bind and impractical to pose
+       .tip =
+           "Number of triangles of the cage. Fewer are easier to pose; more follow the model more closely.",
+       .logarithmic = true,
+       .rounded = rounded_triangles});
+  if (chosen) wish.triangles = static_cast<std::size_t>(std::lround(*chosen));
 }
 
 std::string percent(double share) {
@@ -116,27 +103,25 @@ std::string percent(double share) {
 }
 
 void share(const Context& ui, const char* text, const char* name, double& share, double least, double most,
-           const char* sentence) {
-  auto value = static_cast<float>(100 * share);
-  const Slid slid =
-      slider_row(ui, text, name, value, static_cast<float>(100 * least), static_cast<float>(100 * most),
-                 ImGuiSliderFlags_Logarithmic, percent(share), sentence);
-  if (slid.typed) share = std::clamp(0.01 * *slid.typed, least, most);
-  if (slid.moved) {
-    const double step = value < 1 ? 0.05 : 0.5;  // percent
-    share = std::clamp(0.01 * step * std::round(static_cast<double>(value) / step), least, most);
-  }
+           const char* tip) {
+  const auto rounded = [](double percent) {
+    const double step = percent < 1 ? 0.05 : 0.5;
+    return step * std::round(percent / step);
+  };
+  const auto chosen = slider_row(
+      ui, text, making_label, name, 100 * share, percent(share),
+      {.least = 100 * least, .most = 100 * most, .tip = tip, .logarithmic = true, .rounded = rounded});
+  if (chosen) share = std::clamp(0.01 * *chosen, least, most);
 }
 
 void cells(const Context& ui, scene::CageWish& wish) {
   constexpr const char* names[] = {"cage_cells_x", "cage_cells_y", "cage_cells_z"};
   constexpr const char* labels[] = {"Cells X", "Y", "Z"};
   for (std::size_t k = 0; k < 3; ++k) {
-    auto value = static_cast<float>(wish.cells[k]);
-    const Slid slid = slider_row(ui, labels[k], names[k], value, 1, 12, 0, count(wish.cells[k]),
-                                 "Number of cells along this axis.");
-    if (slid.moved || slid.typed)
-      wish.cells[k] = static_cast<std::size_t>(std::lround(slid.typed.value_or(value)));
+    const auto chosen =
+        slider_row(ui, labels[k], making_label, names[k], static_cast<double>(wish.cells[k]),
+                   count(wish.cells[k]), {.least = 1, .most = 12, .tip = "Number of cells along this axis."});
+    if (chosen) wish.cells[k] = static_cast<std::size_t>(std::lround(*chosen));
   }
   ImGui::Checkbox("Align to model's principal axes", &wish.own_axes);
   record(ui, "cage_own_axes");
@@ -168,9 +153,7 @@ void panel_making(const Context& ui) {
           "Closes gaps of the model narrower than twice this, in percent of its diagonal. Joins close parts, "
           "for example fingers.");
     choice(ui, "Symmetry", "cage_symmetry", scene::all_symmetries(), wish.symmetry);
-    ImGui::Checkbox("Mostly quads", &wish.quads);
-    record(ui, "cage_quads");
-    hint("Pair triangles that form good quads.");
+    checkbox(ui, "Mostly quads", "cage_quads", wish.quads, "Pair triangles that form good quads.");
   }
   if (scene::shows_generated(ui.workspace.document, making)) {  // not after an undo
     for (const auto& lines : {making.notes, making.lost})
@@ -187,7 +170,7 @@ namespace {
 
 bool is_free(const scene::Workspace& w) {
   return w.offer_cage && w.document.model.surface && !w.making.open && !w.loading.running &&
-         !w.browser.open && !w.question && w.view.panels && !w.view.help;
+         !w.browser.open && !w.question && w.view.panels && !w.key_list.open;
 }
 
 // The finding, until the pose is edited.

@@ -36,7 +36,7 @@ std::string elements_text(const scene::Finding& finding) {
 }
 
 // Title, explanation, and the first elements; a click shows them in the view.
-void card(const Context& ui, std::size_t index) {
+void finding_card(const Context& ui, std::size_t index) {
   auto& checks = ui.workspace.checks;
   const scene::Finding& finding = checks.findings[index];
   const bool shown = checks.shown == index;
@@ -52,16 +52,8 @@ void card(const Context& ui, std::size_t index) {
   const std::string name = "finding/" + std::to_string(index);
   const bool clicked = ImGui::InvisibleButton(name.c_str(), size);
   record(ui, name);
-  const bool hovered = ImGui::IsItemHovered();
+  card(ui, at, {at.x + size.x, at.y + size.y}, shown);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 end{at.x + size.x, at.y + size.y};
-  draw.AddRectFilled(at, end,
-                     shown     ? ui.colors.card_active
-                     : hovered ? ui.colors.card_hover
-                               : ui.colors.card,
-                     6);
-  if (shown) draw.AddRect(at, end, ui.colors.accent, 6, 0, 1.5f);
-
   const float x = at.x + inset;
   float y = at.y + 7;
   const ImU32 color = scene::matters(finding) ? ui.colors.warn : ui.colors.text;
@@ -85,12 +77,10 @@ void stepper(const Context& ui) {
   auto& checks = ui.workspace.checks;
   const scene::Finding& finding = checks.findings[*checks.shown];
   if (finding.size() < 2) return;
-  const float button = 34, width = ImGui::GetContentRegionAvail().x;
+  const float wide = 34, width = ImGui::GetContentRegionAvail().x;
   const float left = ImGui::GetCursorPosX();
   const auto step = [&](const char* label, const char* name, int by, const char* tip) {
-    if (ImGui::Button(label, {button, 0})) scene::step_element(ui.workspace, by);
-    record(ui, name);
-    hint(tip);
+    if (button(ui, label, name, tip, {wide, 0})) scene::step_element(ui.workspace, by);
   };
   step("<##finding", "finding_previous", -1, "Show the previous one only.");
   const std::string text = checks.element ? count(*checks.element + 1) + " of " + count(finding.size())
@@ -98,7 +88,7 @@ void stepper(const Context& ui) {
   ImGui::SameLine(left + 0.5f * (width - ImGui::CalcTextSize(text.c_str()).x));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text.c_str());
-  ImGui::SameLine(left + width - button);
+  ImGui::SameLine(left + width - wide);
   step(">##finding", "finding_next", 1, "Show the next one only.");
 }
 
@@ -110,7 +100,7 @@ void group(const Context& ui, scene::Subject subject, const char* heading) {
     if (checks.findings[i].subject != subject) continue;
     if (first) note(ui, heading);
     first = false;
-    card(ui, i);
+    finding_card(ui, i);
     if (checks.shown == i) stepper(ui);
   }
 }

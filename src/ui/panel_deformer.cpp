@@ -10,7 +10,6 @@
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command.h"
 #include "ui/choice_picture.h"
-#include "ui/panel_timings.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -186,7 +185,6 @@ void stitching(const Context& ui) {
 void panel_custom(const Context& ui) {
   if (!section(ui, "Custom deformer", false)) return;
   const scene::Scheme& scheme = ui.workspace.document.scheme;
-  if (const auto stage = frame_formula(ui)) ui.workspace.interaction.stage = stage;
   chooser(ui, "weights", "Weights", scene::all_weights(), std::optional(scheme.weighting.weights));
   chooser(ui, "blend", "Blend", scene::all_blends(), std::optional(scheme.blend));
   stitching(ui);

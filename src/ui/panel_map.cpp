@@ -33,36 +33,6 @@ void panel_display(const Context& ui) {
   command_choice(ui, {"shading_checker", "shading_normals", "shading_zebra"}, shading - 4);
 }
 
-namespace {
-
-// Fields for the colour range while it is fixed.
-void range_fields(const Context& ui) {
-  scene::FieldView& shown = ui.workspace.field;
-  if (!shown.holds_range || !shown.values) return;
-  double low = shown.stats.low, high = shown.stats.high;
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - 2 * ImGui::CalcTextSize("to").x);
-  ImGui::SetNextItemWidth(width);
-  const auto typed_low = number_field(ui, "map/low", low);
-  record(ui, "map/low");
-  hint("Value of the first colour.");
-  ImGui::SameLine();
-  ImGui::TextUnformatted("to");
-  ImGui::SameLine();
-  ImGui::SetNextItemWidth(width);
-  const auto typed_high = number_field(ui, "map/high", high);
-  record(ui, "map/high");
-  hint("Value of the last colour.");
-  low = typed_low.value_or(low), high = typed_high.value_or(high);
-  if (!typed_low && !typed_high) return;
-  if (!(low < high))
-    return ui.workspace.messages.warn("The first value of the range must be below the last one.");
-  shown.stats.low = static_cast<decltype(shown.stats.low)>(low);
-  shown.stats.high = static_cast<decltype(shown.stats.high)>(high);
-  lab::fit_counts(*shown.values, shown.stats);
-}
-
-}  // namespace
-
 void panel_map(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   if (!w.document.model.surface) return;
@@ -79,7 +49,6 @@ void panel_map(const Context& ui) {
       ui, 2,
       needs_selection ? "Select part of the cage or a probe." : std::string(base::entry_of(wanted).hint));
   command_toggle(ui, "hold_map_range");
-  range_fields(ui);
   command_button(ui, "frame_worst", ImGui::GetContentRegionAvail().x);
 }
 

@@ -33,14 +33,9 @@ struct PoseWish {
 void draw_pose(const Context& ui, const scene::NamedPose& named, ImVec2 low, bool chosen, bool hovered) {
   scene::Workspace& w = ui.workspace;
   const ImVec2 high{low.x + pose_picture_size.x, low.y + pose_picture_size.y};
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, high, hovered ? ui.colors.card_hover : ui.colors.card, 4);
-  list.PushClipRect(low, high, true);
-  PicturePainter painter(ui, low);
-  for (const auto& shape : w.pose_pictures.of(w.document, named.pose, w.camera.pose().up))
-    painter.draw(shape);
-  list.PopClipRect();
-  if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
+  draw_picture(ui, w.pose_pictures.of(w.document, named.pose, w.camera.pose().up), low, high,
+               hovered ? ui.colors.card_hover : ui.colors.card, 4);
+  if (chosen) ImGui::GetWindowDrawList()->AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
 }
 
 // Dropped rows are inserted above the row below the pointer, or at the end.
@@ -86,11 +81,9 @@ void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, d
   const std::string part = named.part.empty() ? "" : " It affects only " + moves + ".";
   hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate." + part);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-  ImGui::SetNextItemWidth(percent_width);
-  if (const auto typed = number_field(ui, id + "/typed", percent))
+  if (const auto typed =
+          number_field(ui, id + "/typed", percent, percent_width, "Weight in percent, from -200 to 300."))
     wish.weight = std::pair(row, 0.01 * *typed);
-  record(ui, id + "/typed");
-  hint("Weight in percent, from -200 to 300.");
 }
 
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {

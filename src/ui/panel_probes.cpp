@@ -18,35 +18,6 @@ namespace {
 
 constexpr float probe_label = 76;
 
-// Percent of the model's diagonal, on a scale with room for small values; the value is displayed next to it.
-bool radius_slider(const Context& ui, const std::string& name, double& radius, bool used) {
-  constexpr float value_width = 44;
-  const scene::Document& document = ui.workspace.document;
-  const double unit = 0.01 * document.space.diagonal();
-  auto percent = static_cast<float>(radius / unit);
-  const auto least = static_cast<float>(scene::least_probe_radius(document) / unit);
-  const auto most = static_cast<float>(scene::largest_probe_radius(document) / unit);
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  ImGui::BeginDisabled(!used);
-  ImGui::SetNextItemWidth(-value_width);
-  constexpr auto flags =
-      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput;
-  const auto draw = [&] {
-    return ImGui::SliderFloat(("##" + name).c_str(), &percent, least, most, "", flags);
-  };
-  const Slid slid = slider(ui, name, percent, least, most, draw, used);
-  hint(
-      "Radius of influence at rest, in percent of the model's diagonal. The circle in the view shows the "
-      "largest of the three.");
-  value_beside(right, std::to_string(std::lround(percent)) + " %");
-  ImGui::EndDisabled();
-  if (slid.moved) radius = unit * static_cast<double>(std::round(percent));
-  if (slid.typed)
-    radius = std::clamp(unit * *slid.typed, scene::least_probe_radius(document),
-                        scene::largest_probe_radius(document));
-  return slid.moved || slid.typed;
-}
-
 void influence(const Context& ui, const char* label, const char* name, scene::Part part) {
   scene::Document& document = ui.workspace.document;
   scene::Influence shown = document.probes.all[document.selection.indices().front()].*part;
@@ -56,29 +27,39 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
   ImGui::SetNextItemWidth(falloff_width);
   const auto falloff = entry_list(ui, prefix, scene::all_falloffs(), shown.falloff);
   ImGui::SameLine();
-  const bool moved =
-      radius_slider(ui, prefix + "_radius", shown.radius, shown.falloff != scene::Falloff::none);
+  const double unit = 0.01 * document.space.diagonal(), least = scene::least_probe_radius(document),
+               most = scene::largest_probe_radius(document);
+  const bool used = shown.falloff != scene::Falloff::none;
+  constexpr float value_width = 44;
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  ImGui::BeginDisabled(!used);
+  const auto percent = slider(ui, prefix + "_radius", shown.radius / unit,
+                              {.least = least / unit,
+                               .most = most / unit,
+                               .tip = "Radius of influence at rest, in percent of the model's diagonal. The "
+                                      "circle in the view shows the largest of the three.",
+                               .logarithmic = true,
+                               .rounded = std::round,
+                               .enabled = used},
+                              -value_width);
+  value_beside(right, std::to_string(std::lround(shown.radius / unit)) + " %");
+  ImGui::EndDisabled();
   if (falloff) scene::set_falloff(document, part, *falloff);
-  if (moved) scene::set_radius(document, part, shown.radius);
+  if (percent) scene::set_radius(document, part, std::clamp(unit * *percent, least, most));
 }
 
 // How closely pins keep the model to the listed shapes.
 void freedom(const Context& ui) {
-  constexpr float value_width = 44;
   double& value = ui.workspace.handling.freedom;
-  row_label("Freedom", probe_label);
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  auto percent = static_cast<float>(100 * value);
-  ImGui::SetNextItemWidth(-value_width);
-  const Slid slid = slider(ui, "pin_freedom", 100 * value, 0, 100, [&] {
-    return ImGui::SliderFloat("##pin_freedom", &percent, 0, 100, "", ImGuiSliderFlags_NoInput);
-  });
-  if (slid.moved) value = 0.01 * std::round(static_cast<double>(percent));
-  if (slid.typed) value = 0.01 * *slid.typed;
-  hint(
-      "How far pins may take the model from the shapes in the pose list: 0 % blends the shapes, 100 % is as "
-      "rigid as possible.");
-  value_beside(right, std::to_string(std::lround(100 * value)) + " %");
+  const auto percent = slider_row(
+      ui, "Freedom", probe_label, "pin_freedom", 100 * value, std::to_string(std::lround(100 * value)) + " %",
+      {.least = 0,
+       .most = 100,
+       .tip =
+           "How far pins may take the model from the shapes in the pose list: 0 % blends the shapes, 100 % "
+           "is as rigid as possible.",
+       .rounded = std::round});
+  if (percent) value = 0.01 * *percent;
 }
 
 void mix(const Context& ui) {

@@ -1,8 +1,7 @@
-#include "ui/panel_timings.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "scene/document/edit.h"
@@ -18,28 +17,12 @@ namespace {
 
 constexpr const char* command_names[] = {"method_diag", "method_sd", "method_improved_sd", "method_fast"};
 
-constexpr std::size_t none = 99;
-
-// The single best method; none at a tie, as at rest, where every result is exact.
-template <class Value>
-std::size_t best(const scene::MethodStats& stats, Value value) {
-  std::size_t first = 0, equals = 0;
-  for (std::size_t i = 1; i < stats.samples.size(); ++i) {
-    const double a = value(stats.samples[i]), b = value(stats.samples[first]);
-    if (a == b) ++equals;
-    if (a < b || std::isnan(b)) first = i, equals = 0;
-  }
-  return equals == 0 ? first : none;
-}
-
-// Which of a method's two figures are the best.
-struct Marks {
-  bool time = false, error = false;
-};
-
-Marks marks_of(const scene::MethodStats& stats, std::size_t index) {
-  return {index == best(stats, [](const scene::MethodSample& s) { return s.ns_per_matrix; }),
-          index == best(stats, [](const scene::MethodSample& s) { return s.worst_error; })};
+// True for the single best method; false at a tie, as at rest, where every result is exact.
+bool is_best(const scene::MethodStats& stats, std::size_t index, double scene::MethodSample::*value) {
+  const scene::MethodSample& own = stats.samples[index];
+  return !std::isnan(own.*value) && std::ranges::all_of(stats.samples, [&](const auto& other) {
+    return &other == &own || !(other.*value <= own.*value);
+  });
 }
 
 // Errors that are visible, or accumulate to visible ones: highlighted from here on.
@@ -50,7 +33,7 @@ bool fails(const scene::MethodSample& sample) {
 }
 
 void card_text(const Context& ui, ImVec2 at, float width, const char* title,
-               const scene::MethodSample* sample, bool used, Marks marks, bool active) {
+               const scene::MethodSample* sample, bool used, bool fastest, bool most_exact, bool active) {
   constexpr float margin = 10, second_line = 25;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 text = used ? ui.colors.text : ui.colors.faint;
@@ -61,37 +44,28 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
   if (!sample) return;
   ImGui::PushFont(ui.fonts.numbers);
   const std::string time = nanoseconds(sample->ns_per_matrix), worst = rough_error(sample->worst_error);
-  draw.AddText({at.x + margin, at.y + second_line}, marks.time ? ui.colors.accent : text, time.c_str());
+  draw.AddText({at.x + margin, at.y + second_line}, fastest ? ui.colors.accent : text, time.c_str());
   draw.AddText({at.x + width - margin - ImGui::CalcTextSize(worst.c_str()).x, at.y + second_line},
                fails(*sample) ? ui.colors.warn
-               : marks.error  ? ui.colors.accent
+               : most_exact   ? ui.colors.accent
                               : ui.colors.faint,
                worst.c_str());
   ImGui::PopFont();
 }
 
 // A large toggle: the method's name, its time per matrix and worst error, coloured where it is best.
-void card(const Context& ui, std::size_t index, float width, bool used) {
+void method_card(const Context& ui, std::size_t index, float width, bool used) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(command_names[index]);
   const bool active = w.document.method == scene::compared_methods[index];
   const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 46};
   if (ImGui::InvisibleButton(command_names[index], size)) command.run(w);
   record(ui, command_names[index], used);
-  const bool hovered = ImGui::IsItemHovered();
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 end{at.x + size.x, at.y + size.y};
-  draw.AddRectFilled(at, end,
-                     active && used ? ui.colors.card_active
-                     : hovered      ? ui.colors.card_hover
-                                    : ui.colors.card,
-                     6);
-  if (active && used) draw.AddRect(at, end, ui.colors.accent, 6, 0, 1.5f);
-
+  card(ui, at, {at.x + size.x, at.y + size.y}, active && used);
   const bool measured = running_sample(w) != nullptr;
-  const Marks marks = measured ? marks_of(w.methods, index) : Marks{};
-  card_text(ui, at, width, command.brief.data(), measured ? &w.methods.samples[index] : nullptr, used, marks,
-            active);
+  card_text(ui, at, width, command.brief.data(), measured ? &w.methods.samples[index] : nullptr, used,
+            is_best(w.methods, index, &scene::MethodSample::ns_per_matrix),
+            is_best(w.methods, index, &scene::MethodSample::worst_error), active);
   hint(std::string(command.hint) + "  (" + scene::text(w.preferences.keymap.of(command).first) + ")");
 }
 
@@ -106,7 +80,7 @@ void panel_method(const Context& ui) {
   ImGui::BeginDisabled(!used);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t i = 0; i < scene::compared_methods.size(); ++i) {
-    card(ui, i, width, used);
+    method_card(ui, i, width, used);
     if (i % 2 == 0) ImGui::SameLine();
   }
   ImGui::PopStyleVar();
@@ -119,6 +93,17 @@ void panel_method(const Context& ui) {
        "above 1e-10.");
 }
 
+// The deformation of a frame with each method, stage by stage, and the rest of the frame.
+
+namespace {
+
+using scene::compared_methods;
+using scene::Link;
+using Stage = std::optional<Link>;
+
+constexpr std::size_t all_methods = compared_methods.size();
+
+// Describes the stage in one sentence.
 const char* stage_hint(scene::Link stage) {
   static constexpr std::array<const char*, scene::link_count> hints = {
       "Affine map x -> M x + l of each element of the cage, from rest to pose.",
@@ -135,20 +120,11 @@ const char* stage_hint(scene::Link stage) {
   return hints[static_cast<std::size_t>(stage)];
 }
 
+// Its colour; fainter while another stage is hovered.
 ImU32 lit_stage_color(const Context& ui, scene::Link stage) {
   const auto& lit = ui.workspace.interaction.stage;
   return faded(stage_color(stage), lit && *lit != stage ? 0.3f : 1.0f);
 }
-
-// The deformation of a frame with each method, stage by stage, and the rest of the frame.
-
-namespace {
-
-using scene::compared_methods;
-using scene::Link;
-using Stage = std::optional<Link>;
-
-constexpr std::size_t all_methods = compared_methods.size();
 
 bool is_under_cursor(ImVec2 low, ImVec2 high) {
   return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);

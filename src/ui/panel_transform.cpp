@@ -24,8 +24,8 @@ void sets(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   const auto& all = document.groups.sets;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float button = 64, close = ImGui::GetFrameHeight();
-  const float width = ImGui::GetContentRegionAvail().x - button - close - 2 * gap;
+  const float select_width = 64, close = ImGui::GetFrameHeight();
+  const float width = ImGui::GetContentRegionAvail().x - select_width - close - 2 * gap;
   std::optional<std::size_t> selected, removed, renamed;
   std::string name;
   ImGui::BeginDisabled(scene::is_dragging(ui.workspace));
@@ -35,13 +35,13 @@ void sets(const Context& ui) {
             name_field(ui, id, all[i].name, width, "Name of the selection set. Type to rename it."))
       renamed = i, name = *typed;
     ImGui::SameLine(0, gap);
-    if (ImGui::Button(("Select##" + id).c_str(), {button, 0})) selected = i;
-    record(ui, id + "/select");
-    hint("Select this set. Shift adds, Ctrl removes.");
+    if (button(ui, ("Select##" + id).c_str(), id + "/select", "Select this set. Shift adds, Ctrl removes.",
+               {select_width, 0}))
+      selected = i;
     ImGui::SameLine(0, gap);
-    if (ImGui::Button(("x##" + id).c_str(), {close, 0})) removed = i;
-    record(ui, id + "/remove");
-    hint("Delete this selection set. Its elements stay.");
+    if (button(ui, ("x##" + id).c_str(), id + "/remove", "Delete this selection set. Its elements stay.",
+               {close, 0}))
+      removed = i;
   }
   ImGui::EndDisabled();
   if (renamed) scene::rename_set(document, *renamed, name);
@@ -102,7 +102,6 @@ void mirror_row(const Context& ui) {
   label_row(ui, "Mirror");
   const float width = half_of_rest();
   choice_list(ui, "mirror", std::optional(w.handling.mirror), width);
-  w.interaction.show_partners = ImGui::IsItemHovered() && w.mirror.mirror.has_value();
   ImGui::SameLine();
   const float right = ImGui::GetCursorScreenPos().x + width;
   const bool lacks = w.mirror.mirror && w.mirror.mirror->unpaired() > 0;
@@ -113,25 +112,18 @@ void mirror_row(const Context& ui) {
 }
 
 // The soft radius in the file's units.
-void soft_radius(const Context& ui, float width) {
+void soft_radius(const Context& ui) {
   scene::SoftSelection& soft = ui.workspace.handling.soft;
   const double diagonal = ui.workspace.document.space.diagonal();
-  auto value = static_cast<float>(soft.radius);
-  ImGui::SetNextItemWidth(width);
-  constexpr auto flags =
-      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_Logarithmic;
-  const std::string shown = length(soft.radius * diagonal);
-  std::string format;  // a percent sign would be parsed by ImGui
-  for (const char c : shown) format += c == '%' ? "%%" : std::string(1, c);
   constexpr double least = scene::SoftSelection::least_radius;
-  const auto draw = [&] {
-    return ImGui::SliderFloat("##soft_radius", &value, static_cast<float>(least), 1, format.c_str(), flags);
-  };
-  const Slid slid =
-      slider(ui, "soft_radius", soft.radius * diagonal, least * diagonal, diagonal, draw, soft.on);
-  if (slid.moved) soft.radius = std::max(least, static_cast<double>(value));
-  if (slid.typed) soft.radius = std::clamp(*slid.typed / diagonal, least, 1.0);
-  hint("Radius of soft selection. The wheel changes it during a drag.");
+  const auto chosen = slider(ui, "soft_radius", soft.radius * diagonal,
+                             {.least = least * diagonal,
+                              .most = diagonal,
+                              .format = "%.3g",
+                              .tip = "Radius of soft selection. The wheel changes it during a drag.",
+                              .logarithmic = true,
+                              .enabled = soft.on});
+  if (chosen) soft.radius = std::clamp(*chosen / diagonal, least, 1.0);
 }
 
 void soft_rows(const Context& ui) {
@@ -140,7 +132,7 @@ void soft_rows(const Context& ui) {
   command_toggle(ui, "toggle_soft", soft.on);
   ImGui::BeginDisabled(!soft.on);
   ImGui::SetCursorPosX(column);
-  soft_radius(ui, -1);
+  soft_radius(ui);
   ImGui::SetCursorPosX(column);
   const float width = half_of_rest();
   choice_list(ui, "soft_curve", std::optional(soft.curve), width);
@@ -235,11 +227,8 @@ void apply(scene::Workspace& workspace, int axis, double value) {
 
 void field(const Context& ui, const Fields& fields, int axis, float width) {
   const std::string name = std::string("transform_") + static_cast<char>('x' + axis);
-  ImGui::SetNextItemWidth(width);
-  const auto number = number_field(ui, name, fields.values[axis]);
   const bool enabled = !ui.workspace.document.selection.empty();
-  record(ui, name, enabled);
-  hint(fields.hint);
+  const auto number = number_field(ui, name, fields.values[axis], width, fields.hint, enabled);
   if (number && enabled) apply(ui.workspace, axis, *number);
 }
 
@@ -249,23 +238,24 @@ void brush_fields(const Context& ui) {
   command_row(ui, {"mask_clear", "mask_invert"});
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
-  constexpr auto flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
-  ImGui::SetNextItemWidth(width);
-  float radius = brush.radius;
-  constexpr float least = scene::Brush::least_radius, most = 150;
-  const Slid reach = slider(ui, "brush_radius", radius, least, most, [&] {
-    return ImGui::SliderFloat("##brush_radius", &radius, least, most, "%.0f px", flags);
-  });
-  if (reach.moved || reach.typed) brush.radius = static_cast<float>(reach.typed.value_or(radius));
-  hint("Brush radius on screen. Shift and wheel change it too.");
+  if (const auto radius = slider(ui, "brush_radius", brush.radius,
+                                 {.least = scene::Brush::least_radius,
+                                  .most = 150,
+                                  .format = "%.0f px",
+                                  .tip = "Brush radius on screen. Shift and wheel change it too."},
+                                 width))
+    brush.radius = static_cast<float>(*radius);
   ImGui::SameLine(0, spacing);
-  ImGui::SetNextItemWidth(width);
-  int percent = static_cast<int>(std::lround(100 * brush.share));
-  const Slid share = slider(ui, "brush_share", percent, 0, 100, [&] {
-    return ImGui::SliderInt("##brush_share", &percent, 0, 100, "follows %d %%", flags);
-  });
-  if (share.moved || share.typed) brush.share = static_cast<float>(share.typed.value_or(percent) / 100);
-  hint("Share of the motion that painted vertices keep: 0 % stays at rest. Ctrl paints 100 %.");
+  if (const auto percent =
+          slider(ui, "brush_share", 100 * brush.share,
+                 {.least = 0,
+                  .most = 100,
+                  .format = "follows %.0f %%",
+                  .tip = "Share of the motion that painted vertices keep: 0 % stays at rest. "
+                         "Ctrl paints 100 %.",
+                  .rounded = std::round},
+                 width))
+    brush.share = static_cast<float>(*percent / 100);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -132,31 +131,11 @@ void panel_vertex(const Context& ui) {
   ways(ui, view);
 }
 
-// The inspected vertex: lines to the elements with their weights, and their maps as ellipsoids.
+// The inspected vertex: lines to the elements with their weights.
 
 namespace {
 
 constexpr std::size_t most_elements = 16;
-constexpr double size = 0.025;  // radius of an undeformed ball, in diagonals
-
-// Three great circles of a ball, one perpendicular to each axis, transformed by the map.
-void ellipsoid(OverlayPainter& painter, const Context& ui, const scene::Projector& project,
-               const scene::VertexView::Term& term, double radius, float opacity) {
-  constexpr int steps = 32;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<glm::vec2> ring;
-    for (int i = 0; i < steps; ++i) {
-      const double angle = 2 * std::numbers::pi * i / steps;
-      glm::dvec3 p(0);
-      p[(axis + 1) % 3] = radius * std::cos(angle), p[(axis + 2) % 3] = radius * std::sin(angle);
-      const glm::dvec3 d = term.map * p;
-      const auto at = project(term.at + decltype(term.at){d.x, d.y, d.z});
-      if (!at) return;
-      ring.emplace_back(*at);
-    }
-    painter.line(ring, ui.colors.axis[axis], 1.25f, true, opacity);
-  }
-}
 
 }  // namespace
 
@@ -168,7 +147,6 @@ void vertex_overlay(const Context& ui) {
   const auto at = project(w.posed.at(*w.document.model.surface, *view.vertex));
   if (!at) return;
   OverlayPainter painter(ui);
-  const double radius = size * w.document.space.diagonal();
   const double largest = view.terms.empty() ? 1 : std::abs(view.terms.front().weight);
   for (std::size_t i = 0; i < std::min(most_elements, view.terms.size()); ++i) {
     const auto& term = view.terms[i];
@@ -177,12 +155,6 @@ void vertex_overlay(const Context& ui) {
     if (!end || share < 0.02f) continue;
     painter.line(glm::vec2(*at), glm::vec2(*end), term.weight < 0 ? ui.colors.warn : ui.colors.accent,
                  0.75f + 3 * share, 0.35f + 0.5f * share);
-    if (view.has_logs) ellipsoid(painter, ui, project, term, radius, 0.4f + 0.6f * share);
-  }
-  if (view.has_logs) {
-    const scene::VertexView::Term whole{
-        0, 1, view.map, w.posed.at(*w.document.model.surface, *view.vertex), {}};
-    ellipsoid(painter, ui, project, whole, 1.5 * radius, 1);
   }
   painter.disc(glm::vec2(*at), 4, ui.colors.highlight, 1);
 }

@@ -1,4 +1,5 @@
 // The number of views, and the settings of each.
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -13,40 +14,29 @@ namespace {
 
 void way_list(const Context& ui, const std::string& name, scene::SideView& side) {
   const auto now = scene::way_of(side.scheme);
-  const bool open =
-      ImGui::BeginCombo(("##" + name).c_str(), now ? scene::entry(*now).label.data() : "Custom");
-  record(ui, name);
-  if (!open) return;
-  for (const auto& entry : scene::all_ways()) {
-    if (ImGui::Selectable(entry.label.data(), now == entry.value))
+  if (!begin_list(ui, name, now ? scene::entry(*now).label.data() : "Custom", "")) return;
+  for (const auto& entry : scene::all_ways())
+    if (list_entry(ui, entry.label, name + '_' + std::string(entry.name), now == entry.value, entry.sentence))
       side.scheme = scene::chosen(entry.value, ui.workspace.document.scheme);
-    record(ui, name + '_' + std::string(entry.name));
-    hint(std::string(entry.sentence));
-  }
   ImGui::EndCombo();
 }
 
 void method_list(const Context& ui, const std::string& name, scene::SideView& side) {
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), method_label(side.method).c_str());
-  record(ui, name);
-  if (!open) return;
-  for (const scene::Method method : scene::compared_methods) {
-    if (ImGui::Selectable(method_label(method).c_str(), side.method == method)) side.method = method;
-    record(ui, name + '_' + method_label(method));
-  }
+  if (!begin_list(ui, name, method_label(side.method).c_str(), "")) return;
+  for (const auto& entry : sym3::methods())
+    if (std::ranges::count(scene::compared_methods, entry.method) &&
+        list_entry(ui, entry.label, name + '_' + std::string(entry.label), side.method == entry.method,
+                   entry.sentence))
+      side.method = entry.method;
   ImGui::EndCombo();
 }
 
 void map_list(const Context& ui, const std::string& name, scene::SideView& side) {
-  const bool open = ImGui::BeginCombo(("##" + name).c_str(), base::entry_of(side.field).label.data(),
-                                      ImGuiComboFlags_HeightLargest);
-  record(ui, name);
-  if (!open) return;
+  if (!begin_list(ui, name, base::entry_of(side.field).label.data(), "")) return;
   for (const base::Choice& choice : choices(side.field)) {
     const auto field = *base::value_of_word<lab::Field>(choice.word);
-    if (ImGui::Selectable(choice.label.data(), side.field == field)) side.field = field;
-    record(ui, name + '_' + std::string(choice.word));
-    hint(std::string(choice.hint));
+    if (list_entry(ui, choice.label, name + '_' + std::string(choice.word), side.field == field, choice.hint))
+      side.field = field;
   }
   ImGui::EndCombo();
 }

@@ -11,22 +11,21 @@ namespace viete::ui {
 
 namespace {
 
-// Next to the view, over its whole height. False if hidden.
-bool begin_column(const Context& ui, const char* name, float x, float width) {
-  if (width <= 0) return false;
+// A window next to the view, over its whole height.
+Window::Place column(const Context& ui, float x, float width) {
   const scene::Viewport& v = ui.workspace.viewport;
-  ImGui::SetNextWindowPos({x, v.origin.y});
-  ImGui::SetNextWindowSize({width, scene::column_height(v)});
-  ImGui::Begin(name, nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavFocus |
-                   ImGuiWindowFlags_NoNavInputs);
-  return true;
+  return {.at = {x, v.origin.y}, .pivot = {0, 0}, .size = {width, scene::column_height(v)}, .rounding = 0};
 }
+
+constexpr auto column_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                              ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoNavInputs;
 
 // The left column, in workflow order.
 void tools(const Context& ui) {
-  if (!begin_column(ui, "Tools", 0, ui.workspace.viewport.origin.x)) return;
+  const float width = ui.workspace.viewport.origin.x;
+  if (width <= 0) return;
+  const Window window("Tools", column(ui, 0, width), column_flags);
   panel_model(ui);
   panel_cage(ui);
   panel_poses(ui);
@@ -35,7 +34,6 @@ void tools(const Context& ui) {
   panel_probes(ui);
   panel_display(ui);
   panel_checks(ui);  // last: new findings open it without moving other sections
-  ImGui::End();
 }
 
 void analysis(const Context& ui) {
@@ -53,13 +51,13 @@ void analysis(const Context& ui) {
 void methods(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float x = v.origin.x + v.size.x;
-  if (!begin_column(ui, "Methods", x, v.window.x - x)) return;
+  if (v.window.x <= x) return;
+  const Window window("Methods", column(ui, x, v.window.x - x), column_flags);
   panel_method(ui);
   panel_timings(ui);
   panel_deformer(ui);
   ImGui::Dummy({0, 2});
   analysis(ui);
-  ImGui::End();
 }
 
 }  // namespace
@@ -90,13 +88,11 @@ void draw_panels(const Context& ui) {
   const float free = std::min({cage_offer(ui, bottom), work_bar(ui, bottom), map_legend(ui, bottom),
                                key_question(ui, bottom)}) -
                      44;
-  toasts(ui, check_badge(ui, free));
-  if (ui.workspace.view.help) help_overlay(ui);
+  toasts(ui, free);
   if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
   message_log(ui);
   command_palette(ui);
   key_list(ui);
-  key_prompt(ui);
   question_panel(ui);
 }
 
@@ -122,28 +118,23 @@ float edge_x(const scene::Viewport& v, const Side& side) {
   return side.inward > 0 ? v.origin.x : v.origin.x + v.size.x;
 }
 
-// A window over the view with a single button, from the edge inwards.
-bool begin_strip(const std::string& name, const Side& side, ImVec2 at, ImVec2 size) {
-  constexpr auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
-                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-  ImGui::SetNextWindowPos({side.inward > 0 ? at.x : at.x - size.x, at.y});
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(name.c_str(), nullptr, flags);
-  const bool clicked = ImGui::InvisibleButton("strip", size);
-  ImGui::PopStyleVar(2);
-  return clicked;
+// A window over the view for a single button, from the edge inwards.
+Window::Place edge_strip(const Side& side, ImVec2 at, ImVec2 size) {
+  return {
+      .at = at, .pivot = {side.inward > 0 ? 0.0f : 1.0f, 0}, .size = size, .rounding = 0, .padding = {0, 0}};
 }
+
+constexpr auto strip_flags = passive_flags | ImGuiWindowFlags_NoBackground;
 
 void edge(const Context& ui, const Side& side) {
   scene::Workspace& w = ui.workspace;
   const scene::Viewport& v = w.viewport;
   const float x = edge_x(v, side);
-  begin_strip(std::string("edge/") + side.name, side, {x, v.origin.y},
-              {edge_thickness, scene::column_height(v)});
-  record(ui, std::string("edge/") + side.name);
+  const std::string name = std::string("edge/") + side.name;
+  const ImVec2 size{edge_thickness, scene::column_height(v)};
+  const Window window(name.c_str(), edge_strip(side, {x, v.origin.y}, size), strip_flags);
+  ImGui::InvisibleButton("strip", size);
+  record(ui, name);
   const bool held = ImGui::IsItemActive();
   if (held || ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -156,7 +147,6 @@ void edge(const Context& ui, const Side& side) {
     scene::set_width(w.preferences.layout, side.column, side.inward > 0 ? mouse : v.window.x - mouse,
                      v.window.x);
   }
-  ImGui::End();
 }
 
 void chevron(ImDrawList& draw, ImVec2 middle, float direction, ImU32 color) {
@@ -172,7 +162,9 @@ void tab(const Context& ui, const Side& side, bool shown) {
   const scene::Command& command = *scene::find_command(side.command);
   const ImVec2 at{edge_x(v, side), v.origin.y + 0.5f * (v.size.y - tab_height)};
   const std::string name = std::string("tab/") + side.name;
-  const bool clicked = begin_strip(name, side, at, {tab_width, tab_height});
+  const ImVec2 size{tab_width, tab_height};
+  const Window window(name.c_str(), edge_strip(side, at, size), strip_flags);
+  const bool clicked = ImGui::InvisibleButton("strip", size);
   record(ui, name);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -185,7 +177,6 @@ void tab(const Context& ui, const Side& side, bool shown) {
           hovered ? ui.colors.text : faded(ui.colors.faint, shown ? 0.7f : 1));
   hint(std::string(command.hint));
   if (clicked) command.run(ui.workspace);
-  ImGui::End();
 }
 
 }  // namespace

@@ -15,15 +15,14 @@ namespace viete::ui {
 void draw_panels(const Context& ui);
 
 void menu_bar(const Context& ui);
-/// A menu line for a command. True if chosen.
-bool menu_item(const Context& ui, const scene::Command& command, std::string_view called);
+/// A menu line that runs a command, by its label or another name. True if chosen.
+bool menu_item(const Context& ui, const scene::Command& command, std::string_view called = "");
 void context_menu(const Context& ui);  ///< at the right click
 void tool_strip(const Context& ui);    ///< in the view
 void command_palette(const Context& ui);
 void key_list(const Context& ui);  ///< all commands and their keys, editable
 /// The keymap choice at the first start, at the bottom of the view like other offers.
 float key_question(const Context& ui, float bottom);
-void key_prompt(const Context& ui);    ///< asks for the new key of a command
 void column_edges(const Context& ui);  ///< column borders to drag, and tabs to fold
 
 void panel_model(const Context& ui);
@@ -53,7 +52,6 @@ struct DrawnBefore {
 void repeat_in_views(const Context& ui, const DrawnBefore& before);
 void panel_display(const Context& ui);
 void status_bar(const Context& ui);
-void help_overlay(const Context& ui);
 void file_panel(const Context& ui);
 void question_panel(const Context& ui);        ///< see scene/workspace/question.h
 void message_log(const Context& ui);           ///< all messages
@@ -64,7 +62,6 @@ float cage_offer(const Context& ui,
 bool offers_next_step(const scene::Workspace& workspace);
 /// The available width for notices in the middle of the view, next to the tools.
 float notice_room(const Context& ui);
-float check_badge(const Context& ui, float bottom);  ///< findings of the checks, and remedies
 float work_bar(const Context& ui,
                float bottom);              ///< running work, its progress, and Cancel
 void notice_bar(const Context& ui);        ///< recoverable unsaved work

@@ -34,19 +34,6 @@ void crosshair(const Context& ui, OverlayPainter& painter, const glm::vec2& at) 
   painter.line({at.x, v.origin.y}, {at.x, v.origin.y + v.size.y}, ui.colors.text, 1, 0.5f);
 }
 
-// A loop with a loose end.
-void lasso_sign(const Context& ui, OverlayPainter& painter, const glm::vec2& at) {
-  const std::array loop = {at,
-                           at + glm::vec2(-9, -3),
-                           at + glm::vec2(-12, -9),
-                           at + glm::vec2(-7, -14),
-                           at + glm::vec2(2, -14),
-                           at + glm::vec2(7, -9),
-                           at + glm::vec2(4, -3)};
-  painter.line(loop, ui.colors.text, 1.5f, true);
-  painter.disc(at, 2, ui.colors.text);
-}
-
 void lasso_line(const Context& ui, OverlayPainter& painter, const scene::Lasso& lasso) {
   const auto& line = lasso.line;
   if (line.size() < 2) return;
@@ -90,7 +77,7 @@ void select_overlay(const Context& ui) {
   const glm::vec2 at = *hand.cursor;
   switch (*hand.armed) {
     case SelectShape::box: crosshair(ui, painter, at); break;
-    case SelectShape::lasso: lasso_sign(ui, painter, at); break;
+    case SelectShape::lasso: painter.circle(at, 4, ui.colors.text, 1.5f); break;
     case SelectShape::brush: circle(ui, painter, hand, at); break;
   }
   sign(painter, at, hand.brushing.value_or(select_mode()), ui.colors.text);

@@ -32,16 +32,6 @@ std::string shape_words(const scene::TransformDrag& drag) {
          "click confirms,  Esc cancels,  Shift slows,  Ctrl snaps";
 }
 
-// Logs of rotations depend on the frame of reference: see the manual, blending.
-bool changes_shape_when_turned(const scene::Workspace& w) {
-  const scene::Document& d = w.document;
-  if (w.tool != scene::Tool::rotate || !d.has_cage() || d.selection.kind() == scene::ElementKind::probe)
-    return false;
-  const auto& rest = d.cage->surface.positions;
-  return d.scheme.exponential() && d.pose.positions != rest &&
-         scene::selected_vertices(*d.cage, d.selection).size() == rest.size();
-}
-
 }  // namespace
 
 std::string mouse_text(const scene::Workspace& w) {
@@ -69,9 +59,6 @@ std::string mouse_text(const scene::Workspace& w) {
            "or right drag " +
            std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
   if (w.interaction.over_axes) return "Click to view along an axis, drag to orbit";
-  if (w.interaction.handle && changes_shape_when_turned(w))
-    return scene::handle_name(w.tool, *w.interaction.handle) +
-           ":  drag;  rotates the posed cage, which can slightly change the model's shape";
   if (w.interaction.handle)
     return scene::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
@@ -109,13 +96,13 @@ std::string numbers_text(const scene::Workspace& w) {
 
 void status_bar(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0, display.y - status_height});
-  ImGui::SetNextWindowSize({display.x, status_height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 5});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin("Status", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  const Window window("Status",
+                      {.at = {0, display.y - status_height},
+                       .pivot = {0, 0},
+                       .size = {display.x, status_height},
+                       .rounding = 0,
+                       .padding = {12, 5}},
+                      fixed_flags | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
   const std::string numbers = numbers_text(ui.workspace);
   ImGui::PushFont(ui.fonts.numbers);
   const float numbers_start = display.x - 36 - ImGui::CalcTextSize(numbers.c_str()).x;
@@ -124,8 +111,6 @@ void status_bar(const Context& ui) {
   text_in(ui.colors.faint, fitting(mouse_text(ui.workspace), numbers_start - ImGui::GetCursorPosX()));
   const float y = display.y - status_height;
   ImGui::GetWindowDrawList()->AddLine({0, y}, {display.x, y}, ui.colors.line);
-  ImGui::End();
-  ImGui::PopStyleVar(2);
 }
 
 }  // namespace viete::ui

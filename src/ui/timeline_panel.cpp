@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "scene/document/time_edit.h"
@@ -22,70 +23,63 @@ namespace {
 
 constexpr float bar_height = 24, more_width = 28, icon = 5;
 
-// Draws button icons in coordinates from -1 to 1.
-struct TimePen {
-  ImDrawList& draw;
-  ImVec2 middle;
-  ImU32 color;
+void arrow(const Pen& pen, float x, float way) {
+  pen.draw.AddTriangleFilled(pen.at(x + way, 0), pen.at(x - 0.4f * way, -0.9f), pen.at(x - 0.4f * way, 0.9f),
+                             pen.color);
+}
+void bar(const Pen& pen, float x) {
+  pen.draw.AddRectFilled(pen.at(x - 0.18f, -0.9f), pen.at(x + 0.18f, 0.9f), pen.color);
+}
+void diamond(const Pen& pen, float x) {
+  pen.draw.AddQuadFilled(pen.at(x, -0.7f), pen.at(x + 0.6f, 0), pen.at(x, 0.7f), pen.at(x - 0.6f, 0),
+                         pen.color);
+}
 
-  ImVec2 at(float x, float y) const { return {middle.x + icon * x, middle.y + icon * y}; }
-  void arrow(float x, float way) const {
-    draw.AddTriangleFilled(at(x + way, 0), at(x - 0.4f * way, -0.9f), at(x - 0.4f * way, 0.9f), color);
-  }
-  void bar(float x) const { draw.AddRectFilled(at(x - 0.18f, -0.9f), at(x + 0.18f, 0.9f), color); }
-  void diamond(float x) const {
-    draw.AddQuadFilled(at(x, -0.7f), at(x + 0.6f, 0), at(x, 0.7f), at(x - 0.6f, 0), color);
-  }
-};
-
-void first_icon(const TimePen& pen, bool) {
-  pen.bar(-0.9f), pen.arrow(0.1f, -0.8f);
+void first_icon(const Pen& pen, bool) {
+  bar(pen, -0.9f), arrow(pen, 0.1f, -0.8f);
 }
-void previous_key_icon(const TimePen& pen, bool) {
-  pen.diamond(0.8f), pen.arrow(-0.4f, -0.8f);
+void previous_key_icon(const Pen& pen, bool) {
+  diamond(pen, 0.8f), arrow(pen, -0.4f, -0.8f);
 }
-void play_icon(const TimePen& pen, bool playing) {
-  if (!playing) return pen.arrow(-0.15f, 1.1f);
-  pen.bar(-0.45f), pen.bar(0.45f);
+void play_icon(const Pen& pen, bool playing) {
+  if (!playing) return arrow(pen, -0.15f, 1.1f);
+  bar(pen, -0.45f), bar(pen, 0.45f);
 }
-void next_key_icon(const TimePen& pen, bool) {
-  pen.diamond(-0.8f), pen.arrow(0.4f, 0.8f);
+void next_key_icon(const Pen& pen, bool) {
+  diamond(pen, -0.8f), arrow(pen, 0.4f, 0.8f);
 }
-void last_icon(const TimePen& pen, bool) {
-  pen.bar(0.9f), pen.arrow(-0.1f, 0.8f);
+void last_icon(const Pen& pen, bool) {
+  bar(pen, 0.9f), arrow(pen, -0.1f, 0.8f);
 }
-void key_icon(const TimePen& pen, bool) {
-  pen.diamond(0);
+void key_icon(const Pen& pen, bool) {
+  diamond(pen, 0);
 }
-void camera_icon(const TimePen& pen, bool) {
+void camera_icon(const Pen& pen, bool) {
   pen.draw.AddRect(pen.at(-1, -0.6f), pen.at(0.4f, 0.6f), pen.color, 1, 0, 1.25f);
   pen.draw.AddTriangleFilled(pen.at(0.4f, 0), pen.at(1, -0.5f), pen.at(1, 0.5f), pen.color);
 }
-void auto_icon(const TimePen& pen, bool on) {
+void auto_icon(const Pen& pen, bool on) {
   if (on) return pen.draw.AddCircleFilled(pen.middle, 0.8f * icon, pen.color);
   pen.draw.AddCircle(pen.middle, 0.8f * icon, pen.color, 0, 1.25f);
 }
-void export_icon(const TimePen& pen, bool) {
+void export_icon(const Pen& pen, bool) {
   pen.draw.AddLine(pen.at(0, 0.4f), pen.at(0, -0.7f), pen.color, 1.25f);
   pen.draw.AddTriangleFilled(pen.at(0, -1.1f), pen.at(-0.5f, -0.4f), pen.at(0.5f, -0.4f), pen.color);
   const ImVec2 tray[] = {pen.at(-0.9f, 0.2f), pen.at(-0.9f, 0.9f), pen.at(0.9f, 0.9f), pen.at(0.9f, 0.2f)};
   pen.draw.AddPolyline(tray, 4, pen.color, 0, 1.25f);
 }
 
-void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen&, bool)) {
+void icon_button(const Context& ui, const char* name, void (*draw)(const Pen&, bool)) {
   const scene::Command& command = *scene::find_command(name);
-  const bool enabled = command.enabled(ui.workspace);
-  const bool on = command.on(ui.workspace);
-  ImGui::BeginDisabled(!enabled);
+  const bool enabled = command.enabled(ui.workspace), on = command.on(ui.workspace);
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
-  if (ImGui::Button((std::string("##") + name).c_str(), {28, bar_height})) command.run(ui.workspace);
+  if (button(ui, (std::string("##") + name).c_str(), std::string("time/") + name,
+             std::string(command.label) + ".  " + hint_of(ui, command), {28, bar_height}, enabled))
+    command.run(ui.workspace);
   if (on) ImGui::PopStyleColor();
-  record(ui, std::string("time/") + name, enabled);
-  ImGui::EndDisabled();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImU32 color = faded(on ? ui.colors.accent : ui.colors.text, enabled ? 1 : 0.35f);
-  draw({*ImGui::GetWindowDrawList(), {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, color}, on);
-  hint(std::string(command.label) + ".  " + hint_of(ui, command));
+  draw({*ImGui::GetWindowDrawList(), {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, color, icon}, on);
 }
 
 // An integer field with a label.
@@ -96,10 +90,7 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
     text_in(ui.colors.faint, label);
     ImGui::SameLine(0, 4);
   }
-  ImGui::SetNextItemWidth(width);
-  const auto typed = number_field(ui, name, value);
-  record(ui, name);
-  hint(what);
+  const auto typed = number_field(ui, name, value, width, what);
   if (!typed || !std::isfinite(*typed)) return std::nullopt;
   constexpr double largest = scene::Timeline::largest_frame;
   return static_cast<int>(std::lround(std::clamp(*typed, -largest, largest)));
@@ -121,12 +112,9 @@ struct ToolPiece {
   std::function<void()> in_menu = draw;
 };
 
-ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const TimePen&, bool),
-                       float gap = 4) {
+ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const Pen&, bool), float gap = 4) {
   return {28, gap, [&ui, name, icon] { icon_button(ui, name, icon); },
-          [&ui, &command = *scene::find_command(name)] {
-            if (menu_item(ui, command, command.label)) command.run(ui.workspace);
-          }};
+          [&ui, name] { menu_item(ui, *scene::find_command(name)); }};
 }
 
 std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
@@ -140,13 +128,13 @@ std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
 
 // The parts that do not fit, in a menu.
 void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece> others) {
-  if (ImGui::Button((std::string("##") + name).c_str(), {more_width, bar_height})) ImGui::OpenPopup(name);
-  record(ui, name);
+  if (button(ui, (std::string("##") + name).c_str(), name, "More timeline settings.",
+             {more_width, bar_height}))
+    ImGui::OpenPopup(name);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   for (const float x : {-5.0f, 0.0f, 5.0f})
     ImGui::GetWindowDrawList()->AddCircleFilled({0.5f * (low.x + high.x) + x, 0.5f * (low.y + high.y)}, 1.6f,
                                                 ui.colors.text);
-  hint("More timeline settings.");
   if (!ImGui::BeginPopup(name)) return;
   if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
   for (const ToolPiece& piece : others) piece.in_menu();
@@ -168,14 +156,14 @@ void row_of_pieces(const Context& ui, const char* menu, std::span<const ToolPiec
 }
 
 void transport(const Context& ui, float right) {
-  icon_button(ui, "first_frame", first_icon);
-  ImGui::SameLine();
-  icon_button(ui, "previous_key", previous_key_icon);
-  ImGui::SameLine();
-  icon_button(ui, "play", play_icon);
-  ImGui::SameLine();
-  icon_button(ui, "next_key", next_key_icon);
-  ImGui::SameLine();
+  constexpr std::pair<const char*, void (*)(const Pen&, bool)> first[] = {{"first_frame", first_icon},
+                                                                          {"previous_key", previous_key_icon},
+                                                                          {"play", play_icon},
+                                                                          {"next_key", next_key_icon}};
+  for (const auto& [name, icon] : first) {
+    icon_button(ui, name, icon);
+    ImGui::SameLine();
+  }
   icon_button(ui, "last_frame", last_icon);
   const ToolPiece pieces[] = {{112, 12, [&] { frame_shown(ui); }},
                               button_piece(ui, "set_key", key_icon, 12),
@@ -198,21 +186,18 @@ void way_choice(const Context& ui) {
     const bool on = straight == (i == 1);
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
-    if (ImGui::Button(labels[i], {76, bar_height}) && !on) command.run(ui.workspace);
+    if (button(ui, labels[i], i == 0 ? "time/log_space" : "time/straight", hints[i], {76, bar_height}) && !on)
+      command.run(ui.workspace);
     if (on) ImGui::PopStyleColor(2);
-    record(ui, i == 0 ? "time/log_space" : "time/straight");
-    hint(hints[i]);
   }
   ImGui::EndDisabled();
 }
 
 void rate_field(const Context& ui) {
-  ImGui::SetNextItemWidth(40);
   scene::Document& document = ui.workspace.document;
   scene::Play play = scene::play_of(document.timeline);
-  const auto rate = number_field(ui, "time/rate", play.rate);
-  record(ui, "time/rate");
-  hint("Playback rate in frames per second, 1 to 240.");
+  const auto rate =
+      number_field(ui, "time/rate", play.rate, 40, "Playback rate in frames per second, 1 to 240.");
   ImGui::SameLine(0, 4);
   ImGui::AlignTextToFramePadding();
   text_in(ui.colors.faint, "fps");
@@ -254,30 +239,25 @@ void range(const Context& ui, float right) {
   row_of_pieces(ui, "time/more_of_range", pieces, right);
 }
 
-bool begin_panel(const Context& ui) {
-  const scene::Viewport& v = ui.workspace.viewport;
-  constexpr float height = scene::PanelLayout::timeline_height;
-  const float top = v.origin.y + v.size.y;
-  ImGui::SetNextWindowPos({v.origin.x, top});
-  ImGui::SetNextWindowSize({v.size.x, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 8});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 6});
-  ImGui::Begin("Timeline", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                   ImGuiWindowFlags_NoScrollWithMouse);
-  ui.workspace.time_view.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  ImGui::GetWindowDrawList()->AddLine({v.origin.x, top}, {v.origin.x + v.size.x, top}, ui.colors.line);
-  return true;
-}
-
 }  // namespace
 
 void timeline_panel(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   w.time_view.hovered = false;
   if (!w.preferences.layout.timeline) return;
-  begin_panel(ui);
+  const scene::Viewport& v = w.viewport;
+  const float edge = v.origin.y + v.size.y;
+  const Window window("Timeline",
+                      {.at = {v.origin.x, edge},
+                       .pivot = {0, 0},
+                       .size = {v.size.x, scene::PanelLayout::timeline_height},
+                       .rounding = 0,
+                       .padding = {10, 8}},
+                      fixed_flags | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                          ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 6});
+  w.time_view.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  ImGui::GetWindowDrawList()->AddLine({v.origin.x, edge}, {v.origin.x + v.size.x, edge}, ui.colors.line);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   ImGui::BeginDisabled(!w.document.model.surface);
   transport(ui, low.x + room.x);
@@ -287,8 +267,7 @@ void timeline_panel(const Context& ui) {
   ImGui::SetCursorScreenPos({low.x, bottom + 6});
   range(ui, low.x + room.x);
   ImGui::EndDisabled();
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar();
 }
 
 }  // namespace viete::ui

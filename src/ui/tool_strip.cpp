@@ -17,50 +17,44 @@ namespace {
 constexpr float tool_size = 36, tool_gap = 4, strip_inset = 20, strip_top = 12, icon_radius = 8;
 constexpr float pi = 3.14159265f;
 
-// Draws icons in coordinates from -1 to 1.
-struct Pen {
-  ImDrawList& draw;
-  ImVec2 middle;
-  ImU32 color;
+void spot(const Pen& pen, float x, float y) {
+  pen.draw.AddCircleFilled(pen.at(x, y), 2.2f, pen.color);
+}
 
-  ImVec2 at(float x, float y) const { return {middle.x + icon_radius * x, middle.y + icon_radius * y}; }
-  void line(float x0, float y0, float x1, float y1) const {
-    draw.AddLine(at(x0, y0), at(x1, y1), color, 1.5f);
-  }
-  void dot(float x, float y) const { draw.AddCircleFilled(at(x, y), 2.2f, color); }
-  // An arrow head with its tip at (x, y), pointing along (dx, dy).
-  void head(float x, float y, float dx, float dy) const {
-    draw.AddTriangleFilled(at(x, y), at(x - 0.45f * dx - 0.35f * dy, y - 0.45f * dy + 0.35f * dx),
-                           at(x - 0.45f * dx + 0.35f * dy, y - 0.45f * dy - 0.35f * dx), color);
-  }
-};
+// An arrow head with its tip at (x, y), pointing along (dx, dy).
+void head(const Pen& pen, float x, float y, float dx, float dy) {
+  pen.draw.AddTriangleFilled(pen.at(x, y), pen.at(x - 0.45f * dx - 0.35f * dy, y - 0.45f * dy + 0.35f * dx),
+                             pen.at(x - 0.45f * dx + 0.35f * dy, y - 0.45f * dy - 0.35f * dx), pen.color);
+}
+
+// A closed line.
+template <std::size_t n>
+void outline(const Pen& pen, const float (&corners)[n][2]) {
+  for (std::size_t i = 0; i < n; ++i)
+    pen.line(corners[i][0], corners[i][1], corners[(i + 1) % n][0], corners[(i + 1) % n][1]);
+}
 
 void select_icon(const Pen& pen) {
-  constexpr float shape[][2] = {{-0.55f, -0.95f}, {-0.55f, 0.6f}, {-0.15f, 0.25f},
-                                {0.2f, 0.95f},    {0.4f, 0.05f},  {0.7f, 0.05f}};
-  for (std::size_t i = 0; i < std::size(shape); ++i) {
-    const auto& a = shape[i];
-    const auto& b = shape[(i + 1) % std::size(shape)];
-    pen.line(a[0], a[1], b[0], b[1]);
-  }
+  outline(pen,
+          {{-0.55f, -0.95f}, {-0.55f, 0.6f}, {-0.15f, 0.25f}, {0.2f, 0.95f}, {0.4f, 0.05f}, {0.7f, 0.05f}});
 }
 
 void move_icon(const Pen& pen) {
   pen.line(-0.8f, 0, 0.8f, 0);
   pen.line(0, -0.8f, 0, 0.8f);
-  pen.head(1, 0, 1, 0), pen.head(-1, 0, -1, 0), pen.head(0, 1, 0, 1), pen.head(0, -1, 0, -1);
+  head(pen, 1, 0, 1, 0), head(pen, -1, 0, -1, 0), head(pen, 0, 1, 0, 1), head(pen, 0, -1, 0, -1);
 }
 
 void rotate_icon(const Pen& pen) {
   pen.draw.PathArcTo(pen.middle, 0.8f * icon_radius, -0.35f * pi, 1.3f * pi, 24);
   pen.draw.PathStroke(pen.color, 0, 1.5f);
-  pen.head(0.05f, -0.95f, -0.9f, -0.45f);
+  head(pen, 0.05f, -0.95f, -0.9f, -0.45f);
 }
 
 void scale_icon(const Pen& pen) {
   pen.draw.AddRect(pen.at(-0.9f, 0.1f), pen.at(-0.1f, 0.9f), pen.color, 0, 0, 1.5f);
   pen.line(0.05f, -0.05f, 0.75f, -0.75f);
-  pen.head(0.95f, -0.95f, 0.7f, -0.7f);
+  head(pen, 0.95f, -0.95f, 0.7f, -0.7f);
 }
 
 void paint_icon(const Pen& pen) {
@@ -91,28 +85,24 @@ void lasso_icon(const Pen& pen) {
 
 void brush_icon(const Pen& pen) {
   pen.draw.AddCircle(pen.middle, 0.85f * icon_radius, pen.color, 0, 1.5f);
-  pen.dot(0, 0);
+  spot(pen, 0, 0);
 }
 
 void cage_icon(const Pen& pen) {
   constexpr float corners[][2] = {{-0.85f, 0.7f}, {0.5f, 0.9f}, {0.85f, -0.4f}, {-0.3f, -0.9f}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& a = corners[i];
-    const auto& b = corners[(i + 1) % 4];
-    pen.line(a[0], a[1], b[0], b[1]);
-    pen.dot(a[0], a[1]);
-  }
+  outline(pen, corners);
+  for (const auto& [x, y] : corners) spot(pen, x, y);
 }
 
 void probe_icon(const Pen& pen) {
   pen.line(-0.2f, 0.2f, -0.2f, -0.9f);
   pen.line(-0.2f, 0.2f, 0.9f, 0.2f);
   pen.line(-0.2f, 0.2f, -0.85f, 0.85f);
-  pen.dot(-0.2f, 0.2f);
+  spot(pen, -0.2f, 0.2f);
 }
 
 void more_icon(const Pen& pen) {
-  for (const float x : {-0.75f, 0.0f, 0.75f}) pen.dot(x, 0.2f);
+  for (const float x : {-0.75f, 0.0f, 0.75f}) spot(pen, x, 0.2f);
 }
 
 struct StripTool {
@@ -148,7 +138,8 @@ bool is_on(const Context& ui, const StripTool& entry) {
 }
 
 // Returns true if clicked.
-bool card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 at, bool enabled, bool on) {
+bool tool_card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 at, bool enabled,
+               bool on) {
   ImGui::SetCursorScreenPos(at);
   ImGui::BeginDisabled(!enabled);
   const bool clicked = ImGui::InvisibleButton(name, {tool_size, tool_size});
@@ -161,14 +152,14 @@ bool card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 
   draw.AddRectFilled(at, end, faded(back, enabled ? 0.94f : 0.5f), 6);
   if (on) draw.AddRect(at, end, faded(ui.colors.accent, 0.8f), 6);
   const ImU32 color = on ? ui.colors.accent : hovered ? ui.colors.text : ui.colors.faint;
-  icon({draw, {at.x + 15, at.y + 16}, faded(color, enabled ? 1 : 0.45f)});
+  icon({draw, {at.x + 15, at.y + 16}, faded(color, enabled ? 1 : 0.45f), icon_radius});
   return clicked;
 }
 
 void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
   const scene::Command& command = *scene::find_command(entry.command);
   const bool enabled = command.enabled(ui.workspace);
-  if (card(ui, entry.command, entry.icon, at, enabled, is_on(ui, entry))) command.run(ui.workspace);
+  if (tool_card(ui, entry.command, entry.icon, at, enabled, is_on(ui, entry))) command.run(ui.workspace);
   const std::string key = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const float size = key.size() > 1 ? 9.0f : 11.0f;
   const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
@@ -181,14 +172,11 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
 // The tools that do not fit, in a menu.
 void more_tools(const Context& ui, std::span<const StripTool> others, ImVec2 at) {
   const bool on = std::ranges::any_of(others, [&](const StripTool& t) { return is_on(ui, t); });
-  if (card(ui, "more", more_icon, at, true, on)) ImGui::OpenPopup("More tools");
+  if (tool_card(ui, "more", more_icon, at, true, on)) ImGui::OpenPopup("More tools");
   hint("More tools.");
   if (!ImGui::BeginPopup("More tools")) return;
   if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
-  for (const StripTool& entry : others) {
-    const scene::Command& command = *scene::find_command(entry.command);
-    if (menu_item(ui, command, command.label)) command.run(ui.workspace);
-  }
+  for (const StripTool& entry : others) menu_item(ui, *scene::find_command(entry.command));
   ImGui::EndPopup();
 }
 
@@ -201,18 +189,11 @@ void tool_strip(const Context& ui) {
   const bool all = count == std::size(strip);
   const float height = top_of(count - (all ? 1 : 0)) + tool_size;
   const ImVec2 low{v.origin.x + strip_inset, v.origin.y + strip_top};
-  ImGui::SetNextWindowPos(low);
-  ImGui::SetNextWindowSize({tool_size, height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin("Strip", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  ImGui::PopStyleVar(2);
+  const Window window(
+      "Strip", {.at = low, .pivot = {0, 0}, .size = {tool_size, height}, .rounding = 0, .padding = {0, 0}},
+      passive_flags | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus);
   for (std::size_t i = 0; i < count; ++i) tool(ui, strip[i], {low.x, low.y + top_of(i)});
   if (!all) more_tools(ui, std::span(strip).subspan(count), {low.x, low.y + top_of(count)});
-  ImGui::End();
 }
 
 }  // namespace viete::ui

@@ -56,14 +56,11 @@ namespace {
 
 // Approximately the brush's radius on the model.
 void brush_ring(const Context& ui, const scene::Workspace& w) {
-  const scene::Projector project(w.document.space, w.camera, w.viewport);
-  const auto center = project(*w.interaction.brush);
+  const auto center = scene::Projector(w.document.space, w.camera, w.viewport)(*w.interaction.brush);
   if (!center) return;
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const ImVec2 at{center->x, center->y};
-  draw.AddCircle(at, w.brush.radius, faded(ui.colors.halo, 1.0f), 0, 3);
-  draw.AddCircle(at, w.brush.radius, faded(ui.colors.text, 0.9f), 0, 1.25f);
-  draw.AddCircleFilled(at, 2, faded(ui.colors.text, 0.9f));
+  OverlayPainter painter(ui);
+  painter.circle(glm::vec2(*center), w.brush.radius, ui.colors.text, 1.25f, 0.9f);
+  painter.disc(glm::vec2(*center), 2, ui.colors.text, 0.9f);
 }
 
 // False if it does not fit.
@@ -104,13 +101,10 @@ void hints(const Context& ui) {
 // An empty view shows how to get the model back.
 void restore_hint(const Context& ui) {
   const scene::Command& command = *scene::find_command("toggle_panels");
-  const std::string text =
-      scene::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again";
   const auto& v = ui.workspace.viewport;
-  ImGui::PushFont(ui.fonts.text);
-  ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 16, v.origin.y + v.size.y - 28},
-                                          faded(ui.colors.text, 0.5f), text.c_str());
-  ImGui::PopFont();
+  centered(ui, v.origin.y + v.size.y - 28,
+           scene::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again",
+           faded(ui.colors.text, 0.5f));
 }
 
 }  // namespace

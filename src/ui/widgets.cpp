@@ -58,12 +58,13 @@ Window::Window(const char* name, const Place& place, ImGuiWindowFlags flags, boo
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, place.rounding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, place.border);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin(name, open, flags);
+  ImGui::PopStyleVar(4);  // menus and tooltips of the window have the usual style
 }
 
 Window::~Window() {
   ImGui::End();
-  ImGui::PopStyleVar(3);
 }
 
 ImVec2 middle_at(const Context& ui, float y) {
@@ -126,6 +127,46 @@ void record(const Context& ui, const std::string& name, bool enabled) {
   if (!ui.recorder) return;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ui.recorder->add(name, {low.x, low.y, high.x, high.y, ImGui::IsItemVisible(), enabled});
+}
+
+bool button(const Context& ui, const char* label, const std::string& name, const std::string& tip,
+            ImVec2 size, bool enabled) {
+  ImGui::BeginDisabled(!enabled);
+  const bool clicked = ImGui::Button(label, size);
+  record(ui, name, enabled);
+  ImGui::EndDisabled();
+  if (!tip.empty()) hint(tip);
+  return clicked;
+}
+
+void checkbox(const Context& ui, const char* label, const std::string& name, bool& on, const char* tip) {
+  ImGui::Checkbox(label, &on);
+  record(ui, name);
+  hint(tip);
+}
+
+bool begin_list(const Context& ui, const std::string& name, const char* shown, const std::string& tip) {
+  const bool open = ImGui::BeginCombo(("##" + name).c_str(), shown, ImGuiComboFlags_HeightLargest);
+  record(ui, name);
+  if (!open && !tip.empty()) hint(tip);
+  return open;
+}
+
+bool list_entry(const Context& ui, std::string_view label, const std::string& name, bool chosen,
+                std::string_view tip) {
+  const bool clicked = ImGui::Selectable(std::string(label).c_str(), chosen);
+  record(ui, name);
+  hint(std::string(tip));
+  return clicked;
+}
+
+void card(const Context& ui, ImVec2 low, ImVec2 high, bool active) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 color = active                   ? ui.colors.card_active
+                      : ImGui::IsItemHovered() ? ui.colors.card_hover
+                                               : ui.colors.card;
+  draw.AddRectFilled(low, high, color, 6);
+  if (active) draw.AddRect(low, high, ui.colors.accent, 6, 0, 1.5f);
 }
 
 bool section(const Context& ui, const char* title, bool open_at_first) {
@@ -239,13 +280,10 @@ std::string shortened(std::string text, float width) {
 
 void command_button(const Context& ui, std::string_view name, float width) {
   const scene::Command& command = require(name);
-  const bool enabled = command.enabled(ui.workspace);
-  ImGui::BeginDisabled(!enabled);
   const std::string label = std::string(command.brief) + "##" + std::string(name);
-  if (ImGui::Button(label.c_str(), {width, 0})) command.run(ui.workspace);
-  record(ui, std::string(name), enabled);
-  ImGui::EndDisabled();
-  hint(hint_of(ui, command));
+  if (button(ui, label.c_str(), std::string(name), hint_of(ui, command), {width, 0},
+             command.enabled(ui.workspace)))
+    command.run(ui.workspace);
 }
 
 void command_row(const Context& ui, std::initializer_list<std::string_view> commands) {
@@ -310,12 +348,16 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
 }
 
 // Uses InputText because InputDouble rejects commas and, in older versions, lacks EnterReturnsTrue.
-std::optional<double> number_field(const Context& ui, const std::string& name, double value) {
+std::optional<double> number_field(const Context& ui, const std::string& name, double value, float width,
+                                   const char* tip, bool enabled) {
+  if (width != 0) ImGui::SetNextItemWidth(width);
   const std::string shown = printed(value, ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x);
   char text[64] = "";
   typed_so_far(ui, name, shown).copy(text, sizeof text - 1);
   constexpr auto flags = ImGuiInputTextFlags_CallbackCharFilter | ImGuiInputTextFlags_AutoSelectAll;
   ImGui::InputText(("##" + name).c_str(), text, sizeof text, flags, filter_number);
+  record(ui, name, enabled);
+  if (*tip) hint(tip);
   if (ImGui::IsItemActive()) {
     ui.workspace.typed[name] = {text, ImGui::GetFrameCount()};
     return std::nullopt;
@@ -373,6 +415,36 @@ Slid slider(const Context& ui, const std::string& name, double value, double lea
   return slid;
 }
 
+std::optional<double> slider(const Context& ui, const std::string& name, double value, const SliderLook& look,
+                             float width) {
+  auto moved = static_cast<float>(value);
+  constexpr auto usual = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+  ImGui::SetNextItemWidth(width);
+  const Slid slid = slider(
+      ui, name, value, look.least, look.most,
+      [&] {
+        return ImGui::SliderFloat(("##" + name).c_str(), &moved, static_cast<float>(look.least),
+                                  static_cast<float>(look.most), look.format,
+                                  look.logarithmic ? usual | ImGuiSliderFlags_Logarithmic : usual);
+      },
+      look.enabled);
+  hint(look.tip);
+  if (!slid.moved) return slid.typed;
+  const double to = std::clamp(static_cast<double>(moved), look.least, look.most);
+  return look.rounded ? look.rounded(to) : to;
+}
+
+std::optional<double> slider_row(const Context& ui, const char* label, float distance,
+                                 const std::string& name, double value, const std::string& shown,
+                                 const SliderLook& look) {
+  constexpr float value_width = 52;
+  row_label(label, distance);
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const auto chosen = slider(ui, name, value, look, -value_width);
+  value_beside(right, shown);
+  return chosen;
+}
+
 std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
                                       float width, const char* what) {
   char text[200] = "";
@@ -389,40 +461,27 @@ std::optional<std::string> name_field(const Context& ui, const std::string& id, 
   return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
 }
 
-namespace {
-
-// The folder of a recent file, since many have the same name; shortened to fit.
-void folder_beside(const Context& ui, ImVec2 at, float right, const std::string& name,
-                   const std::string& folder) {
-  constexpr float gap = 16;
-  const float left = std::max(at.x + ImGui::CalcTextSize(name.c_str()).x + gap,
-                              right - ImGui::CalcTextSize(folder.c_str()).x);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.PushClipRect({left, at.y}, {right, at.y + ImGui::GetTextLineHeightWithSpacing()}, true);
-  draw.AddText({left, at.y}, ui.colors.faint, folder.c_str());
-  draw.PopClipRect();
-}
-
-}  // namespace
-
-std::optional<std::size_t> recent_list(const Context& ui, std::size_t most, std::size_t chosen) {
+std::optional<std::size_t> recent_list(const Context& ui) {
+  constexpr std::size_t most = 4;
   const auto& recent = ui.workspace.preferences.recent;
   std::optional<std::size_t> clicked;
-  ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
   for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
-    const scene::RecentFile& file = recent[i];
-    const std::string id = "##recent" + std::to_string(i);
-    const std::string name = file.file.filename().string();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float right = at.x + ImGui::GetContentRegionAvail().x;
-    if (ImGui::Selectable((name + id).c_str(), i == chosen, ImGuiSelectableFlags_AllowDoubleClick))
-      clicked = i;
-    folder_beside(ui, at, right, name, file.file.parent_path().filename().string());
+    const std::string name = recent[i].file.filename().string();
+    const float y = ImGui::GetCursorScreenPos().y, width = ImGui::GetContentRegionAvail().x,
+                right = ImGui::GetCursorScreenPos().x + width;
+    if (ImGui::Selectable((name + "##recent" + std::to_string(i)).c_str())) clicked = i;
     record(ui, "recent/" + std::to_string(i));
-    hint("Open " + file.file.string() + (file.cage.empty() ? "" : "  in  " + file.cage.string()));
+    hint("Open " + place_of(recent[i]));
+    // The folder, since many files have the same name.
+    const std::string folder = recent[i].file.parent_path().filename().string();
+    text_right(ui, right, shortened(folder, width - ImGui::CalcTextSize(name.c_str()).x - 16),
+               ui.colors.faint, y);
   }
-  ImGui::PopStyleColor();
   return clicked;
+}
+
+std::string place_of(const scene::RecentFile& recent) {
+  return recent.file.string() + (recent.cage.empty() ? "" : "  in  " + recent.cage.string());
 }
 
 void open_recent(scene::Workspace& w, std::size_t index) {

@@ -23,6 +23,10 @@ inline constexpr ImGuiWindowFlags dialog_flags = ImGuiWindowFlags_NoCollapse |
                                                  ImGuiWindowFlags_NoSavedSettings |
                                                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
 
+/// Without keyboard input or focus.
+inline constexpr ImGuiWindowFlags passive_flags =
+    fixed_flags | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
 /// A window over the view, until the end of the scope.
 class Window {
 public:
@@ -56,6 +60,17 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
 
 /// Records the last item's rectangle under `name` if there is a recorder.
 void record(const Context& ui, const std::string& name, bool enabled = true);
+
+/// A button with its name for tests and its tooltip; true if clicked.
+bool button(const Context& ui, const char* label, const std::string& name, const std::string& tip,
+            ImVec2 size = {0, 0}, bool enabled = true);
+void checkbox(const Context& ui, const char* label, const std::string& name, bool& on, const char* tip);
+/// A list to choose from: its tooltip while it is closed. If true, entries and ImGui::EndCombo() follow.
+bool begin_list(const Context& ui, const std::string& name, const char* shown, const std::string& tip);
+bool list_entry(const Context& ui, std::string_view label, const std::string& name, bool chosen,
+                std::string_view tip);
+/// The background of a large button, from its rectangle; accented while it is active.
+void card(const Context& ui, ImVec2 low, ImVec2 high, bool active);
 
 /// The title of a section that cannot be collapsed.
 void heading(const Context& ui, const char* title);
@@ -109,7 +124,8 @@ bool take_escape(scene::Workspace& workspace);
 /// A number field with a decimal point or comma: shows `value`, and returns the typed number when it loses
 /// the focus by Enter or a click elsewhere; nullopt while editing, after Esc, and if no digit changed.
 /// Invalid numbers are reported as messages.
-std::optional<double> number_field(const Context& ui, const std::string& name, double value);
+std::optional<double> number_field(const Context& ui, const std::string& name, double value, float width = 0,
+                                   const char* tip = "", bool enabled = true);
 
 /// The user's change of a slider.
 struct Slid {
@@ -120,6 +136,22 @@ struct Slid {
 /// a field until it loses the focus. `draw` draws it and returns true if it was moved.
 Slid slider(const Context& ui, const std::string& name, double value, double least, double most,
             const std::function<bool()>& draw, bool enabled = true);
+/// The usual slider: its range, its text and flags of ImGui, its tooltip, and how values are rounded.
+struct SliderLook {
+  double least, most;
+  const char* format = "";
+  const char* tip = "";
+  bool logarithmic = false;
+  double (*rounded)(double) = nullptr;
+  bool enabled = true;
+};
+/// Returns the value that it was moved to, or that was typed.
+std::optional<double> slider(const Context& ui, const std::string& name, double value, const SliderLook& look,
+                             float width = -1);
+/// As above, after a label and before the value as text.
+std::optional<double> slider_row(const Context& ui, const char* label, float distance,
+                                 const std::string& name, double value, const std::string& shown,
+                                 const SliderLook& look);
 /// True while a number is being typed into a slider.
 bool types_into_slider(const scene::Workspace& workspace);
 
@@ -128,9 +160,10 @@ bool types_into_slider(const scene::Workspace& workspace);
 std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
                                       float width, const char* what);
 
-/// The newest recent files, at most so many, one per line, with `chosen` marked; returns the clicked one.
-std::optional<std::size_t> recent_list(const Context& ui, std::size_t most,
-                                       std::size_t chosen = scene::FileBrowser::none);
+/// The newest four recent files, one per line; returns the clicked one.
+std::optional<std::size_t> recent_list(const Context& ui);
+/// "FILE  in  CAGE".
+std::string place_of(const scene::RecentFile& recent);
 /// Opens it with its cage.
 void open_recent(scene::Workspace& workspace, std::size_t index);
 

@@ -45,14 +45,11 @@ TEST_CASE("a_result_takes_the_place_of_its_kind_only") {
   const test::TemporaryFolder files;
   test::put_file(files / "picture.png", "\x89PNG\r\n\x1a\nrest");
   test::put_file(files / "letter.png", "Dear all");
-  test::put_file(files / "plot.svg", "<?xml version=\"1.0\"?><svg/>");
   CHECK_NOTHROW(check_output(files / "picture.png", Content::picture, {}, false));
-  CHECK_NOTHROW(check_output(files / "plot.svg", Content::svg, {}, false));
   CHECK_THROWS_WITH_AS(
       check_output(files / "letter.png", Content::picture, {}, false),
       doctest::Contains("letter.png: this file is text, not a PNG picture, and would be replaced"),
       base::Error);
-  CHECK_THROWS_AS(check_output(files / "letter.png", Content::svg, {}, false), base::Error);
   CHECK_THROWS_AS(check_output(files / "picture.png", Content::json, {}, false), base::Error);
   CHECK_NOTHROW(check_output(files / "letter.png", Content::picture, {}, true));
 }
@@ -86,7 +83,7 @@ TEST_CASE("files_of_others_are_kept_whatever_their_name_is") {
     };
     for (const char* ending : {"obj", "ply", "off", "stl", "glb", "gltf"}) check(ending, Content::surface);
     for (const char* ending : {"pc2", "mdd", "glb"}) check(ending, Content::animation);
-    for (const Content content : {Content::json, Content::svg, Content::page}) check("json", content);
+    for (const Content content : {Content::json, Content::page}) check("json", content);
   }
 }
 
@@ -115,7 +112,7 @@ TEST_CASE("a_surface_takes_the_place_of_one_in_the_same_format_only") {
   }
 }
 
-TEST_CASE("animations_and_drawings_take_the_place_of_their_kind") {
+TEST_CASE("animations_take_the_place_of_their_kind") {
   const test::TemporaryFolder files;
   const std::pair<std::string, std::string> contents[] = {
       {"mdd", std::string("\0\0\0\1\0\0\0\1", 8) + std::string(16, '\0')},
@@ -124,10 +121,6 @@ TEST_CASE("animations_and_drawings_take_the_place_of_their_kind") {
   for (const auto& [ending, bytes] : contents) {
     test::put_file(files / ("a." + ending), bytes);
     CHECK_NOTHROW(check_output(files / ("a." + ending), Content::animation, {}, scene::Force::none));
-  }
-  for (const char* svg : {"<svg xmlns=''/>", "<?xml version='1.0'?>\n<svg/>", "<!-- a -->\n <svg/>"}) {
-    test::put_file(files / "a.svg", svg);
-    CHECK_NOTHROW(check_output(files / "a.svg", Content::svg, {}, scene::Force::none));
   }
 }
 

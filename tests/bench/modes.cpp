@@ -38,19 +38,14 @@ std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
 
 }  // namespace
 
-TEST_CASE("models_that_move_with_the_cage_reproduce_every_whole_pose") {
-  for (const auto& pose : whole_poses()) CHECK(deviation(pose, cage, model, with_the_box) < 1e-14);
-}
-
-TEST_CASE("following_only_the_mean_reproduces_only_translations") {
-  CHECK(deviation(whole_poses()[0], cage, model, by_the_mean) < 1e-14);
-  for (const auto& pose : whole_poses().subspan(1)) CHECK(deviation(pose, cage, model, by_the_mean) > 0.01);
-}
-
 TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
+  for (const auto& pose : whole_poses()) {
+    CHECK(deviation(pose, cage, model, with_the_box) < 1e-14);
+    const double by_mean = deviation(pose, cage, model, by_the_mean);
+    CHECK((&pose == &whole_poses()[0] ? by_mean < 1e-14 : by_mean > 0.01));
+  }
   const Deform stays = [](const deform::Pose&) { return model; };
-  const double shift = std::sqrt(0.3 * 0.3 + 0.2 * 0.2 + 0.4 * 0.4);
-  CHECK(deviation(whole_poses()[0], cage, model, stays) == doctest::Approx(shift));
+  CHECK(deviation(whole_poses()[0], cage, model, stays) == doctest::Approx(std::sqrt(0.09 + 0.04 + 0.16)));
   const Deform one_off = [](const deform::Pose& pose) {
     auto moved = with_the_box(pose);
     moved[3][1] += 0.25;
@@ -61,25 +56,6 @@ TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
     return std::vector(model.size(), mesh::Point{std::nan(""), 0, 0});
   };
   CHECK(std::isnan(deviation(whole_poses()[0], cage, model, lost)));
-}
-
-TEST_CASE("each_whole_pose_is_of_its_kind_and_no_simpler") {
-  const auto stretches = [](const WholePose& pose) {
-    double least = HUGE_VAL, most = 0;
-    for (const mesh::Point& axis : {mesh::Point{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0.8, 0}}) {
-      const double length = mesh::norm(test::Affine{pose.linear}(axis));
-      least = std::min(least, length), most = std::max(most, length);
-    }
-    return std::pair{least, most};
-  };
-  REQUIRE(whole_poses().size() == 4);
-  CHECK(whole_poses()[0].linear == sym3::Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
-  CHECK(whole_poses()[1].linear[1] != 0);
-  CHECK(stretches(whole_poses()[1]).first == doctest::Approx(1));
-  CHECK(stretches(whole_poses()[1]).second == doctest::Approx(1));
-  CHECK(stretches(whole_poses()[2]).first == doctest::Approx(1.3));
-  CHECK(stretches(whole_poses()[2]).second == doctest::Approx(1.3));
-  CHECK(stretches(whole_poses()[3]).second > 1.1 * stretches(whole_poses()[3]).first);
 }
 
 TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
@@ -168,12 +144,12 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
     CHECK(std::isfinite(found->leak));
     REQUIRE(found->qualities.size() == 2);
     const ShapeQuality &rest = found->qualities[0], &posed = found->qualities[1];
-    CHECK(rest.distortion.energy < 1e-9);
+    CHECK(rest.energy < 1e-9);
     CHECK(rest.volume == doctest::Approx(1));
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
     CHECK(std::isnan(rest.energy_ratio));  // 0 / 0
     // Rotations alone cause little distortion.
-    CHECK(posed.distortion.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
+    CHECK(posed.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);
     if (deform::way_of(scheme) == deform::Way::mean_value) {
@@ -198,7 +174,7 @@ TEST_CASE("an_open_model_has_all_measures_but_volume") {
   CHECK(compared.without_area == 1);
   for (const Mode& mode : compared.modes) {
     CHECK(std::isnan(mode.qualities[1].volume));
-    CHECK(mode.qualities[1].distortion.energy > 1e-3);
+    CHECK(mode.qualities[1].energy > 1e-3);
   }
 }
 
@@ -209,7 +185,7 @@ TEST_CASE("the_radius_is_that_of_all_modes_and_only_method_fast_has_fused_frames
     const Mode& mode = near.modes[m];
     INFO(deform::text(mode.scheme));
     CHECK(mode.scheme.weighting.radius == 0.1);
-    const bool changed = mode.qualities[1].distortion.energy != all.modes[m].qualities[1].distortion.energy;
+    const bool changed = mode.qualities[1].energy != all.modes[m].qualities[1].energy;
     if (mode.scheme.weighting.partial()) CHECK(changed);
     if (mode.scheme.exponential()) CHECK_FALSE(mode.fused);
     if (mode.scheme.weighting.weights == deform::Weights::mean_value) CHECK(all.modes[m].fused);

@@ -20,7 +20,7 @@ TEST_CASE("small_benchmarks_run_and_write_json") {
     const fs::path json = scratch.path() / (std::string(what) + ".json");
     const auto outcome = run(std::string("bench ") + what + " --count 2000 --json " + quoted(json));
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
-    CHECK(mentions(outcome, what == std::string("frame") ? "floor" : "copy"));
+    CHECK(mentions(outcome, what == std::string("frame") ? "one vertex dragged" : "copy"));
     CHECK(fs::file_size(json) > 100);
   }
 }
@@ -47,7 +47,7 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
     std::ifstream in(json);
     CHECK(nlohmann::json::parse(in)["bars"].empty());  // bars are only written for generated cages
   }
-  const auto made = run("bench frame --rounds 1 --count 500,600 --faces 8 " + quoted(dragon));
+  const auto made = run("bench frame --rounds 1 --count 500 --faces 8,10 " + quoted(dragon));
   CHECK_MESSAGE(mentions(made, "500 vertices, 8 cage triangles"), made.text);
   CHECK(run("bench frame --faces 8 " + files).code == 2);
   CHECK(mentions(run("bench bind --json " + quoted(cage) + " " + files), "is an input file"));
@@ -67,7 +67,7 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   const auto outcome = run("bench modes --rounds 1 --radius 1000 " + files + " --json " + quoted(json));
   REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
   CHECK(mentions(outcome, "66 vertices, 12 cage triangles, method fast, kernel "));
-  for (const char* title : {"\ntall ", "\nbox ", "\nall 2 poses "}) CHECK(mentions(outcome, title));
+  for (const char* title : {"\ntall\n", "\nbox\n", "\nall 2 poses; "}) CHECK(mentions(outcome, title));
   std::istringstream lines(outcome.text);
   for (std::string line; std::getline(lines, line);) {
     const bool names_processor = line.starts_with("modes: ");  // the processor's name may be long
@@ -87,7 +87,6 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   const auto& mean_values = *std::find_if(results.begin(), results.end(),
                                           [](const auto& mode) { return mode["weights"] == "mean-value"; });
   CHECK(double(mean_values["poses"][0]["volume"]) == doctest::Approx(2));
-  CHECK(double(mean_values["poses"][0]["worst_shear"]) == doctest::Approx(2).epsilon(0.05));
 
   const auto stitched = run("bench modes --rounds 1 --stitched --iterations 2 " + files);
   REQUIRE_MESSAGE(stitched.code == 0, stitched.text);
@@ -113,36 +112,6 @@ TEST_CASE("missing_or_unfit_inputs_are_reported_before_modes_are_compared") {
   CHECK(mentions(replaced, "is an input file"));
 }
 
-TEST_CASE("benchmarks_are_drawn_as_svg_with_every_method_and_layout") {
-  const TemporaryFolder scratch;
-  const struct {
-    const char* command;
-    std::vector<const char*> names;
-  } cases[] = {{"bench exp --count 3000 --float",
-                {"Diag", "Improved SD", "Fast, blocks", "copy, planes", "Fast, full", "3,000 matrices"}},
-               {"bench eigen --count 2000", {"QR", "Viete", "Fast", "copy"}}};
-  for (const auto& c : cases) {
-    const fs::path svg = scratch.path() / "plot.svg";
-    const auto outcome = run(std::string(c.command) + " --plot " + quoted(svg));
-    REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-    std::ifstream in(svg);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    CHECK(text.rfind("<svg ", 0) == 0);
-    CHECK(text.find("nan") == std::string::npos);
-    CHECK(text.ends_with("</svg>\n"));
-    for (const char* name : c.names)
-      CHECK_MESSAGE(text.find(std::string(">") + name) != std::string::npos, name);
-  }
-}
-
-TEST_CASE("numbers_and_plot_of_a_benchmark_are_two_files") {
-  const TemporaryFolder scratch;
-  const std::string file = quoted(scratch / "a.svg");
-  const auto same = run("bench exp --count 2000 --json " + file + " --plot " + file);
-  CHECK(same.code == 1);
-  CHECK(mentions(same, "is an input file (the numbers)"));
-}
-
 TEST_CASE("a_program_without_benchmarks_explains_how_to_install_them") {
   const TemporaryFolder scratch;
   fs::copy_file(build_dir() / "viete", scratch / "viete");
@@ -158,7 +127,8 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
     const fs::path json = scratch.path() / "accuracy.json";
     const auto outcome = run("bench accuracy --count 64 --json " + quoted(json) + precision);
     REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-    for (const char* part : {"| zero ", "| gap ", "| spread ", "| scale ", "NaN 100 %", "Pade", "Direct"})
+    for (const char* part :
+         {"\n  zero ", "\n  gap ", "\n  spread ", "\n  scale ", "NaN 100\u00a0%", "Pade", "Direct"})
       CHECK(mentions(outcome, part));
     std::ifstream in(json);
     const auto tables = nlohmann::json::parse(in)["tables"];

@@ -130,32 +130,3 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   c.open_cage(c.folder / "cage.obj");
   CHECK(d.workspace().checks.findings.empty());
 }
-
-TEST_CASE("a_badge_names_a_defect_during_cage_editing_offers_a_remedy_and_stays_dismissed") {
-  Checked c;
-  Driver& d = c.d;
-  c.open_cage(c.low);
-  CHECK_FALSE(c.shows("badge"));  // a larger offer is shown at first
-  test::run_command(d.workspace(), "edit_cage");
-  c.check();
-  REQUIRE(c.shows("badge"));
-  CHECK(d.workspace().checks.badge->title.ends_with("vertices outside the cage"));
-  // It stays while the checks run again, so that it does not move under the pointer.
-  test::run_command(d.workspace(), "subdivide_cage");
-  d.frame();
-  CHECK(c.shows("badge"));
-  c.check();
-  d.click("badge/enclose_model");
-  c.check();
-  CHECK_FALSE(c.find(scene::Defect::vertices_outside));
-  c.open_cage(c.holed);
-  REQUIRE(c.shows("badge/show"));
-  d.click("badge/show");
-  CHECK(d.workspace().checks.shown);
-  d.click("badge/close");
-  test::run_command(d.workspace(), "edit_cage");
-  test::run_command(d.workspace(), "subdivide_cage");
-  c.check();
-  CHECK(c.find(scene::Defect::open));
-  CHECK_FALSE(c.shows("badge"));
-}

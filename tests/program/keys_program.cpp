@@ -25,7 +25,7 @@ std::string key_of(Driver& d, const char* command) {
 void open_list(Driver& d) {
   d.click("menu/Help");
   d.frame(2);
-  d.click("menu/edit_keys");
+  d.click("menu/help");
   d.frame(2);
   REQUIRE(d.workspace().key_list.open);
 }

@@ -40,7 +40,7 @@ TEST_CASE("inputs_are_not_overwritten_under_any_name") {
   for (const std::string& line :
        {deform + "model.obj", deform + "cage.obj", deform + "./pose.obj", deform + "link.obj",
         deform + quoted(files / "cage.obj"), std::string("deform s.viete -o cage.obj"),
-        std::string("render model.obj -o link.png"), std::string("bench exp --json a.svg --plot a.svg")}) {
+        std::string("render model.obj -o link.png")}) {
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
     CHECK_MESSAGE(mentions(outcome, "is an input file"), line << '\n' << outcome.text);
@@ -88,8 +88,7 @@ TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
   const SmallFiles files;
   const std::string render = "render model.obj --size 64x64 -o ";
   for (const std::string& line :
-       {render + "a.png", std::string("bench exp --json a.txt"), std::string("bench exp --plot a.txt"),
-        std::string("bench exp --json s.viete")}) {
+       {render + "a.png", std::string("bench exp --json a.txt"), std::string("bench exp --json s.viete")}) {
     put_file(files / "a.txt", "precious");
     put_file(files / "a.png", "precious");
     const Outcome outcome = files.run(line);
@@ -100,9 +99,7 @@ TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
     CHECK(file_bytes(files / "a.png") == "precious");
   }
   for (const std::string& line :
-       {render + "a.png --force", render + "a.png", std::string("bench exp --count 64 --json b.json"),
-        std::string("bench exp --count 64 --json b.json --plot b.svg"),
-        std::string("bench exp --count 64 --plot b.svg")}) {
+       {render + "a.png --force", render + "a.png", std::string("bench exp --count 64 --json b.json")}) {
     const Outcome outcome = files.run(line);
     CHECK_MESSAGE(outcome.code == 0, line << '\n' << outcome.text);
   }

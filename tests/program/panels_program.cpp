@@ -1,10 +1,5 @@
-// Every panel, in both themes and at both scales: nothing leaves the window, nothing covers anything else.
-//
-// VIETE_PICTURES=FOLDER also writes a picture of each.
-#include <cstdlib>
-
+// Every panel at both scales: nothing leaves the window, nothing covers anything else.
 #include "program/open_cage.h"
-#include "render/image.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
 #include "scene/files/open.h"
@@ -59,50 +54,42 @@ void check_places(const Widgets& widgets, glm::vec2 window) {
   }
 }
 
-void show(Driver& d, const std::string& name) {
+void check(Driver& d, const char* what) {
+  CAPTURE(what);
   d.move({1270, 1100});
-  const char* folder = std::getenv("VIETE_PICTURES");
-  if (folder) d.settle();
-  CAPTURE(name);
+  d.frame(2);
   check_places(d.viewer().recorder().all(), {1280, 1500});
-  if (folder) render::write_png(fs::path(folder) / (name + ".png"), d.picture());
 }
 
-void visit_questions(Driver& d, const std::string& look) {
+void check_questions(Driver& d) {
   auto& w = d.workspace();
-  w.question = scene::ask_before_closing(scene::name_of_work(w),
-                                         "/home/somebody/.local/state/viete/recovery: unsaved edits cannot "
-                                         "be saved here for recovery: Not a directory; save often");
-  d.frame(2);
-  show(d, look + "_question_close");
-  REQUIRE(d.viewer().recorder().find("question_go_on"));
-  w.question = scene::ask_before_opening(scene::name_of_work(w), "There is no home folder to save them in.");
-  w.question->chosen = 2;
-  d.frame(2);
-  show(d, look + "_question_open");
-  w.question = scene::ask_before_replacing("/home/somebody/a_walk_with_a_long_name.viete");
-  d.frame(2);
-  show(d, look + "_question_replace");
+  const auto name = scene::name_of_work(w);
+  for (const scene::Question& question :
+       {scene::ask_before_closing(name,
+                                  "/home/somebody/.local/state/viete/recovery: unsaved edits cannot be saved "
+                                  "here for recovery: Not a directory; save often"),
+        scene::ask_before_opening(name, "There is no home folder to save them in."),
+        scene::ask_before_replacing("/home/somebody/a_walk_with_a_long_name.viete")}) {
+    w.question = question;
+    check(d, question.title.c_str());
+    REQUIRE(d.viewer().recorder().find("question_cancel"));
+  }
   w.question.reset();
-  d.frame(2);
 }
 
-void visit_notices(Driver& d, const std::string& look) {
+void check_notices(Driver& d) {
   auto& w = d.workspace();
   w.recovery_files = {
       {"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
       {"/b.viete", "b", 0}};
   w.offers_recovery = true;
-  d.frame(3);
-  show(d, look + "_leftovers");
+  check(d, "recovery files");
   w.recovery_files.pop_back();
-  d.frame(3);
-  show(d, look + "_leftover");
+  check(d, "one recovery file");
   w.recovery_files.clear();
-  d.frame(3);
 }
 
-void visit_time(Driver& d, const std::string& look) {
+void check_time(Driver& d) {
   auto& w = d.workspace();
   for (int i = 0; i < 2; ++i) d.click("keep_pose");
   w.document.frame = 1;
@@ -111,62 +98,52 @@ void visit_time(Driver& d, const std::string& look) {
   scene::set_camera_key(w.document, 10, w.camera.pose());
   w.preferences.layout.timeline = true;
   d.frame(3);
-  show(d, look + "_time");
+  check(d, "timeline");
   w.preferences.layout.timeline = false;
 }
 
-void visit_panels(Driver& d, const std::string& look) {
+void visit_panels(Driver& d) {
   const test::TemporaryFolder scratch;
   const fs::path cage = test::open_cage(scratch.path());
-  show(d, look + "_empty");
+  check(d, "empty");
   REQUIRE(d.open({test::dragon, cage}));
   d.settle();
-  d.workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // layout needs no drawn model
+  d.workspace().view.model = false;  // layout needs no drawn model
   d.press_key(scene::key('A'));
-  d.click("section/Checks");
-  if (!d.viewer().recorder().find("finding/0"))
-    d.click("section/Checks");  // it was open, as there is a finding
+  d.workspace().preferences.layout.sections["Checks"] = true;
+  d.frame(2);
   REQUIRE(d.viewer().recorder().find("finding/0"));
   deform::Pose pose = d.document().pose;
   for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
   scene::set_pose(d.document(), pose);
-  show(d, look + "_all_sections");
-
+  check(d, "all sections");
   d.run("toggle_error_map");
   d.press_key(scene::key('E'));
-  show(d, look + "_error_map_rotate");
+  check(d, "error map");
   CHECK_FALSE(d.open({scratch / "none.ply", cage}));
-  show(d, look + "_failed_load");
-
-  d.press_key(scene::key('O'), true);
-  show(d, look + "_open");
-  d.press_key(scene::Key::escape);
-  d.press_key(scene::key('E'), true);
-  show(d, look + "_export");
-  d.press_key(scene::Key::escape);
-  visit_time(d, look);
-  visit_questions(d, look);
-  visit_notices(d, look);
+  check(d, "failed load");
+  for (const char key : {'O', 'E'}) {
+    d.press_key(scene::key(key), true);
+    check(d, "file dialog");
+    d.press_key(scene::Key::escape);
+  }
+  check_time(d);
+  check_questions(d);
+  check_notices(d);
   d.press_key(scene::Key::f1);
-  show(d, look + "_help");
+  check(d, "keys and mouse");
 }
 
 }  // namespace
 
 TEST_CASE("no_panel_leaves_the_window_or_covers_another_at_any_scale") {
   for (const float scale : {1.0f, 2.0f}) {
-    for (const bool dark : {true, false}) {
-      if (!dark && std::getenv("VIETE_PICTURES") == nullptr)
-        continue;  // the layout is the same in both themes
-      auto options = Driver::default_options();
-      options.size = {1280, 1500};
-      options.scale = scale;
-      options.probe = std::getenv("VIETE_PICTURES") != nullptr;  // pictures show everything
-      options.builtin_font = !options.probe;
-      Driver d(options);
-      d.workspace().view.dark = dark;
-      visit_panels(d, std::string(dark ? "dark" : "light") + (scale == 1 ? "_1x" : "_2x"));
-    }
+    auto options = Driver::default_options();
+    options.size = {1280, 1500};
+    options.scale = scale;
+    options.probe = false;
+    Driver d(options);
+    visit_panels(d);
   }
 }
 
@@ -199,10 +176,6 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     CHECK(seen == 6);
     w.question.reset();
     d.frame(3);
-    if (const char* folder = std::getenv("VIETE_PICTURES")) {
-      d.settle();
-      render::write_png(fs::path(folder) / ("notice_" + std::to_string(size.x) + ".png"), d.picture());
-    }
     d.click("put_off_leftovers");
     d.frame(3);
     CHECK(w.viewport.origin.y == scene::PanelLayout::menu_height);
@@ -217,7 +190,7 @@ bool within(const ui::WidgetRect& rect, glm::vec2 window) {
 
 // With its list open, over each entry.
 template <class Entry>
-void visit_chooser(Driver& d, const char* chooser, std::span<const Entry> table, const std::string& look) {
+void visit_chooser(Driver& d, const char* chooser, std::span<const Entry> table) {
   const glm::vec2 window = d.workspace().viewport.window;
   d.move(d.place_of(chooser));
   d.frame(2);
@@ -233,8 +206,6 @@ void visit_chooser(Driver& d, const char* chooser, std::span<const Entry> table,
     REQUIRE(picture);
     CHECK(within(*picture, window));
     CHECK_FALSE(overlap(*picture, *d.viewer().recorder().find(name)));
-    if (const char* folder = std::getenv("VIETE_PICTURES"))
-      render::write_png(fs::path(folder) / (look + "_" + name + ".png"), d.picture());
   }
   d.click(glm::vec2(window.x - 20, 20));  // closes it
   d.frame(2);
@@ -244,19 +215,13 @@ void visit_chooser(Driver& d, const char* chooser, std::span<const Entry> table,
 
 TEST_CASE("each_entry_of_a_chooser_shows_its_picture_beside_the_list") {
   for (const float scale : {1.0f, 2.0f}) {
-    for (const bool dark : {true, false}) {
-      if (!dark && std::getenv("VIETE_PICTURES") == nullptr) continue;
-      auto options = Driver::default_options();
-      options.size = {640, 1000};
-      options.scale = scale;
-      options.builtin_font = std::getenv("VIETE_PICTURES") == nullptr;
-      Driver d(options);
-      d.workspace().view.dark = dark;
-      d.open_dragon();
-      const std::string look = std::string(dark ? "dark" : "light") + (scale == 1 ? "_1x" : "_2x");
-      visit_chooser(d, "way", scene::all_ways(), look);
-      visit_chooser(d, "weights", scene::all_weights(), look);
-      visit_chooser(d, "blend", scene::all_blends(), look);
-    }
+    auto options = Driver::default_options();
+    options.size = {640, 1000};
+    options.scale = scale;
+    Driver d(options);
+    d.open_dragon();
+    visit_chooser(d, "way", scene::all_ways());
+    visit_chooser(d, "weights", scene::all_weights());
+    visit_chooser(d, "blend", scene::all_blends());
   }
 }

@@ -38,7 +38,7 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
   CHECK(mentions(outcome, "index.html: the report"));
   const std::string page = file_bytes(folder / "index.html");
   CHECK(xml_problem(page) == "");
-  for (const char* part : {"Figure 3 of the paper", "tall", "viete report ", "$", "Ways of blending"})
+  for (const char* part : {"Figure 3 of the paper", "tall", "viete report ", "$", "Deformers"})
     CHECK_MESSAGE(page.find(part) != std::string::npos, part);
   const auto json = nlohmann::json::parse(file_bytes(folder / "report.json"));
   CHECK(json["figure"] == "report");

@@ -9,7 +9,7 @@ using namespace viete;
 using test::Driver;
 namespace fs = std::filesystem;
 
-TEST_CASE("a_report_is_measured_in_the_background_and_opened_in_the_browser") {
+TEST_CASE("a_report_is_measured_in_the_background_cancelled_and_opened_in_the_browser") {
   const test::TemporaryFolder scratch;
   test::put_file(scratch / "xdg-open", "#!/bin/sh\necho \"$1\" >> " + (scratch / "opened").string() + "\n");
   fs::permissions(scratch / "xdg-open", fs::perms::owner_all);
@@ -20,6 +20,13 @@ TEST_CASE("a_report_is_measured_in_the_background_and_opened_in_the_browser") {
   options.state = scratch / "state";
   Driver d(options);
   d.frame(3);
+  d.click("show_report");
+  d.frame(2);
+  REQUIRE(d.workspace().reporting.running);
+  d.click("stop_report");  // a cancelled report shows no message
+  REQUIRE(d.until([&] { return !d.workspace().reporting.running; }));
+  CHECK(d.workspace().messages.all().empty());
+  CHECK(scene::find_command("show_report")->enabled(d.workspace()));
   d.click("show_report");
   d.frame();
   CHECK(d.workspace().reporting.running);
@@ -34,20 +41,4 @@ TEST_CASE("a_report_is_measured_in_the_background_and_opened_in_the_browser") {
   CHECK(test::file_bytes(page).ends_with("</html>\n"));
   const std::string opened = "--version\n" + page + "\n";  // by a detached program
   CHECK(d.until([&] { return test::file_bytes(scratch / "opened") == opened; }));
-}
-
-TEST_CASE("a_cancelled_report_shows_no_message") {
-  const test::TemporaryFolder scratch;
-  app::ViewerOptions options = Driver::default_options();
-  options.program = test::build_dir() / "viete";
-  options.state = scratch / "state";
-  Driver d(options);
-  d.frame(3);
-  d.click("show_report");
-  d.frame(2);
-  REQUIRE(d.workspace().reporting.running);
-  d.click("stop_report");
-  REQUIRE(d.until([&] { return !d.workspace().reporting.running; }));
-  CHECK(d.workspace().messages.all().empty());
-  CHECK(scene::find_command("show_report")->enabled(d.workspace()));
 }

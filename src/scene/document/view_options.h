@@ -32,7 +32,6 @@ struct ViewOptions {
   bool select_visible = false;          ///< the mouse selects only elements that neither model nor cage hide
   bool same_path = false;  ///< method `fast` also runs step by step in double, like the other methods
   bool panels = true;
-  bool help = false;
   bool hints = true;  ///< at the first start; removed after the first drag
 
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;

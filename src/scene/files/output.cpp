@@ -18,14 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_svg(std::string_view bytes) {
-  bytes = bytes.substr(0, 4096);
-  bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
-  return bytes.starts_with("<svg") ||
-         ((bytes.starts_with("<?xml") || bytes.starts_with("<!--") || bytes.starts_with("<!DOCTYPE svg")) &&
-          bytes.find("<svg") != std::string_view::npos);
-}
-
 bool is_session_text(std::string_view bytes) {
   return mesh::text_in_json(bytes, {"format"}) == "viete session";
 }
@@ -42,14 +34,13 @@ bool may_be_replaced(const fs::path& file, const mesh::Beginning& beginning, Con
     case Content::picture: return bytes.starts_with("\x89PNG\r\n\x1a\n");
     case Content::json: return !mesh::text_in_json(bytes, {"figure"}).empty();
     case Content::session: return is_session_text(bytes);
-    case Content::page: return bytes.substr(0, 512).find(R"(content="viete report")") != bytes.npos;
-    case Content::svg: break;
+    case Content::page: break;
   }
-  return is_svg(bytes);
+  return bytes.substr(0, 512).find(R"(content="viete report")") != bytes.npos;
 }
 
 std::string name_of(const fs::path& file, Content content) {
-  constexpr const char* names[] = {"", "a PNG picture", "Viete measurements", "a drawing (SVG)",
+  constexpr const char* names[] = {"", "a PNG picture", "Viete measurements",
                                    "", "a session",     "a report page"};
   const std::string name = names[static_cast<std::size_t>(content)];
   if (!name.empty()) return name;

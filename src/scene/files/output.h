@@ -22,7 +22,7 @@ namespace viete::scene {
 struct Document;
 
 /// The kind of content to write.
-enum class Content { surface, picture, json, svg, animation, session, page };
+enum class Content { surface, picture, json, animation, session, page };
 
 /// Whether the user may override the check, and has.
 enum class Force { none, offered, given };

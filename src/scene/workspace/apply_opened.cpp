@@ -58,18 +58,15 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.field = {};
   w.vertex = {};
   forget_findings(w.checks);
-  w.checks.badge.reset();
-  w.checks.dismissed.clear();
   ++w.opened;
 }
 
-// Keeps the help's state; the hints of the first start stay hidden.
+// The hints of the first start stay hidden.
 void take_view(Workspace& w, const Session& session) {
-  const ViewOptions old = w.view;
+  const bool hints = w.view.hints;
   w.view = session.view;
   put_ways(w.split, session.sides);
-  w.view.help = old.help;
-  w.view.hints = old.hints && session.view.hints;
+  w.view.hints = hints && session.view.hints;
 }
 
 // Resets pivots and planes, which are meaningless for another model.

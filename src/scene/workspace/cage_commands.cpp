@@ -79,10 +79,7 @@ void add_cage_commands(CommandTable& table) {
             }));
   table.add("hide_cage_offer", {"Dismiss cage suggestion", "Not now"},
             "Close this suggestion. The panels Cage and Checks still offer it.", has_model,
-            passing([](Workspace& w) {
-              w.offer_cage = false;
-              if (has_outside(w)) dismiss_badge(w.checks);
-            }));
+            passing([](Workspace& w) { w.offer_cage = false; }));
   table.add("edit_cage", "Edit cage", "Edit the vertices and faces of the cage at rest. The pose follows.",
             {Key::tab}, can_edit_cage, {change_cage<switch_cage_editing>, [](const Workspace& w) {
                                           return w.document.kept_pose.has_value();

@@ -5,59 +5,23 @@
 
 namespace viete::scene {
 
-namespace {
-
-// Frames some surroundings too: a single edge of a fine mesh gives no orientation.
-FoundKind kind_of(const Finding& finding) {
-  return {finding.defect, finding.subject};
-}
-
-void show_badge(CheckState& checks) {
-  checks.badge.reset();
-  for (const Finding& finding : checks.findings) {
-    const FoundKind kind = kind_of(finding);
-    if (!matters(finding) || std::ranges::find(checks.dismissed, kind) != checks.dismissed.end()) continue;
-    checks.badge = {kind, title(finding)};
-    return;
-  }
-}
-
-}  // namespace
-
-// The badge stays until the checks find that it no longer applies.
 void forget_findings(CheckState& checks) {
-  const auto badge = checks.badge;
   take_findings(checks, {});
   checks.fresh = false;
-  checks.badge = badge;
 }
 
 void take_findings(CheckState& checks, std::vector<Finding> findings) {
   checks.findings = std::move(findings);
   checks.show(std::nullopt);
   checks.fresh = true;
-  show_badge(checks);
-}
-
-void dismiss_badge(CheckState& checks) {
-  if (!checks.badge) return;
-  checks.dismissed.push_back(checks.badge->kind);
-  show_badge(checks);
-}
-
-std::string_view remedy(const CheckBadge& badge) {
-  return badge.kind.defect == Defect::vertices_outside ? "enclose_model" : "";
-}
-
-std::optional<std::size_t> find_finding(const CheckState& checks, const FoundKind& kind) {
-  const auto found =
-      std::ranges::find_if(checks.findings, [&](const Finding& f) { return kind_of(f) == kind; });
-  if (found == checks.findings.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - checks.findings.begin());
 }
 
 std::optional<std::size_t> outside_finding(const CheckState& checks) {
-  return find_finding(checks, {Defect::vertices_outside, Subject::model});
+  const auto found = std::ranges::find_if(checks.findings, [](const Finding& f) {
+    return f.defect == Defect::vertices_outside && f.subject == Subject::model;
+  });
+  if (found == checks.findings.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - checks.findings.begin());
 }
 
 std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most) {

@@ -124,7 +124,6 @@ void enter(FileBrowser& browser, const fs::path& folder) {
     browser.problem.clear();
     browser.filter.clear();
     browser.highlighted = browser.saves() ? FileBrowser::none : 0;
-    browser.recent = FileBrowser::none;
   } catch (const fs::filesystem_error& error) {
     browser.problem = folder.string() + ": " + error.code().message() + "; choose another folder";
   }
@@ -163,7 +162,6 @@ void highlight(FileBrowser& browser, std::size_t index) {
   const auto entries = shown(browser);
   if (index >= entries.size()) return;
   browser.highlighted = index;
-  browser.recent = FileBrowser::none;
   if (browser.saves() && entries[index]->folder) return;
   browser.path = (browser.folder / entries[index]->name).string();
   browser.problem.clear();

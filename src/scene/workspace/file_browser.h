@@ -68,7 +68,6 @@ struct FileBrowser {
   /// Index among the shown entries: the one Enter uses. `none`: Enter saves under the typed name.
   std::size_t highlighted = 0;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t recent = none;  ///< selected entry of the recent files, instead
 
   MorphChoice morphs;
   std::optional<PictureChoice> pictures;  ///< nullopt: as the window shows them

@@ -18,7 +18,6 @@ struct VertexView {
   struct Term {
     std::uint32_t element;
     double weight;
-    glm::dmat3 map{1};                  ///< exp(Y) exp(X): its effect alone
     mesh::Point at;                     ///< the element's center, file units
     std::array<double, 3> eigenvalues;  ///< eigenvalues of the symmetric sum up to this term, ascending
   };

@@ -125,8 +125,10 @@ void add_view_commands(CommandTable& table) {
 
 void add_help_commands(CommandTable& table) {
   table.heading("Help");
-  table.add("help", {"Show keys and mouse", "Keys"}, "Show all keys and mouse actions.", {Key::f1}, always,
-            switches(&ViewOptions::help));
+  table.add("help", {"Show keys and mouse", "Keys"}, "Show all keys and mouse actions, and change keys.",
+            {Key::f1}, always, [](Workspace& w) {
+              w.key_list = {!w.key_list.open, true, "", false, {}};
+            });
   table
       .add("command_palette", {"Find command", "Commands"}, "Find a command by its name and run it.",
            {key('K'), true}, always,
@@ -134,10 +136,6 @@ void add_help_commands(CommandTable& table) {
              w.palette = {!w.palette.open, true, "", 0};
            })
       .or_by({Key::f3});
-  table.add("edit_keys", {"Change keys", "Change keys"}, "Show all commands with their keys and change them.",
-            always, [](Workspace& w) {
-              w.key_list = {!w.key_list.open, true, "", false, {}};
-            });
   table.add("show_messages", {"Show messages", "Messages"},
             "Show all messages since the start of the program.", always,
             [](Workspace& w) { w.show_messages = !w.show_messages; });

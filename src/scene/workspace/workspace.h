@@ -70,9 +70,8 @@ struct Interaction {
     Tool tool;
     Shape shape = Shape::none;
   };
-  std::optional<Grab> grab;    ///< the selection follows the cursor without a button
-  std::string setting_key;     ///< the command that gets the next pressed key; empty: none
-  bool show_partners = false;  ///< draw the mirror pairs of the whole cage
+  std::optional<Grab> grab;  ///< the selection follows the cursor without a button
+  std::string setting_key;   ///< the command that gets the next pressed key; empty: none
 };
 
 /// Everything that a slider or a panel handle can change, saved at the mouse press.
