@@ -24,10 +24,12 @@ constexpr const char* restored_ending = "_restored";
 // The edited parts of a session, without its view.
 Session work_of(const Session& session) {
   Session work;
-  work.model = session.model, work.cage = session.cage, work.generated_cage = session.generated_cage;
-  work.scheme = session.scheme, work.mask = session.mask, work.probes = session.probes;
-  work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
-  work.shape = session.shape, work.pose = session.pose;
+  static_cast<DocumentState&>(work) = session;
+  work.model.path = session.model.path;
+  work.cage_file.content = 0;
+  work.selection = Selection();
+  work.groups.hidden.clear();
+  work.frame = 1;
   return work;
 }
 
@@ -35,19 +37,16 @@ Session work_of(const Session& session) {
 Session on_disk(const Session& kept) {
   if (!kept.origin.empty()) return work_of(read_session(kept.origin));
   Session rest;
-  rest.model = kept.model, rest.cage = kept.cage;
-  rest.scheme = deform::default_scheme();
-  if (kept.pose) {
-    rest.pose = deform::Pose{open_surface(kept.cage).surface->positions, kept.pose->turns};
-    for (auto& turn : rest.pose->turns) turn = {};
-  }
+  rest.model.path = kept.model.path, rest.cage_file.path = kept.cage_file.path;
+  rest.pose.turns.resize(kept.pose.turns.size());
+  rest.pose.positions = open_surface(kept.cage_file.path).surface->positions;
   return rest;
 }
 
 bool equals_files(const fs::path& file) {
   try {
     const Session kept = read_session(file);
-    if (!kept.warnings.empty() || (kept.origin.empty() && kept.cage.empty())) return false;
+    if (kept.origin.empty() && kept.cage_file.path.empty()) return false;
     return session_text(work_of(kept), file, false) == session_text(on_disk(kept), file, false);
   } catch (const std::exception&) {
     return false;
@@ -99,7 +98,7 @@ RecoveryFile describe_recovery_file(const fs::path& file) {
   if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
   try {
     const Session session = read_session(file);
-    const fs::path& of = session.origin.empty() ? session.model : session.origin;
+    const fs::path& of = session.origin.empty() ? session.model.path : session.origin;
     leftover.name = of.filename().string();
     leftover.folder = of.parent_path();
     leftover.first_edit = session.first_edit;
