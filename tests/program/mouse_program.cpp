@@ -79,7 +79,7 @@ struct RealSession {
   const std::vector<mesh::Point>& rest() { return offscreen.document().cage->surface.positions; }
   std::size_t moved(const scene::Session& now) {
     std::size_t count = 0;
-    for (std::size_t v = 0; v < rest().size(); ++v) count += now.pose->positions[v] != rest()[v];
+    for (std::size_t v = 0; v < rest().size(); ++v) count += now.pose.positions[v] != rest()[v];
     return count;
   }
 };
@@ -101,7 +101,7 @@ TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_command
   hand.saved();
   hand.act(drag_words(from, to));
   const auto boxed = hand.saved();
-  CHECK(boxed.selection == expected);
+  CHECK(boxed.selection.indices() == expected);
   CHECK(hand.moved(boxed) == 0);
 
   // A slowly drawn window needs some frames to get the keyboard focus.

@@ -20,7 +20,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path state = folder / "state";
-  const auto kept_pose = [&] { return scene::read_session(kept_files(state).front()).pose->positions; };
+  const auto kept_pose = [&] { return scene::read_session(kept_files(state).front()).pose.positions; };
   const auto settled = [&](std::size_t files) {
     return wait_until([&] { return kept_files(state).size() == files; });
   };
@@ -93,7 +93,7 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   CHECK(scene::has_unsaved_edits(d.workspace()));
   CHECK(test::difference(picture, rest_picture(d), 0) == 0);
   CHECK(wait_until([&] { return kept_files(folder / "state").size() == 1; }));
-  CHECK(scene::read_session(kept_files(folder / "state").front()).pose->positions == posed);
+  CHECK(scene::read_session(kept_files(folder / "state").front()).pose.positions == posed);
 }
 
 TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_offered") {
@@ -220,7 +220,7 @@ TEST_CASE("closing_does_not_ask_once_edits_can_be_kept_again") {
   CHECK(u.d.viewer().closed());
   CHECK(u.d.viewer().keeping());
   REQUIRE(kept_files(u.state).size() == 1);
-  CHECK(scene::read_session(kept_files(u.state).front()).pose->positions == u.d.document().pose.positions);
+  CHECK(scene::read_session(kept_files(u.state).front()).pose.positions == u.d.document().pose.positions);
 }
 
 TEST_CASE("enter_saves_and_closes_and_a_save_that_is_called_off_or_fails_closes_nothing") {
@@ -253,7 +253,7 @@ TEST_CASE("enter_saves_and_closes_and_a_save_that_is_called_off_or_fails_closes_
   d.press_key(scene::Key::enter);
   d.frame(3);
   CHECK(d.viewer().closed());
-  CHECK(scene::read_session(u.folder / "small.viete").pose->positions == d.document().pose.positions);
+  CHECK(scene::read_session(u.folder / "small.viete").pose.positions == d.document().pose.positions);
 }
 
 TEST_CASE("the_answers_are_walked_with_tab_and_arrows_and_closing_without_saving_closes") {
@@ -330,7 +330,7 @@ TEST_CASE("edits_of_a_model_whose_name_is_not_utf_8_are_kept") {
     CHECK(d.viewer().keeping());
   }
   REQUIRE(kept_files(state).size() == 1);
-  CHECK(scene::read_session(kept_files(state).front()).model == odd);
+  CHECK(scene::read_session(kept_files(state).front()).model.path == odd);
   CHECK(scene::read_preferences(state / "remembered.json").recent.at(0).file == odd);
 }
 
@@ -431,7 +431,7 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
     REQUIRE_FALSE(allowed.empty());
     const auto recovery_files = scene::find_recovery_files(folder / "state" / "recovery");
     REQUIRE(recovery_files.size() == 1);
-    const auto positions = scene::read_session(recovery_files[0].file).pose->positions;
+    const auto positions = scene::read_session(recovery_files[0].file).pose.positions;
     const auto holds = [&](double x) {
       return std::any_of(positions.begin(), positions.end(), [x](const auto& p) { return p[0] == x; });
     };
@@ -460,7 +460,7 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   const auto recovery_files = scene::find_recovery_files(desktop.folder / "state" / "viete" / "recovery");
   REQUIRE(recovery_files.size() == 1);
   CHECK(recovery_files[0].name == "dragon.ply");
-  const auto kept = scene::read_session(recovery_files[0].file).pose->positions;
+  const auto kept = scene::read_session(recovery_files[0].file).pose.positions;
   CHECK(kept == d.document().pose.positions);
 
   Child again(desktop.viete(""), desktop.folder / "second.log");

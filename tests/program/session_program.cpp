@@ -213,18 +213,13 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
   CHECK(other.document().pose.positions == pose.positions);
 }
 
-TEST_CASE("a_damaged_session_is_drawn_with_a_warning_and_a_bomb_is_refused") {
+TEST_CASE("a_damaged_session_and_a_bomb_are_refused_with_their_place") {
   const test::TemporaryFolder folder;
   const std::string head = R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() +
                            R"(", "cage": ")" + dragon_cage.string() + R"(", )";
-  test::put_file(folder / "a.viete",
-                 head + R"("window": [8192, 8192], "camera": {"target": [1e308, null, 0], "distance": 1}})");
+  test::put_file(folder / "a.viete", head + R"("camera": {"target": [0, null, 0], "distance": 1}})");
   const std::string said = run_viete("render a.viete -o a.png", folder.path());
-  CHECK_MESSAGE((said.starts_with("0 ") &&
-                 said.find("a.viete: window: this is not a valid window size") < said.size() &&
-                 said.find("a.viete: camera.target[1]: found null") < said.size()),
-                said);
-  CHECK(test::read_png(folder / "a.png").width == 1280);
+  CHECK_MESSAGE(said.starts_with("1 viete: a.viete: camera.target[1]: found null"), said);
   const std::string bombs[] = {
       std::string(20 << 20, '['), head + "\"pose\": " + std::string(1 << 20, '['),
       R"({"format": "viete session", "version": 1, "model": ")" + std::string(50 << 20, 'x') + "\"}"};
@@ -393,7 +388,7 @@ TEST_CASE("a_session_saved_by_another_window_is_overwritten_only_after_confirmat
   save();
   d.click("question_go_on");
   d.frame(3);
-  CHECK(scene::read_session(session).pose->positions == d.document().pose.positions);
+  CHECK(scene::read_session(session).pose.positions == d.document().pose.positions);
   drag_some_vertex(d, {10, 10});
   d.press_key(scene::key('S'), true);  // it now belongs to this window
   d.frame(3);
