@@ -18,9 +18,9 @@ const std::string saved = "Saved ", old = "v 0 0 0\n";
 
 // A posed model so large that exporting it takes many frames.
 struct LargeModel : Driver {
-  explicit LargeModel(const fs::path& folder, std::uint32_t cells = 160) : Driver(small_window()) {
-    mesh::write(folder / "large.ply", SmallModel::grid_ball(cells));
-    mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(3), 1.4));
+  explicit LargeModel(const fs::path& folder, int level = 7) : Driver(small_window()) {
+    mesh::write(folder / "large.ply", ball(1, level));
+    mesh::write(folder / "cage.obj", ball(1.4, 1));
     REQUIRE(open({folder / "large.ply", folder / "cage.obj"}));
     workspace().view.model = false;  // software rendering would take longer than the export
     settle();
@@ -92,7 +92,7 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
 
 TEST_CASE("exports_are_written_in_the_order_they_were_asked_for") {
   const test::TemporaryFolder folder;
-  LargeModel d(folder.path(), 60);
+  LargeModel d(folder.path(), 6);
   const auto first = d.exact_positions();
   d.ask_for(folder / "a.ply");
   drag_some_vertex(d, {-40, 25});
@@ -106,7 +106,7 @@ TEST_CASE("exports_are_written_in_the_order_they_were_asked_for") {
 
 TEST_CASE("an_animation_is_exported_aside_and_stopped_without_a_trace") {
   const test::TemporaryFolder folder;
-  LargeModel d(folder.path(), 60);
+  LargeModel d(folder.path(), 6);
   d.workspace().document.frame = 1;
   REQUIRE(test::run_command(d.workspace(), "set_key"));
   drag_some_vertex(d, {-40, 25});
@@ -131,7 +131,7 @@ TEST_CASE("an_animation_is_exported_aside_and_stopped_without_a_trace") {
 
 TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") {
   const test::TemporaryFolder folder;
-  LargeModel d(folder.path(), 20);
+  LargeModel d(folder.path(), 4);
   d.workspace().document.frame = 1;
   scene::set_key(d.document(), 1);
   deform::Pose pose = d.document().pose;
@@ -208,8 +208,8 @@ TEST_CASE("a_window_that_is_to_close_waits_for_its_export_and_stays_if_that_fail
 
 TEST_CASE("an_export_reports_the_error_of_its_method") {
   const test::TemporaryFolder folder;
-  mesh::write(folder / "ball.ply", SmallModel::grid_ball(6));
-  mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(2), 1.4));
+  mesh::write(folder / "ball.ply", ball(1, 2));
+  mesh::write(folder / "cage.obj", ball(1.4, 1));
   Driver d(LargeModel::small_window());
   REQUIRE(d.open({folder / "ball.ply", folder / "cage.obj"}));
   d.document().method = sym3::Method::sd;
@@ -220,7 +220,8 @@ TEST_CASE("an_export_reports_the_error_of_its_method") {
   d.viewer().finish_exports();
   const auto& all = d.workspace().messages.all();
   CHECK(std::any_of(all.begin(), all.end(), [](const scene::Message& m) {
-    return m.severity == scene::Severity::warning && m.text.find("by method sd have errors up to") != std::string::npos;
+    return m.severity == scene::Severity::warning &&
+           m.text.find("by method sd have errors up to") != std::string::npos;
   }));
   CHECK(all.back().text.starts_with(saved));
 }

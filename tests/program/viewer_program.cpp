@@ -404,9 +404,8 @@ TEST_CASE("the_measured_error_is_of_the_frame_that_is_shown_whatever_it_blends")
   auto options = Driver::default_options();
   options.probe = true;
   const test::TemporaryFolder folder;
-  mesh::write(folder / "ball.ply",
-              test::SmallModel::grid_ball(40));  // binding all schemes to the dragon takes long
-  mesh::write(folder / "cage.obj", test::SmallModel::scaled(test::SmallModel::grid_ball(2), 1.4));
+  mesh::write(folder / "ball.ply", test::ball(1, 5));  // binding all schemes to the dragon takes long
+  mesh::write(folder / "cage.obj", test::ball(1.4, 1));
   Driver d(options);
   REQUIRE(d.open({folder / "ball.ply", folder / "cage.obj"}));
   for (const deform::Scheme& scheme : deform::valid_schemes()) {
