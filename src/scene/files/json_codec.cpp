@@ -59,6 +59,24 @@ void code(const JsonField& field, std::vector<std::uint32_t>& value) {
   code_by(field, value, &JsonReader::indices);
 }
 
+void code(const JsonField& field, std::filesystem::path& value) {
+  if (field.reads()) {
+    value = field.in().path();
+  } else {
+    field.out() = path_json(value);
+  }
+}
+
+void code(const JsonField& field, glm::ivec2& window) {
+  if (!field.reads()) {
+    field.out() = {window.x, window.y};
+    return;
+  }
+  const auto [width, height] = field.in().numbers<2>();
+  if (!is_window(width, height)) field.in().fail("this is not a valid window size");
+  window = {static_cast<int>(width), static_cast<int>(height)};
+}
+
 void write_word(const JsonField& field, std::string_view word) {
   field.out() = word;
 }

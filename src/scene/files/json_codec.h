@@ -2,7 +2,10 @@
 // reads the value from the field or writes it there.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -79,6 +82,8 @@ private:
 
 void code(const JsonField& field, bool& value);
 void code(const JsonField& field, std::string& value);
+/// Also a name that is not UTF-8, see path_json().
+void code(const JsonField& field, std::filesystem::path& value);
 void code(const JsonField& field, std::uint32_t& value);
 void code(const JsonField& field, double& value, const Limits& limits);
 /// With the fewest digits that read back as the same float.
@@ -88,6 +93,8 @@ void code(const JsonField& field, int& value, const Limits& limits);
 void code(const JsonField& field, mesh::Vec3& value, const Reach& reach);
 void code(const JsonField& field, glm::vec3& value, const Reach& reach);
 void code(const JsonField& field, std::vector<mesh::Vec3>& value, const Reach& reach);
+/// The size of a window.
+void code(const JsonField& field, glm::ivec2& window);
 /// Ascending and unique.
 void code(const JsonField& field, std::vector<std::uint32_t>& value);
 /// 16 hexadecimal digits.
@@ -120,6 +127,15 @@ void code_word(const JsonField& field, T& value, std::string_view word, const Fi
   if (!found) field.in().fail(mesh::in_quotes(text) + " is not known");
   value = *found;
 }
+/// An enumeration whose values are the indices of these words.
+template <class T, std::size_t n>
+void code_listed(const JsonField& field, T& value, const std::array<std::string_view, n>& words) {
+  code_word(field, value, words[static_cast<std::size_t>(value)], [&](std::string_view word) {
+    const auto found = std::ranges::find(words, word);
+    return found == words.end() ? std::nullopt : std::optional(static_cast<T>(found - words.begin()));
+  });
+}
+
 /// An enumeration with choices.
 template <class T>
 requires requires(T value) {

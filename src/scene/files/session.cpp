@@ -51,15 +51,6 @@ constexpr ViewFlag view_flags[] = {
 constexpr std::array<std::string_view, 4> kind_words = {"vertices", "edges", "faces", "probes"};
 constexpr std::array<std::string_view, 2> axis_words = {"y", "z"}, pin_words = {"holds", "pulls"};
 
-// A value written as the word at its place in the list.
-template <class T, std::size_t n>
-void code_listed(const JsonField& f, T& value, const std::array<std::string_view, n>& words) {
-  code_word(f, value, words[static_cast<std::size_t>(value)], [&](std::string_view word) {
-    const auto found = std::ranges::find(words, word);
-    return found == words.end() ? std::nullopt : std::optional(static_cast<T>(found - words.begin()));
-  });
-}
-
 template <class T, class Table>
 void code_named(const JsonField& f, T& value, const Table& table) {
   code_word(f, value, deform::entry(value).name,
@@ -163,16 +154,6 @@ static void code(const JsonField& f, Handling& handling) {
   f.unless(usual.soft.distance, "distance", soft.distance);
   f.unless(usual.freedom, "freedom", handling.freedom, percent(0, 1));
   f.unless(usual.mix_selected, "mix_selected", handling.mix_selected);
-}
-
-static void code(const JsonField& f, glm::ivec2& window) {
-  if (!f.reads()) {
-    f.out() = {window.x, window.y};
-    return;
-  }
-  const auto [width, height] = f.in().numbers<2>();
-  if (!is_window(width, height)) f.in().fail("this is not a valid window size");
-  window = {static_cast<int>(width), static_cast<int>(height)};
 }
 
 // A probe's motion, members of the object that it is part of; "stretched" is the log of the stretch.
