@@ -19,6 +19,7 @@
 #include "scene/document/shape_mix.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
+#include "scene/files/morph_import.h"
 #include "scene/files/output.h"
 #include "scene/files/shape_import.h"
 
