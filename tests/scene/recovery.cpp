@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <set>
+
 #include "base/error.h"
 #include "base/process.h"
 #include "scene/document/edit.h"
@@ -23,21 +25,16 @@ namespace fs = std::filesystem;
 TEST_CASE("only_the_work_of_programs_that_have_ended_is_left_over") {
   const test::TemporaryFolder folder;
   CHECK(find_recovery_files(folder / "none").empty());
-  test::put_file(recovery_file(folder.path()), "{}");
-  test::put_file(set_aside_file(folder.path()), "{}");
-  test::put_file(folder / "999999999-1.viete", "{}");
-  test::put_file(folder / "999999999-1_2.viete", "{}");
+  const test::Zombie zombie;  // has ended and is still listed
+  const fs::path aside = set_aside_file(folder.path());
+  for (const fs::path& file : {recovery_file(folder.path()), aside, folder / "999999999-1.viete",
+                               folder / "999999999-1_2.viete", folder / (zombie.name + ".viete")})
+    test::put_file(file, "{}");
   test::put_file(folder / "999999999-1.viete.123-0.part", "half");
-  const auto recovery_files = find_recovery_files(folder.path());
-  REQUIRE(recovery_files.size() == 2);
-  CHECK(recovery_files[0].file.filename().string().starts_with("999999999-1"));
-}
-
-TEST_CASE("the_work_of_a_program_that_has_ended_and_is_still_listed_is_left_over") {
-  const test::TemporaryFolder folder;
-  const test::Zombie zombie;
-  test::put_file(folder / (zombie.name + ".viete"), "{}");
-  CHECK(find_recovery_files(folder.path()).size() == 1);
+  CHECK(set_aside_file(folder.path()) != aside);
+  std::set<std::string> names;
+  for (const RecoveryFile& found : find_recovery_files(folder.path())) names.insert(found.file.stem());
+  CHECK(names == std::set<std::string>{"999999999-1", "999999999-1_2", zombie.name});
 }
 
 TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
@@ -100,13 +97,6 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
   undo(w.document);
   fs::remove(session);
   CHECK(offered());  // its session is gone
-}
-
-TEST_CASE("names_for_work_set_aside_do_not_collide") {
-  const test::TemporaryFolder folder;
-  const fs::path first = set_aside_file(folder.path());
-  test::put_file(first, "{}");
-  CHECK(set_aside_file(folder.path()) != first);
 }
 
 TEST_CASE("times_of_today_are_told_without_the_day") {
