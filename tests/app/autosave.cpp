@@ -2,16 +2,12 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
-#include "base/clock.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/files.h"
 #include "scene/files/open.h"
-#include "scene/files/session.h"
 #include "scene/workspace/apply_opened.h"
 #include "support/open.h"
 
@@ -61,35 +57,6 @@ TEST_CASE("edits_and_later_settings_are_kept_and_open_again_as_they_were") {
   CHECK(again.document.pose.positions == k.workspace.document.pose.positions);
   CHECK(again.document.method == sym3::Method::sd);
   CHECK(again.view.wireframe);
-}
-
-TEST_CASE("camera_and_handling_are_backed_up_with_edits_once_they_rest") {
-  Kept k;
-  k.workspace.camera.orbit({30, 0});
-  k.autosave.follow(k.workspace);
-  CHECK(k.kept_files() == 0);  // no edit
-  k.edit(0.25);
-  REQUIRE(k.autosave.keep_now(k.workspace));
-  const auto kept = [&] { return scene::read_session(scene::recovery_file(k.folder)); };
-  k.workspace.camera.orbit({40, 10});
-  k.workspace.handling.soft.on = true;
-  const auto camera = k.workspace.camera.pose();
-  const double changed = base::wall_seconds();
-  k.autosave.follow(k.workspace);
-  const bool early = kept().camera == camera || k.autosave.has_news();
-  CHECK((!early || base::wall_seconds() - changed > 0.5));
-  while (!k.autosave.has_news()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  CHECK(kept().camera != camera);  // written only by the frame that has_news() asks for
-  k.autosave.follow(k.workspace);
-  k.queue.add([] {}).wait();
-  k.autosave.follow(k.workspace);
-  CHECK(k.autosave.kept());
-  CHECK_FALSE(k.autosave.has_news());
-  CHECK(kept().camera == camera);
-  CHECK(kept().handling.soft.on);
-  k.workspace.camera.orbit({-40, 10});
-  REQUIRE(k.autosave.keep_now(k.workspace));  // at the end, immediately
-  CHECK(kept().camera == k.workspace.camera.pose());
 }
 
 TEST_CASE("a_folder_that_cannot_be_made_is_a_message_and_a_reason") {

@@ -212,6 +212,11 @@ TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   d.answer(scene::Answer::cancel);
   CHECK(test::file_bytes(session) == "theirs");
   save();
+  d.answer(scene::Answer::save);  // under another name
+  CHECK(d.workspace.browser.open);
+  CHECK(test::file_bytes(session) == "theirs");
+  d.workspace.browser.open = false;
+  save();
   d.answer(scene::Answer::proceed);
   CHECK(test::file_bytes(session) != "theirs");
 }

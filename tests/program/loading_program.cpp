@@ -67,25 +67,6 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   CHECK(d.document().model.summary.vertices == mesh::read(folder / "large.obj").surface.positions.size());
 }
 
-TEST_CASE("loaded_files_are_applied_after_the_drag") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  Driver d(remembering(folder / "state"));
-  REQUIRE(d.open({small.model, small.cage}));
-  d.settle();
-  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
-  d.press_and_move(at, at + glm::vec2(40, 5));
-  d.workspace().requests.open = scene::OpenRequest{What::model, {dragon, dragon_cage}};
-  for (int i = 0; i < 20; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    d.frame();
-  }
-  CHECK(d.document().model.path == small.model);
-  d.button(0, false);
-  REQUIRE(d.until([&] { return d.document().model.path == dragon; }));
-  CHECK_MESSAGE(d.workspace().recovery_files.size() == 1, "the drag that was finished is kept");
-}
-
 TEST_CASE("a_load_that_fails_leaves_everything_as_it_was") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());

@@ -89,9 +89,8 @@ void visit_questions(Driver& d, const std::string& look) {
 
 void visit_notices(Driver& d, const std::string& look) {
   auto& w = d.workspace();
-  w.recovery_files = {
-      {"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
-      {"/b.viete", "b", 0}};
+  w.recovery_files = {{"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon"},
+                      {"/b.viete", "b", 0}};
   w.offers_recovery = true;
   d.frame(3);
   show(d, look + "_leftovers");

@@ -46,21 +46,6 @@ TEST_CASE("preferences_are_restored") {
   CHECK_FALSE(read_preferences(folder / "r.json").window);
 }
 
-TEST_CASE("entries_of_another_program_are_appended") {
-  const test::TemporaryFolder folder;
-  Preferences mine, theirs;
-  mine.add({"/mine.ply", {}});
-  theirs.add({"/both.ply", {}});
-  theirs.add({"/theirs.ply", {}});
-  mine.add({"/both.ply", {}});
-  write_preferences(folder / "r.json", theirs);
-  write_preferences(folder / "r.json", mine);
-  const auto all = read_preferences(folder / "r.json").recent;
-  REQUIRE(all.size() == 3);
-  CHECK(all[0].file == "/both.ply");
-  CHECK(all[2].file == "/theirs.ply");
-}
-
 TEST_CASE("a_damaged_file_is_an_error_and_is_replaced_by_the_next_write") {
   const test::TemporaryFolder folder;
   for (const char* damaged :

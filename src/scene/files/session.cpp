@@ -358,7 +358,7 @@ void code_path(const JsonField& f, const char* key, fs::path& file, const Place&
 // Content keys depend on the byte order; ignored on uncommon machines.
 constexpr bool keys_are_common = std::endian::native == std::endian::little;
 
-// The members of a session. "session" and the two after it are those of recovered work.
+// The members of a session. "session" and "session_content" are those of recovered work.
 void code_session(const JsonField& f, Session& s, const Place& place) {
   if (f.reads()) (void)f.in().at("model");
   code_path(f, "model", s.model.path, place);
@@ -369,7 +369,6 @@ void code_session(const JsonField& f, Session& s, const Place& place) {
   if (f.reads() || !place.relative) {
     code_path(f, "session", s.origin, place);
     f.unless(std::nullopt, "session_content", s.origin_content);
-    f.unless("", "first_edit", s.first_edit);
   }
   f.member("method", s.method);
   code(f, s.scheme);

@@ -23,7 +23,6 @@ struct Session : DocumentState {
   OpenedSurface model;
   std::filesystem::path origin;                 ///< of recovered work: its session; absolute; may be empty
   std::optional<std::uint64_t> origin_content;  ///< checksum of that file at the time
-  std::string first_edit;                       ///< of recovered work: the first edit since it was saved
   sym3::Method method = sym3::Method::fast;
   std::optional<CameraPose> camera;  ///< missing: frame the model
   ViewOptions view;

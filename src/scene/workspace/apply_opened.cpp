@@ -170,7 +170,6 @@ void apply_opened(Workspace& w, Opened&& opened) {
     w.offers_recovery = false;
     std::erase_if(w.recovery_files,
                   [&](const RecoveryFile& leftover) { return leftover.file == opened.file; });
-    mark_edits_saved(w, opened.session->first_edit);
   } else {
     mark_saved(w);
     if (opened.session)

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
 #include "scene/document/range.h"
 #include "scene/files/json_codec.h"
 #include "scene/files/json_file.h"
@@ -135,27 +134,6 @@ static void code(const JsonField& f, Preferences& preferences) {
   f.member("keys", preferences.keymap);
 }
 
-namespace {
-
-// Appends older entries that are not in the list.
-void append_missing(Preferences& to, const std::vector<RecentFile>& more) {
-  for (const auto& file : more) {
-    if (to.recent.size() >= Preferences::most) return;
-    if (std::find(to.recent.begin(), to.recent.end(), file) == to.recent.end()) to.recent.push_back(file);
-  }
-}
-
-// A damaged file has no entries worth keeping.
-std::vector<RecentFile> recent_in(const fs::path& file) {
-  try {
-    return read_preferences(file).recent;
-  } catch (const base::Error&) {
-    return {};
-  }
-}
-
-}  // namespace
-
 void Preferences::add(const RecentFile& file) {
   const RecentFile entry{from_root(file.file), from_root(file.cage)};
   std::erase(recent, entry);
@@ -175,7 +153,6 @@ Preferences read_preferences(const fs::path& file) {
 
 void write_preferences(const fs::path& file, const Preferences& preferences) {
   Preferences all = preferences;
-  append_missing(all, recent_in(file));
   if (all.window && !is_window(all.window->x, all.window->y)) all.window.reset();
   nlohmann::ordered_json json = {{"format", "viete remembered"}, {"version", 1}};
   ShapeTable none;

@@ -139,11 +139,6 @@ bool has_unsaved_edits(const Workspace& w) {
                                                    !same_pose(real_pose(w.document), w.saved.state.pose))));
 }
 
-void mark_edits_saved(Workspace& workspace, const std::string& first_edit) {
-  workspace.saved.edits = workspace.document.history.recorded();
-  workspace.saved.first_edit = first_edit;
-}
-
 void mark_saved(Workspace& workspace) {
   workspace.saved.state = state_of(workspace.document);
   mark_pose_saved(workspace);
@@ -152,7 +147,6 @@ void mark_saved(Workspace& workspace) {
 // Not for probes: the file of a pose does not include them.
 void mark_pose_saved(Workspace& workspace) {
   workspace.saved.put_pose(real_pose(workspace.document));
-  if (!has_unsaved_edits(workspace)) mark_edits_saved(workspace, "");
 }
 
 Session session_of(const Workspace& w) {
@@ -163,8 +157,6 @@ Session session_of(const Workspace& w) {
   session.model = w.document.model;
   session.origin = w.saved.session;
   session.origin_content = w.saved.content;
-  session.first_edit =
-      w.saved.first_edit.empty() ? w.document.history.first_edit_since(w.saved.edits) : w.saved.first_edit;
   session.method = w.document.method;
   session.camera = last_camera_of(w, 0);
   session.view = w.view;
