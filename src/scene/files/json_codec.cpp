@@ -99,8 +99,10 @@ void code(const JsonField& field, float& value, const Limits& limits) {
   double shortest = value;
   std::from_chars(text, end, shortest);
   if (static_cast<float>(shortest) != value) shortest = value;
-  code(field, shortest, limits);
-  value = static_cast<float>(shortest);
+  const auto [least, most, factor] = limits;
+  constexpr double rounding = 1e-6;  // the limit itself may have been written with fewer digits
+  code(field, shortest, {least - rounding * std::abs(least), most + rounding * std::abs(most), factor});
+  value = static_cast<float>(std::clamp(shortest, least, most));
 }
 
 void code(const JsonField& field, int& value, const Limits& limits) {
