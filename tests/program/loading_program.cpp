@@ -1,7 +1,6 @@
-// Large files read in the background, and failed loads.
+// Large files read in the background.
 #include "mesh/formats/read.h"
 #include "program/kept_work.h"
-#include "scene/workspace/saving.h"
 #include "support/edits.h"
 
 using namespace viete;
@@ -65,23 +64,4 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   }
   CHECK(furthest > 0.1);
   CHECK(d.document().model.summary.vertices == mesh::read(folder / "large.obj").surface.positions.size());
-}
-
-TEST_CASE("a_load_that_fails_leaves_everything_as_it_was") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  test::put_file(folder / "broken.obj", "v 0 0 0\nf 1 2 3\n");
-  Driver d;
-  REQUIRE(d.open({small.model, small.cage}));
-  d.settle();
-  drag_some_vertex(d, {20, 10});
-  const auto posed = d.document().pose.positions;
-  const auto opened = d.workspace().opened;
-  for (const What what : {What::model, What::cage, What::pose, What::dropped, What::recovery}) {
-    CHECK_FALSE(d.open({folder / "broken.obj"}, what));
-    const std::string said = d.workspace().messages.all().back().text;
-    CHECK_MESSAGE(said.find("broken.obj:") != std::string::npos, said);
-    CHECK(d.document().pose.positions == posed);
-    CHECK(d.workspace().opened == opened);
-  }
 }
