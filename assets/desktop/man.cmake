@@ -29,9 +29,6 @@ foreach(command IN LISTS benchmarks)
 endforeach()
 file(APPEND ${TO}.part ".SH ENVIRONMENT
 .TP
-.B VIETE_REDUCED_MOTION
-If set and not 0, disables the animation of the first start.
-.TP
 .B XDG_STATE_HOME
 Absolute path of the folder for unsaved edits; ~/.local/state by default.
 .SH FILES

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/atomic_file.h"
-#include "base/clock.h"
 #include "base/error.h"
 #include "scene/files/session.h"
 #include "scene/workspace/saving.h"
@@ -38,9 +37,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double surroundings_delay = 0.5;  // delay before continuous changes are written
-constexpr double longest_wait = 1e-3;       // seconds per frame
-constexpr double backup_timeout = 10;       // seconds before asking whether to continue without a backup
+constexpr double longest_wait = 1e-3;  // seconds per frame
+constexpr double backup_timeout = 10;  // seconds before asking whether to continue without a backup
 
 void make_folder(const fs::path& folder) {
   std::error_code code;
@@ -67,7 +65,7 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
                    document.revisions().method,
                    workspace.view,
                    no_drag ? scene::has_unsaved_edits(workspace) : seen_.unsaved};
-  if (now == seen_) return follow_surroundings(workspace);
+  if (now == seen_) return;
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
     take_result(workspace, backup_timeout);
@@ -91,22 +89,8 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
   take_result(workspace, longest_wait);
 }
 
-bool Autosave::rested() const {
-  return around_changed_ && base::wall_seconds() - *around_changed_ > surroundings_delay;
-}
-
-// Camera, tool settings and frame are not edits: their changes are saved only if a recovery file exists.
-void Autosave::follow_surroundings(scene::Workspace& workspace) {
-  const Surroundings now{workspace.camera.destination(), workspace.handling, workspace.document.frame};
-  if (std::exchange(around_, now) != now) around_changed_ = base::wall_seconds();
-  if (!has_file_) around_changed_.reset();
-  if (!rested() || writing_.valid()) return;
-  write(workspace);
-  take_result(workspace, longest_wait);
-}
-
 bool Autosave::has_news() const {
-  return base::is_ready(writing_) || (rested() && !writing_.valid());
+  return base::is_ready(writing_);
 }
 
 bool Autosave::keep_now(scene::Workspace& workspace) {
@@ -115,7 +99,7 @@ bool Autosave::keep_now(scene::Workspace& workspace) {
   std::error_code ignored;
   if (!untouched_.empty() && fs::exists(untouched_, ignored)) return true;
   take_result(workspace, backup_timeout);
-  if ((!kept_ || around_changed_) && !writing_.valid()) {
+  if (!kept_ && !writing_.valid()) {
     write(workspace);
     take_result(workspace, backup_timeout);
   }
@@ -136,8 +120,6 @@ std::string Autosave::problem() const {
 void Autosave::write(scene::Workspace& workspace) {
   kept_ = false;
   has_file_ = true;
-  around_ = {workspace.camera.destination(), workspace.handling, workspace.document.frame};
-  around_changed_.reset();
   replaced_ = workspace.recovered_from;
   writing_ =
       queue_.add([session = scene::session_of(workspace), folder = folder_, file = file_, old = replaced_] {

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <future>
-#include <optional>
 #include <string>
 
 #include "base/background.h"
@@ -16,8 +15,8 @@ namespace viete::app {
 std::filesystem::path state_folder();
 
 /// After each finished edit, and each later change of settings, the whole session is written to a recovery
-/// file in the background, replacing the previous one; the frame waits at most a millisecond. Camera and
-/// handling are written after half a second without change. The file is deleted when the edits are saved or
+/// file in the background, replacing the previous one; the frame waits at most a millisecond. Changes of
+/// camera, handling and frame alone write nothing. The file is deleted when the edits are saved or
 /// undone. Opening another document over unsaved edits renames the file to keep it for recovery. Recovered
 /// work without further edits stays in its original file. However the program ends, the next start finds the
 /// unsaved work. Edits are safe only after the write finishes; a failed write shows a message and is repeated
@@ -55,16 +54,6 @@ private:
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 
-  // State that changes continuously with the mouse and is not an edit.
-  struct Surroundings {
-    scene::CameraPose camera;
-    scene::Handling handling;
-    double frame = 1;
-    friend bool operator==(const Surroundings&, const Surroundings&) = default;
-  };
-
-  void follow_surroundings(scene::Workspace& workspace);
-  bool rested() const;
   void write(scene::Workspace& workspace);
   void take_result(scene::Workspace& workspace, double wait_seconds);
   bool move_aside(scene::Workspace& workspace);
@@ -73,8 +62,6 @@ private:
   std::filesystem::path folder_, file_;
   base::BackgroundQueue& queue_;
   Moment seen_;
-  Surroundings around_;
-  std::optional<double> around_changed_;  // wall time in seconds; nullopt: written
   std::future<void> writing_;
   std::filesystem::path replaced_;   // the open recovery file, deleted once its edits are written here
   std::filesystem::path untouched_;  // the open recovery file without further edits; empty: none

@@ -70,20 +70,4 @@ private:
   base::BackgroundJob<Written> job_;
 };
 
-class MorphSizes {
-public:
-  /// Call every frame: shows the size in the file browser once it is known.
-  void follow(scene::Workspace& workspace);
-  bool running() const { return job_.running(); }
-
-private:
-  struct Asked {
-    scene::MorphChoice choice;
-    std::string format;
-    friend bool operator==(const Asked&, const Asked&) = default;
-  };
-  std::optional<Asked> asked_;
-  base::BackgroundJob<scene::MorphEstimate> job_;
-};
-
 }  // namespace viete::app

@@ -64,7 +64,6 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
     export_to(w, *file, &FileDesk::start_animation_export);
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
-  sizes_.follow(w);
   proceed_after_saving(w);
   if (std::exchange(r.quit, false) && !w.question) close(w);
   show_exports(w);

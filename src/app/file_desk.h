@@ -41,8 +41,6 @@ public:
   /// True if a backup has finished or failed since keep().
   bool has_news() const { return autosave_.has_news(); }
   bool loading() const { return loader_.running(); }
-  /// True while the size of an animation is estimated.
-  bool measuring() const { return sizes_.running(); }
   /// True while exports are running.
   bool exporting() const { return exporter_.running(); }
   /// Waits for the files being read and applies them.
@@ -78,7 +76,6 @@ private:
   std::filesystem::path state_, program_;
   Loader loader_;
   Exporter exporter_;
-  MorphSizes sizes_;
   ModelShading shading_;
   Bound bound_;
   std::filesystem::path reading_;          // first file of the last request

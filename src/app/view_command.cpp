@@ -5,7 +5,6 @@
 
 #include "app/assets.h"
 #include "app/command_line.h"
-#include "app/first_motion.h"
 #include "app/help.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
@@ -35,9 +34,6 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   OffscreenViewer offscreen(viewer_options);
   scene::Workspace& workspace = offscreen.viewer().workspace();
   scene::apply_opened(workspace, open(options.inputs, scene::check_drawable));
-  FirstMotion motion(options.first_pose);
-  motion.step(workspace, true, 0);
-  motion.finish(workspace);
   offscreen.settle();
   render::write_png(picture, offscreen.viewer().picture());
   std::fprintf(stderr, "viete: no window (%s); wrote a picture to %s instead\n", reason.c_str(),
@@ -51,7 +47,6 @@ int view(WindowOptions options) {
     const BundledModel bundled = bundled_model();
     inputs.model = bundled.model;
     inputs.cage = bundled.cage;
-    if (!bundled.poses.empty()) options.first_pose = bundled.poses.front();  // by name: the alert pose
   }
   std::string reason;
   if (run_window(options, reason)) return exit_ok;

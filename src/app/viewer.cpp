@@ -180,7 +180,7 @@ void Viewer::scope_messages() {
 
 bool Viewer::wants_frame() const {
   constexpr double progress_seconds = 0.05;
-  const bool reports = files_.loading() || files_.exporting() || files_.measuring() || model_.binding() ||
+  const bool reports = files_.loading() || files_.exporting() || model_.binding() ||
                        sides_.binding(workspace_) || cages_.running() || analysis_.reports();
   const double passed = base::wall_seconds() - last_frame_;
   if (reports && passed > progress_seconds) return true;

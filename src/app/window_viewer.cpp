@@ -8,7 +8,6 @@
 
 #include "app/autosave.h"
 #include "app/file_desk.h"
-#include "app/first_motion.h"
 #include "app/viewer.h"
 #include "base/clock.h"
 #include "base/error.h"
@@ -34,10 +33,8 @@ ViewerOptions viewer_options(const platform::Window& window) {
 // The viewer in its window, redrawn on changes.
 class WindowViewer {
 public:
-  WindowViewer(platform::Window& window, const WindowOptions& options)
-      : window_(window),
-        viewer_(window.gl(), viewer_options(window)),
-        first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()) {
+  explicit WindowViewer(platform::Window& window)
+      : window_(window), viewer_(window.gl(), viewer_options(window)) {
     listen();
     scene::Preferences& preferences = viewer_.workspace().preferences;
     viewer_.workspace().ask_keys = std::exchange(preferences.ask_keys, false) && preferences.hints;
@@ -58,17 +55,12 @@ private:
 
   platform::Window& window_;
   Viewer viewer_;
-  FirstMotion first_motion_;
   bool exposed_ = true, asks_ = false;
 };
 
 void WindowViewer::listen() {
   platform::WindowEvents events;
-  events.input = [this](platform::InputEvent event) {
-    using Kind = platform::InputEvent::Kind;
-    if (event.kind != Kind::move && event.kind != Kind::leave) first_motion_.finish(viewer_.workspace());
-    viewer_.input().push(std::move(event));
-  };
+  events.input = [this](platform::InputEvent event) { viewer_.input().push(std::move(event)); };
   events.dropped = [this](std::vector<std::filesystem::path> files) {
     viewer_.drop(std::move(files));
     exposed_ = true;
@@ -106,8 +98,6 @@ void WindowViewer::request_attention() {
 }
 
 void WindowViewer::draw(float seconds, bool exposed) {
-  const bool ready = !viewer_.working() && viewer_.deformer() && viewer_.deformer()->ran();
-  first_motion_.step(viewer_.workspace(), ready, seconds);
   viewer_.frame(seconds);
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
   set_title();
@@ -157,7 +147,7 @@ glm::ivec2 last_window_size() {
 bool run_window(const WindowOptions& options, std::string& reason) {
   const auto window = platform::Window::open(last_window_size(), options.scale, reason);
   if (!window) return false;
-  WindowViewer shown(*window, options);
+  WindowViewer shown(*window);
   Viewer& viewer = shown.viewer();
   scene::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())

@@ -96,7 +96,7 @@ void out_of_cache(std::size_t count, Bars& report) {
   base::Progress progress;
   for (const bool in_float : {false, true}) {
     double best = HUGE_VAL;
-    for (const Layout layout : {Layout::planes, Layout::blocks}) {
+    for (const Layout layout : {Layout::planes}) {
       const LayoutResult r = measure_layout(layout, count, in_float, progress);
       best = std::min(best, faster(r.times, "fast", "copy"));
     }

@@ -241,7 +241,7 @@ bool shows_pictures(const Browser& browser) {
   return browser.pictures && browser.makes_pictures();
 }
 
-// Tolerance of morph targets, and their size.
+// Options of morph targets.
 void morph_row(const Context& ui) {
   scene::MorphChoice& morphs = ui.workspace.browser.morphs;
   ImGui::AlignTextToFramePadding();
@@ -255,10 +255,6 @@ void morph_row(const Context& ui) {
   ImGui::SameLine(0, 18);
   checkbox(ui, "Normals", "morph_normals", morphs.normals,
            "Export normals, for correct shading in every player. Doubles the file size.");
-  ImGui::SameLine(0, 18);
-  const std::string& size = ui.workspace.browser.morph_size;
-  note(ui, size.empty() ? "computing size" : size);
-  record(ui, "morph_size");
 }
 
 // Options of pictures.

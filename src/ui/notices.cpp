@@ -66,12 +66,11 @@ void message_log(const Context& ui) {
 namespace {
 
 std::string name_of(const scene::RecoveryFile& leftover) {
-  return leftover.name + ", " + scene::when(leftover.time, std::time(nullptr));
+  return leftover.name + ", " + scene::when(leftover.time);
 }
 
 void hint_at(const scene::RecoveryFile& leftover) {
-  const std::string began = leftover.first_edit.empty() ? "" : "First edit: " + leftover.first_edit + "\n";
-  hint(began + "Folder: " + leftover.folder.string());
+  hint("Folder: " + leftover.folder.string());
 }
 
 // Next to the previous item, or below it in a narrow window.

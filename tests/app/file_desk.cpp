@@ -115,13 +115,20 @@ TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   CHECK(d.workspace.document.model.surface);
 }
 
-TEST_CASE("a_file_that_cannot_be_opened_is_a_message") {
+TEST_CASE("a_file_that_cannot_be_opened_is_a_message_and_changes_nothing") {
   Desk d;
   d.open_cubes();
-  d.open({d.files.broken});
-  CHECK(d.workspace.document.model.path == d.files.model);
-  CHECK(d.workspace.messages.all().back().severity == scene::Severity::error);
-  CHECK(d.last_message().find("broken.obj") != std::string::npos);
+  d.edit();
+  const auto posed = d.workspace.document.pose.positions;
+  for (const What what : {What::model, What::cage, What::pose, What::dropped, What::recovery}) {
+    d.workspace.messages.clear();
+    d.open({d.files.broken}, what);
+    REQUIRE_FALSE(d.workspace.messages.all().empty());
+    CHECK(d.workspace.messages.all().back().severity == scene::Severity::error);
+    CHECK(d.last_message().find("broken.obj:") != std::string::npos);
+    CHECK(d.workspace.document.model.path == d.files.model);
+    CHECK(d.workspace.document.pose.positions == posed);
+  }
 }
 
 TEST_CASE("without_edits_or_with_edits_that_are_kept_the_program_closes_at_once") {
@@ -194,6 +201,10 @@ TEST_CASE("edits_that_can_be_kept_are_set_aside_for_another_file_but_stay_with_a
   CHECK_FALSE(d.workspace.question);
   CHECK(d.workspace.document.model.path == d.files.cage);
   CHECK(d.workspace.recovery_files.size() == 1);
+  d.frame();
+  CHECK_FALSE(d.workspace.offers_recovery);
+  CHECK(d.last_message() ==
+        "Unsaved edits of model.obj were saved; File > Restore recovered edits restores them.");
 }
 
 TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
@@ -211,6 +222,11 @@ TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   REQUIRE(d.asks(QuestionKind::replace));
   d.answer(scene::Answer::cancel);
   CHECK(test::file_bytes(session) == "theirs");
+  save();
+  d.answer(scene::Answer::save);  // under another name
+  CHECK(d.workspace.browser.open);
+  CHECK(test::file_bytes(session) == "theirs");
+  d.workspace.browser.open = false;
   save();
   d.answer(scene::Answer::proceed);
   CHECK(test::file_bytes(session) != "theirs");
@@ -310,19 +326,6 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     CHECK(d.workspace.recovery_files.empty());
     CHECK(files_in(d.state / "recovery") == 0);
   }
-}
-
-TEST_CASE("opening_another_model_offers_no_recovered_edits_but_tells_that_edits_are_kept") {
-  Desk d;
-  d.open_cubes();
-  d.edit();
-  d.open({d.files.cage});
-  d.frame();
-  CHECK_FALSE(d.workspace.offers_recovery);
-  CHECK(d.last_message() ==
-        "Unsaved edits of model.obj were saved; File > Restore recovered edits restores them.");
-  d.open_cubes();
-  CHECK(d.workspace.messages.all().size() == 1);
 }
 
 TEST_CASE("preferences_persist_with_a_state_folder_only") {

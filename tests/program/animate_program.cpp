@@ -60,7 +60,7 @@ struct AnimatedDragon : TemporaryFolder {
 TEST_CASE("pictures_and_turntables_show_no_tool_and_the_cage_only_if_it_is_asked_for") {
   const AnimatedFiles files;
   scene::Session session;
-  session.model = files / "model.obj", session.cage = files / "cage.obj";
+  session.model.path = files / "model.obj", session.cage_file.path = files / "cage.obj";
   session.view.panels = false;
   const auto drawn = [&](const std::string& command) {
     put_file(files / "s.viete", scene::session_text(session, files / "s.viete"));
@@ -83,15 +83,13 @@ TEST_CASE("pictures_and_turntables_show_no_tool_and_the_cage_only_if_it_is_asked
   session.handling.pivot = scene::Pivot::point;
   session.handling.point = mesh::Point{0, 0, 0};
   session.handling.mirror = scene::MirrorPlane::x;
-  session.selection = {0, 1};
   for (const auto kind : {scene::ElementKind::vertex, scene::ElementKind::edge, scene::ElementKind::face}) {
     CAPTURE(static_cast<int>(kind));
-    session.selecting = kind;
+    session.selection = scene::Selection(kind, std::vector<std::uint32_t>{0, 1});
     shows_no_tool();
   }
   session.probes.all.emplace_back();
-  session.selecting = scene::ElementKind::probe;
-  session.selection = {0};
+  session.selection = scene::Selection(scene::ElementKind::probe, std::vector<std::uint32_t>{0});
   shows_no_tool();
 }
 

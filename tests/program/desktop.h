@@ -101,7 +101,6 @@ struct Desktop {
     fs::create_directories(folder / "state" / "viete");
     std::ofstream(folder / "state" / "viete" / "remembered.json")
         << R"({"format": "viete preferences", "version": 1, "ask_keys": false})";
-    setenv("VIETE_REDUCED_MOTION", "1", 1);  // motion only by the test
   }
   ~Desktop() {
     server.reset();

@@ -4,6 +4,7 @@
 #include "mesh/formats/write.h"
 #include "program/desktop.h"
 #include "program/driver.h"
+#include "scene/ball.h"
 #include "scene/files/open.h"
 #include "support/folder.h"
 
@@ -52,46 +53,8 @@ struct SmallModel {
   fs::path model, cage;
 
   explicit SmallModel(const fs::path& folder) : model(folder / "small.ply"), cage(folder / "small_cage.obj") {
-    mesh::write(model, grid_ball(12));
-    mesh::write(cage, scaled(grid_ball(3), 1.4));
-  }
-
-  static mesh::Surface scaled(mesh::Surface surface, double k) {
-    for (auto& p : surface.positions) {
-      for (double& x : p) x *= k;
-    }
-    return surface;
-  }
-
-  // A cube of n by n squares per side, projected to a ball; sides do not share vertices.
-  static mesh::Surface grid_ball(std::uint32_t n) {
-    std::vector<mesh::Point> points;
-    std::vector<mesh::Triangle> triangles;
-    for (int side = 0; side < 6; ++side) {
-      const auto first = static_cast<std::uint32_t>(points.size());
-      for (std::uint32_t i = 0; i <= n; ++i) {
-        for (std::uint32_t j = 0; j <= n; ++j)
-          points.push_back(on_ball(side, 2.0 * i / n - 1, 2.0 * j / n - 1));
-      }
-      for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::uint32_t j = 0; j < n; ++j) {
-          const std::uint32_t a = first + i * (n + 1) + j, b = a + 1, c = a + n + 1, e = c + 1;
-          triangles.insert(triangles.end(), {{a, c, b}, {b, c, e}});
-        }
-      }
-    }
-    return mesh::from_triangles(std::move(points), triangles);
-  }
-
-  static mesh::Point on_ball(int side, double u, double v) {
-    const double sign = side % 2 ? 1 : -1;
-    mesh::Point p{};
-    p[side / 2] = sign;
-    p[(side / 2 + 1) % 3] = sign * u;
-    p[(side / 2 + 2) % 3] = v;
-    const double length = std::hypot(p[0], p[1], p[2]);
-    for (double& x : p) x /= length;
-    return p;
+    mesh::write(model, ball(1, 3));
+    mesh::write(cage, ball(1.4, 1));
   }
 };
 

@@ -79,9 +79,8 @@ void check_questions(Driver& d) {
 
 void check_notices(Driver& d) {
   auto& w = d.workspace();
-  w.recovery_files = {
-      {"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
-      {"/b.viete", "b", 0}};
+  w.recovery_files = {{"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon"},
+                      {"/b.viete", "b", 0}};
   w.offers_recovery = true;
   check(d, "recovery files");
   w.recovery_files.pop_back();

@@ -2,14 +2,7 @@
 #include <random>
 
 #include "program/kept_work.h"
-#include "scene/document/edit.h"
-#include "scene/document/time_edit.h"
-#include "scene/hand/grip.h"
-#include "scene/hand/placing.h"
-#include "scene/hand/transform.h"
 #include "scene/workspace/saving.h"
-#include "support/edits.h"
-#include "support/grips.h"
 #include "support/longer.h"
 #include "support/pictures.h"
 
@@ -20,7 +13,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path state = folder / "state";
-  const auto kept_pose = [&] { return scene::read_session(kept_files(state).front()).pose->positions; };
+  const auto kept_pose = [&] { return scene::read_session(kept_files(state).front()).pose.positions; };
   const auto settled = [&](std::size_t files) {
     return wait_until([&] { return kept_files(state).size() == files; });
   };
@@ -59,15 +52,6 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   CHECK_MESSAGE(kept_files(state).size() == 1, "quitting without saving keeps the work");
 }
 
-TEST_CASE("partial_files_of_a_killed_program_are_deleted_at_the_next_start") {
-  const test::TemporaryFolder folder;
-  const fs::path recovery = folder / "state" / "recovery", half = recovery / "9-1.viete.999999999-1-0.part";
-  fs::create_directories(recovery);
-  test::put_file(half, "half");
-  const Driver d(remembering(folder / "state"));
-  CHECK_FALSE(fs::exists(half));
-}
-
 TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_brings_them_back") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
@@ -93,7 +77,7 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   CHECK(scene::has_unsaved_edits(d.workspace()));
   CHECK(test::difference(picture, rest_picture(d), 0) == 0);
   CHECK(wait_until([&] { return kept_files(folder / "state").size() == 1; }));
-  CHECK(scene::read_session(kept_files(folder / "state").front()).pose->positions == posed);
+  CHECK(scene::read_session(kept_files(folder / "state").front()).pose.positions == posed);
 }
 
 TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_offered") {
@@ -134,20 +118,6 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
   CHECK(kept_files(state).empty());
 }
 
-TEST_CASE("an_unwritable_state_folder_is_reported_once_and_is_harmless") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  test::put_file(folder / "state", "a file, not a folder");
-  Driver d(remembering(folder / "state"));
-  REQUIRE(d.open({small.model, small.cage}));
-  d.settle();
-  drag_some_vertex(d, {30, 20});
-  d.frame(5);
-  REQUIRE(d.until([&] { return !d.workspace().messages.all().empty(); }));
-  CHECK(d.workspace().messages.all().back().text.find((folder / "state").string()) != std::string::npos);
-  CHECK(test::edit_count(d.document().history) == 1);
-}
-
 namespace {
 
 // Replaces the recovery folder by a file, so that writing fails.
@@ -155,10 +125,6 @@ void break_recovery(const fs::path& state) {
   fs::remove_all(state / "recovery");
   fs::create_directories(state);
   test::put_file(state / "recovery", "a file, not a folder");
-}
-
-void mend_recovery(const fs::path& state) {
-  fs::remove(state / "recovery");
 }
 
 void quit(Driver& d) {
@@ -190,44 +156,39 @@ using Kind = scene::Question::Kind;
 
 }  // namespace
 
-TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_cancel_leaves_everything_as_it_was") {
-  Unkept u;
-  quit(u.d);
-  REQUIRE(u.asks(Kind::close));
-  CHECK_FALSE(u.d.viewer().closed());
-  CHECK_FALSE(u.d.viewer().keeping());
-  CHECK(u.d.workspace().question->why.find((u.state / "recovery").string()) != std::string::npos);
-  const auto posed = u.d.document().pose.positions;
-  u.d.press_key(scene::key('Z'), true);  // blocked by the question
-  u.d.press_key(scene::Key::delete_key);
-  const glm::vec2 at = glm::round(u.d.vertex(u.d.free_vertex()));
-  u.d.drag(at, at + glm::vec2(30, 30));
-  CHECK(u.d.document().pose.positions == posed);
-  u.d.press_key(scene::Key::escape);
-  u.d.frame(3);
-  CHECK_FALSE(u.d.workspace().question);
-  CHECK_FALSE(u.d.viewer().closed());
-  CHECK(scene::has_unsaved_edits(u.d.workspace()));
-}
-
-TEST_CASE("closing_does_not_ask_once_edits_can_be_kept_again") {
-  Unkept u;
-  quit(u.d);
-  REQUIRE(u.asks(Kind::close));
-  u.d.click("question_cancel");
-  mend_recovery(u.state);
-  quit(u.d);
-  CHECK(u.d.viewer().closed());
-  CHECK(u.d.viewer().keeping());
-  REQUIRE(kept_files(u.state).size() == 1);
-  CHECK(scene::read_session(kept_files(u.state).front()).pose->positions == u.d.document().pose.positions);
-}
-
-TEST_CASE("enter_saves_and_closes_and_a_save_that_is_called_off_or_fails_closes_nothing") {
+TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_keyboard") {
   Unkept u;
   Driver& d = u.d;
-  quit(d);
-  d.press_key(scene::Key::enter);
+  const auto ask = [&] {
+    quit(d);
+    REQUIRE(u.asks(Kind::close));
+    CHECK_FALSE(d.viewer().closed());
+  };
+  ask();
+  CHECK(d.workspace().question->why.find((u.state / "recovery").string()) != std::string::npos);
+  const auto posed = d.document().pose.positions;
+  d.press_key(scene::key('Z'), true);  // blocked by the question
+  d.press_key(scene::Key::delete_key);
+  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
+  d.drag(at, at + glm::vec2(30, 30));
+  CHECK(d.document().pose.positions == posed);
+  constexpr int tab = 258, right = 262, left = 263;
+  const auto press = [&](int key, int chosen) {
+    d.press_key(key);
+    CHECK(d.workspace().question->chosen == chosen);
+  };
+  press(tab, 1);
+  press(left, 0);
+  press(left, 2);
+  press(right, 0);
+  d.press_key(scene::Key::escape);
+  d.frame(3);
+  CHECK_FALSE(d.workspace().question);
+  CHECK_FALSE(d.viewer().closed());
+  CHECK(scene::has_unsaved_edits(d.workspace()));
+
+  ask();
+  d.press_key(scene::Key::enter);  // Save
   d.frame(3);
   REQUIRE(d.workspace().browser.open);
   d.press_key(scene::Key::escape);
@@ -235,144 +196,30 @@ TEST_CASE("enter_saves_and_closes_and_a_save_that_is_called_off_or_fails_closes_
   CHECK_FALSE(d.workspace().after_saving);
   CHECK_FALSE(d.viewer().closed());
 
-  d.workspace().saved.session = u.folder / "none" / "a.viete";
-  quit(d);
-  d.press_key(scene::Key::enter);
-  d.frame(3);
-  REQUIRE(u.asks(Kind::close));
-  CHECK(d.workspace().question->why.find("a.viete") != std::string::npos);
-  d.press_key(scene::Key::escape);
-  d.frame(3);
-  CHECK_FALSE(d.viewer().closed());
-
-  d.workspace().saved.session.clear();
-  quit(d);
-  d.click("question_save");
-  d.frame(3);
-  REQUIRE(d.workspace().browser.open);
-  d.press_key(scene::Key::enter);
-  d.frame(3);
-  CHECK(d.viewer().closed());
-  CHECK(scene::read_session(u.folder / "small.viete").pose->positions == d.document().pose.positions);
-}
-
-TEST_CASE("the_answers_are_walked_with_tab_and_arrows_and_closing_without_saving_closes") {
-  Unkept u;
-  quit(u.d);
-  REQUIRE(u.asks(Kind::close));
-  constexpr int tab = 258, right = 262, left = 263;
-  u.d.press_key(tab);
-  CHECK(u.d.workspace().question->chosen == 1);
-  u.d.press_key(tab, false, true);
-  u.d.press_key(left);
-  CHECK(u.d.workspace().question->chosen == 2);
-  u.d.press_key(right);
-  CHECK(u.d.workspace().question->chosen == 0);
-  u.d.press_key(left);
-  u.d.press_key(scene::Key::enter);
-  u.d.frame(3);
-  CHECK(u.d.viewer().closed());
-  CHECK_FALSE(u.d.viewer().keeping());
-}
-
-TEST_CASE("without_a_home_folder_closing_asks_and_without_edits_it_does_not") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  for (const bool edited : {false, true}) {
-    CAPTURE(edited);
-    Driver d;
-    REQUIRE(d.open({small.model, small.cage}));
-    d.settle();
-    if (edited) drag_some_vertex(d, {30, 20});
-    quit(d);
-    CHECK(d.viewer().closed() == !edited);
-    REQUIRE(d.workspace().question.has_value() == edited);
-    if (edited) CHECK(d.workspace().question->why.find("no home folder") != std::string::npos);
+  ask();
+  SUBCASE("saved") {
+    d.click("question_save");
+    d.frame(3);
+    REQUIRE(d.workspace().browser.open);
+    d.press_key(scene::Key::enter);
+    d.frame(3);
+    CHECK(scene::read_session(u.folder / "small.viete").pose.positions == posed);
   }
-}
-
-TEST_CASE("another_file_takes_the_place_of_edits_that_could_not_be_set_aside_only_when_told_to") {
-  Unkept u;
-  Driver& d = u.d;
-  const auto open_cage_as_model = [&] {
-    CHECK_FALSE(d.open({u.small.cage}));
-    d.frame(2);
-  };
-  open_cage_as_model();
-  REQUIRE(u.asks(Kind::open));
-  CHECK(d.document().model.path == u.small.model);
-  d.click("question_cancel");
-  d.frame(2);
-  CHECK(d.document().model.path == u.small.model);
-  CHECK(scene::has_unsaved_edits(d.workspace()));
-
-  open_cage_as_model();
-  d.click("question_save");
-  d.frame(3);
-  d.press_key(scene::Key::enter);
-  d.frame(3);
-  CHECK(d.document().model.path == u.small.cage);
-  CHECK(fs::exists(u.folder / "small.viete"));
-}
-
-TEST_CASE("edits_of_a_model_whose_name_is_not_utf_8_are_kept") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  const fs::path state = folder / "state", odd = folder / "caf\xe9.ply";
-  fs::rename(small.model, odd);
-  {
-    Driver d(remembering(state));
-    REQUIRE(d.open({odd, small.cage}));
-    d.settle();
-    drag_some_vertex(d, {30, 20});
+  SUBCASE("closed without saving") {
+    d.press_key(left);
+    d.press_key(scene::Key::enter);
+    d.frame(3);
+    CHECK_FALSE(d.viewer().keeping());
+  }
+  SUBCASE("kept again") {
+    d.click("question_cancel");
+    fs::remove(u.state / "recovery");
     quit(d);
-    CHECK(d.viewer().closed());
     CHECK(d.viewer().keeping());
+    REQUIRE(kept_files(u.state).size() == 1);
+    CHECK(scene::read_session(kept_files(u.state).front()).pose.positions == posed);
   }
-  REQUIRE(kept_files(state).size() == 1);
-  CHECK(scene::read_session(kept_files(state).front()).model == odd);
-  CHECK(scene::read_preferences(state / "remembered.json").recent.at(0).file == odd);
-}
-
-TEST_CASE("an_unkeyed_pose_can_be_restored_after_a_frame_change_and_reopening") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  const fs::path state = folder / "state", session = folder / "a.viete";
-  for (const scene::Key key : {scene::Key::right, scene::Key::space, scene::Key::up}) {
-    CAPTURE(static_cast<int>(key));
-    std::vector<mesh::Point> posed;
-    {
-      Driver d(remembering(state));
-      REQUIRE(d.open({small.model, small.cage}));
-      d.settle();
-      d.press_key(scene::key('I'));
-      drag_some_vertex(d, {30, 20});
-      scene::set_key(d.document(), 11);
-      REQUIRE(scene::save_session(d.workspace(), session));
-      d.frame(3);
-      drag_some_vertex(d, {20, -20});
-      posed = d.document().pose.positions;
-      d.press_key(key);
-      d.frame(3);
-      CHECK(d.document().pose.positions != posed);
-      CHECK(scene::has_unsaved_edits(d.workspace()));
-      quit(d);
-      CHECK(d.viewer().closed());
-      CHECK(d.viewer().keeping());
-    }
-    REQUIRE(kept_files(state).size() == 1);
-    fs::rename(kept_files(state).front(),
-               state / "recovery" / "999999999-1.viete");  // of an ended process
-    Driver again(remembering(state));
-    again.frame(3);
-    again.click("restore_leftover");
-    again.settle();
-    CHECK(again.document().pose.positions == posed);
-    CHECK(scene::has_unsaved_edits(again.workspace()));
-    REQUIRE(scene::save_session(again.workspace(), session));
-    again.frame(3);
-    REQUIRE(wait_until([&] { return kept_files(state).empty(); }));
-  }
+  CHECK(d.viewer().closed());
 }
 
 // Runs in its own process, see the next test: makes edits and logs the start and end of each.
@@ -431,7 +278,7 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
     REQUIRE_FALSE(allowed.empty());
     const auto recovery_files = scene::find_recovery_files(folder / "state" / "recovery");
     REQUIRE(recovery_files.size() == 1);
-    const auto positions = scene::read_session(recovery_files[0].file).pose->positions;
+    const auto positions = scene::read_session(recovery_files[0].file).pose.positions;
     const auto holds = [&](double x) {
       return std::any_of(positions.begin(), positions.end(), [x](const auto& p) { return p[0] == x; });
     };
@@ -460,7 +307,7 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   const auto recovery_files = scene::find_recovery_files(desktop.folder / "state" / "viete" / "recovery");
   REQUIRE(recovery_files.size() == 1);
   CHECK(recovery_files[0].name == "dragon.ply");
-  const auto kept = scene::read_session(recovery_files[0].file).pose->positions;
+  const auto kept = scene::read_session(recovery_files[0].file).pose.positions;
   CHECK(kept == d.document().pose.positions);
 
   Child again(desktop.viete(""), desktop.folder / "second.log");

@@ -5,14 +5,12 @@
 #include "deform/maps.h"
 #include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/files/session.h"
 #include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/workspace.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/open.h"
-#include "support/text.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -112,37 +110,6 @@ TEST_CASE("a_mask_is_unsaved_until_its_session_is_and_comes_back_to_the_last_bit
   REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
   CHECK_FALSE(back.document.mask);
   CHECK_FALSE(has_unsaved_edits(back));
-}
-
-TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
-  Painted p;
-  const std::size_t n = p.w.document.model.surface->positions.size();
-  const struct {
-    std::string value;
-    const char* warning;
-  } cases[] = {{"[0, 1]", "mask: it is of a vertex, the model has 20; every vertex "},
-               {"[256, 8]", "mask[0]: a share must be 0 to 255; every vertex follows the cage instead"},
-               {"[255, 0]", "mask: it is of 0 vertices, the model has 20"},
-               {"[255, 4294967295]", "mask: it is of 4294967295 vertices, the model has 20"},
-               {"[0, 4294967295, 1, 4294967295]", "mask: it is of 8589934590 vertices"},
-               {"[255]", "mask: a share lacks the number of its vertices"},
-               {"[-1, 8]", "mask[0]"},
-               {"\"all\"", "mask: found a text"}};
-  for (const auto& c : cases) {
-    test::put_file(
-        p.files / "a.viete",
-        R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "mask": )" +
-            c.value + "}");
-    Workspace w = test::opened({p.files / "a.viete"});
-    CHECK_FALSE(w.document.mask);
-    CHECK_MESSAGE(test::mentions(w.messages.all().back().text, c.warning), w.messages.all().back().text);
-  }
-  test::put_file(
-      p.files / "a.viete",
-      R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "mask": [0, )" +
-          std::to_string(n) + "]}");
-  Workspace w = test::opened({p.files / "a.viete"});
-  CHECK(w.document.mask);
 }
 
 TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {

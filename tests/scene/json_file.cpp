@@ -14,8 +14,6 @@ using namespace viete::scene;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-namespace {}  // namespace
-
 TEST_CASE("json_is_laid_out_one_key_or_point_a_line") {
   const ordered_json value = {
       {"b", {1, 2}}, {"a", {{"points", {{0.5, 1}, {2, 3}}}}}, {"none", ordered_json::array()}};
@@ -42,24 +40,11 @@ TEST_CASE("a_mistake_is_named_with_its_line_and_a_missing_file_as_such") {
   test::put_file(folder / "broken", "{\n  \"a\": 1,\n  \"b\" 2\n}");
   CHECK(test::problem_of([&] { read_json(folder / "broken"); }).find("broken:3: this is not valid JSON") !=
         std::string::npos);
+  test::put_file(folder / "huge", "{\"a\": [1, -1e999]}");
+  CHECK(test::problem_of([&] { read_json(folder / "huge"); }).find("huge: a number in it is too large") !=
+        std::string::npos);
   CHECK(test::problem_of([&] { read_json(folder / "none"); }).find("no such file") != std::string::npos);
   CHECK_THROWS_AS(readable({{"a", "\xff"}}, "f"), base::Error);
-}
-
-TEST_CASE("a_number_beyond_double_affects_only_itself") {
-  const test::TemporaryFolder folder;
-  const std::string digits(400, '9');
-  test::put_file(folder / "huge",
-                 "{\"1e999\": \"1e999\", \"a\": [1e999, -1e999, 1e309, -" + digits + "], \"b\": 2}");
-  const json back = read_json(folder / "huge");
-  CHECK(back["1e999"] == "1e999");
-  CHECK(back["a"] == json{1e300, -1e300, 1e300, -1e300});
-  CHECK(back["b"] == 2);
-  std::string many = "[0";
-  for (int i = 0; i < 100; ++i) many += ",\n1e999";
-  test::put_file(folder / "many", many + "]");
-  CHECK(test::problem_of([&] { read_json(folder / "many"); }).find("many:18: this number is too large") !=
-        std::string::npos);
 }
 
 TEST_CASE("foreign_files_are_refused_before_memory_is_allocated") {
@@ -90,13 +75,12 @@ TEST_CASE("foreign_files_are_refused_before_memory_is_allocated") {
                 "nor is it written");
 }
 
-TEST_CASE("points_of_a_list_are_read_one_by_one") {
-  const json whole = {{"p", {{1, 2, 3}, {1, 2}, {1, "x", 3}, 7, {1, 2, -1e9}, {1, nullptr, 2}}}};
-  const JsonReader list = JsonReader(whole, "f").at("p");
-  CHECK(list.point(0, 3) == mesh::Vec3{1, 2, 3});
-  CHECK_FALSE(list.point(0, 2.9));
-  CHECK(list.point(4, 1e9));
-  for (const std::size_t i : {1, 2, 3, 5}) CHECK_FALSE(list.point(i, 1e9));
+TEST_CASE("places_of_a_list_are_read_or_the_first_damaged_one_is_named") {
+  const json whole = {{"good", {{1, 2, 3}, {1, 2, -1e9}}}, {"bad", {{1, 2, 3}, {1, "x", 3}}}};
+  const JsonReader reader(whole, "f");
+  CHECK(reader.at("good").places(1e9) == std::vector<mesh::Vec3>{{1, 2, 3}, {1, 2, -1e9}});
+  CHECK(test::problem_of([&] { reader.at("good").places(3); }).starts_with("f: good[1]: "));
+  CHECK(test::problem_of([&] { reader.at("bad").places(3); }).starts_with("f: bad[1][1]: found a text"));
 }
 
 TEST_CASE("a_wrong_type_names_file_and_key_and_both_types") {

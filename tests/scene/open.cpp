@@ -11,8 +11,11 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/selection_sets.h"
 #include "scene/files.h"
+#include "scene/posed_cube.h"
 #include "scene/workspace/apply_opened.h"
+#include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
+#include "support/commands.h"
 #include "support/data.h"
 #include "support/edits.h"
 #include "support/open.h"
@@ -403,8 +406,9 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
       CHECK(opened.document->cage->surface.triangles == plain.triangles);
       CHECK(opened.document->cage->closed);
       CHECK(opened.document->cage_file.path.empty());
-      CHECK(test::mentions(opened.warnings.at(0),
-                           std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
+      CHECK(test::mentions(
+          opened.warnings.at(0),
+          std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
     }
   }
   CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, Fins::removed}, {})
@@ -437,4 +441,42 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
     CHECK_FALSE(said("were removed"));
   }
   CHECK(w.document.groups.sets.empty());
+}
+
+TEST_CASE("the_example_animation_is_one_edit_for_its_own_model_and_cage") {
+  const test::CubeFiles files;
+  Workspace w = test::opened({files.model, files.cage});
+  test::add_two_poses(w.document);
+  w.document.timeline = test::three_keys();
+  REQUIRE(save_session(w, files / "loop.viete"));
+
+  Workspace own = test::opened({files.model, files.cage});
+  CHECK_FALSE(test::run_command(own, "add_example"));  // the session's location is unknown
+  own.example = files / "loop.viete";
+  keep_pose(own.document, "turned");
+  const bool unsaved = has_unsaved_edits(own);
+  REQUIRE(test::run_command(own, "add_example"));
+  CHECK(own.playback.playing);
+  CHECK(own.document.library.poses.size() == 3);
+  CHECK(own.document.library.poses[1].name == "turned 2");
+  CHECK(own.preferences.layout.timeline);
+  CHECK(own.saved.session.empty());  // Save asks for a name
+  CHECK(has_unsaved_edits(own) == unsaved);
+  CHECK_FALSE(test::run_command(own, "add_example"));  // it would replace keys
+  stop_playing(own);
+  undo(own.document);
+  CHECK(own.document.timeline.empty());
+  CHECK(own.document.library.poses.size() == 1);
+
+  Workspace fresh = test::opened({files.model, files.cage});
+  REQUIRE(add_motion(fresh, files / "loop.viete"));
+  CHECK_FALSE(has_unsaved_edits(fresh));
+
+  Workspace other = test::opened({files.model, files.pose});
+  for (const char* session : {"loop.viete", "none.viete"}) {
+    CHECK_FALSE(add_motion(other, files / session));
+    CHECK(other.messages.all().back().severity == Severity::error);
+    CHECK(other.document.library.poses.empty());
+    CHECK_FALSE(other.document.history.can_undo());
+  }
 }

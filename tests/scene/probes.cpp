@@ -20,7 +20,6 @@
 #include "support/edits.h"
 #include "support/grips.h"
 #include "support/open.h"
-#include "support/text.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -326,46 +325,5 @@ TEST_CASE("probes_come_back_from_a_session_to_the_last_bit") {
     REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
     CHECK(back.document.probes.empty());
     CHECK_FALSE(has_unsaved_edits(back));
-  }
-}
-
-TEST_CASE("damaged_probes_cost_themselves_alone_and_say_so") {
-  const test::CubeFiles files;
-  const std::string part = R"({"falloff": "smooth", "radius": 1})",
-                    good = R"({"place": [0, 0, 1], "turn": )" + part + R"(, "stretch": )" + part +
-                           R"(, "move": )" + part + "}";
-  const auto with = [&](const std::string& key, const std::string& value) {
-    return good.substr(0, good.size() - 1) + ", \"" + key + "\": " + value + "}";
-  };
-  struct Case {
-    std::string probe, warning;
-  };
-  const Case cases[] = {
-      {R"({"place": [0, 0]})", "probes.all[1].place"},
-      {R"({"place": [0, 0, 0]})", "probes.all[1]: the key \"turn\" is missing"},
-      {with("locked", "3"), "probes.all[1].locked"},
-      {with("turned", "[8e5, 8e5, 0]"), "probes.all[1].turned: a number is too large"},
-      {with("turned", "[1e9, 0, 0]"), "probes.all[1].turned: a number is too large"},
-      {with("stretched", "[1, 2, 3]"), "probes.all[1].stretched"},
-      {with("stretched", "[99, 0, 0, 0, 0, 0]"), "probes.all[1].stretched: a number is too large"},
-      {with("moved", "[1e40, 0, 0]"), "probes.all[1].moved: a number is too large"},
-      {R"({"place": [0, 0, 1], "turn": {"falloff": "magic", "radius": 1}})", "\"magic\" is not known"},
-      {R"({"place": [0, 0, 1], "turn": {"falloff": "smooth", "radius": 0}})", "the radius must be above 0"},
-      {"7", "probes.all[1]"}};
-  for (const auto& c : cases) {
-    INFO(c.probe);
-    test::put_file(files / "a.viete",
-                   R"({"format": "viete session", "version": 1, "model": "model.obj", "selecting": "probes",)"
-                   R"( "selection": [1], "probes": {"mix": "odd", "all": [)" +
-                       good + ", " + c.probe + "]}}");
-    Workspace w = test::opened({files / "a.viete"});
-    CHECK(w.document.probes.all.size() == 1);
-    CHECK(w.document.probes.mix == deform::ProbeMix::added);
-    CHECK(w.document.selection.empty());
-    std::string all;
-    for (const auto& m : w.messages.all()) all += m.text + '\n';
-    CHECK_MESSAGE(test::mentions(all, c.warning), all);
-    CHECK_MESSAGE(test::mentions(all, "this probe is left out"), all);
-    CHECK_MESSAGE(test::mentions(all, "added instead"), all);
   }
 }

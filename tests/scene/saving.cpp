@@ -270,25 +270,6 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
   CHECK(w.browser.problem.empty());
 }
 
-TEST_CASE("recovered_edits_are_restored_from_their_notice_and_discarded_or_put_off_all_at_once") {
-  Workspace w;
-  CHECK_FALSE(test::run_command(w, "restore_leftover"));
-  w.recovery_files = {{"/a.viete", "a", 0}, {"/b.viete", "b", 0}};
-  CHECK_FALSE(test::run_command(w, "discard_leftovers"));  // no notice lists them
-  REQUIRE(test::run_command(w, "restore_leftover"));
-  CHECK(w.offers_recovery);
-  CHECK_FALSE(w.requests.open);
-  REQUIRE(test::run_command(w, "restore_leftover"));
-  CHECK(w.requests.open->what == OpenRequest::What::recovery);
-  CHECK(w.requests.open->files.front() == "/a.viete");
-  REQUIRE(test::run_command(w, "discard_leftovers"));
-  REQUIRE(w.question);
-  CHECK(w.question->kind == Question::Kind::discard);
-  REQUIRE(test::run_command(w, "put_off_leftovers"));
-  CHECK_FALSE(w.offers_recovery);
-  CHECK(w.recovery_files.size() == 2);
-}
-
 TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
   const test::CubeFiles files;
   for (const char* name : {"a.obj", "a_cage.obj", "a_cage_pose.obj", "a_deformed.obj", "a_animation.pc2"})

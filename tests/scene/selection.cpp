@@ -8,7 +8,6 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/files/session.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/placing.h"
@@ -16,7 +15,6 @@
 #include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
-#include "support/folder.h"
 #include "support/grips.h"
 
 using namespace viete;
@@ -188,30 +186,6 @@ TEST_CASE("sets_go_with_their_vertices_through_edits_of_the_cage_and_lost_ones_a
   CHECK(test::run_command(w, "undo"));
   CHECK(test::run_command(w, "undo"));
   CHECK(w.document.groups.sets.size() == 2);
-}
-
-TEST_CASE("sets_and_what_is_hidden_are_in_the_session_and_those_that_do_not_fit_are_dropped_with_a_word") {
-  Workspace w = saved_cube();
-  w.document.model.path = "/model.obj";
-  w.document.groups.hidden = {2, 6};
-  w.document.groups.sets = {{"left arm", ElementKind::face, {0, 1, 2}}, {"hand", ElementKind::vertex, {7}}};
-  const test::TemporaryFolder folder;
-  const auto file = folder / "a.viete";
-  test::put_file(file, session_text(session_of(w), file));
-  Session session = read_session(file);
-  CHECK(session.warnings.empty());
-  CHECK(session.groups == w.document.groups);
-  session.groups.sets[1].vertices = {7, 8};
-  session.groups.hidden = {900};
-  const CageGroups fitting = fit_groups(session, w.document, file);
-  CHECK(fitting.sets.size() == 1);
-  CHECK(fitting.hidden.empty());
-  CHECK(session.warnings.size() == 2);
-  test::put_file(file, R"({"format": "viete session", "version": 1, "model": "m.obj",
-    "sets": [{"name": "a", "selecting": "probes", "vertices": [1]}], "hidden": "no"})");
-  session = read_session(file);
-  CHECK(session.groups == CageGroups{});
-  CHECK(session.warnings.size() == 2);
 }
 
 TEST_CASE("modes_replace_add_and_remove") {

@@ -3,10 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "scene/document/edit.h"
-#include "scene/files/session_parts.h"
 #include "scene/posed_cube.h"
 #include "scene/workspace/messages.h"
 
@@ -60,18 +58,6 @@ TEST_CASE("cancelling_does_not_affect_a_newly_opened_document") {
   w.brush.radius = 99;
   cancel_widget_edit(w);
   CHECK(w.brush.radius == 99);
-}
-
-TEST_CASE("the_option_mix_selected_is_stored_and_off_by_default") {
-  Handling handling;
-  CHECK_FALSE(handling.mix_selected);
-  std::vector<std::string> warnings;
-  for (const bool on : {true, false}) {
-    handling.mix_selected = on;
-    const nlohmann::json json = handling_json(handling);
-    CHECK(handling_of(JsonReader(json, "a.viete"), warnings) == handling);
-  }
-  CHECK(warnings.empty());
 }
 
 TEST_CASE("the_time_left_is_right_soon_after_the_speed_has_changed") {

@@ -60,14 +60,6 @@ std::optional<EditStep> History::last_step() const {
   return can_undo() && !can_redo() ? std::optional(undo_.back().step) : std::nullopt;
 }
 
-std::string History::first_edit_since(unsigned long recorded) const {
-  const auto counts = [](const Entry& entry) { return !entry.of_selection(); };
-  for (const Entry& entry : undo_)
-    if (counts(entry) && entry.number > recorded) return entry.label;
-  const auto undone = std::ranges::find_if(redo_, counts);
-  return undone == redo_.end() ? "" : "undo " + undone->label;
-}
-
 std::vector<std::string> History::labels() const {
   std::vector<std::string> all;
   for (const Entry& entry : undo_) all.push_back(entry.label);

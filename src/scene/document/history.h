@@ -40,9 +40,6 @@ public:
   DocumentState drop_last();
   /// The number of recorded edits, without dropped ones.
   unsigned long recorded() const { return recorded_; }
-  /// The label of the oldest edit since that count, or "undo ..." if earlier edits were undone; empty if
-  /// there is neither. Ignores changes of the selection.
-  std::string first_edit_since(unsigned long recorded) const;
 
   /// The file now contains this cage: other cages that states have from the same file lose their file name.
   void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);

@@ -206,10 +206,10 @@ public:
                    progress);
   }
 
-  // Uses every `step`-th vertex. Each linear piece is as long as possible; the next one starts at its end.
-  MorphPlan plan(std::size_t step, base::Progress* progress) {
+  // Each linear piece is as long as possible; the next one starts at its end.
+  MorphPlan plan(base::Progress* progress) {
     if (progress) progress->section(0.05, 0.7);
-    const auto rest = some(what_.model.model->positions, step);
+    const auto& rest = what_.model.model->positions;
     MorphPlan plan{{}, {}, std::vector<char>(rest.size(), 0)};
     StraightLines lines(tolerance_);
     const auto is_still = [&](const mesh::Point& p, const mesh::Point& q) {
@@ -218,14 +218,14 @@ public:
     const auto take = [&](double frame, std::span<const mesh::Point> pose) {
       if (!std::ranges::equal(pose, rest, is_still)) plan.targets.push_back(plan.frames.size());
       plan.frames.push_back(frame);
-      check_size(plan, step);
+      check_size(plan);
       lines.start(frame, pose);
     };
     std::vector<mesh::Point> before;
     const std::vector<Sample> samples = samples_of(what_);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double frame = samples[i].frame;
-      auto pose = some(at(frame), step);
+      auto pose = at(frame);
       check_floats(pose, frame);
       for (std::size_t v = 0; v < pose.size(); ++v) plan.moves[v] |= !is_still(pose[v], rest[v]);
       if (!plan.frames.empty() && !lines.lead_to(frame, pose)) {
@@ -240,9 +240,7 @@ public:
   }
 
   // A target takes three floats per vertex, and three for its normal.
-  double bytes(const MorphPlan& plan, std::size_t step) const {
-    return plan.bytes(static_cast<double>(step) * (what_.normals ? 24 : 12));
-  }
+  double bytes(const MorphPlan& plan) const { return plan.bytes(what_.normals ? 24 : 12); }
 
   mesh::MorphMotion motion(const MorphPlan& plan) {
     mesh::MorphMotion motion;
@@ -278,12 +276,6 @@ public:
   FrameNotes& notes() { return notes_; }
 
 private:
-  static std::vector<mesh::Point> some(std::vector<mesh::Point> all, std::size_t step) {
-    for (std::size_t i = 0; i * step < all.size(); ++i) all[i] = all[i * step];
-    all.resize((all.size() + step - 1) / step);
-    return all;
-  }
-
   std::vector<mesh::Point> at(double frame) {
     auto positions = model_->positions(frame);
     notes_.add(model_->notes());
@@ -291,10 +283,9 @@ private:
   }
 
   // A GLB file stores its size in 32 bits, including the model.
-  void check_size(const MorphPlan& plan, std::size_t step) const {
+  void check_size(const MorphPlan& plan) const {
     const bool binary = mesh::extension_of(what_.model.file) == "glb";
-    const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes,
-                 size = bytes(plan, step);
+    const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes, size = bytes(plan);
     if (size <= most) return;
     throw base::Error(
         "",
@@ -312,10 +303,10 @@ private:
 
 AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
   MorphedModel model(what, pool, progress);
-  const MorphPlan plan = model.plan(1, progress);
+  const MorphPlan plan = model.plan(progress);
   // Text stores the bytes as base64, assembled in memory.
   const double copies = mesh::extension_of(what.model.file) == "glb" ? 1 : 4;
-  base::require_memory({copies * model.bytes(plan, 1),
+  base::require_memory({copies * model.bytes(plan),
                         base::counted(plan.targets.size(), "morph target") + " take",
                         "allow a larger tolerance, export fewer frames, or write a point cache (.pc2)",
                         what.model.file.string()});
@@ -397,15 +388,6 @@ void check_animation_export(const AnimationExport& what) {
     throw base::Error("", "the timeline has no keys, so nothing moves",
                       "set keys on the timeline, and save the session");
   base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);
-}
-
-MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progress) {
-  base::WorkerPool pool;
-  MorphedModel model(what, pool, progress);
-  constexpr std::size_t enough = 2000;
-  const std::size_t step = std::max<std::size_t>(1, what.model.model->positions.size() / enough);
-  const MorphPlan plan = model.plan(step, progress);
-  return {plan.targets.size(), model.bytes(plan, step)};
 }
 
 AnimationReport write_animation(const AnimationExport& what, base::Progress* progress) {

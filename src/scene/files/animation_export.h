@@ -62,14 +62,6 @@ void check_animation_export(const AnimationExport& what);
 /// precision otherwise. The summary names the engine and its error.
 AnimationReport write_animation(const AnimationExport& what, base::Progress* progress = nullptr);
 
-/// Estimated size of the morph targets in addition to the model, from a sample of vertices.
-struct MorphEstimate {
-  std::size_t targets = 0;
-  double bytes = 0;
-};
-/// Does not write. Requires keys. Throws like write_animation(). Thread-safe.
-MorphEstimate estimate_morphs(const AnimationExport& what, base::Progress* progress = nullptr);
-
 /// Diagonals of the cage.
 inline constexpr double fast_frame_error = 2e-6;
 

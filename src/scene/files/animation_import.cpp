@@ -54,71 +54,6 @@ void add_poses_of(const fs::path& file, const deform::Cage& cage, ImportedPoses&
   all.poses.push_back({file.stem().string(), shared(std::move(pose))});
 }
 
-// "pose_2" before "pose_10".
-bool before_by_numbers(const std::string& a, const std::string& b) {
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (!digit(a[i]) || !digit(b[j])) {
-      if (a[i] != b[j]) return a[i] < b[j];
-      ++i, ++j;
-      continue;
-    }
-    const auto run = [&](const std::string& text, std::size_t& at) {
-      while (at + 1 < text.size() && text[at] == '0' && digit(text[at + 1])) ++at;
-      const std::size_t begin = at;
-      while (at < text.size() && digit(text[at])) ++at;
-      return text.substr(begin, at - begin);
-    };
-    const std::string x = run(a, i), y = run(b, j);
-    if (x != y) return x.size() != y.size() ? x.size() < y.size() : x < y;
-  }
-  return a.size() - i < b.size() - j;
-}
-
-}  // namespace
-
-void sort_by_numbers(std::vector<fs::path>& files) {
-  std::ranges::sort(files, before_by_numbers, [](const fs::path& p) { return p.filename().string(); });
-}
-
-std::vector<fs::path> models_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code code;
-  for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
-    std::error_code ignored;
-    if (mesh::is_a(mesh::holds_surface, at->path()) && at->is_regular_file(ignored))
-      files.push_back(at->path());
-  }
-  if (code) throw base::Error(folder.string(), "cannot be read: " + code.message(), "check the folder");
-  sort_by_numbers(files);
-  return files;
-}
-
-namespace {
-
-void add_poses_in(const fs::path& folder, const deform::Cage& cage, ImportedPoses& all,
-                  base::Progress* progress) {
-  const std::vector<fs::path> files = models_in(folder);
-  std::size_t before = all.poses.size(), done = 0;
-  std::vector<std::string> refused;
-  for (const fs::path& file : files) {
-    report_part(progress, done++, files.size());
-    try {
-      add_poses_of(file, cage, all);
-    } catch (const base::Error& error) {
-      refused.push_back(std::string(error.what()) + "; skipped");
-    }
-  }
-  if (all.poses.size() == before)
-    throw base::Error(folder.string(),
-                      files.empty()
-                          ? "there is no model in this folder"
-                          : "none of its " + base::counted(files.size(), "model") + " is a pose of this cage",
-                      "choose a folder with posed versions of the cage (same vertices, same order)");
-  all.warnings.insert(all.warnings.end(), refused.begin(), refused.end());
-}
-
 }  // namespace
 
 ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& cage,
@@ -127,7 +62,10 @@ ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& ca
   for (std::size_t i = 0; i < files.size(); ++i) {
     std::error_code ignored;
     if (fs::is_directory(files[i], ignored)) {
-      add_poses_in(files[i], cage, all, progress);
+      read_folder(
+          files[i], "a pose of this cage",
+          "choose a folder with posed versions of the cage (same vertices, same order)",
+          [&](const fs::path& file) { return add_poses_of(file, cage, all), true; }, all.warnings, progress);
     } else {
       report_part(progress, i, files.size());
       add_poses_of(files[i], cage, all);
@@ -187,10 +125,7 @@ private:
 
 ImportedKeys keys_of_files(const base::NumberedName& name, const deform::Cage& cage,
                            base::Progress* progress) {
-  const auto files = name.find();
-  if (files.empty())
-    throw base::Error(name.pattern(), "no file matches this name with digits in place of #",
-                      "check the name and use one # for each digit");
+  const auto files = files_of(name);
   check_key_count(name.pattern(), files.size());
   KeyBuilder keys(name.pattern(), Easing::smooth);
   std::vector<std::string> warnings;

@@ -20,11 +20,6 @@ struct ImportedPoses {
   std::vector<std::filesystem::path> files;  ///< the files read
 };
 
-/// In natural order: a file of 2 before one of 10.
-void sort_by_numbers(std::vector<std::filesystem::path>& files);
-/// The models in a folder, in natural order. Throws base::Error if the folder cannot be read.
-std::vector<std::filesystem::path> models_in(const std::filesystem::path& folder);
-
 /// Posed cages, each a pose named after its file, with its turns if stored; a glTF file with morph targets
 /// gives one pose per target. A folder stands for its models in natural order; models that do not fit the
 /// cage are skipped with a warning. Throws base::Error if a named file does not fit, if there is no pose, or

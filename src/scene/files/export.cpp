@@ -4,12 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
-#include "base/encoding.h"
 #include "base/worker_pool.h"
-#include "deform/exact.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
@@ -17,8 +14,6 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/checks.h"
 #include "scene/document/up_axis.h"
-#include "scene/files/session.h"
-#include "scene/files/session_parts.h"
 
 namespace viete::scene {
 

@@ -44,53 +44,6 @@ std::string line_of(std::string_view text, std::size_t byte) {
   return std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
-// Parses without building a tree, to check whether the file is within the limits.
-class Survey : public nlohmann::json_sax<json> {
-public:
-  std::size_t error_at = 0;                ///< byte after the syntax error
-  std::size_t too_large_at = 0, size = 0;  ///< first number that exceeds double; size 0: none
-  bool too_deep = false;
-
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return enter(); }
-  bool key(string_t&) override { return true; }
-  bool end_object() override { return leave(); }
-  bool start_array(std::size_t) override { return enter(); }
-  bool end_array() override { return leave(); }
-  bool parse_error(std::size_t position, const std::string& token, const json::exception& problem) override {
-    error_at = position;
-    if (dynamic_cast<const json::out_of_range*>(&problem) && token.size() <= position) {
-      size = token.size();
-      too_large_at = position - size;
-    }
-    return false;
-  }
-
-private:
-  bool enter() {
-    too_deep = ++depth_ > most_json_depth;
-    return !too_deep;
-  }
-  bool leave() {
-    --depth_;
-    return true;
-  }
-
-  std::size_t depth_ = 0;
-};
-
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string_view text, std::size_t byte,
-                         const std::string& problem) {
-  throw base::Error(file.string() + ":" + line_of(text, byte), problem,
-                    "correct the file or use an older copy");
-}
-
 void check_length(std::size_t bytes, const std::filesystem::path& file) {
   if (bytes <= most_json_bytes) return;
   throw base::Error(file.string(),
@@ -98,22 +51,21 @@ void check_length(std::size_t bytes, const std::filesystem::path& file) {
                     "choose another file");
 }
 
-// The same text with numbers in the range of double, and checked against the limits.
-std::string surveyed(std::string_view bytes, const std::filesystem::path& file) {
-  constexpr int most_corrected = 16;
-  std::string text(bytes);
-  for (int corrected = 0;; ++corrected) {
-    Survey survey;
-    if (json::sax_parse(text, &survey)) return text;
-    if (survey.too_deep) {
-      throw base::Error(
-          file.string(),
-          "lists and objects are nested more than " + std::to_string(most_json_depth) + " levels deep",
-          "choose another file");
-    }
-    if (survey.size == 0) refuse(file, text, survey.error_at, "this is not valid JSON");
-    if (corrected == most_corrected) refuse(file, text, survey.error_at, "this number is too large");
-    text.replace(survey.too_large_at, survey.size, text[survey.too_large_at] == '-' ? "-1e300" : "1e300");
+json parsed(std::string_view text, const std::filesystem::path& file) {
+  const auto check_depth = [&](int depth, json::parse_event_t, const json&) {
+    if (depth <= static_cast<int>(most_json_depth)) return true;
+    throw base::Error(
+        file.string(),
+        "lists and objects are nested more than " + std::to_string(most_json_depth) + " levels deep",
+        "choose another file");
+  };
+  const char* const advice = "correct the file or use an older copy";
+  try {
+    return json::parse(text, check_depth);
+  } catch (const json::parse_error& error) {
+    throw base::Error(file.string() + ":" + line_of(text, error.byte), "this is not valid JSON", advice);
+  } catch (const json::out_of_range&) {
+    throw base::Error(file.string(), "a number in it is too large", advice);
   }
 }
 
@@ -166,8 +118,7 @@ json read_json(const std::filesystem::path& path) {
   if (!code) check_length(size, path);  // for other file types, reading gives a better error
   const mesh::FileBytes bytes(path, nullptr);
   mesh::refuse_foreign(path.string(), bytes.view());
-  const std::string text = surveyed(bytes.view(), path);
-  return json::parse(text);
+  return parsed(bytes.view(), path);
 }
 
 std::optional<JsonReader> JsonReader::find(const std::string& key) const {
@@ -208,9 +159,9 @@ double JsonReader::number() const {
   return value_.get<double>();
 }
 
-double JsonReader::number(double least, double most, const char* problem) const {
+double JsonReader::number(double least, double most) const {
   const double value = number();
-  if (!(value >= least && value <= most)) fail(problem);
+  if (!(value >= least && value <= most)) fail("this number is out of range");
   return value;
 }
 
@@ -224,6 +175,8 @@ std::array<double, 3> JsonReader::place(double farthest) const {
 std::vector<std::uint32_t> JsonReader::indices() const {
   std::vector<std::uint32_t> all(size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = item(i).index();
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
   return all;
 }
 
@@ -261,17 +214,16 @@ std::filesystem::path JsonReader::path() const {
   return name;
 }
 
-// Avoids building the key path of each element: these lists are long.
-std::optional<mesh::Vec3> JsonReader::point(std::size_t index, double limit) const {
-  const json& values = value_[index];
-  if (!values.is_array() || values.size() != 3) return std::nullopt;
-  mesh::Vec3 point;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!values[i].is_number()) return std::nullopt;
-    point[i] = values[i].get<double>();
-    if (!(std::abs(point[i]) <= limit)) return std::nullopt;
+// Builds the key path only of a damaged item.
+std::vector<mesh::Vec3> JsonReader::places(double farthest) const {
+  std::vector<mesh::Vec3> all(size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const json& place = value_[i];
+    const auto fits = [&](const json& x) { return x.is_number() && std::abs(x.get<double>()) <= farthest; };
+    const bool valid = place.is_array() && place.size() == 3 && std::ranges::all_of(place, fits);
+    all[i] = valid ? place.get<std::array<double, 3>>() : item(i).place(farthest);
   }
-  return point;
+  return all;
 }
 
 void JsonReader::check_size(std::size_t n) const {

@@ -5,15 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/choice.h"
-#include "base/error.h"
-#include "mesh/formats/text_cursor.h"
 #include "mesh/vector.h"
 
 namespace viete::scene {
@@ -31,8 +27,7 @@ std::string readable(const nlohmann::ordered_json& value, const std::filesystem:
 /// JsonReader::path() reads both back to the same bytes.
 nlohmann::ordered_json path_json(const std::filesystem::path& path);
 
-/// Numbers beyond double become 1e300 or -1e300, which every range check rejects. Throws base::Error naming
-/// the file, and the line of a syntax error.
+/// Throws base::Error naming the file, and the line of a syntax error.
 nlohmann::json read_json(const std::filesystem::path& path);
 
 /// A JSON value and its key path. All accessors throw base::Error, `file: key: problem`, if the value has the
@@ -51,9 +46,8 @@ public:
   JsonReader item(std::size_t index) const;
 
   bool boolean() const;
-  double number() const;  ///< finite
-  double number(double least, double most,
-                const char* problem = "this number is out of range") const;  ///< in this range
+  double number() const;                           ///< finite
+  double number(double least, double most) const;  ///< in this range
   std::uint32_t index() const;
   std::string text() const;            ///< at most longest_text bytes
   std::string base64() const;          ///< decoded bytes
@@ -68,9 +62,9 @@ public:
   }
   /// [x, y, z], each with an absolute value of at most `farthest`.
   std::array<double, 3> place(double farthest) const;
-  std::vector<std::uint32_t> indices() const;
-  /// For an array of points: item `index`; nullopt unless it is [x, y, z] with |x|, |y|, |z| <= limit.
-  std::optional<mesh::Vec3> point(std::size_t index, double limit) const;
+  std::vector<std::uint32_t> indices() const;  ///< sorted, without repetitions
+  /// An array of places. Quick: these lists are long.
+  std::vector<mesh::Vec3> places(double farthest) const;
 
   [[noreturn]] void fail(const std::string& problem,
                          const std::string& advice = "correct it in the file") const;
@@ -82,44 +76,5 @@ private:
   const nlohmann::json& value_;
   std::string file_, key_;
 };
-
-/// Reads an optional part. If it is damaged, keeps its default and appends a warning.
-template <class Part, class Read>
-void take_part(const JsonReader& json, const char* key, Part& part, Read read, const char* instead,
-               std::vector<std::string>& warnings) {
-  try {
-    if (const auto value = json.find(key)) part = std::invoke(read, *value);
-  } catch (const base::Error& error) {
-    warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
-  }
-}
-
-/// A word that `parse` recognizes.
-template <class Parse>
-auto word_of(const JsonReader& json, Parse parse) {
-  const auto value = parse(json.text());
-  if (!value) json.fail(mesh::in_quotes(json.text()) + " is not known");
-  return *value;
-}
-
-/// A value of an enumeration with choices.
-template <class Value>
-Value choice_of(const JsonReader& json) {
-  return word_of(json, base::value_of_word<Value>);
-}
-
-/// Reads each item of a list; damaged items are skipped with a warning.
-template <class Read>
-void take_items(const JsonReader& json, std::size_t most, const char* instead,
-                std::vector<std::string>& warnings, Read read) {
-  if (json.size() > most) json.fail("there are more than " + std::to_string(most));
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    try {
-      read(json.item(i));
-    } catch (const base::Error& error) {
-      warnings.emplace_back(base::Error(error.place(), error.problem(), instead).what());
-    }
-  }
-}
 
 }  // namespace viete::scene

@@ -1,13 +1,16 @@
-// Positions for a surface of the document from other files: checks, and morph targets.
+// Positions for a surface of the document from other files: folders, checks, and morph targets.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/numbered_files.h"
+#include "base/progress.h"
 #include "mesh/formats/morphs.h"
 #include "mesh/surface.h"
 
@@ -18,6 +21,18 @@ struct PosedSurface {
   const mesh::Surface& surface;
   const char* what;  ///< "the cage"
 };
+
+/// In natural order: a file of 2 before one of 10.
+void sort_by_numbers(std::vector<std::filesystem::path>& files);
+
+/// Reads the models in a folder in natural order. `read` returns whether it took one, and may throw
+/// base::Error: then the file is skipped with a warning. Throws base::Error if none was taken: "none is
+/// `wanted`". progress may be null.
+void read_folder(const std::filesystem::path& folder, const char* wanted, const char* advice,
+                 const std::function<bool(const std::filesystem::path&)>& read,
+                 std::vector<std::string>& warnings, base::Progress* progress);
+/// The files of a numbered name. Throws base::Error if there are none.
+std::vector<base::NumberedFile> files_of(const base::NumberedName& name);
 
 /// Throws base::Error if positions exceed the range of GPUs or of the deformers. place: the file's name.
 void check_places(const std::string& place, std::span<const mesh::Point> positions);

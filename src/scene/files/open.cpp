@@ -19,8 +19,8 @@
 #include "scene/document/shape_mix.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
+#include "scene/files/morph_import.h"
 #include "scene/files/output.h"
-#include "scene/files/pose_json.h"
 #include "scene/files/shape_import.h"
 
 namespace viete::scene {
@@ -234,17 +234,17 @@ Opened open_shape_keys(const fs::path& file, const Document& current, base::Prog
 void locate(Session& session, const LocatedFiles& located) {
   std::error_code ignored;
   if (!located.model.empty()) {
-    session.model = fs::absolute(located.model).lexically_normal();
-    const fs::path beside = located.model.parent_path() / session.cage.filename();
-    if (!session.cage.empty() && !fs::exists(session.cage, ignored) && fs::exists(beside, ignored))
-      session.cage = beside;
+    session.model.path = fs::absolute(located.model).lexically_normal();
+    fs::path& cage = session.cage_file.path;
+    const fs::path beside = located.model.parent_path() / cage.filename();
+    if (!cage.empty() && !fs::exists(cage, ignored) && fs::exists(beside, ignored)) cage = beside;
   }
   if (located.cage.empty()) return;
-  session.cage = fs::absolute(located.cage).lexically_normal();
-  session.generated_cage.reset();
+  session.cage_file.path = fs::absolute(located.cage).lexically_normal();
+  session.cage_file.surface = nullptr;
 }
 
-// Errors about its model or cage name the session too.
+// The model and cage, with the state of the session. Errors about them name the session too.
 Document document_of_session(const Session& session, const fs::path& file, base::Progress* progress) {
   const auto open = [&](const char* key, const fs::path& named, base::Progress* told) {
     std::error_code ignored;
@@ -253,11 +253,15 @@ Document document_of_session(const Session& session, const fs::path& file, base:
   };
   const char* key = "model";
   try {
-    Document document = document_of(open(key, session.model, progress));
+    Document document = document_of(open(key, session.model.path, progress));
     key = "cage";
-    if (!session.cage.empty()) set_cage(document, open(key, session.cage, nullptr));
+    if (!session.cage_file.path.empty()) set_cage(document, open(key, session.cage_file.path, nullptr));
     key = "made_cage";
-    if (session.generated_cage) set_cage(document, *session.generated_cage);
+    if (session.cage_file.surface) set_cage(document, session.cage_file);
+    DocumentState state = session;
+    state.cage = document.cage, state.cage_file = document.cage_file;
+    if (!document.has_cage() || state.pose.positions.empty()) state.pose = document.pose;
+    static_cast<DocumentState&>(document) = std::move(state);
     return document;
   } catch (const SessionFileError&) {
     throw;
@@ -296,39 +300,19 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   opened.recovered = recovered;
   opened.has_settings = true;
   opened.content = content_of(file);  // before reading, so that a concurrent change is noticed
-  opened.session = read_session(file);
-  Session& session = *opened.session;
+  Session& session = opened.session.emplace(read_session(file));
   locate(session, located);
   Document document = document_of_session(session, file, progress);
   document.method = session.method;
-  document.scheme = session.scheme;
-  document.mask = fit_to_model(session, *document.model.surface, file);
-  fit_pins(session, *document.model.surface, file);
-  document.probes = session.probes;
-  const bool has_pose = session.pose.has_value() || session.shape || !document.has_cage();
-  if (document.has_cage()) {
-    fit_to_cage(session, *document.cage, file);  // errors are reported before warnings
-    if (session.pose) document.pose = std::move(*session.pose);
-  }
-  fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface, file.string(),
-            session.warnings);
-  document.shape = fit_shape(session, *document.model.surface, file);
-  document.library = std::move(session.library);
+  check_fits(document, session, file);
+  for (deform::Probe& probe : document.probes.all)
+    if (probe.pin) probe.place = document.model.surface->positions[probe.pin->vertex];
   if (document.library.unmixed) document.library.mixed = shared_pose(document);
-  document.timeline = std::move(session.timeline);
-  document.frame = session.frame;
   add_shape_vectors(opened, document, progress);
-  if (!has_pose) set_pose_from_keys(document);
-  if (document.is_movable()) {
-    fit_selection(session, document, file);
-    document.selection = Selection(session.selecting, session.selection);
-    document.groups = fit_groups(session, document, file);
-    document.selection = without_hidden(document, document.selection);
-  }
-  warn_of_changes(session, document, file);
-  session.pose.reset();
+  if (document.has_cage() && session.pose.positions.empty() && !session.shape) set_pose_from_keys(document);
+  document.selection = without_hidden(document, document.selection);
+  opened.warnings = changes_since(session, document, file);
   opened.document = std::move(document);
-  append(opened.warnings, session.warnings);
   take_warnings(opened);
   return opened;
 }

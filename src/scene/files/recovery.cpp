@@ -21,54 +21,6 @@ std::string process_of(const fs::path& file) {
 
 constexpr const char* restored_ending = "_restored";
 
-// The edited parts of a session, without its view.
-Session work_of(const Session& session) {
-  Session work;
-  work.model = session.model, work.cage = session.cage, work.generated_cage = session.generated_cage;
-  work.scheme = session.scheme, work.mask = session.mask, work.probes = session.probes;
-  work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
-  work.shape = session.shape, work.pose = session.pose;
-  return work;
-}
-
-// The work stored in the session or cage on disk. Requires a session, or a cage with a file.
-Session on_disk(const Session& kept) {
-  if (!kept.origin.empty()) return work_of(read_session(kept.origin));
-  Session rest;
-  rest.model = kept.model, rest.cage = kept.cage;
-  rest.scheme = deform::default_scheme();
-  if (kept.pose) {
-    rest.pose = deform::Pose{open_surface(kept.cage).surface->positions, kept.pose->turns};
-    for (auto& turn : rest.pose->turns) turn = {};
-  }
-  return rest;
-}
-
-bool equals_files(const fs::path& file) {
-  try {
-    const Session kept = read_session(file);
-    if (!kept.warnings.empty() || (kept.origin.empty() && kept.cage.empty())) return false;
-    return session_text(work_of(kept), file, false) == session_text(on_disk(kept), file, false);
-  } catch (const std::exception&) {
-    return false;
-  }
-}
-
-std::tm local(std::time_t time) {
-  std::tm parts{};
-  localtime_r(&time, &parts);
-  return parts;
-}
-
-bool is_same_day(const std::tm& a, const std::tm& b) {
-  return a.tm_year == b.tm_year && a.tm_yday == b.tm_yday;
-}
-
-std::string text(const char* format, const std::tm& time) {
-  char buffer[64];
-  return {buffer, std::strftime(buffer, sizeof buffer, format, &time)};
-}
-
 }  // namespace
 
 fs::path recovery_file(const fs::path& folder) {
@@ -99,10 +51,9 @@ RecoveryFile describe_recovery_file(const fs::path& file) {
   if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
   try {
     const Session session = read_session(file);
-    const fs::path& of = session.origin.empty() ? session.model : session.origin;
+    const fs::path& of = session.origin.empty() ? session.model.path : session.origin;
     leftover.name = of.filename().string();
     leftover.folder = of.parent_path();
-    leftover.first_edit = session.first_edit;
   } catch (const std::exception&) {
     // Keep the name of the recovery file; opening the file reports the error.
   }
@@ -117,23 +68,17 @@ std::vector<RecoveryFile> find_recovery_files(const fs::path& folder) {
     if (is_session(file) && !base::process_runs(process_of(file)))
       all.push_back(describe_recovery_file(file));
   }
-  std::error_code ignored;
-  std::erase_if(all, [&](const RecoveryFile& leftover) {
-    return equals_files(leftover.file) && fs::remove(leftover.file, ignored);
-  });
   std::sort(all.begin(), all.end(), [](const RecoveryFile& a, const RecoveryFile& b) {
     return a.time != b.time ? a.time > b.time : a.file < b.file;
   });
   return all;
 }
 
-std::string when(std::time_t time, std::time_t now) {
-  const std::tm then = local(time), today = local(now);
-  std::tm noon = today;  // noon of the previous day, robust against clock changes
-  noon.tm_hour = 12, --noon.tm_mday;
-  if (is_same_day(then, today)) return text("today %H:%M", then);
-  if (is_same_day(then, local(std::mktime(&noon)))) return text("yesterday %H:%M", then);
-  return text(then.tm_year == today.tm_year ? "%b %d, %H:%M" : "%b %d %Y, %H:%M", then);
+std::string when(std::time_t time) {
+  std::tm parts{};
+  localtime_r(&time, &parts);
+  char text[64];
+  return {text, std::strftime(text, sizeof text, "%b %d, %H:%M", &parts)};
 }
 
 }  // namespace viete::scene

@@ -14,7 +14,6 @@ struct RecoveryFile {
   std::string name;                ///< display name of its session or model
   std::time_t time = 0;            ///< time of its last edit
   std::filesystem::path folder{};  ///< folder of its session or model; empty: unknown
-  std::string first_edit{};        ///< first edit since the last save: "move 3 vertices"; empty: unknown
   bool restored = false;           ///< opened once and closed without further edits
 
   friend bool operator==(const RecoveryFile&, const RecoveryFile&) = default;
@@ -31,11 +30,10 @@ std::filesystem::path mark_restored(const std::filesystem::path& file);
 
 RecoveryFile describe_recovery_file(const std::filesystem::path& file);
 
-/// Newest first; only those of ended programs. Deletes those that equal the files on disk. Empty if the
-/// folder does not exist.
+/// Newest first; only those of ended programs. Empty if the folder does not exist.
 std::vector<RecoveryFile> find_recovery_files(const std::filesystem::path& folder);
 
-/// The time in words: "today 14:32", "yesterday 14:32", "May 03, 14:32", "May 03 2024, 14:32".
-std::string when(std::time_t time, std::time_t now);
+/// The local time in words: "May 03, 14:32".
+std::string when(std::time_t time);
 
 }  // namespace viete::scene

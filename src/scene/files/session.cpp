@@ -3,25 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/encoding.h"
 #include "base/error.h"
 #include "mesh/formats/source.h"
-#include "mesh/formats/text_cursor.h"
 #include "mesh/surface.h"
 #include "mesh/triangulation.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_editing.h"
 #include "scene/document/elements.h"
+#include "scene/document/pose_edit.h"
+#include "scene/document/probes.h"
 #include "scene/document/range.h"
-#include "scene/files/camera_json.h"
+#include "scene/files/json_codec.h"
 #include "scene/files/json_file.h"
-#include "scene/files/pose_json.h"
-#include "scene/files/session_parts.h"
 
 namespace viete::scene {
 
@@ -32,6 +30,10 @@ namespace {
 
 constexpr const char* format_name = "viete session";
 constexpr std::uint32_t format_version = 1;
+
+constexpr Limits frames{Timeline::least_frame, Timeline::largest_frame},
+    mix_weights = percent(PoseLibrary::least_weight, PoseLibrary::largest_weight);
+constexpr std::size_t most_sets = 10'000;
 
 struct ViewFlag {
   const char* key;
@@ -46,6 +48,284 @@ constexpr ViewFlag view_flags[] = {
     {"deformed", &ViewOptions::deformed},   {"select_visible", &ViewOptions::select_visible},
     {"same_path", &ViewOptions::same_path}};
 
+constexpr std::array<std::string_view, 4> kind_words = {"vertices", "edges", "faces", "probes"};
+constexpr std::array<std::string_view, 2> axis_words = {"y", "z"}, pin_words = {"holds", "pulls"};
+
+template <class T, class Table>
+void code_named(const JsonField& f, T& value, const Table& table) {
+  code_word(f, value, deform::entry(value).name,
+            [&](std::string_view name) { return deform::find_by_name(table, name); });
+}
+
+}  // namespace
+
+// The functions code() are found by their arguments and must be in this namespace. Lengths and coordinates
+// are in the file's unit, rotations are rotation vectors in radians.
+
+static void code(const JsonField& f, sym3::Method& method) {
+  code_word(f, method, sym3::name(method), sym3::method_from_name);
+}
+static void code(const JsonField& f, deform::Weights& weights) {
+  code_named(f, weights, deform::all_weights());
+}
+static void code(const JsonField& f, deform::Blend& blend) {
+  code_named(f, blend, deform::all_blends());
+}
+static void code(const JsonField& f, deform::Falloff& falloff) {
+  code_named(f, falloff, deform::all_falloffs());
+}
+static void code(const JsonField& f, deform::ProbeMix& mix) {
+  code_named(f, mix, deform::all_probe_mixes());
+}
+static void code(const JsonField& f, ElementKind& kind) {
+  code_listed(f, kind, kind_words);
+}
+
+// In view units: the model's diagonal is 2.
+static void code(const JsonField& f, CameraPose& camera) {
+  f.needed("target", camera.target, Reach{farthest_place});
+  f.needed("distance", camera.distance, Limits{nearest_camera, farthest_camera});
+  f.needed("yaw", camera.yaw, Limits{-1e6, 1e6});
+  f.needed("pitch", camera.pitch, Limits{-1.6, 1.6});  // a quarter turn, with any rounding
+  f.member("orthographic", camera.orthographic);
+  const auto up = f.reads() || camera.up != UpAxis::y ? f.child("up") : std::nullopt;
+  if (up) code_listed(*up, camera.up, axis_words);
+}
+
+// The members of the object that they are part of. A scheme may name some of its choices; the others fit.
+static void code(const JsonField& f, deform::Scheme& scheme) {
+  deform::PartialChoice choice;
+  if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
+  f.member("weights", choice.weights);
+  f.member("blend", choice.blend);
+  if (f.reads()) {
+    try {
+      scheme = deform::complete(choice);
+    } catch (const base::Error& error) {
+      f.in().at("blend").fail(error.problem());
+    }
+  }
+  f.unless(deform::Weighting{}.radius, "radius", scheme.weighting.radius, percent(1e-3, 10));
+  f.unless(1, "turn", scheme.amounts.turn, percent(0, deform::largest_amount));
+  f.unless(1, "stretch", scheme.amounts.stretch, percent(0, deform::largest_amount));
+  f.unless(0, "stitched", scheme.iterations, Limits{1, deform::most_iterations});
+  f.unless(0, "pins", scheme.holding.radius, percent(0, deform::largest_pin_radius));
+  f.unless(0, "hold", scheme.holding.weight, percent(0, 1));
+  if (!f.reads()) return;
+  if (const auto reason = deform::conflict(scheme)) f.in().at("stitched").fail(std::string(*reason));
+}
+
+static void code(const JsonField& f, ViewOptions& view) {
+  for (const auto& flag : view_flags) f.member(flag.key, view.*flag.option);
+  f.unless(Shading::file, "shading", view.shading);
+  f.unless(lab::Field::none, "field", view.field);
+}
+
+static void code(const JsonField& f, SideWay& side) {
+  f.member("method", side.method);
+  code(f, side.scheme);
+  f.unless(lab::Field::none, "field", side.field);
+  f.unless(false, "other_lines", side.other_blending);
+}
+
+// The position of the line between two views is missing if they are side by side; the cameras if they are
+// linked.
+static void code(const JsonField& f, SideWays& sides) {
+  f.unless({}, "views", sides.sides, SideWays::most);
+  std::optional<double> line = sides.wipe ? std::optional(sides.line) : std::nullopt;
+  f.unless(std::nullopt, "wipe", line, Limits{SideWays::least_part, 1 - SideWays::least_part});
+  if (line) sides.wipe = true, sides.line = *line;
+  f.unless({}, "cameras", sides.cameras, SideWays::most);
+  if (f.reads() && !sides.cameras.empty() && sides.cameras.size() != sides.sides.size())
+    f.in().at("cameras").fail("their number differs from the number of additional views");
+}
+
+static void code(const JsonField& f, Handling& handling) {
+  const Handling usual;
+  SoftSelection& soft = handling.soft;
+  f.unless(usual.pivot, "pivot", handling.pivot);
+  f.unless(usual.point, "point", handling.point, Reach{largest_coordinate});
+  f.unless(usual.axes, "axes", handling.axes);
+  f.unless(usual.mirror, "mirror", handling.mirror);
+  f.unless(usual.soft.on, "soft", soft.on);
+  f.unless(usual.soft.radius, "radius", soft.radius,
+           percent(SoftSelection::least_radius, SoftSelection::largest_radius));
+  f.unless(usual.soft.curve, "curve", soft.curve);
+  f.unless(usual.soft.distance, "distance", soft.distance);
+  f.unless(usual.freedom, "freedom", handling.freedom, percent(0, 1));
+  f.unless(usual.mix_selected, "mix_selected", handling.mix_selected);
+}
+
+// A probe's motion, members of the object that it is part of; "stretched" is the log of the stretch.
+static void code(const JsonField& f, deform::ProbePose& pose) {
+  f.unless({}, "turned", pose.turn, Reach{largest_turn});
+  if (f.reads() ? f.in().find("stretched").has_value() : pose.stretch != sym3::Sym3<double>{}) {
+    const JsonField stretched = *f.child("stretched");
+    if (f.reads()) {
+      const auto x = stretched.in().numbers<6>();
+      pose.stretch = {x[0], x[1], x[2], x[3], x[4], x[5]};
+    } else {
+      const auto& [xx, xy, xz, yy, yz, zz] = pose.stretch;
+      stretched.out() = {xx, xy, xz, yy, yz, zz};
+    }
+  }
+  f.unless({}, "moved", pose.move, Reach{most_drawn});
+  if (f.reads() && !in_range(WholePose{{}, {pose}})) f.in().fail("the motion of this probe is too large");
+}
+
+static void code(const JsonField& f, deform::Influence& influence) {
+  f.needed("falloff", influence.falloff);
+  f.needed("radius", influence.radius, Limits{0, most_drawn});
+  if (!(influence.radius > 0)) f.in().at("radius").fail("the radius must be above 0");
+}
+
+static void code(const JsonField& f, deform::Probe& probe) {
+  f.needed("place", probe.place, Reach{most_drawn});
+  f.needed("turn", probe.turn);
+  f.needed("stretch", probe.stretch);
+  f.needed("move", probe.move);
+  f.unless(false, "locked", probe.locked);
+  if (f.reads() && f.in().find("pin")) probe.pin.emplace();
+  if (probe.pin) {
+    code_listed(*f.child("pin"), probe.pin->pulls, pin_words);
+    f.needed("vertex", probe.pin->vertex);
+  }
+  code(f, probe.pose);
+}
+
+static void code(const JsonField& f, deform::Probes& probes) {
+  f.member("mix", probes.mix);
+  f.needed("all", probes.all, most_probes);
+}
+
+// The shares of the model's vertices as run lengths: [share, count, share, count, ...].
+static void code(const JsonField& f, deform::Mask& mask) {
+  if (!f.reads()) {
+    std::uint32_t share = 0, count = 0;
+    const auto put_run = [&] {
+      if (count > 0) f.out().insert(f.out().end(), {share, count});
+    };
+    f.out() = ordered_json::array();
+    for (const float s : *mask) {
+      const auto now = static_cast<std::uint32_t>(std::lround(s * mask_steps));
+      if (now != share) put_run(), share = now, count = 0;
+      ++count;
+    }
+    return put_run();
+  }
+  constexpr std::size_t most = 1 << 27;
+  if (f.in().size() % 2) f.in().fail("a share lacks the number of its vertices");
+  std::vector<float> shares;
+  for (std::size_t run = 0; run < f.in().size(); run += 2) {
+    const JsonReader share = f.in().item(run), count = f.in().item(run + 1);
+    if (share.index() > mask_steps) share.fail("a share must be 0 to " + std::to_string(mask_steps));
+    if (shares.size() + count.index() > most) count.fail("there are more than " + std::to_string(most));
+    shares.insert(shares.end(), count.index(), static_cast<float>(share.index()) / mask_steps);
+  }
+  mask = std::make_shared<const std::vector<float>>(std::move(shares));
+}
+
+static void code(const JsonField& f, NamedSet& set) {
+  f.needed("name", set.name);
+  f.needed("selecting", set.kind);
+  f.needed("vertices", set.vertices);
+  if (set.kind == ElementKind::probe)
+    f.in().at("selecting").fail("a selection set contains vertices, edges or faces");
+}
+
+// Turns of each part of the cage.
+static void code(const JsonField& f, deform::Pose& pose) {
+  f.unless({}, "turns", pose.turns, Reach{largest_turn});
+  f.unless({}, "positions", pose.positions, Reach{largest_coordinate});
+}
+
+// Members of the object that it is part of; never null.
+static void code(const JsonField& f, SharedPose& pose) {
+  WholePose whole;
+  if (pose) whole = *pose;
+  f.unless(nullptr, "shape", whole.shape);
+  code(f, whole.cage);
+  f.unless({}, "probes", whole.probes, most_probes);
+  pose = std::make_shared<const WholePose>(std::move(whole));
+}
+
+static void code(const JsonField& f, NamedPose& named) {
+  f.needed("name", named.name);
+  if (named.name.size() > PoseLibrary::longest_name) f.in().at("name").fail("this name is too long");
+  f.unless(0, "weight", named.weight, mix_weights);
+  f.unless({}, "part", named.part);
+  code(f, named.pose);
+}
+
+static void code(const JsonField& f, MixedPose& mixed) {
+  f.needed("name", mixed.name);
+  f.needed("weight", mixed.weight, mix_weights);
+}
+
+static void code(const JsonField& f, PoseKey& key) {
+  f.needed("frame", key.frame, frames);
+  f.unless(Easing::smooth, "easing", key.easing);
+  f.unless({}, "mix", key.mix, PoseLibrary::most_poses);
+  code(f, key.pose);
+}
+
+static void code(const JsonField& f, CameraKey& key) {
+  f.needed("frame", key.frame, frames);
+  code(f, key.camera);
+}
+
+// Throws unless the keys are in order.
+template <class Keys>
+static void check_order(const JsonField& f, const char* key, const Keys& keys) {
+  const auto not_later = [](const auto& a, const auto& b) { return a.frame >= b.frame; };
+  if (std::ranges::adjacent_find(keys, not_later) != keys.end())
+    f.in().at(key).fail("the keys are not in the order of their frames");
+}
+
+static void code(const JsonField& f, Timeline& t) {
+  f.member("first", t.first, frames);
+  f.member("last", t.last, frames);
+  f.member("rate", t.rate, Limits{Timeline::least_rate, Timeline::largest_rate});
+  f.member("repeat", t.repeat);
+  f.unless(false, "straight", t.straight);
+  f.unless({}, "keys", t.keys, Timeline::most_keys);
+  f.unless({}, "unkeyed", t.unkeyed, Timeline::most_keys);
+  f.unless({}, "cameras", t.cameras, Timeline::most_keys);
+  if (t.first >= t.last) f.in().fail("its last frame is not after its first one");
+  check_order(f, "keys", t.keys);
+  check_order(f, "cameras", t.cameras);
+}
+
+// A cage in no file: its polygons have the 0-based indices of their corners.
+static void code(const JsonField& f, OpenedSurface& cage) {
+  mesh::Surface surface;
+  if (!f.reads()) surface = *cage.surface;
+  f.member("name", cage.made);
+  f.needed("positions", surface.positions, Reach{largest_coordinate});
+  const JsonField polygons = *f.child("polygons", true);
+  if (!f.reads()) polygons.list(0, 0);
+  const auto& starts = surface.polygon_starts;
+  for (std::size_t p = 0; !f.reads() && p < surface.polygon_count(); ++p)
+    polygons.out().push_back(
+        std::vector(surface.corners.begin() + starts[p], surface.corners.begin() + starts[p + 1]));
+  if (!f.reads()) return;
+  surface.polygon_starts.push_back(0);
+  for (std::size_t p = 0; p < polygons.in().size(); ++p) {
+    const JsonReader polygon = polygons.in().item(p);
+    if (polygon.size() < 3) polygon.fail("a polygon needs at least three corners");
+    for (std::size_t c = 0; c < polygon.size(); ++c) {
+      surface.corners.push_back(polygon.item(c).index());
+      if (surface.corners.back() >= surface.positions.size())
+        polygon.item(c).fail("the cage has " + std::to_string(surface.positions.size()) + " vertices");
+    }
+    surface.polygon_starts.push_back(static_cast<std::uint32_t>(surface.corners.size()));
+  }
+  mesh::triangulate(surface);
+  cage = generated_surface(std::move(surface), cage.made.empty() ? "made here" : cage.made);
+}
+
+namespace {
+
 // Resolves links in the folder, so that ".." is correct; the file keeps its given name.
 fs::path resolved(const fs::path& path) {
   std::error_code code;
@@ -54,127 +334,67 @@ fs::path resolved(const fs::path& path) {
   return code ? absolute : folder / absolute.filename();
 }
 
-ordered_json stored(const fs::path& path, const fs::path& file, bool portable) {
-  const fs::path target = resolved(path);
-  const fs::path relative = portable ? target.lexically_relative(resolved(file).parent_path()) : fs::path();
-  return path_json(relative.empty() ? target : relative);
-}
+// How the session's file names other files.
+struct Place {
+  fs::path folder;
+  bool relative;
 
-std::string hexadecimal(std::uint64_t number) {
-  char text[16];
-  const auto end = std::to_chars(text, text + sizeof text, number, 16).ptr;
-  return std::string(16 - static_cast<std::size_t>(end - text), '0') + std::string(text, end);
-}
-
-std::uint64_t from_hexadecimal(const JsonReader& json) {
-  const std::string text = json.text();
-  const char* const end = text.data() + text.size();
-  std::uint64_t number = 0;
-  if (text.size() != 16 || std::from_chars(text.data(), end, number, 16).ptr != end)
-    json.fail("these are not 16 hexadecimal digits");
-  return number;
-}
-
-ordered_json view_json(const ViewOptions& view) {
-  ordered_json json;
-  for (const auto& flag : view_flags) json[flag.key] = view.*flag.option;
-  if (view.shading != Shading::file) json["shading"] = entry_of(view.shading).word;
-  if (view.field != lab::Field::none) json["field"] = entry_of(view.field).word;
-  return json;
-}
-
-ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  ViewOptions view;
-  (void)json.find("");  // reports a value that is not an object, once
-  for (const auto& flag : view_flags) {
-    take_part(json, flag.key, view.*flag.option, &JsonReader::boolean, "it stays as it is in a new window",
-              warnings);
+  fs::path name_of(const fs::path& file) const {
+    const fs::path target = resolved(file);
+    const fs::path name = relative ? target.lexically_relative(folder) : fs::path();
+    return name.empty() ? target : name;
   }
-  take_part(json, "shading", view.shading, choice_of<Shading>, "the shading From file is used", warnings);
-  bool of_errors = false;  // as sessions said it once
-  take_part(json, "error_map", of_errors, &JsonReader::boolean, "no map is shown", warnings);
-  if (of_errors) view.field = lab::Field::exp_error;
-  take_part(json, "field", view.field, choice_of<lab::Field>, "no map is shown", warnings);
-  return view;
-}
+};
 
-ordered_json side_json(const SideWay& side) {
-  ordered_json json = {{"method", sym3::name(side.method)}};
-  json.update(scheme_json(side.scheme));
-  if (side.field != lab::Field::none) json["field"] = entry_of(side.field).word;
-  if (side.other_blending) json["other_lines"] = true;
-  return json;
-}
-
-SideWay side_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  SideWay side;
-  const auto method = [](const JsonReader& v) { return word_of(v, sym3::method_from_name); };
-  take_part(json, "method", side.method, method, "fast instead", warnings);
-  side.scheme = scheme_of(json, warnings);
-  take_part(json, "field", side.field, choice_of<lab::Field>, "no map is shown", warnings);
-  take_part(json, "other_lines", side.other_blending, &JsonReader::boolean, "as in the first view", warnings);
-  return side;
-}
-
-std::vector<SideWay> sides_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  if (json.size() > SideWays::most) json.fail("there are more than four views");
-  std::vector<SideWay> sides;
-  for (std::size_t i = 0; i < json.size(); ++i) sides.push_back(side_of(json.item(i), warnings));
-  return sides;
-}
-
-std::vector<CameraPose> cameras_of(const JsonReader& json, std::size_t sides) {
-  if (json.size() != sides) json.fail("their number differs from the number of additional views");
-  std::vector<CameraPose> cameras;
-  for (std::size_t i = 0; i < sides; ++i) cameras.push_back(camera_of(json.item(i)));
-  return cameras;
+// Does nothing if there is no such file.
+void code_path(const JsonField& f, const char* key, fs::path& file, const Place& place) {
+  if (f.reads()) {
+    if (const auto name = f.in().find(key)) file = resolved(place.folder / name->path());
+  } else if (!file.empty()) {
+    f.out()[key] = path_json(place.name_of(file));
+  }
 }
 
 // Content keys depend on the byte order; ignored on uncommon machines.
 constexpr bool keys_are_common = std::endian::native == std::endian::little;
 
-std::vector<std::uint32_t> selection_of(const JsonReader& json) {
-  std::vector<std::uint32_t> indices = json.indices();
-  std::sort(indices.begin(), indices.end());
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-  return indices;
-}
-
-constexpr std::array kind_names = {"vertices", "edges", "faces", "probes"};
-
-std::optional<ElementKind> kind_from_name(std::string_view name) {
-  const auto found = std::find(kind_names.begin(), kind_names.end(), name);
-  if (found == kind_names.end()) return std::nullopt;
-  return static_cast<ElementKind>(found - kind_names.begin());
-}
-
-std::vector<NamedSet> sets_of(const JsonReader& json) {
-  std::vector<NamedSet> sets;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const JsonReader set = json.item(i);
-    const ElementKind kind = word_of(set.at("selecting"), kind_from_name);
-    if (kind == ElementKind::probe)
-      set.at("selecting").fail("a selection set contains vertices, edges or faces");
-    sets.push_back({set.at("name").text(), kind, selection_of(set.at("vertices"))});
+// The members of a session. "session" and "session_content" are those of recovered work.
+void code_session(const JsonField& f, Session& s, const Place& place) {
+  if (f.reads()) (void)f.in().at("model");
+  code_path(f, "model", s.model.path, place);
+  code_path(f, "cage", s.cage_file.path, place);
+  if (s.cage_file.path.empty() && (f.reads() || s.cage_file.surface)) f.member("made_cage", s.cage_file);
+  if (keys_are_common) f.unless(0, "model_content", s.model.content);
+  if (keys_are_common) f.unless(0, "cage_content", s.cage_file.content);
+  if (f.reads() || !place.relative) {
+    code_path(f, "session", s.origin, place);
+    f.unless(std::nullopt, "session_content", s.origin_content);
   }
-  return sets;
-}
-
-std::vector<MaskRun> mask_of(const JsonReader& json) {
-  std::vector<MaskRun> mask;
-  for (std::size_t run = 0; run + 1 < json.size(); run += 2) {
-    const MaskRun read{json.item(run).index(), json.item(run + 1).index()};
-    if (read.share > mask_steps) json.item(run).fail("a share must be 0 to " + std::to_string(mask_steps));
-    mask.push_back(read);
-  }
-  if (json.size() % 2) json.fail("a share lacks the number of its vertices");
-  return mask;
-}
-
-glm::ivec2 window_of(const JsonReader& json) {
-  const auto [width, height] = json.numbers<2>();
-  if (!is_window(width, height)) json.fail("this is not a valid window size");
-  return {static_cast<int>(width), static_cast<int>(height)};
+  f.member("method", s.method);
+  code(f, s.scheme);
+  f.unless(nullptr, "mask", s.mask);
+  f.unless({}, "probes", s.probes);
+  f.unless(std::nullopt, "camera", s.camera);
+  f.member("view", s.view);
+  code(f, s.sides);
+  f.unless({}, "hand", s.handling);
+  f.unless(std::nullopt, "window", s.window);
+  ElementKind kind = s.selection.kind();
+  std::vector<std::uint32_t> selected = s.selection.indices();
+  f.member("selecting", kind);
+  f.member("selection", selected);
+  s.selection = Selection(kind, selected);
+  f.unless({}, "sets", s.groups.sets, most_sets);
+  f.unless({}, "hidden", s.groups.hidden);
+  if (f.reads() || !s.pose.positions.empty()) f.member("pose", s.pose);
+  f.unless(nullptr, "shape", s.shape);
+  f.unless({}, "poses", s.library.poses, PoseLibrary::most_poses);
+  f.unless(nullptr, "unmixed", s.library.unmixed);
+  const auto time = f.reads() || s.timeline != Timeline{} ? f.child("time") : std::nullopt;
+  if (!time) return;
+  code(*time, s.timeline);
+  if (f.reads()) s.frame = s.timeline.first;
+  time->member("frame", s.frame, frames);
 }
 
 void check_version(const JsonReader& json, const fs::path& file) {
@@ -189,312 +409,133 @@ void check_version(const JsonReader& json, const fs::path& file) {
                           "open it with the version that saved it");
 }
 
-ordered_json mask_json(const std::vector<MaskRun>& mask) {
-  ordered_json runs = ordered_json::array();
-  for (const auto& [share, vertices] : mask) {
-    runs.push_back(share);
-    runs.push_back(vertices);
-  }
-  return runs;
-}
-
-ordered_json sets_json(const std::vector<NamedSet>& sets) {
-  ordered_json all = ordered_json::array();
-  for (const NamedSet& set : sets)
-    all.push_back({{"name", set.name},
-                   {"selecting", kind_names[static_cast<std::size_t>(set.kind)]},
-                   {"vertices", set.vertices}});
-  return all;
-}
-
-// A cage without a file.
-ordered_json cage_json(const OpenedSurface& cage) {
-  const mesh::Surface& surface = *cage.surface;
-  ordered_json polygons = ordered_json::array();
-  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
-    polygons.push_back(std::vector<std::uint32_t>(surface.corners.begin() + surface.polygon_starts[p],
-                                                  surface.corners.begin() + surface.polygon_starts[p + 1]));
-  }
-  return {{"name", cage.made}, {"positions", surface.positions}, {"polygons", std::move(polygons)}};
-}
-
-OpenedSurface made_cage_of(const JsonReader& json) {
-  mesh::Surface surface;
-  const JsonReader positions = json.at("positions"), polygons = json.at("polygons");
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const auto point = positions.point(v, largest_coordinate);
-    if (!point) positions.item(v).fail("this is not an [x, y, z] position");
-    surface.positions.push_back(*point);
-  }
-  surface.polygon_starts.push_back(0);
-  for (std::size_t p = 0; p < polygons.size(); ++p) {
-    const JsonReader polygon = polygons.item(p);
-    if (polygon.size() < 3) polygon.fail("a polygon needs at least three corners");
-    for (std::size_t c = 0; c < polygon.size(); ++c) {
-      surface.corners.push_back(polygon.item(c).index());
-      if (surface.corners.back() >= surface.positions.size())
-        polygon.item(c).fail("the cage has " + std::to_string(surface.positions.size()) + " vertices");
-    }
-    surface.polygon_starts.push_back(static_cast<std::uint32_t>(surface.corners.size()));
-  }
-  mesh::triangulate(surface);
-  const auto name = json.find("name");
-  return generated_surface(std::move(surface), name ? name->text() : "made here");
-}
-
 }  // namespace
 
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
   ordered_json json = {{"format", format_name}, {"version", format_version}};
   ShapeTable shapes;
-  json["model"] = stored(session.model, file, portable);
-  if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
-  if (session.generated_cage) json["made_cage"] = cage_json(*session.generated_cage);
-  if (keys_are_common && session.model_content != 0)
-    json["model_content"] = hexadecimal(session.model_content);
-  if (keys_are_common && session.cage_content != 0) json["cage_content"] = hexadecimal(session.cage_content);
-  if (!portable && !session.origin.empty()) {
-    json["session"] = stored(session.origin, file, false);
-    if (session.origin_content) json["session_content"] = hexadecimal(*session.origin_content);
-  }
-  if (!portable && !session.first_edit.empty()) json["first_edit"] = session.first_edit;
-  json["method"] = sym3::name(session.method);
-  json.update(scheme_json(session.scheme));
-  if (!session.mask.empty()) json["mask"] = mask_json(session.mask);
-  if (!session.probes.empty()) json["probes"] = probes_json(session.probes);
-  if (session.camera) json["camera"] = camera_json(*session.camera);
-  json["view"] = view_json(session.view);
-  for (const SideWay& side : session.sides.sides) json["views"].push_back(side_json(side));
-  if (session.sides.wipe) json["wipe"] = session.sides.line;
-  for (const CameraPose& camera : session.sides.cameras) json["cameras"].push_back(camera_json(camera));
-  if (session.handling != Handling{}) json["hand"] = handling_json(session.handling);
-  if (session.window) json["window"] = {session.window->x, session.window->y};
-  json["selecting"] = kind_names[static_cast<std::size_t>(session.selecting)];
-  json["selection"] = session.selection;
-  if (!session.groups.sets.empty()) json["sets"] = sets_json(session.groups.sets);
-  if (!session.groups.hidden.empty()) json["hidden"] = session.groups.hidden;
-  if (session.pose) json["pose"] = pose_json(*session.pose);
-  if (!session.library.poses.empty()) json["poses"] = library_json(session.library, shapes);
-  if (session.library.unmixed) json["unmixed"] = whole_pose_json(*session.library.unmixed, shapes);
-  if (session.timeline != Timeline{}) json["time"] = timeline_json(session.timeline, session.frame, shapes);
-  if (session.shape) json["shape"] = shapes.number_of(session.shape);
-  ordered_json all_shapes = shapes.json();
-  if (!all_shapes.empty()) json["shapes"] = std::move(all_shapes);
+  Session copy = session;  // coding may change values
+  code_session(JsonField(json, shapes), copy, {resolved(file).parent_path(), portable});
+  if (!shapes.all.empty()) code(JsonField(json["shapes"], shapes), shapes);
   return readable(json, file);
 }
-
-namespace {
-
-void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
-  const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
-    take_part(json, key, part, read, instead, s.warnings);
-  };
-  const char *unknown = "it is unknown whether it has changed", *none = "there are none instead",
-             *new_window = "as in a new window instead";
-  const auto read_path = [&](const JsonReader& v) { return resolved(folder / v.path()); };
-  const auto read_method = [](const JsonReader& v) { return word_of(v, sym3::method_from_name); };
-  std::vector<SharedShape> shapes;
-  const auto read_shapes = [&](const JsonReader& v) { return shapes_of(v, s.warnings); };
-  const auto read_shape = [&](const JsonReader& v) { return shape_of(v, shapes); };
-  const auto read_poses = [&](const JsonReader& v) { return library_of(v, shapes, s.warnings); };
-  const auto read_pose = [&](const JsonReader& v) { return whole_pose_of(v, shapes, s.warnings); };
-  const auto read_time = [&](const JsonReader& v) { return timeline_of(v, s.frame, shapes, s.warnings); };
-  const auto read_camera = [](const JsonReader& v) { return camera_of(v); };
-  const auto read_view = [&](const JsonReader& v) { return view_of(v, s.warnings); };
-  const auto read_hand = [&](const JsonReader& v) { return handling_of(v, s.warnings); };
-  take("session", s.origin, read_path, "saving asks for a name");
-  take("session_content", s.origin_content, from_hexadecimal, unknown);
-  take("first_edit", s.first_edit, &JsonReader::text, "it stays unknown");
-  if (keys_are_common) take("model_content", s.model_content, from_hexadecimal, unknown);
-  if (keys_are_common) take("cage_content", s.cage_content, from_hexadecimal, unknown);
-  take("method", s.method, read_method, "fast instead (choices: diag, sd, improved_sd, fast)");
-  s.scheme = scheme_of(json, s.warnings);
-  take("mask", s.mask, mask_of, "every vertex follows the cage instead");
-  bool all_probes = false;
-  const auto read_probes = [&](const JsonReader& v) {
-    auto probes = probes_of(v, s.warnings);
-    all_probes = probes.all.size() == v.at("all").size();
-    return probes;
-  };
-  take("probes", s.probes, read_probes, none);
-  take("sets", s.groups.sets, sets_of, none);
-  take("hidden", s.groups.hidden, selection_of, "all of the cage is shown instead");
-  take("shapes", shapes, read_shapes, none);
-  take("shape", s.shape, read_shape, "the model is at rest instead");
-  take("poses", s.library, read_poses, none);
-  take("unmixed", s.library.unmixed, read_pose, "it is recomputed from the weights");
-  take("time", s.timeline, read_time, "there are no keys instead");
-  take("camera", s.camera, read_camera, "the whole model is shown instead");
-  take("view", s.view, read_view, new_window);
-  const auto read_sides = [&](const JsonReader& v) { return sides_of(v, s.warnings); };
-  const auto read_line = [](const JsonReader& v) {
-    return v.number(SideWays::least_part, 1 - SideWays::least_part);
-  };
-  take("views", s.sides.sides, read_sides, "there is one view instead");
-  s.sides.wipe = json.find("wipe").has_value();
-  take("wipe", s.sides.line, read_line, "it is in the middle instead");
-  const auto read_cameras = [&](const JsonReader& v) { return cameras_of(v, s.sides.sides.size()); };
-  take("cameras", s.sides.cameras, read_cameras, "all views have the first one's instead");
-  take("hand", s.handling, read_hand, new_window);
-  take("window", s.window, window_of, "the usual size instead");
-  std::optional<ElementKind> kind = ElementKind::vertex;
-  const auto read_kind = [&](const JsonReader& v) {
-    kind.reset();  // an unknown kind selects nothing
-    return word_of(v, kind_from_name);
-  };
-  take("selecting", kind, read_kind, "nothing is selected");
-  if (!kind) return;
-  s.selecting = *kind;
-  if (*kind == ElementKind::probe && !all_probes) return;  // the indices of others have changed
-  take("selection", s.selection, selection_of, "nothing is selected");
-}
-
-}  // namespace
 
 Session read_session(const fs::path& file) {
   const nlohmann::json whole = read_json(file);
   const JsonReader json(whole, file.string());
   check_version(json, file);
-  const fs::path folder = resolved(file).parent_path();
+  ShapeTable shapes;
+  if (const auto found = json.find("shapes")) code(JsonField(*found, shapes), shapes);
   Session session;
-  session.model = resolved(folder / json.at("model").path());
-  if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
-  if (const auto v = json.find("made_cage"); v && session.cage.empty())
-    session.generated_cage = made_cage_of(*v);
-  if (const auto v = json.find("pose")) session.pose = pose_of(*v, session.warnings);
-  read_settings(json, folder, session);
+  code_session(JsonField(json, shapes), session, {resolved(file).parent_path(), true});
+  PoseLibrary named;  // names are unique
+  for (NamedPose& pose : std::exchange(session.library.poses, {})) {
+    pose.name = free_name(named, pose.name);
+    named.poses.push_back(std::move(pose));
+  }
+  session.library.poses = std::move(named.poses);
   return session;
 }
 
-// Removes nonexistent elements from the ascending list.
-void fit_selection(Session& session, const Document& document, const fs::path& file) {
-  const std::size_t count = element_count(document, session.selecting);
-  if (session.selection.empty() || session.selection.back() < count) return;
-  const std::string last = std::to_string(session.selection.back());
-  const std::string where = session.selecting == ElementKind::probe
-                                ? "it has "
-                                : "the cage " + place_of(document.cage_file) + " has ";
-  session.warnings.emplace_back(base::Error(file.string() + ": selection",
-                                            element_name(session.selecting) + ' ' + last + " is selected, " +
-                                                where + counted(session.selecting, count),
-                                            "nothing is selected instead")
-                                    .what());
-  session.selection.clear();
+namespace {
+
+constexpr const char* changed_advice = "restore the model and cage that it was saved with";
+
+[[noreturn]] void refuse(const fs::path& file, const char* key, const std::string& problem,
+                         const std::string& advice = changed_advice) {
+  throw base::Error(file.string() + ": " + key, problem, advice);
 }
 
-CageGroups fit_groups(Session& session, const Document& document, const fs::path& file) {
-  const std::size_t count = element_count(document, ElementKind::vertex);
-  const auto fits = [&](const std::vector<std::uint32_t>& vertices) {
-    return vertices.empty() || vertices.back() < count;
-  };
-  CageGroups groups = std::move(session.groups);
-  std::erase_if(groups.sets, [&](const NamedSet& set) {
-    if (fits(set.vertices)) return false;
-    session.warnings.push_back(file.string() + ": sets: \"" + set.name + "\" is of vertex " +
-                               std::to_string(set.vertices.back()) + ", the cage has " +
-                               counted(ElementKind::vertex, count) + "; this set is dropped");
-    return true;
-  });
-  if (!fits(groups.hidden)) {
-    session.warnings.push_back(file.string() +
-                               ": hidden: there are no such vertices; all of the cage is shown");
-    groups.hidden.clear();
-  }
-  return groups;
-}
-
-void warn_of_changes(Session& session, const Document& document, const fs::path& file) {
-  const auto tell = [&](const char* key, std::uint64_t then, const OpenedSurface& now, const char* advice) {
-    if (then == 0 || now.content == 0 || then == now.content) return;
-    session.warnings.emplace_back(base::Error(file.string() + ": " + key,
-                                              place_of(now) + " has changed since the session was saved",
-                                              advice)
-                                      .what());
-  };
-  tell("model", session.model_content, document.model, "if the result looks wrong, restore the older file");
-  tell("cage", session.cage_content, document.cage_file,
-       "the pose may not match it: if the result looks wrong, restore the older file");
-}
-
-void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& file) {
-  if (!session.pose) return;
-  const bool same = session.cage_content != 0 && session.cage_content == mesh::content_key(cage.surface);
+void check_pose(const Document& document, const Session& session, const fs::path& file) {
+  const deform::Cage& cage = *document.cage;
+  const bool same = session.cage_file.content != 0 && session.cage_file.content == document.cage_file.content;
   const std::string advice = same
                                  ? "the session is damaged: use an older copy"
                                  : "the cage has changed since the session was saved: restore the older file";
-  auto& [positions, turns] = *session.pose;
-  const auto& rest = cage.surface.positions;
-  if (positions.size() != rest.size()) {
-    throw base::Error(
-        file.string() + ": pose.positions",
-        "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
-            (session.generated_cage ? place_of(*session.generated_cage) : session.cage.string()) + " has " +
-            std::to_string(rest.size()),
-        advice);
-  }
-  if (turns.size() > cage.roots.size()) {
-    throw base::Error(file.string() + ": pose.turns",
-                      "there are more than the " + std::to_string(cage.roots.size()) + " parts of the cage",
-                      advice);
-  }
-  for (std::size_t v = 0; v < rest.size(); ++v) {
-    if (std::isnan(positions[v][0])) positions[v] = rest[v];
-  }
+  const auto& [positions, turns] = document.pose;
+  const std::size_t wanted = cage.surface.positions.size();
+  if (positions.size() != wanted)
+    refuse(file, "pose.positions",
+           "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
+               place_of(document.cage_file) + " has " + std::to_string(wanted),
+           advice);
+  if (turns.size() > cage.roots.size())
+    refuse(file, "pose.turns",
+           "there are more than the " + std::to_string(cage.roots.size()) + " parts of the cage", advice);
 }
 
-void fit_pins(Session& session, const mesh::Surface& model, const fs::path& file) {
-  auto& all = session.probes.all;
-  const auto is_lost = [&](const deform::Probe& p) {
-    return p.pin && p.pin->vertex >= model.positions.size();
+// Indices are ascending.
+void check_indices(const fs::path& file, const char* key, const std::vector<std::uint32_t>& indices,
+                   ElementKind kind, std::size_t count) {
+  if (indices.empty() || indices.back() < count) return;
+  refuse(file, key,
+         element_name(kind) + ' ' + std::to_string(indices.back()) + " is named, there are only " +
+             counted(kind, count));
+}
+
+}  // namespace
+
+void check_poses(const DocumentState& state, const deform::Cage* cage, const mesh::Surface& model,
+                 const fs::path& file) {
+  const std::size_t vertices = cage ? cage->surface.positions.size() : 0,
+                    parts = cage ? cage->roots.size() : 0;
+  const auto check = [&](const char* key, const std::string& what, const SharedPose& pose) {
+    if ((pose->shape && pose->shape->size() != model.positions.size()) ||
+        pose->cage.positions.size() != vertices || pose->cage.turns.size() > parts)
+      refuse(file, key, what + " is of another cage or model");
   };
-  for (deform::Probe& probe : all)
-    if (probe.pin && !is_lost(probe)) probe.place = model.positions[probe.pin->vertex];
-  if (std::ranges::none_of(all, is_lost)) return;
-  session.warnings.push_back(
-      file.string() +
-      ": probes: pins refer to vertices that the model does not have; all probes are dropped");
-  session.probes = {};
-  if (session.selecting == ElementKind::probe) session.selection.clear();
-}
-
-SharedShape fit_shape(Session& session, const mesh::Surface& model, const fs::path& file) {
-  if (!session.shape || session.shape->size() == model.positions.size()) return session.shape;
-  session.warnings.push_back(file.string() + ": shape: it is of " +
-                             counted(ElementKind::vertex, session.shape->size()) + ", the model has " +
-                             std::to_string(model.positions.size()) + "; the model is at rest instead");
-  return nullptr;
-}
-
-deform::Mask fit_to_model(Session& session, const mesh::Surface& model, const fs::path& file) {
-  if (session.mask.empty()) return nullptr;
-  std::uint64_t shares = 0;
-  for (const MaskRun& run : session.mask) shares += run.vertices;
-  if (shares != model.positions.size()) {
-    session.warnings.push_back(file.string() + ": mask: it is of " + counted(ElementKind::vertex, shares) +
-                               ", the model has " + std::to_string(model.positions.size()) +
-                               "; every vertex follows the cage instead");
-    return nullptr;
+  for (const NamedPose& named : state.library.poses) {
+    check("poses", mesh::in_quotes(named.name), named.pose);
+    check_indices(file, "poses", named.part, ElementKind::vertex, vertices);
   }
-  std::vector<float> mask;
-  mask.reserve(model.positions.size());
-  for (const MaskRun& run : session.mask)
-    mask.insert(mask.end(), run.vertices, static_cast<float>(run.share) / mask_steps);
-  return std::make_shared<const std::vector<float>>(std::move(mask));
+  if (state.library.unmixed) check("unmixed", "this pose", state.library.unmixed);
+  for (const auto* keys : {&state.timeline.keys, &state.timeline.unkeyed})
+    for (const PoseKey& key : *keys)
+      check("time", "the pose of frame " + std::to_string(key.frame), key.pose);
+}
+
+void check_fits(const Document& document, const Session& session, const fs::path& file) {
+  const mesh::Surface& model = *document.model.surface;
+  const std::size_t vertices = model.positions.size();
+  if (document.has_cage()) check_pose(document, session, file);
+  const auto check_count = [&](const char* key, std::size_t count) {
+    if (count == vertices) return;
+    refuse(file, key,
+           "it is of " + counted(ElementKind::vertex, count) + ", the model has " + std::to_string(vertices));
+  };
+  if (document.mask) check_count("mask", document.mask->size());
+  if (document.shape) check_count("shape", document.shape->size());
+  for (const deform::Probe& probe : document.probes.all)
+    if (probe.pin) check_indices(file, "probes", {probe.pin->vertex}, ElementKind::vertex, vertices);
+  check_poses(document, document.cage.get(), model, file);
+  const Selection& selection = document.selection;
+  check_indices(file, "selection", selection.indices(), selection.kind(),
+                element_count(document, selection.kind()));
+  const std::size_t of_cage = element_count(document, ElementKind::vertex);
+  for (const NamedSet& set : document.groups.sets)
+    check_indices(file, "sets", set.vertices, ElementKind::vertex, of_cage);
+  check_indices(file, "hidden", document.groups.hidden, ElementKind::vertex, of_cage);
+}
+
+std::vector<std::string> changes_since(const Session& session, const Document& document,
+                                       const fs::path& file) {
+  std::vector<std::string> warnings;
+  const auto compare = [&](const char* key, std::uint64_t then, const OpenedSurface& now,
+                           const char* advice) {
+    if (then == 0 || now.content == 0 || then == now.content) return;
+    warnings.emplace_back(base::Error(file.string() + ": " + key,
+                                      place_of(now) + " has changed since the session was saved", advice)
+                              .what());
+  };
+  compare("model", session.model.content, document.model,
+          "if the result looks wrong, restore the older file");
+  compare("cage", session.cage_file.content, document.cage_file,
+          "the pose may not match it: if the result looks wrong, restore the older file");
+  return warnings;
 }
 
 bool is_session(const fs::path& file) {
   return mesh::extension_of(file) == session_extension + 1;
-}
-
-std::vector<MaskRun> runs_of(const deform::Mask& mask) {
-  std::vector<MaskRun> runs;
-  if (!mask) return runs;
-  for (const float s : *mask) {
-    const auto share = static_cast<std::uint32_t>(std::lround(s * mask_steps));
-    if (runs.empty() || runs.back().share != share) runs.push_back({share, 0});
-    ++runs.back().vertices;
-  }
-  return runs;
 }
 
 std::uint64_t content_of_bytes(std::string_view bytes) {

@@ -11,7 +11,6 @@
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
-#include "scene/files/animation_import.h"
 #include "scene/files/morph_import.h"
 
 namespace viete::scene {
@@ -150,10 +149,7 @@ private:
   }
 
   void add_sequence(const base::NumberedName& name) {
-    const auto files = name.find();
-    if (files.empty())
-      throw base::Error(name.pattern(), "no file matches this name with digits in place of #",
-                        "check the name and use one # for each digit");
+    const auto files = files_of(name);
     check_shape_count(name.pattern(), files.size(), model_);
     for (std::size_t i = 0; i < files.size(); ++i) {
       if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
@@ -162,30 +158,16 @@ private:
   }
 
   void add_folder(const fs::path& folder) {
-    const std::vector<fs::path> files = models_in(folder);
-    std::vector<std::string> refused;
-    const std::size_t before = all_.shapes.size();
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
-      try {
-        add(files[i]);
-        drop_rest();
-      } catch (const base::Error& error) {
-        refused.push_back(std::string(error.what()) + "; skipped");
-      }
-    }
-    if (all_.shapes.size() == before)
-      throw base::Error(
-          folder.string(),
-          files.empty() ? "there is no model in this folder"
-                        : "none of its " + base::counted(files.size(), "model") + " is a shape of this model",
-          "choose a folder with shapes of the model (same vertices and faces)");
-    all_.warnings.insert(all_.warnings.end(), refused.begin(), refused.end());
-  }
-
-  // The folder may contain the model itself.
-  void drop_rest() {
-    if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
+    const auto take = [&](const fs::path& file) {
+      const std::size_t before = all_.shapes.size();
+      add(file);
+      // The folder may contain the model itself.
+      if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
+      return all_.shapes.size() > before;
+    };
+    read_folder(folder, "a shape of this model",
+                "choose a folder with shapes of the model (same vertices and faces)", take, all_.warnings,
+                progress_);
   }
 
   void add_cache(const fs::path& file) {

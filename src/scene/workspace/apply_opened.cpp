@@ -11,7 +11,6 @@
 #include "scene/document/selection_sets.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
-#include "scene/files/pose_json.h"
 #include "scene/workspace/playback.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
@@ -168,7 +167,6 @@ void apply_opened(Workspace& w, Opened&& opened) {
     w.offers_recovery = false;
     std::erase_if(w.recovery_files,
                   [&](const RecoveryFile& leftover) { return leftover.file == opened.file; });
-    mark_edits_saved(w, opened.session->first_edit);
   } else {
     mark_saved(w);
     if (opened.session)
@@ -206,13 +204,12 @@ bool add_motion(Workspace& w, const std::filesystem::path& file) {
       std::error_code ignored;
       return std::filesystem::equivalent(a, b, ignored);
     };
-    if (!document.has_cage() || !is_same(session.model, document.model.path) ||
-        !is_same(session.cage, document.cage_file.path))
-      throw base::Error(file.string(), "its poses belong to another model or cage",
-                        "open " + session.model.string() + " in " + session.cage.string() + " first");
-    fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface, file.string(),
-              session.warnings);
-    if (!session.warnings.empty()) throw base::Error("", session.warnings.front());
+    if (!document.has_cage() || !is_same(session.model.path, document.model.path) ||
+        !is_same(session.cage_file.path, document.cage_file.path))
+      throw base::Error(
+          file.string(), "its poses belong to another model or cage",
+          "open " + session.model.path.string() + " in " + session.cage_file.path.string() + " first");
+    check_poses(session, document.cage.get(), *document.model.surface, file);
     const bool was_saved = !has_unsaved_edits(w);
     record_edit(document, "add the poses and keys of " + file.filename().string());
     for (NamedPose& pose : session.library.poses) {

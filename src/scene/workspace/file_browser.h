@@ -71,7 +71,6 @@ struct FileBrowser {
 
   MorphChoice morphs;
   std::optional<PictureChoice> pictures;  ///< nullopt: as the window shows them
-  std::string morph_size;                 ///< number of targets and their size; empty: being estimated
 
   bool saves() const { return purpose >= Purpose::save_session; }
   /// The formats of mesh::all_formats() for the purpose, by extension: for poses those that preserve the

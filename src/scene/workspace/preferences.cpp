@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
 #include "scene/document/range.h"
+#include "scene/files/json_codec.h"
 #include "scene/files/json_file.h"
 
 namespace viete::scene {
@@ -68,7 +68,6 @@ void set_width(PanelLayout& layout, Column column, float width, float window_wid
 }
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 namespace {
 
@@ -77,108 +76,63 @@ fs::path from_root(const fs::path& path) {
   return path.empty() ? path : fs::absolute(path, ignored).lexically_normal();
 }
 
-RecentFile recent_of(const JsonReader& json) {
-  RecentFile recent{json.at("file").path(), {}};
-  if (const auto cage = json.find("cage")) recent.cage = cage->path();
-  return recent;
+constexpr std::array<std::string_view, 2> column_words = {"tools", "methods"};
+
+}  // namespace
+
+// Found by their arguments, see json_codec.h.
+
+static void code(const JsonField& f, RecentFile& recent) {
+  f.needed("file", recent.file);
+  f.unless({}, "cage", recent.cage);
 }
 
-ordered_json to_json(const RecentFile& recent) {
-  ordered_json json = {{"file", path_json(recent.file)}};
-  if (!recent.cage.empty()) json["cage"] = path_json(recent.cage);
-  return json;
+static void code(const JsonField& f, std::map<std::string, bool>& sections) {
+  if (!f.reads()) {
+    f.out() = sections;
+    return;
+  }
+  for (const std::string& title : f.in().keys()) sections[title] = f.in().at(title).boolean();
 }
 
-constexpr const char* column_names[] = {"tools", "methods"};
-
-ordered_json to_json(const PanelLayout& layout) {
-  ordered_json json;
-  for (std::size_t i = 0; i < 2; ++i)
-    json[column_names[i]] = {{"width", layout.width[i]}, {"folded", layout.folded[i]}};
-  json["last"] = column_names[static_cast<std::size_t>(layout.last)];
-  json["timeline"] = layout.timeline;
-  json["sections"] = layout.sections;
-  return json;
-}
-
-PanelLayout layout_of(const JsonReader& json) {
-  PanelLayout layout;
+static void code(const JsonField& f, PanelLayout& layout) {
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto column = json.find(column_names[i]);
+    const auto column = f.child(column_words[i].data());
     if (!column) continue;
-    const double width = column->at("width").number();
-    layout.width[i] =
-        static_cast<float>(std::clamp<double>(width, PanelLayout::least_width, PanelLayout::largest_width));
-    layout.folded[i] = column->at("folded").boolean();
+    column->needed("width", layout.width[i], Limits{PanelLayout::least_width, PanelLayout::largest_width});
+    column->needed("folded", layout.folded[i]);
   }
-  if (const auto last = json.find("last"); last && last->text() == column_names[1])
-    layout.last = Column::methods;
-  if (const auto timeline = json.find("timeline")) layout.timeline = timeline->boolean();
-  if (const auto sections = json.find("sections")) {
-    for (const std::string& title : sections->keys()) layout.sections[title] = sections->at(title).boolean();
-  }
-  return layout;
-}
-
-std::optional<glm::ivec2> size_of(const JsonReader& json) {
-  const auto [width, height] = json.numbers<2>();
-  if (!is_window(width, height)) return std::nullopt;
-  return glm::ivec2(width, height);
+  if (const auto last = f.child("last")) code_listed(*last, layout.last, column_words);
+  f.member("timeline", layout.timeline);
+  f.member("sections", layout.sections);
 }
 
 // Ignores unknown commands, which a newer version may have written.
-Keymap keymap_of(const JsonReader& json) {
-  Keymap keymap;
-  if (const auto preset = json.find("preset"))
-    keymap.set_preset(value_of_word<KeyPreset>(preset->text()).value_or(keymap.preset()));
-  if (const auto changed = json.find("changed")) {
-    for (const std::string& command : changed->keys()) {
-      if (const auto key = shortcut_of(changed->at(command).text())) keymap.change(command, *key);
-    }
+static void code(const JsonField& f, Keymap& keymap) {
+  KeyPreset preset = keymap.preset();
+  f.member("preset", preset);
+  if (!f.reads()) {
+    for (const auto& [command, key] : keymap.changes()) f.out()["changed"][command] = text(key);
+    return;
   }
-  return keymap;
+  keymap.set_preset(preset);
+  const auto changed = f.in().find("changed");
+  if (!changed) return;
+  for (const std::string& command : changed->keys())
+    if (const auto key = shortcut_of(changed->at(command).text())) keymap.change(command, *key);
 }
 
-ordered_json to_json(const Keymap& keymap) {
-  ordered_json json = {{"preset", entry_of(keymap.preset()).word}};
-  for (const auto& [command, key] : keymap.changes()) json["changed"][command] = text(key);
-  return json;
+static void code(const JsonField& f, Preferences& preferences) {
+  f.member("recent", preferences.recent, Preferences::most);
+  f.member("folder", preferences.folder);
+  f.unless({}, "coarse_motion", preferences.coarse_motion);
+  f.unless({}, "window", preferences.window);
+  f.member("hints", preferences.hints);
+  f.member("ask_keys", preferences.ask_keys);
+  f.member("dark", preferences.dark);
+  f.member("layout", preferences.layout);
+  f.member("keys", preferences.keymap);
 }
-
-void put_arrangement(ordered_json& json, const Preferences& preferences) {
-  json["hints"] = preferences.hints;
-  json["ask_keys"] = preferences.ask_keys;
-  json["dark"] = preferences.dark;
-  json["layout"] = to_json(preferences.layout);
-  json["keys"] = to_json(preferences.keymap);
-}
-
-void take_arrangement(Preferences& preferences, const JsonReader& json) {
-  if (const auto hints = json.find("hints")) preferences.hints = hints->boolean();
-  if (const auto ask = json.find("ask_keys")) preferences.ask_keys = ask->boolean();
-  if (const auto dark = json.find("dark")) preferences.dark = dark->boolean();
-  if (const auto layout = json.find("layout")) preferences.layout = layout_of(*layout);
-  if (const auto keys = json.find("keys")) preferences.keymap = keymap_of(*keys);
-}
-
-// Appends older entries that are not in the list.
-void append_missing(Preferences& to, const std::vector<RecentFile>& more) {
-  for (const auto& file : more) {
-    if (to.recent.size() >= Preferences::most) return;
-    if (std::find(to.recent.begin(), to.recent.end(), file) == to.recent.end()) to.recent.push_back(file);
-  }
-}
-
-// A damaged file has no entries worth keeping.
-std::vector<RecentFile> recent_in(const fs::path& file) {
-  try {
-    return read_preferences(file).recent;
-  } catch (const base::Error&) {
-    return {};
-  }
-}
-
-}  // namespace
 
 void Preferences::add(const RecentFile& file) {
   const RecentFile entry{from_root(file.file), from_root(file.cage)};
@@ -192,29 +146,17 @@ Preferences read_preferences(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return preferences;
   const nlohmann::json whole = read_json(file);
-  const JsonReader json(whole, file.string());
-  std::vector<RecentFile> recent;
-  if (const auto list = json.find("recent")) {
-    for (std::size_t i = 0; i < list->size(); ++i) recent.push_back(recent_of(list->item(i)));
-  }
-  append_missing(preferences, recent);
-  if (const auto folder = json.find("folder")) preferences.folder = folder->path();
-  take_arrangement(preferences, json);
-  if (const auto coarse = json.find("coarse_motion")) preferences.coarse_motion = coarse->boolean();
-  if (const auto window = json.find("window")) preferences.window = size_of(*window);
+  ShapeTable none;
+  code(JsonField(JsonReader(whole, file.string()), none), preferences);
   return preferences;
 }
 
 void write_preferences(const fs::path& file, const Preferences& preferences) {
   Preferences all = preferences;
-  append_missing(all, recent_in(file));
-  ordered_json json = {{"format", "viete remembered"}, {"version", 1}};
-  json["recent"] = ordered_json::array();
-  for (const auto& entry : all.recent) json["recent"].push_back(to_json(entry));
-  json["folder"] = path_json(all.folder);
-  if (all.coarse_motion) json["coarse_motion"] = *all.coarse_motion;
-  if (all.window) json["window"] = {all.window->x, all.window->y};
-  put_arrangement(json, all);
+  if (all.window && !is_window(all.window->x, all.window->y)) all.window.reset();
+  nlohmann::ordered_json json = {{"format", "viete remembered"}, {"version", 1}};
+  ShapeTable none;
+  code(JsonField(json, none), all);
   base::replace_file(file, readable(json, file), base::Durability::process);
 }
 

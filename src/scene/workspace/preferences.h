@@ -83,7 +83,7 @@ struct Preferences {
 /// Throws base::Error if the file exists and is damaged; a missing file gives the defaults.
 Preferences read_preferences(const std::filesystem::path& file);
 
-/// Atomic. Keeps recent files that another program has added, after these. Throws base::Error.
+/// Atomic. Throws base::Error.
 void write_preferences(const std::filesystem::path& file, const Preferences& preferences);
 
 }  // namespace viete::scene

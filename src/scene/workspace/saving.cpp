@@ -139,11 +139,6 @@ bool has_unsaved_edits(const Workspace& w) {
                                                    !same_pose(real_pose(w.document), w.saved.state.pose))));
 }
 
-void mark_edits_saved(Workspace& workspace, const std::string& first_edit) {
-  workspace.saved.edits = workspace.document.history.recorded();
-  workspace.saved.first_edit = first_edit;
-}
-
 void mark_saved(Workspace& workspace) {
   workspace.saved.state = state_of(workspace.document);
   mark_pose_saved(workspace);
@@ -152,38 +147,22 @@ void mark_saved(Workspace& workspace) {
 // Not for probes: the file of a pose does not include them.
 void mark_pose_saved(Workspace& workspace) {
   workspace.saved.put_pose(real_pose(workspace.document));
-  if (!has_unsaved_edits(workspace)) mark_edits_saved(workspace, "");
 }
 
 Session session_of(const Workspace& w) {
   Session session;
-  session.model = w.document.model.path;
-  session.cage = w.document.cage_file.path;
-  if (w.document.has_cage() && session.cage.empty()) session.generated_cage = w.document.cage_file;
-  session.model_content = w.document.model.content;
-  session.cage_content = w.document.cage_file.content;
+  static_cast<DocumentState&>(session) = state_of(w.document);
+  session.pose = real_pose(w.document);
+  session.library.unmixed = unmixed_pose(w.document);
+  session.model = w.document.model;
   session.origin = w.saved.session;
   session.origin_content = w.saved.content;
-  session.first_edit =
-      w.saved.first_edit.empty() ? w.document.history.first_edit_since(w.saved.edits) : w.saved.first_edit;
   session.method = w.document.method;
-  session.scheme = w.document.scheme;
-  session.mask = runs_of(w.document.mask);
-  session.probes = w.document.probes;
   session.camera = last_camera_of(w, 0);
   session.view = w.view;
   session.sides = ways_of(w);
   session.handling = w.handling;
   if (is_window(w.viewport.window.x, w.viewport.window.y)) session.window = glm::ivec2(w.viewport.window);
-  session.selecting = w.document.selection.kind();
-  session.selection = w.document.selection.indices();
-  session.groups = w.document.groups;
-  if (w.document.has_cage()) session.pose = real_pose(w.document);
-  session.shape = w.document.shape;
-  session.library = w.document.library;
-  session.library.unmixed = unmixed_pose(w.document);
-  session.timeline = w.document.timeline;
-  session.frame = w.document.frame;
   return session;
 }
 

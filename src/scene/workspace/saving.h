@@ -39,8 +39,6 @@ bool has_unsaved_edits(const Workspace& workspace);
 /// Marks the document, or only its pose, as saved.
 void mark_saved(Workspace& workspace);
 void mark_pose_saved(Workspace& workspace);
-/// Later edits are identified by the first of them; recovered work by the given one.
-void mark_edits_saved(Workspace& workspace, const std::string& first_edit);
 
 /// The session of the current state.
 Session session_of(const Workspace& workspace);

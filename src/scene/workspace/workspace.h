@@ -136,11 +136,9 @@ private:
 struct Saved {
   std::filesystem::path session{};  ///< target of Save; empty until there is one
   std::optional<std::uint64_t>
-      content{};             ///< checksum of that file when read or written here; nullopt: unknown
-  DocumentState state{};     ///< last opened or saved; with the real pose; empty for recovered work
-  unsigned long edits = 0;   ///< number of recorded edits then
-  std::string first_edit{};  ///< first edit of recovered work
-  bool recovered = false;    ///< recovered work that is in none of the user's files
+      content{};           ///< checksum of that file when read or written here; nullopt: unknown
+  DocumentState state{};   ///< last opened or saved; with the real pose; empty for recovered work
+  bool recovered = false;  ///< recovered work that is in none of the user's files
 
   void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
   void put_pose(deform::Pose pose) { state.pose = std::move(pose), recovered = false, ++revision_; }
