@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <csignal>
@@ -20,15 +21,6 @@ std::string last_glfw_error() {
   std::string reason = text ? text : "no reason given";
   while (!reason.empty() && reason.back() == ' ') reason.pop_back();
   return reason;
-}
-
-std::string utf8(unsigned code) {
-  const auto byte = [](unsigned value) { return static_cast<char>(value); };
-  const auto tail = [&](unsigned shift) { return byte(0x80 | (code >> shift & 0x3f)); };
-  if (code < 0x80) return {byte(code)};
-  if (code < 0x800) return {byte(0xc0 | code >> 6), tail(0)};
-  if (code < 0x10000) return {byte(0xe0 | code >> 12), tail(6), tail(0)};
-  return {byte(0xf0 | code >> 18), tail(12), tail(6), tail(0)};
 }
 
 // GLFW names keys by their position on a US keyboard; shortcuts use the printed label.
@@ -227,8 +219,10 @@ void Window::listen_to_keys() {
     if (action != GLFW_REPEAT && key >= 0)
       of(w).events_.input(InputEvent::key(labelled(key, scancode), action == GLFW_PRESS));
   });
-  glfwSetCharCallback(
-      handle_, [](GLFWwindow* w, unsigned code) { of(w).events_.input(InputEvent::typed(utf8(code))); });
+  glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned code) {
+    char utf8[5];
+    of(w).events_.input(InputEvent::typed(ImTextCharToUtf8(utf8, code)));
+  });
 }
 
 void Window::listen(WindowEvents events) {
