@@ -77,8 +77,7 @@ void Analysis::follow_report(scene::Workspace& workspace) {
     if (!result->problem.empty()) workspace.messages.error("Report failed: " + result->problem, {"report"});
     shows_news_ = true;
   }
-  workspace.reporting.running = report_.running();
-  workspace.reporting.done = report_.done();
+  workspace.reporting = report_.state();
 }
 
 // Checks the surfaces as loaded, independent of pose and binding.
@@ -93,7 +92,7 @@ void Analysis::start_checks(const scene::Document& document) {
 void Analysis::take_checks(scene::Workspace& workspace, bool wait) {
   auto result = checks_.poll(wait);
   workspace.checks.running = checks_.running();
-  workspace.checks.done = checks_.done();
+  workspace.checks.done = checks_.state().done;
   if (!result) return;
   shows_news_ = true;
   if (!result->value)

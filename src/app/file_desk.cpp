@@ -135,9 +135,7 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     waiting_ = std::move(result->value);
     w.question = scene::ask_before_opening(scene::name_of_work(w), autosave_.problem());
   } else if (result->stopped) {
-    w.messages.info(loader_.was_binding() ? "Cancelled binding; nothing was changed."
-                                          : "Cancelled reading; nothing was changed.",
-                    {"open"});
+    w.messages.info("Cancelled opening; nothing was changed.", {"open"});
   } else {
     scene::report_refusal(w, reading_, result->problem, "open");
   }

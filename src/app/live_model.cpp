@@ -59,8 +59,7 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
   follow_mask(document);
-  workspace.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
-                       binder_.seconds()};
+  workspace.binding = binder_.state();
   return {new_surfaces, new_cage};
 }
 
@@ -119,14 +118,16 @@ void LiveModel::follow_weights(const scene::Document& document) {
 }
 
 void LiveModel::start_binding(const scene::Document& document) {
-  binding_text_ = document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
-                                      : "Preparing the model for probes";
-  binder_.start([model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
-                 // Every method except `fast` uses the staged weights.
-                 method = same_path_ ? sym3::Method::diag : document.method,
-                 known = bound_](base::Progress& progress) {
-    return app::bind(model, cage, scheme, method, known, progress);
-  });
+  std::string name = document.has_cage()
+                         ? scene::text(scene::binding_plan(document, document.scheme.weighting))
+                         : "Preparing the model for probes";
+  binder_.start(
+      [model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
+       // Every method except `fast` uses the staged weights.
+       method = same_path_ ? sym3::Method::diag : document.method, known = bound_](base::Progress& progress) {
+        return app::bind(model, cage, scheme, method, known, progress);
+      },
+      std::move(name));
 }
 
 void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {

@@ -113,7 +113,6 @@ private:
   FileDesk& files_;
   base::WorkerPool pool_;
   base::BackgroundJob<Bound> binder_;
-  std::string binding_text_;
   std::shared_ptr<const deform::Cage> no_cage_;  // substitute for a missing cage; null until needed
   Bound bound_;                                  // input of the deformer; empty without one
   std::unique_ptr<deform::Deformer> deformer_;

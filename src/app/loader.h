@@ -2,11 +2,7 @@
 // cage.
 #pragma once
 
-#include <atomic>
-#include <memory>
-#include <mutex>
 #include <optional>
-#include <string>
 
 #include "app/bound.h"
 #include "app/model_layer.h"
@@ -33,27 +29,11 @@ public:
   /// Cancels the work, which ends soon; poll() then reports it.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
-  /// The current step, its progress and duration.
-  scene::WorkState state() const;
+  base::WorkState state() const { return job_.state(); }
   /// The result once it is available; returned only once. With `wait`, waits for it.
   std::optional<Job::Result> poll(bool wait = false) { return job_.poll(wait); }
-  /// True if the last step was binding, not reading.
-  bool was_binding() const { return part_ && part_->binds; }
 
 private:
-  // The current step and its start.
-  struct Part {
-    void begin(std::string name);
-
-    mutable std::mutex mutex;
-    std::string what;
-    double begun = 0;
-    std::atomic<bool> binds = false;
-  };
-  static Loaded load(const scene::OpenRequest& request, const scene::Document& current, Part& part,
-                     base::Progress& progress);
-
-  std::shared_ptr<Part> part_;
   Job job_;
 };
 

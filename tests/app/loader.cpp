@@ -37,7 +37,6 @@ TEST_CASE("a_loader_that_was_given_nothing_is_idle") {
   app::Loader loader;
   CHECK_FALSE(loader.running());
   CHECK_FALSE(loader.state().running);
-  CHECK_FALSE(loader.was_binding());
   CHECK_FALSE(loader.poll(true));
   loader.stop();
 }
@@ -55,7 +54,6 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   CHECK(document.model.path == files.model);
   CHECK(result->value->shading.surface == document.model.surface);
   CHECK(result->value->bound.binds(document));
-  CHECK(loader.was_binding());
   CHECK_FALSE(loader.running());
   CHECK_FALSE(loader.state().running);
   CHECK_FALSE(loader.poll(true));
@@ -68,7 +66,6 @@ TEST_CASE("only_changes_are_derived_again") {
   REQUIRE(model.value);
   CHECK(model.value->shading.surface);
   CHECK_FALSE(model.value->bound.binding);
-  CHECK_FALSE(loader.was_binding());
 
   const Result cage = loaded(loader, {What::cage, {files.cage}}, *model.value->opened.document);
   REQUIRE(cage.value);

@@ -48,7 +48,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     if (d.document().model.surface.get() == surface) break;
   }
   CHECK(test::edit_count(d.document().history) == 1);
-  CHECK(d.workspace().messages.all().back().text.find("Cancelled reading") != std::string::npos);
+  CHECK(d.workspace().messages.all().back().text.find("Cancelled opening") != std::string::npos);
 
   double furthest = 0;
   for (int i = 0; i < 20 && furthest <= 0.1; ++i) {  // it may be read between two frames

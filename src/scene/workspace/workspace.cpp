@@ -133,21 +133,6 @@ void cancel_widget_edit(Workspace& w) {
   if (!w.making.open) take_back(w.document, std::move(before.document));
 }
 
-std::optional<double> TimeLeft::of(const WorkState& work) {
-  if (work.what != what_ ||
-      (!seen_.empty() && (work.seconds < seen_.back()[0] || work.done < seen_.back()[1])))
-    seen_.clear();
-  what_ = work.what;
-  constexpr double apart = 0.05;
-  if (seen_.empty() || work.seconds > seen_.back()[0] + apart) seen_.push_back({work.seconds, work.done});
-  if (work.seconds < 0.5 || work.done < 0.02) return std::nullopt;
-  const auto half =
-      std::ranges::lower_bound(seen_, 0.5 * work.seconds, {}, [](const auto& s) { return s[0]; });
-  const double seconds = work.seconds - (*half)[0], done = work.done - (*half)[1];
-  if (seconds < 0.2 || !(done > 0)) return work.seconds * (1 - work.done) / work.done;
-  return seconds * (1 - work.done) / done;
-}
-
 void take_report(Workspace& workspace, const deform::LogReport& report) {
   Document& document = workspace.document;
   document.pose.turns = report.turns;

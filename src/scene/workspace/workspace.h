@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/background.h"
 #include "deform/maps.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_making.h"
@@ -113,25 +114,7 @@ struct Requests {
   std::optional<Answer> answer;  ///< to the open question
 };
 
-/// Progress of background work that the user waits for.
-struct WorkState {
-  bool running = false;
-  std::string what;    ///< "Reading dragon.ply", "Binding 50,000 vertices to 148 faces, 72 MB"
-  double done = 0;     ///< in [0, 1]
-  double seconds = 0;  ///< since this part began
-  double age = 0;      ///< since the whole began
-};
-
-/// Estimates the remaining time from the speed in the latter half of the elapsed time, ignoring a slow start.
-class TimeLeft {
-public:
-  /// Seconds; nullopt while there is too little data. Call repeatedly while the work runs.
-  std::optional<double> of(const WorkState& work);
-
-private:
-  std::string what_;
-  std::vector<std::array<double, 2>> seen_;  // seconds, and progress then
-};
+using base::WorkState;
 
 /// The state saved in the user's files: edits since then are unsaved.
 struct Saved {
@@ -222,7 +205,6 @@ struct Workspace {
   WorkState binding;  ///< rebinding the open document with other weights
   WorkState exporting;
   WorkState making_cage;
-  TimeLeft time_left, export_left;  ///< displayed estimates: of the current task, of an export
   CageMaking making;
   bool offer_cage = true;  ///< offer ways to get a cage while the model has none
   CheckState checks;
