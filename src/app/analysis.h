@@ -45,7 +45,6 @@ private:
   void follow_report(scene::Workspace& workspace);
   void follow_path(scene::Workspace& workspace, const LiveModel& model);
   bool probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
-  void follow_probe(scene::Workspace& workspace, const LiveModel& model);
   void start_probe(scene::Workspace& workspace, const LiveModel& model);
   void take_probe(scene::Workspace& workspace, bool wait);
   bool timer_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
@@ -55,7 +54,7 @@ private:
 
   bool probe_wanted_, shows_news_ = false;
   std::filesystem::path program_, state_;
-  MethodProbe probe_;
+  base::BackgroundJob<scene::MethodStats> probe_;
   base::BackgroundJob<MethodTimings> timer_;
   base::BackgroundJob<std::string> report_;
   base::BackgroundJob<std::vector<scene::Finding>> checks_;
@@ -69,7 +68,7 @@ private:
   };
   Path path_;
   std::optional<deform::EngineKind> engine_;
-  double probed_at_ = -1;    // wall seconds
+  double probed_at_ = -1;    // wall seconds, of the start or the result
   unsigned long timed_ = 0;  // index of the frame whose pose was timed
   double rests_since_ = 0;   // wall seconds
 };

@@ -59,7 +59,7 @@ private:
   std::unique_ptr<base::WorkerPool> pool_;
   std::shared_ptr<const mesh::Surface> surface_;
   std::shared_ptr<const lab::Strain> strain_;  // for surface_
-  std::array<View, scene::Split::most_sides + 1> views_;
+  std::array<View, scene::Split::most> views_;
 };
 
 }  // namespace viete::app

@@ -92,7 +92,7 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
   if (deformer_->scheme() == scheme) return;
   deform::Scheme bound = deformer_->scheme();
   bound.amounts = scheme.amounts;
-  if (bound != scheme) return make_deformer(scheme);
+  if (bound != scheme) return renew_deformer(scheme);
   deformer_->set_amounts(scheme.amounts);
   derived_.reset();
 }
@@ -118,16 +118,10 @@ void LiveModel::follow_weights(const scene::Document& document) {
 }
 
 void LiveModel::start_binding(const scene::Document& document) {
-  std::string name = document.has_cage()
-                         ? scene::text(scene::binding_plan(document, document.scheme.weighting))
-                         : "Preparing the model for probes";
-  binder_.start(
-      [model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
-       // Every method except `fast` uses the staged weights.
-       method = same_path_ ? sym3::Method::diag : document.method, known = bound_](base::Progress& progress) {
-        return app::bind(model, cage, scheme, method, known, progress);
-      },
-      std::move(name));
+  bind_for({scheme_of(document), document.method, same_path_}, document.model.surface, cage_of(document),
+           bound_,
+           document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
+                               : "Preparing the model for probes");
 }
 
 void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {
@@ -143,7 +137,7 @@ void LiveModel::install(scene::Workspace& workspace, Bound bound) {
   for (const auto& warning : bound.binding->warnings) workspace.messages.warn(warning, of_cage);
   workspace.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
-  make_deformer(scheme_of(workspace.document));
+  renew_deformer(scheme_of(workspace.document));
   follow_mask(workspace.document);
 }
 
@@ -151,13 +145,10 @@ void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
   if (bound_.binding && bound_.binding->tiles == binding->tiles) bound_.binding = binding;
 }
 
-void LiveModel::make_deformer(const deform::Scheme& scheme) {
-  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool_,
-                                                 bound_.stitches(scheme) ? bound_.stitching : nullptr);
+void LiveModel::renew_deformer(const deform::Scheme& scheme) {
+  make_deformer(scheme, same_path_, pool_);
   derived_.reset();
-  deformer_->set_all_staged(same_path_);
   unprepared_ = true;
-  drag_ = {};
 }
 
 void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
@@ -202,15 +193,12 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   if (editing) derived_ = {document.revisions().pose, document.revisions().method};
   const bool deformed = !editing && deforms(document);
   if (deformed) {
-    deformer_->set_probes(document.probes);
-    deformer_->set_shape(document.shape);
     times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
-    deformer_->deform(document.has_cage() ? document.pose : deform::rest_pose(*no_cage_), times.method);
+    run(document, document.pose, document.shape, times.method);
     take_carried(document);
     if (document.has_cage()) scene::take_report(workspace, deformer_->state().report());
     times.links = deformer_->times();
     derived_ = {document.revisions().pose, document.revisions().method};
-    ++frames_;
     prepared_ = std::exchange(unprepared_, false);
     if (prepared_) derived_.reset();
   }
@@ -257,7 +245,7 @@ sym3::Mat3<double> LiveModel::map_at(const scene::Document& document, std::uint3
 }
 
 mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index) const {
-  if (!deformer_ || !deformer_->ran()) return document.model.surface->positions[index];
+  if (!ran()) return document.model.surface->positions[index];
   const auto& p = deformer_->vertices()[index].position;
   return deformer_->origin() + mesh::Point{p[0], p[1], p[2]};
 }

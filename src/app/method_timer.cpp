@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -74,7 +73,6 @@ MethodTimings time_methods(TimedPose timed, base::Progress& progress) {
 
 namespace {
 
-constexpr double pause_seconds = 0.33;
 constexpr int rounds = 5;
 constexpr std::size_t method_count = scene::compared_methods.size();
 using Matrix = sym3::Sym3<double>;
@@ -83,27 +81,14 @@ scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const 
   std::vector<double> errors(matrices.size());
   for (std::size_t i = 0; i < matrices.size(); ++i)
     errors[i] = sym3::relative_error(computed[i], matrices[i]);
-  scene::MethodSample sample;
-  std::tie(sample.worst_error, sample.median_error) = worst_and_median(std::move(errors));
+  scene::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
+  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
+  sample.worst_error = std::ranges::max(errors);
+  sample.median_error = base::median(std::move(errors));
   return sample;
 }
 
 }  // namespace
-
-std::pair<double, double> worst_and_median(std::vector<double> errors) {
-  if (errors.empty()) return {0, 0};
-  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); }))
-    return {std::nan(""), std::nan("")};
-  const double worst = std::ranges::max(errors);
-  return {worst, base::median(std::move(errors))};
-}
-
-std::vector<Matrix> spread_sample(std::span<const Matrix> matrices, std::size_t most) {
-  const std::size_t count = std::min(matrices.size(), most);
-  std::vector<Matrix> sample(count);
-  for (std::size_t i = 0; i < count; ++i) sample[i] = matrices[i * matrices.size() / count];
-  return sample;
-}
 
 scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
   scene::MethodStats stats;
@@ -123,22 +108,6 @@ scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
   }
   stats.matrices = matrices.size();
   return stats;
-}
-
-bool MethodProbe::ready() const {
-  return !job_.running() && base::wall_seconds() - last_ > pause_seconds;
-}
-
-void MethodProbe::offer(std::span<const Matrix> matrices) {
-  job_.start(
-      [sample = spread_sample(matrices, probe_limit)](base::Progress&) { return measure_methods(sample); });
-}
-
-std::optional<scene::MethodStats> MethodProbe::poll(bool wait) {
-  const auto result = job_.poll(wait);
-  if (!result) return std::nullopt;
-  last_ = base::wall_seconds();
-  return result->value;
 }
 
 }  // namespace viete::app

@@ -50,7 +50,6 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   view.dark &= !options.light;
   view.cage = options.cage;
   view.wireframe |= options.wireframe;
-  if (options.error_map) view.field = lab::Field::exp_error;
   view.field = base::value_of_word<lab::Field>(options.map).value_or(view.field);
   view.grid &= !options.no_grid;
   view.shading = base::value_of_word<scene::Shading>(options.shading).value_or(view.shading);
@@ -102,9 +101,8 @@ void print_missing(const scene::Workspace& w) {
   if (scene::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
                  " here: some maps need a cage and a blend in log space, others a model that can move"});
-  if (!w.field.problem.empty()) throw base::Error("", w.field.problem);
-  for (const scene::SideView& side : w.split.sides)
-    for (const std::string& problem : {side.problem, side.shown.problem})
+  for (const scene::View& view : w.split.views)
+    for (const std::string& problem : {view.problem, view.shown.problem})
       if (!problem.empty()) throw base::Error("", problem);
 }
 
@@ -167,7 +165,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   auto* compare = command.add_option("--compare", options.compare,
                                      "Compare 2 to 4 deformers or methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
-  command.add_flag("--error-map", options.error_map, "Same as --map exp-error");
   auto* width = command.add_option_function<double>(
       "--line-width",
       [&options](double points) {

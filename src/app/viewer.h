@@ -124,9 +124,9 @@ private:
   void follow_notices();
   void deform(scene::FrameTimes& times);
   void enter_view_under_cursor();
+  const ViewModel& model_of(std::size_t view) const;
   scene::PosedModel posed_in(std::size_t view) const;
   FieldSubject field_subject(std::size_t view) const;
-  scene::FieldView& field_view(std::size_t view);
   bool follow_fields();
   bool field_is_due() const;
   void share_ranges();
@@ -163,7 +163,7 @@ private:
   ui::FieldColors field_colors_;
 
   struct Notices {
-    bool question = false, closing_notice = false;
+    bool question = false;
     unsigned messages = 0;
     float row = 0;  ///< its height
     bool operator==(const Notices&) const = default;
@@ -172,7 +172,7 @@ private:
   scene::Revisions message_revisions_;  ///< revisions that the messages up to message_revision_ refer to
   unsigned message_revision_ = 0;
   std::optional<scene::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn
-  bool deformed_ = false, first_deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
+  bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< wall time in seconds; of the view alone, and of all
   double last_motion_ = 0;                   ///< time of the last picture with motion
   bool refines_ = false, moves_ = false;     ///< in this frame: refining the view at rest; the view is moving

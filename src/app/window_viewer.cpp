@@ -54,7 +54,6 @@ private:
   void set_title();
   void follow_full_screen();
   void request_attention();
-  void show_closing_notice();
 
   platform::Window& window_;
   Viewer viewer_;
@@ -115,16 +114,6 @@ void WindowViewer::draw(float seconds, bool exposed) {
   follow_full_screen();
 }
 
-// Shows for a moment that edits were backed up.
-void WindowViewer::show_closing_notice() {
-  constexpr double seconds = 1.5;
-  if (!viewer_.keeping()) return;
-  viewer_.workspace().closing_notice = true;
-  for (int i = 0; i < 3; ++i) draw(0.02f);  // new windows of the panels need a frame to settle their size
-  const double end = base::wall_seconds() + seconds;
-  while (base::wall_seconds() < end) window_.wait_for_events(0.1);
-}
-
 void WindowViewer::run(int frames) {
   double last = base::wall_seconds();
   for (int drawn = 0; frames == 0 || drawn < frames;) {
@@ -137,7 +126,7 @@ void WindowViewer::run(int frames) {
     draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
     last = now;
     if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // nothing was presented, so there is no vsync
-    if (viewer_.closed()) return show_closing_notice();
+    if (viewer_.closed()) return;
     if (!viewer_.loading()) ++drawn;
   }
 }

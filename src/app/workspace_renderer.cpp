@@ -95,14 +95,8 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
 
 void WorkspaceRenderer::set_colors(const scene::Workspace& w) {
   bool changed = false;
-  for (std::size_t view = 0; view < models_.size(); ++view) {
-    if (view == 0) {
-      changed |= models_[view]->set_colors(w, scene::shown_field(w), w.field);
-    } else if (view < w.split.count()) {
-      const scene::SideView& side = w.split.sides[view - 1];
-      changed |= models_[view]->set_colors(w, scene::shown_field(w, side), side.shown);
-    }
-  }
+  for (std::size_t view = 0; view < std::min(models_.size(), w.split.count()); ++view)
+    changed |= models_[view]->set_colors(w, scene::shown_field(w, view), w.split.views[view].shown);
   if (changed) ++content_;
 }
 
@@ -220,8 +214,8 @@ ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(scene::viewport_of(w.split, v, view)));
   part.surface = surface_style(w);
-  part.cage = view == 0 || !w.split.sides[view - 1].other_blending;
-  models_[view]->span(part.surface, view == 0 ? w.field : w.split.sides[view - 1].shown);
+  part.cage = !scene::shown_way(w, view).other_blending;
+  models_[view]->span(part.surface, w.split.views[view].shown);
   return part;
 }
 

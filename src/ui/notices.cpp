@@ -103,13 +103,6 @@ void recovery_text(const Context& ui) {
   hint_at(recovery_files.front());
 }
 
-// The last thing shown before closing.
-void closing_notice(const Context& ui) {
-  const Window window("Farewell", {.at = middle_of_view(ui), .padding = {24, 16}}, sized_flags);
-  ImGui::TextUnformatted("Unsaved edits were saved for recovery; the next start offers to restore them.");
-  record(ui, "farewell");
-}
-
 }  // namespace
 
 float notice_room(const Context& ui) {
@@ -120,7 +113,6 @@ float notice_room(const Context& ui) {
 // A row below the menu bar, above the columns and the view.
 void notice_bar(const Context& ui) {
   auto& w = ui.workspace;
-  if (w.closing_notice) closing_notice(ui);
   if (!w.has_user) return;
   w.notice_height = 0;
   if (!w.offers_recovery || w.recovery_files.empty()) return;

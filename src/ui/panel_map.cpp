@@ -37,7 +37,7 @@ namespace {
 
 // Fields for the colour range while it is fixed.
 void range_fields(const Context& ui) {
-  scene::FieldView& shown = ui.workspace.field;
+  scene::FieldView& shown = ui.workspace.split.views[0].shown;
   if (!shown.holds_range || !shown.values) return;
   double low = shown.stats.low, high = shown.stats.high;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - 2 * ImGui::CalcTextSize("to").x);
@@ -221,16 +221,13 @@ float map_legend(const Context& ui, float bottom) {
   if (ui.field_colors.even.empty()) return bottom;
   float top = bottom;
   for (std::size_t view = 0; view < w.split.count(); ++view) {
-    const bool first = view == 0;
-    const scene::SideView* side = first ? nullptr : &w.split.sides[view - 1];
-    const lab::Field field = first ? scene::shown_field(w) : scene::shown_field(w, *side);
+    const lab::Field field = scene::shown_field(w, view);
     if (field == lab::Field::none) continue;
     const scene::Pane pane = scene::pane_of(w.split, view);
     const glm::vec2 corner = w.viewport.origin + (pane.at + pane.size) * w.viewport.size;
     const Size& size = w.split.on() ? small : whole;
     if (pane.size.x * w.viewport.size.x < size.width + 32) continue;
-    legend(ui, vec(corner), first ? w.field : side->shown, field, first ? w.document.method : side->method,
-           size);
+    legend(ui, vec(corner), w.split.views[view].shown, field, scene::shown_way(w, view).method, size);
     if (corner.y > bottom - 1) top = bottom - size.height - 32;
   }
   return top;

@@ -20,8 +20,7 @@ constexpr float least_room = 170;  // minimum for a caption next to the axes; ot
 
 // Empty unless some view blends differently (linear or log space) from the document.
 std::string blending_words(const scene::Workspace& w, bool other) {
-  const auto has_other = [](const scene::SideView& side) { return side.other_blending; };
-  if (std::ranges::none_of(w.split.sides, has_other)) return "";
+  if (std::ranges::none_of(w.split.sides(), &scene::View::other_blending)) return "";
   return w.document.timeline.straight != other ? "linear interpolation" : "log space";
 }
 
@@ -44,40 +43,26 @@ std::string way_words(const scene::Scheme& scheme) {
   return way ? std::string(scene::entry(*way).label) : "Custom";
 }
 
-// "1.9 ms", "exp 3e-16", "frame 2e-08".
-void add_numbers(Text& text, const scene::FrameStats& stats, std::optional<double> exp_error,
-                 double fused_error) {
-  if (const auto times = stats.deforming_median()) add(text, milliseconds(times->links.total()));
-  if (exp_error) add(text, "exp " + error(*exp_error));
-  if (fused_error > 0) add(text, "frame " + error(fused_error));
-}
-
-void add_title(Text& text, const scene::Workspace& w, const scene::Scheme& scheme, scene::Method method,
-               bool other_blending) {
-  if (w.document.has_cage()) {
-    add(text, way_words(scheme));
-    if (scheme.exponential()) add(text, method_label(method));
-  }
-  add(text, blending_words(w, other_blending));
-}
-
-Caption shown_in(const scene::Workspace& w, std::size_t view) {
+// The numbers are like "1.9 ms", "exp 3e-16", "frame 2e-08".
+Caption shown_in(const scene::Workspace& w, std::size_t number) {
+  const scene::SideWay way = scene::shown_way(w, number);
+  const scene::View& view = w.split.views[number];
   Caption shown;
-  if (view == 0) {
-    const scene::MethodSample* sample = running_sample(w);
-    add_title(shown.title, w, w.document.scheme, w.document.method, false);
-    add_numbers(shown.numbers, w.stats, sample ? std::optional(sample->worst_error) : std::nullopt,
-                w.fused_error);
+  if (w.document.has_cage()) {
+    add(shown.title, way_words(way.scheme));
+    if (way.scheme.exponential()) add(shown.title, method_label(way.method));
+  }
+  add(shown.title, blending_words(w, way.other_blending));
+  if (!view.problem.empty() || view.binding) {
+    add(shown.numbers, view.problem.empty() ? "binding" : view.problem);
     return shown;
   }
-  const scene::SideView& side = w.split.sides[view - 1];
-  add_title(shown.title, w, side.scheme, side.method, side.other_blending);
-  if (!side.problem.empty())
-    add(shown.numbers, side.problem);
-  else if (side.binding)
-    add(shown.numbers, "binding");
-  else
-    add_numbers(shown.numbers, side.stats, side.exp_error, side.fused_error);
+  if (const auto times = view.stats.deforming_median())
+    add(shown.numbers, milliseconds(times->links.total()));
+  const scene::MethodSample* running = number == 0 ? running_sample(w) : nullptr;
+  if (const auto exp = running ? std::optional(running->worst_error) : view.exp_error)
+    add(shown.numbers, "exp " + error(*exp));
+  if (view.fused_error > 0) add(shown.numbers, "frame " + error(view.fused_error));
   return shown;
 }
 
@@ -139,42 +124,12 @@ void frame(const Context& ui, const scene::Pane& pane) {
   if (pane.at.y > 0) draw.AddLine({low.x, low.y}, {high.x, low.y}, ui.colors.line, 1.5f);
 }
 
-// Drags the line of a wipe.
-void wipe_line(const Context& ui) {
-  constexpr float thickness = 10, knob = 9;
-  scene::Split& split = ui.workspace.split;
-  const scene::Viewport& v = ui.workspace.viewport;
-  const float x = v.origin.x + split.line * v.size.x;
-  const Window window("Wipe",
-                      {.at = {x, v.origin.y},
-                       .pivot = {0.5f, 0},
-                       .size = {thickness, v.size.y},
-                       .rounding = 0,
-                       .padding = {0, 0}},
-                      fixed_flags | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
-                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  ImGui::InvisibleButton("line", {thickness, v.size.y});
-  record(ui, "wipe_line");
-  const bool held = ImGui::IsItemActive(), over = held || ImGui::IsItemHovered();
-  if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImU32 color = over ? ui.colors.accent : ui.colors.text;
-  const float y = v.origin.y + 0.5f * v.size.y;
-  draw.PushClipRectFullScreen();
-  draw.AddLine({x, v.origin.y}, {x, v.origin.y + v.size.y}, faded(color, 0.8f), 1.5f);
-  draw.AddCircleFilled({x, y}, knob, color);
-  draw.PopClipRect();
-  if (held)
-    split.line = std::clamp((ImGui::GetIO().MousePos.x - v.origin.x) / v.size.x, scene::Split::least_part,
-                            1 - scene::Split::least_part);
-}
-
 }  // namespace
 
 // Copies the overlays of the active view to the views with the same camera.
 void repeat_in_views(const Context& ui, const DrawnBefore& before) {
   const scene::Split& split = ui.workspace.split;
-  if (!split.on() || split.wipes() || !split.linked) return;
+  if (!split.on() || !split.linked) return;
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   const int vertices = draw.VtxBuffer.Size - before.vertices, indices = draw.IdxBuffer.Size - before.indices;
   if (vertices == 0) return;
@@ -213,7 +168,6 @@ void split_overlay(const Context& ui) {
     caption(ui, view, w.viewport.origin + corner * w.viewport.size + glm::vec2(beside, 0),
             room - (by_axes && !at_bottom ? axes_room : 0), at_bottom);
   }
-  if (w.split.wipes()) wipe_line(ui);
 }
 
 }  // namespace viete::ui

@@ -33,18 +33,12 @@ scene::Document opened(app::Loader& loader, const scene::OpenRequest& request) {
 
 }  // namespace
 
-TEST_CASE("a_loader_that_was_given_nothing_is_idle") {
-  app::Loader loader;
-  CHECK_FALSE(loader.running());
-  CHECK_FALSE(loader.state().running);
-  CHECK_FALSE(loader.poll(true));
-  loader.stop();
-}
-
 TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   const test::CubeFiles files;
   app::Loader loader;
-  loader.start({What::model, {files.model, files.cage}}, {});
+  CHECK_FALSE(loader.poll(true));
+  loader.start({What::model, {files.cage}}, {});
+  loader.start({What::model, {files.model, files.cage}}, {});  // replaces the first request
   CHECK(loader.running());
   CHECK(loader.state().running);
   const auto result = loader.poll(true);
@@ -108,18 +102,6 @@ TEST_CASE("files_that_cannot_be_opened_are_a_problem_that_names_them") {
     CHECK_MESSAGE(result.problem.find("broken.obj") != std::string::npos, result.problem);
     CHECK_FALSE(loaded(loader, {what, {}}).value);
   }
-}
-
-TEST_CASE("another_request_takes_the_place_of_the_first") {
-  const test::CubeFiles files;
-  app::Loader loader;
-  loader.start({What::model, {files.model, files.cage}}, {});
-  loader.start({What::model, {files.cage}}, {});
-  const auto result = loader.poll(true);
-  REQUIRE(result);
-  REQUIRE(result->value);
-  CHECK(result->value->opened.document->model.path == files.cage);
-  CHECK_FALSE(loader.poll(true));
 }
 
 TEST_CASE("cancelled_reading_shows_a_message") {

@@ -416,6 +416,6 @@ TEST_CASE("the_measured_error_is_of_the_frame_that_is_shown_whatever_it_blends")
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);
-    CHECK(d.until([&] { return d.workspace().fused_error == error; }));
+    CHECK(d.until([&] { return d.workspace().split.views[0].fused_error == error; }));
   }
 }

@@ -63,36 +63,23 @@ TEST_CASE("too_large_picture_is_rejected_and_the_next_one_works") {
   CHECK(stage.picture([&] { clear(stage.gl, 0, 0, 1, 1); }).pixel(0, 0)[2] == 255);
 }
 
-TEST_CASE("drawing_after_resolve_is_in_the_picture") {
-  test::Stage stage;
-  stage.framebuffer.begin(stage.view.size, 4);
-  clear(stage.gl, 1, 0, 0, 1);
-  stage.framebuffer.resolve();
-  stage.gl.Enable(GL_SCISSOR_TEST);
-  stage.gl.Scissor(0, 0, 10, 10);
-  clear(stage.gl, 0, 0, 1, 1);
-  stage.gl.Disable(GL_SCISSOR_TEST);
-  const render::Image image = stage.framebuffer.read();
-  CHECK(image.pixel(5, 195) == render::Rgba8{0, 0, 255, 255});
-  CHECK(image.pixel(5, 5) == render::Rgba8{255, 0, 0, 255});
-}
-
 TEST_CASE("begin_with_stretches_another_picture_without_changing_it") {
   test::Stage stage;
-  const render::Image small = stage.picture([&] {
-    clear(stage.gl, 0, 1, 0, 1);
+  const auto fill = [&](int width, int height, float red, float blue) {
     stage.gl.Enable(GL_SCISSOR_TEST);
-    stage.gl.Scissor(0, 0, 160, 200);
-    clear(stage.gl, 1, 0, 0, 1);
+    stage.gl.Scissor(0, 0, width, height);
+    clear(stage.gl, red, 0, blue, 1);
     stage.gl.Disable(GL_SCISSOR_TEST);
-  });
+  };
+  const auto draw = [&] {
+    clear(stage.gl, 0, 1, 0, 1);
+    fill(160, 200, 1, 0);
+  };
+  const render::Image small = stage.picture(draw, 4);
   render::Framebuffer whole(stage.gl);
   for (const int factor : {1, 2}) {
     whole.begin_with(stage.framebuffer, factor * stage.view.size);
-    stage.gl.Enable(GL_SCISSOR_TEST);
-    stage.gl.Scissor(0, 0, 10, 10);
-    clear(stage.gl, 0, 0, 1, 1);
-    stage.gl.Disable(GL_SCISSOR_TEST);
+    fill(10, 10, 0, 1);
     const render::Image image = whole.read();
     CHECK(image.width == factor * small.width);
     CHECK(image.height == factor * small.height);

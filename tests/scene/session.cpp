@@ -55,8 +55,6 @@ Workspace worked(const test::CubeFiles& files) {
             .hints = false};
   put_ways(w.split, {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, lab::Field::area, true},
                       {deform::scheme_of(deform::Way::arap)}},
-                     false,
-                     0.5,
                      {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
   return w;
 }

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/encoding.h"
+
 namespace viete::test {
 
 using GltfJson = nlohmann::ordered_json;
@@ -38,18 +40,9 @@ struct GltfParts {
   }
 
   std::string text() const {
-    static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string base64;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-      std::uint32_t bits = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-      for (std::size_t k = 0; k < 4; ++k)
-        base64.push_back(i + k <= bytes.size() ? letters[bits >> (18 - 6 * k) & 63] : '=');
-    }
     GltfJson embedded = json;
-    embedded["buffers"] = {
-        {{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64}}};
+    embedded["buffers"] = {{{"byteLength", bytes.size()},
+                            {"uri", "data:application/octet-stream;base64," + base::base64(bytes)}}};
     return embedded.dump();
   }
 

@@ -265,7 +265,6 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   if (session.camera) json["camera"] = camera_json(*session.camera);
   json["view"] = view_json(session.view);
   for (const SideWay& side : session.sides.sides) json["views"].push_back(side_json(side));
-  if (session.sides.wipe) json["wipe"] = session.sides.line;
   for (const CameraPose& camera : session.sides.cameras) json["cameras"].push_back(camera_json(camera));
   if (session.handling != Handling{}) json["hand"] = handling_json(session.handling);
   if (session.window) json["window"] = {session.window->x, session.window->y};
@@ -327,12 +326,7 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("camera", s.camera, read_camera, "the whole model is shown instead");
   take("view", s.view, read_view, new_window);
   const auto read_sides = [&](const JsonReader& v) { return sides_of(v, s.warnings); };
-  const auto read_line = [](const JsonReader& v) {
-    return v.number(SideWays::least_part, 1 - SideWays::least_part);
-  };
   take("views", s.sides.sides, read_sides, "there is one view instead");
-  s.sides.wipe = json.find("wipe").has_value();
-  take("wipe", s.sides.line, read_line, "it is in the middle instead");
   const auto read_cameras = [&](const JsonReader& v) { return cameras_of(v, s.sides.sides.size()); };
   take("cameras", s.sides.cameras, read_cameras, "all views have the first one's instead");
   take("hand", s.handling, read_hand, new_window);

@@ -44,7 +44,6 @@ struct MaskRun {
 ///   "view"                flags, see ViewOptions
 ///   "views"               additional views: [{"method", the keys of a scheme, "field": the map,
 ///                         "other_lines": linear if the first view uses logs}], at most 3; missing: none
-///   "wipe"                position of the line between two views, 0.05 to 0.95; missing: side by side
 ///   "cameras"             as "camera", one for each of "views" if they are not linked; missing: linked
 ///   "hand"                see session_parts.h; missing: defaults
 ///   "window"              [width, height] in logical pixels

@@ -12,8 +12,9 @@ namespace {
 // The first deformer that no view uses.
 deform::Scheme unused_scheme(const Workspace& w) {
   const auto is_used = [&](const deform::Scheme& scheme) {
-    return scheme == w.document.scheme ||
-           std::ranges::find(w.split.sides, scheme, &SideView::scheme) != w.split.sides.end();
+    for (std::size_t view = 0; view < w.split.count(); ++view)
+      if (shown_way(w, view).scheme == scheme) return true;
+    return false;
   };
   for (const deform::WayEntry& entry : deform::all_ways()) {
     const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme);
@@ -26,12 +27,10 @@ deform::Scheme unused_scheme(const Workspace& w) {
 
 void split_view(Workspace& w, std::size_t count) {
   Split& split = w.split;
-  count = std::clamp<std::size_t>(count, 1, Split::most_sides + 1);
+  count = std::clamp<std::size_t>(count, 1, Split::most);
   enter_view(w, 0);
-  if (count - 1 < split.sides.size()) split.sides.resize(count - 1);
-  while (split.count() < count) {
-    split.sides.push_back({SideWay{unused_scheme(w), w.document.method, w.view.field}});
-  }
+  split.views.resize(std::min(count, split.count()));
+  while (split.count() < count) split.views.push_back({{unused_scheme(w), w.document.method, w.view.field}});
   split.cameras.assign(split.count(), w.camera.pose());
   w.viewport = viewport_of(split, w.viewport, 0);
 }
@@ -60,15 +59,11 @@ CameraPose last_camera_of(const Workspace& w, std::size_t view) {
 
 SideWays ways_of(const Workspace& w) {
   const Split& split = w.split;
-  SideWays ways{{}, split.wipe, static_cast<double>(split.line), {}};
-  for (const SideView& side : split.sides) ways.sides.push_back(side);
+  SideWays ways;
+  for (const View& side : split.sides()) ways.sides.push_back(side);
   if (!split.linked)
     for (std::size_t view = 1; view < split.count(); ++view) ways.cameras.push_back(last_camera_of(w, view));
   return ways;
-}
-
-lab::Field shown_field(const Workspace& w, const SideView& side) {
-  return shown_field(w, side.field, side.scheme);
 }
 
 }  // namespace viete::scene

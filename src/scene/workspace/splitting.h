@@ -3,7 +3,6 @@
 
 #include <cstddef>
 
-#include "lab/field.h"
 #include "scene/document/camera.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/workspace.h"
@@ -20,7 +19,5 @@ CameraPose camera_of(const Workspace& workspace, std::size_t view);
 CameraPose last_camera_of(const Workspace& workspace, std::size_t view);
 /// The split as stored in a session.
 SideWays ways_of(const Workspace& workspace);
-/// The field shown as colours in a side view, or none.
-lab::Field shown_field(const Workspace& workspace, const SideView& side);
 
 }  // namespace viete::scene

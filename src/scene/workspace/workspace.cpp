@@ -65,18 +65,20 @@ bool shows_links(const Workspace& w) {
          deform::EngineKind::staged;
 }
 
-lab::Field shown_field(const Workspace& w, lab::Field field, const deform::Scheme& scheme) {
-  const lab::Source source = lab::entry(field).source;
-  const bool exponential = w.document.has_cage() && scheme.exponential();
+SideWay shown_way(const Workspace& w, std::size_t view) {
+  if (view > 0) return w.split.views[view];
+  return {w.document.scheme, w.document.method, w.view.field};
+}
+
+lab::Field shown_field(const Workspace& w, std::size_t view) {
+  const SideWay way = shown_way(w, view);
+  const lab::Source source = lab::entry(way.field).source;
+  const bool exponential = w.document.has_cage() && way.scheme.exponential();
   const bool exists = source == lab::Source::surface || source == lab::Source::first
                           ? w.document.model.surface != nullptr
                       : source == lab::Source::matrices ? exponential
                                                         : w.document.is_movable();
-  return exists && !shows_mask(w) ? field : lab::Field::none;
-}
-
-lab::Field shown_field(const Workspace& w) {
-  return shown_field(w, w.view.field, w.document.scheme);
+  return exists && !shows_mask(w) ? way.field : lab::Field::none;
 }
 
 float offer_height(const Workspace& w) {
@@ -109,7 +111,7 @@ void frame_selection(Workspace& workspace, bool eased) {
 void frame_worst(Workspace& w) {
   constexpr double share = 0.06;  // fraction of the model's diagonal, on either side
   const auto& surface = *w.document.model.surface;
-  const std::size_t worst = w.field.stats.worst;
+  const std::size_t worst = w.split.views[0].shown.stats.worst;
   if (worst >= surface.positions.size()) return;
   const mesh::Point at = w.posed.vertices.empty() ? surface.positions[worst] : w.posed.at(surface, worst);
   const double half = share * w.document.model.bounds.diagonal();

@@ -192,15 +192,10 @@ struct Workspace {
   Brush brush;       ///< used by Tool::paint
   PosedModel posed;  ///< the model as drawn
   Requests requests;
-  FrameStats stats;
   MethodStats methods;
   MethodTimes method_times;
-  FieldView field;
   VertexView vertex;
   Split split;
-  double fused_error =
-      0;  ///< error of the fused frame, or of its initial guess for a stitched model, against double, in
-          ///< diagonals of the cage; measured in the background; 0 if staged
   WorkState loading;  ///< opening files: reading, then binding
   WorkState binding;  ///< rebinding the open document with other weights
   WorkState exporting;
@@ -225,12 +220,11 @@ struct Workspace {
   FileBrowser browser;
   Palette palette;
   KeyList key_list;
-  bool show_messages = false;   ///< show the message list
-  bool has_user = true;         ///< a user can see messages; false for pictures rendered by a command
-  bool tools = true;            ///< draw gizmo, selection, hover and handles; false in pictures
-  bool full_screen = false;     ///< the window is to fill the screen
-  bool ask_keys = false;        ///< the first start asks for the keymap
-  bool closing_notice = false;  ///< the window is closing and edits are backed up
+  bool show_messages = false;  ///< show the message list
+  bool has_user = true;        ///< a user can see messages; false for pictures rendered by a command
+  bool tools = true;           ///< draw gizmo, selection, hover and handles; false in pictures
+  bool full_screen = false;    ///< the window is to fill the screen
+  bool ask_keys = false;       ///< the first start asks for the keymap
   std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;
   std::optional<BeforeWidgetEdit> before_widget_edit;  ///< since the mouse press
@@ -268,10 +262,10 @@ inline bool shows_selectable(const Workspace& w) {
   return w.view.cage && (probes ? !w.document.probes.empty() : w.document.has_cage());
 }
 
-/// The field shown as colours; none if the chosen one is not available.
-lab::Field shown_field(const Workspace& workspace);
-/// The same for a view with this `field` and scheme.
-lab::Field shown_field(const Workspace& workspace, lab::Field field, const deform::Scheme& scheme);
+/// The settings of a view: the first one follows the document.
+SideWay shown_way(const Workspace& workspace, std::size_t view);
+/// The field shown as colours in a view; none if the chosen one is not available.
+lab::Field shown_field(const Workspace& workspace, std::size_t view = 0);
 
 /// Starts a cancellable edit on mouse press; cancel_widget_edit() restores the state before it.
 void begin_widget_edit(Workspace& workspace);
