@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "app/assets.h"
-#include "app/build_facts.h"
 #include "app/child_process.h"
-#include "app/manual.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"

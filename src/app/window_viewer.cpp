@@ -51,14 +51,12 @@ public:
 private:
   void listen();
   void draw(float seconds, bool exposed = false);
-  void set_title();
   void follow_full_screen();
-  void request_attention();
 
   platform::Window& window_;
   Viewer viewer_;
   FirstMotion first_motion_;
-  bool exposed_ = true, asks_ = false;
+  bool exposed_ = true;
 };
 
 void WindowViewer::listen() {
@@ -80,10 +78,6 @@ void WindowViewer::listen() {
   window_.listen(std::move(events));
 }
 
-void WindowViewer::set_title() {
-  window_.set_title(scene::window_title(viewer_.workspace()));
-}
-
 // Without a title bar a message tells how to leave full screen.
 void WindowViewer::follow_full_screen() {
   scene::Workspace& w = viewer_.workspace();
@@ -97,20 +91,12 @@ void WindowViewer::follow_full_screen() {
   w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
 }
 
-// The window may be hidden when closing is requested.
-void WindowViewer::request_attention() {
-  const bool asks = viewer_.workspace().question.has_value();
-  if (asks && !asks_) window_.call_for_attention();
-  asks_ = asks;
-}
-
 void WindowViewer::draw(float seconds, bool exposed) {
   const bool ready = !viewer_.working() && viewer_.deformer() && viewer_.deformer()->ran();
   first_motion_.step(viewer_.workspace(), ready, seconds);
   viewer_.frame(seconds);
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
-  set_title();
-  request_attention();
+  window_.set_title(scene::window_title(viewer_.workspace()));
   follow_full_screen();
 }
 

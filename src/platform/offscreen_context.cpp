@@ -159,14 +159,16 @@ private:
 // Never terminates the display, which all contexts of the process share.
 class EglContext final : public OffscreenContext {
 public:
-  explicit EglContext(bool software) {
-    std::optional<EnvironmentScope> scope;
-    if (software) scope.emplace("LIBGL_ALWAYS_SOFTWARE", "1");
+  EglContext() {
+    const EnvironmentScope scope("LIBGL_ALWAYS_SOFTWARE", "1");
     open_display();
     create_context();
     EglContext::make_current();
   }
-  ~EglContext() override { close(); }
+  ~EglContext() override {
+    api_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    api_.destroy_context(display_, context_);
+  }
 
   std::string name() const override { return name_; }
   render::Proc get_proc_address(const char* name) const override { return api_.get_proc_address(name); }
@@ -220,11 +222,6 @@ private:
     throw Error(name_, "offers no OpenGL 3.3 core context");
   }
 
-  void close() {
-    api_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    api_.destroy_context(display_, context_);
-  }
-
   EglApi api_;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
@@ -249,14 +246,13 @@ void spare_rasteriser_threads() {
   if (base::WorkerPool(wanted).threads() < wanted) setenv("LP_NUM_THREADS", "0", 0);
 }
 
-std::unique_ptr<OffscreenContext> OffscreenContext::create(Kind kind, bool software) {
+std::unique_ptr<OffscreenContext> OffscreenContext::create(Kind kind) {
   spare_rasteriser_threads();
   std::string tried;
   std::unique_ptr<OffscreenContext> context;
   if (kind != Kind::egl) context = attempt(tried, [] { return std::make_unique<OsmesaContext>(); });
-  if (!context && kind != Kind::osmesa) {
-    context = attempt(tried, [&] { return std::make_unique<EglContext>(software); });
-  }
+  if (!context && kind != Kind::osmesa)
+    context = attempt(tried, [] { return std::make_unique<EglContext>(); });
   if (context) return context;
   throw Error("offscreen picture", "no OpenGL context can be made (tried: " + tried + ")",
               "install libosmesa6, or libegl1 with libgl1-mesa-dri");

@@ -15,10 +15,10 @@ class OffscreenContext {
 public:
   enum class Kind { any, osmesa, egl };
 
-  /// any: OSMesa first, then EGL. software: makes EGL use Mesa's CPU rasteriser (LIBGL_ALWAYS_SOFTWARE=1, set
-  /// only during creation), so that pictures are the same on every machine; otherwise EGL uses a GPU if
-  /// present. Throws base::Error with the reason of each failed attempt.
-  static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any, bool software = true);
+  /// any: OSMesa first, then EGL with Mesa's CPU rasteriser (LIBGL_ALWAYS_SOFTWARE=1, set only during
+  /// creation), so that pictures are the same on every machine. Throws base::Error with the reason of each
+  /// failed attempt.
+  static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any);
 
   virtual ~OffscreenContext() = default;
   OffscreenContext(const OffscreenContext&) = delete;

@@ -296,10 +296,6 @@ void Window::set_full_screen(bool full) {
   glfwSetWindowMonitor(handle_, screen, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-void Window::call_for_attention() {
-  glfwRequestWindowAttention(handle_);
-}
-
 void Window::present(render::Framebuffer& framebuffer) {
   const glm::ivec2 size = device_size();
   if (size.x > 0 && size.y > 0) framebuffer.blit_to_window(size);

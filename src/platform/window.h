@@ -52,8 +52,6 @@ public:
   /// Fills the screen that shows most of the window, or restores its place and size. No effect if already so.
   void set_full_screen(bool full);
   bool full_screen() const;
-  /// For a window that may be behind others.
-  void call_for_attention();
   void present(render::Framebuffer& framebuffer);
 
 private:

@@ -111,20 +111,23 @@ void find_squares(GroundShadow& shadow) {
 
 }  // namespace
 
-SpreadPoints::SpreadPoints(std::span<const Triangle> triangles, std::span<const Point> positions) {
+std::vector<SpreadPoint> spread_points(std::span<const Triangle> triangles,
+                                       std::span<const Point> positions) {
+  std::vector<SpreadPoint> points;
   double whole = 0;
   const auto area_of = [&](const Triangle& t) {
     return area(positions[t[0]], positions[t[1]], positions[t[2]]);
   };
   for (const Triangle& t : triangles) whole += area_of(t);
-  if (!(whole > 0) || !std::isfinite(whole)) return;
-  places_.reserve(place_count);
+  if (!(whole > 0) || !std::isfinite(whole)) return points;
+  points.reserve(place_count);
   double passed = 0;
   for (const Triangle& t : triangles) {
     passed += area_of(t) / whole;
-    while (places_.size() < place_count && (static_cast<double>(places_.size()) + 0.5) / place_count < passed)
-      places_.push_back({t, shares(places_.size())});
+    while (points.size() < place_count && (static_cast<double>(points.size()) + 0.5) / place_count < passed)
+      points.push_back({t, shares(points.size())});
   }
+  return points;
 }
 
 // Cells lie on a fixed grid, so that shadows of moving models do not shimmer.
@@ -180,7 +183,7 @@ ShadowLayer::ShadowLayer(const Gl& gl)
 
 void ShadowLayer::set_triangles(std::span<const Triangle> triangles, std::span<const Point> positions) {
   require_indices("shadow", triangles, positions.size());
-  spread_ = SpreadPoints(triangles, positions);
+  spread_ = spread_points(triangles, positions);
   vertex_count_ = positions.size();
   set_positions(positions);
 }
@@ -188,7 +191,7 @@ void ShadowLayer::set_triangles(std::span<const Triangle> triangles, std::span<c
 void ShadowLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
   require_count("shadow vertices", vertices.size(), vertex_count_);
   points_.clear();
-  for (const auto& place : spread_.places()) {
+  for (const auto& place : spread_) {
     glm::vec3 p(0);
     for (std::size_t k = 0; k < 3; ++k) {
       const float* corner = vertices[place.corners[k]].position;

@@ -74,17 +74,17 @@ TEST_CASE("no_points_and_points_far_apart_make_a_shadow_of_bounded_size") {
 TEST_CASE("points_are_spread_over_triangles_by_their_areas") {
   const std::vector<render::Point> corners{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {9, 0, 0}, {10, 0, 0}, {9, 1, 0}};
   const std::vector<render::Triangle> triangles{{0, 1, 2}, {3, 4, 5}, {0, 0, 1}};
-  const render::SpreadPoints spread(triangles, corners);
+  const auto spread = render::spread_points(triangles, corners);
   std::size_t large = 0;
   glm::dvec2 mean(0);
-  for (const auto& place : spread.places()) {
+  for (const auto& place : spread) {
     CHECK(place.shares[0] + place.shares[1] + place.shares[2] == doctest::Approx(1));
     CHECK(*std::ranges::min_element(place.shares) > -1e-6F);
     if (place.corners[0] != 0) continue;
     ++large;
     mean += 3.0 * glm::dvec2(place.shares[1], place.shares[2]);
   }
-  const auto count = static_cast<double>(spread.places().size());
+  const auto count = static_cast<double>(spread.size());
   CHECK(count > 10000);
   CHECK(static_cast<double>(large) / count == doctest::Approx(0.9).epsilon(0.001));
   CHECK(mean.x / static_cast<double>(large) == doctest::Approx(1).epsilon(0.01));
