@@ -12,7 +12,6 @@
 #include "base/process.h"
 #include "base/progress.h"
 #include "support/folder.h"
-#include "support/full_disk.h"
 
 namespace fs = std::filesystem;
 using namespace viete;

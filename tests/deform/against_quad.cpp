@@ -9,7 +9,7 @@
 #include "deform/maps.h"
 #include "deform/moments.h"
 #include "deform/scheme.h"
-#include "support/longer.h"
+#include "support/skip.h"
 
 using namespace viete;
 using namespace viete::test;

@@ -6,7 +6,7 @@
 #include "deform/bound.h"
 #include "deform/exact.h"
 #include "deform/scheme.h"
-#include "support/longer.h"
+#include "support/skip.h"
 
 using namespace viete;
 using namespace viete::test;

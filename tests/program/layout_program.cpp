@@ -12,7 +12,6 @@
 #include "scene/workspace/preferences.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
-#include "support/full_disk.h"
 
 using namespace viete;
 using test::Driver;

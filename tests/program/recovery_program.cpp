@@ -10,7 +10,7 @@
 #include "scene/workspace/saving.h"
 #include "support/edits.h"
 #include "support/grips.h"
-#include "support/longer.h"
+#include "support/skip.h"
 #include "support/pictures.h"
 
 using namespace viete;

@@ -20,7 +20,7 @@
 #include "scene/workspace/apply_opened.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "support/longer.h"
+#include "support/skip.h"
 #include "support/text.h"
 
 using namespace viete;
