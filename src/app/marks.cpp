@@ -19,6 +19,13 @@ void set_triangles(render::FaceLayer& layer, const std::vector<render::Triangle>
   if (!triangles.empty()) layer.set_positions(positions);
 }
 
+// The edges of an element: a closed polygon, one edge, or none for a vertex.
+void add_outline(const std::vector<std::uint32_t>& corners, std::vector<render::Segment>& segments) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
+    segments.push_back({corners[i], corners[(i + 1) % n]});
+}
+
 std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const scene::Selection& selection) {
   std::vector<std::uint8_t> marked(scene::element_count(cage, selection.kind()), 0);
   for (const auto i : selection.indices()) marked[i] = 1;
@@ -64,10 +71,7 @@ void CageMarks::add_edges(const scene::Workspace& workspace, const render::Theme
   const auto kind = document.selection.kind();
   auto& segments = marks.edges;
   const auto add = [&](std::uint32_t element) {
-    const auto corners = scene::element_vertices(*document.cage, kind, element);
-    const std::size_t sides = corners.size() > 2 ? corners.size() : corners.size() - 1;
-    for (std::size_t i = 0; i < sides; ++i)
-      segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    add_outline(scene::element_vertices(*document.cage, kind, element), segments);
   };
   if (kind != ElementKind::probe) {
     for (const auto i : document.selection.indices()) add(i);
@@ -122,13 +126,12 @@ void FindingMarks::collect(const scene::Workspace& w) {
       for (auto& v : corners) v = number(v);
       const std::size_t n = corners.size();
       for (std::size_t i = 2; i < n; ++i) triangles.push_back({corners[0], corners[i - 1], corners[i]});
-      for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
-        segments.push_back({corners[i], corners[(i + 1) % n]});
+      add_outline(corners, segments);
     }
   }
   faces_.set_triangles(triangles, number.size());
   edges_.set_segments(segments, number.size());
-  const glm::vec4 color(w.view.dark ? render::dark_theme().finding : render::light_theme().finding, 1);
+  const glm::vec4 color(render::theme(w.view.dark).finding, 1);
   edges_.set_color(color);
   vertices_.set_discs(std::vector<render::Disc>(number.size(), {color, vertices ? 4.0F : 2.5F, false}));
   used_ = number.take_used();

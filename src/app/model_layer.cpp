@@ -211,7 +211,7 @@ bool ModelLayer::set_colors(const scene::Workspace& w, lab::Field field, const s
     surface_.set_scalars(wanted.field ? *wanted.field : std::vector<float>());
     return true;
   }
-  const render::Theme theme = w.view.dark ? render::dark_theme() : render::light_theme();
+  const render::Theme theme = render::theme(w.view.dark);
   surface_.set_palette(render::blend_palette({theme.held, theme.model}, 64));
   surface_.set_scalars(wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f));
   return true;

@@ -26,20 +26,12 @@ glm::vec4 opaque(const glm::vec3& color) {
   return {color, 1};
 }
 
-render::Theme theme_of(const scene::Workspace& w) {
-  return w.view.dark ? render::dark_theme() : render::light_theme();
-}
-
-render::Paint paint_of(scene::Shading shading, bool file_says_something) {
-  switch (shading) {
-    case scene::Shading::porcelain: return render::Paint::porcelain;
-    case scene::Shading::jade: return render::Paint::jade;
-    case scene::Shading::zebra: return render::Paint::zebra;
-    case scene::Shading::checker: return render::Paint::checker;
-    case scene::Shading::normals: return render::Paint::normals;
-    case scene::Shading::file: return file_says_something ? render::Paint::file : render::Paint::plain;
-    default: return render::Paint::plain;
-  }
+render::Paint paint_of(scene::Shading shading, bool file_has_looks) {
+  using render::Paint;
+  constexpr Paint paints[] = {Paint::plain,   Paint::porcelain, Paint::jade, Paint::file,
+                              Paint::checker, Paint::normals,   Paint::zebra};  // as scene::Shading
+  const Paint paint = paints[static_cast<std::size_t>(shading)];
+  return paint == Paint::file && !file_has_looks ? Paint::plain : paint;
 }
 
 // The share of the motion for each cage vertex; empty without soft selection.
@@ -161,7 +153,7 @@ void WorkspaceRenderer::set_cage(const scene::Workspace& workspace) {
 }
 
 void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
-  const render::Theme theme = theme_of(workspace);
+  const render::Theme theme = render::theme(workspace.view.dark);
   const auto& document = workspace.document;
   // Vertices are less prominent if edges or faces are selected.
   const bool vertices = !workspace.tools || document.selection.kind() == scene::ElementKind::vertex;
@@ -241,7 +233,7 @@ ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 siz
 }
 
 void WorkspaceRenderer::draw(const ViewDrawing& d) {
-  const render::Theme theme = d.dark ? render::dark_theme() : render::light_theme();
+  const render::Theme theme = render::theme(d.dark);
   draw_background(d, theme);
   for (std::size_t view = 0; view < d.parts.size(); ++view) {
     const ViewDrawing::Part& part = d.parts[view];

@@ -63,11 +63,7 @@ void Framebuffer::allocate(glm::ivec2 size, int samples) {
   require_supported(gl_, size);
   size_ = {0, 0};  // if anything below throws, the next begin() tries again
   samples_ = samples;
-  gl_.BindTexture(GL_TEXTURE_2D, color_.id());
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  set_texture(gl_, 0, color_, size.x, size.y, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, nullptr);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
   gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH_COMPONENT24, size.x, size.y);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());

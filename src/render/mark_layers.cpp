@@ -33,8 +33,7 @@ void DiscLayer::draw(const View& view, const DiscStyle& style) const {
   program_.use();
   program_.set("points", 0);
   program_.set("looks", 1);
-  program_.set("eye_from_model", eye_matrix(view, origin_));
-  program_.set("clip_from_eye", glm::mat4(view.projection));
+  set_camera(program_, view, origin_);
   program_.set("viewport", glm::vec2(view.size));
   program_.set("scale", view.scale);
   program_.set("outline_color", style.outline);
@@ -99,8 +98,7 @@ void LineLayer::draw(const View& view, const LineStyle& style) const {
   program_.set("segments", 0);
   program_.set("points", 1);
   program_.set("colors", 2);
-  program_.set("eye_from_model", eye_matrix(view, origin_));
-  program_.set("clip_from_eye", glm::mat4(view.projection));
+  set_camera(program_, view, origin_);
   program_.set("viewport", glm::vec2(view.size));
   segments_.bind(0);
   points_.bind(1);
@@ -148,8 +146,7 @@ void FaceLayer::set_positions(std::span<const Point> positions) {
 void FaceLayer::draw(const View& view, const FaceStyle& style) const {
   if (!has_positions_ || triangle_count_ == 0) return;
   program_.use();
-  program_.set("eye_from_model", eye_matrix(view, origin_));
-  program_.set("clip_from_eye", glm::mat4(view.projection));
+  set_camera(program_, view, origin_);
   program_.set("perspective", view.projection[3][3] == 0 ? 1.0F : 0.0F);
   program_.set("color", style.color);
   program_.set("opacity", style.opacity);

@@ -231,16 +231,8 @@ void ShadowLayer::cast(const ShadowStyle& style) {
   if (shadow_.squares.empty()) return;
   squares_.buffer.upload(shadow_.squares.data(), shadow_.squares.size() * sizeof(shadow_.squares[0]),
                          GL_STREAM_DRAW);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, darkness_.id());
-  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, shadow_.width, shadow_.height, 0, GL_RED, GL_UNSIGNED_BYTE,
-                 shadow_.darkness.data());
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  set_texture(gl_, 0, darkness_, shadow_.width, shadow_.height, {GL_R8, GL_RED, GL_UNSIGNED_BYTE},
+              shadow_.darkness.data());
 }
 
 void ShadowLayer::draw(const View& view, const Theme& theme, const ShadowStyle& style) {
@@ -261,8 +253,7 @@ void ShadowLayer::draw(const View& view, const Theme& theme, const ShadowStyle& 
   program_.set("place", glm::vec4(shadow_.low, extent));
   program_.set("share", static_cast<float>(GroundShadow::square) / glm::vec2(shadow_.width, shadow_.height));
   program_.set("color", glm::vec4(glm::vec3(theme.shadow), seen * theme.shadow.a));
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, darkness_.id());
+  bind_texture(gl_, 0, darkness_);
   squares_.bind(1);
   const BlendScope blend(gl_);
   gl_.BindVertexArray(vertex_array_.id());

@@ -74,5 +74,8 @@ struct Theme {
 
 Theme dark_theme();
 Theme light_theme();
+inline Theme theme(bool dark) {
+  return dark ? dark_theme() : light_theme();
+}
 
 }  // namespace viete::render
