@@ -139,10 +139,8 @@ bool Analysis::timer_is_due(const scene::Workspace& workspace, const LiveModel& 
 }
 
 void Analysis::start_timer(const scene::Workspace& workspace, const LiveModel& model) {
-  const scene::Document& document = workspace.document;
   timed_ = model.frames();
-  timer_.start([timed = TimedPose{model.bound(), model.deformer()->scheme(), model.deformer()->all_staged(),
-                                  document.pose, document.mask, document.probes, document.shape}](
+  timer_.start([timed = model.input(workspace.document, workspace.document.method)](
                    base::Progress& progress) { return time_methods(timed, progress); });
 }
 

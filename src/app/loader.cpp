@@ -23,9 +23,8 @@ scene::Document without_history(const scene::Document& document) {
   return copy;
 }
 
-Loader::Loaded load(const scene::OpenRequest& request, const scene::Document& current,
-                    base::StepProgress& progress) {
-  Loader::Loaded loaded;
+Loaded load(const scene::OpenRequest& request, const scene::Document& current, base::StepProgress& progress) {
+  Loaded loaded;
   try {
     loaded.opened = scene::open_files(request, current, &progress);
   } catch (const scene::SessionFileError& error) {
@@ -51,11 +50,11 @@ Loader::Loaded load(const scene::OpenRequest& request, const scene::Document& cu
 
 }  // namespace
 
-void Loader::start(const scene::OpenRequest& request, const scene::Document& current) {
+void start_loading(Loader& loader, const scene::OpenRequest& request, const scene::Document& current) {
   const auto& files = request.files;
-  job_.start([request, current = without_history(current)](
-                 base::StepProgress& progress) { return load(request, current, progress); },
-             "Reading " + (files.empty() ? "" : files.front().filename().string()));
+  loader.start([request, current = without_history(current)](
+                   base::StepProgress& progress) { return load(request, current, progress); },
+               "Reading " + (files.empty() ? "" : files.front().filename().string()));
 }
 
 }  // namespace viete::app

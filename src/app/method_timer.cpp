@@ -23,7 +23,7 @@ constexpr std::size_t timed_rounds = 5;
 // Larger staged weights are computed only when a method that needs them is chosen.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
-bool lacks_weights(const TimedPose& timed) {
+bool lacks_weights(const FrameInput& timed) {
   return timed.bound.binding->weights.empty() &&
          deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged;
 }
@@ -44,7 +44,7 @@ deform::LinkTimes median_of(const std::vector<deform::LinkTimes>& frames) {
 
 }  // namespace
 
-MethodTimings time_methods(TimedPose timed, base::Progress& progress) {
+MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   if (lacks_weights(timed) && weight_bytes(*timed.bound.binding) <= most_weight_bytes)
     timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag,
                             timed.bound, progress);

@@ -4,23 +4,10 @@
 #include <memory>
 #include <span>
 
-#include "app/bound.h"
+#include "app/view_model.h"
 #include "base/progress.h"
-#include "deform/deformer.h"
-#include "scene/workspace/frame_stats.h"
 
 namespace viete::app {
-
-/// A pose of a bound model to time.
-struct TimedPose {
-  Bound bound;
-  deform::Scheme scheme;
-  bool all_staged = false;  ///< the staged engine for all methods
-  deform::Pose pose;
-  deform::Mask mask;
-  deform::Probes probes;
-  deform::SharedShape shape;
-};
 
 struct MethodTimings {
   scene::MethodTimes times;
@@ -30,7 +17,7 @@ struct MethodTimings {
 
 /// Medians of interleaved frames, with its own deformer and pool. Throws base::Error if memory does not
 /// suffice, and base::Cancelled between frames. Thread-safe.
-MethodTimings time_methods(TimedPose timed, base::Progress& progress);
+MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 
 /// Times and errors of all compared methods on these matrices: medians of interleaved runs in CPU time,
 /// errors against the 106-bit reference; NaN if one is.

@@ -44,6 +44,18 @@ private:
   int softened_ = 0;  // soft-selection count of the current drag
 };
 
+/// A snapshot of a frame's input, for background work.
+struct FrameInput {
+  Bound bound;
+  deform::Scheme scheme;
+  sym3::Method method = sym3::Method::fast;
+  bool all_staged = false;  ///< the staged engine for all methods
+  deform::Pose pose;
+  deform::Mask mask;
+  deform::Probes probes;
+  deform::SharedShape shape;
+};
+
 /// Call from one thread. A pool passed to it must outlive the deformer.
 class ViewModel {
 public:
@@ -54,6 +66,17 @@ public:
   const Bound& bound() const { return bound_; }
   /// True once the model has been deformed with its deformer.
   bool ran() const { return deformer_ && deformer_->ran(); }
+  /// The input of a frame with this method; there must be a deformer.
+  FrameInput input(const scene::Document& document, sym3::Method method) const {
+    return {bound_,
+            deformer_->scheme(),
+            method,
+            deformer_->all_staged(),
+            document.has_cage() ? document.pose : deform::rest_pose(*bound_.cage),
+            deformer_->mask(),
+            document.probes,
+            document.shape};
+  }
   /// The number of deformed frames, to identify a measured one.
   unsigned long frames() const { return frames_; }
   /// True if there is a new frame since the last call.

@@ -303,10 +303,9 @@ const ViewModel& Viewer::model_of(std::size_t view) const {
 }
 
 FieldSubject Viewer::field_subject(std::size_t view) const {
-  const ViewModel& model = model_of(view);
-  return {workspace_.document, scene::shown_field(workspace_, view),      model.deformer(),
-          model.bound(),       scene::shown_way(workspace_, view).method, posed_in(view),
-          posed_in(0)};
+  return {workspace_.document, scene::shown_field(workspace_, view),
+          model_of(view),      scene::shown_way(workspace_, view).method,
+          posed_in(view),      posed_in(0)};
 }
 
 bool Viewer::field_is_due() const {

@@ -28,17 +28,24 @@ using base::Error;
 /// separates its GL functions from those of other GL libraries.
 class Library {
 public:
-  explicit Library(std::initializer_list<const char*> names) {
+  Library(std::initializer_list<const char*> names) {
     for (const char* name : names) {
       if (handle_ == nullptr) handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
     }
     if (handle_ == nullptr) throw Error(*names.begin(), "is not installed");
   }
 
-  template <class Function>
-  void find(Function& function, const char* name) const {
-    function = reinterpret_cast<Function>(dlsym(handle_, name));
-    if (function == nullptr) throw Error(name, "is missing in the library");
+  struct Function {
+    void* address;
+    template <class Pointer>
+    operator Pointer() const {
+      return reinterpret_cast<Pointer>(address);
+    }
+  };
+  Function find(const char* name) const {
+    void* const address = dlsym(handle_, name);
+    if (address == nullptr) throw Error(name, "is missing in the library");
+    return {address};
   }
 
 private:
@@ -52,19 +59,12 @@ struct OsmesaApi {
   static constexpr int format = 0x22, depth_bits = 0x30, profile = 0x33, core_profile = 0x34, major = 0x36,
                        minor = 0x37;
 
-  OsmesaApi() : library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
-    library.find(create, "OSMesaCreateContextAttribs");
-    library.find(destroy, "OSMesaDestroyContext");
-    library.find(make_current, "OSMesaMakeCurrent");
-    library.find(get_proc_address, "OSMesaGetProcAddress");
-  }
-
-  Library library;
-  void* (*create)(const int* attributes, void* share) = nullptr;
-  void (*destroy)(void* context) = nullptr;
+  Library library{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+  void* (*create)(const int* attributes, void* share) = library.find("OSMesaCreateContextAttribs");
+  void (*destroy)(void* context) = library.find("OSMesaDestroyContext");
   GLboolean (*make_current)(void* context, void* buffer, GLenum type, GLsizei width,
-                            GLsizei height) = nullptr;
-  render::Proc (*get_proc_address)(const char* name) = nullptr;
+                            GLsizei height) = library.find("OSMesaMakeCurrent");
+  render::Proc (*get_proc_address)(const char* name) = library.find("OSMesaGetProcAddress");
 };
 
 class OsmesaContext final : public OffscreenContext {
@@ -110,16 +110,7 @@ private:
 };
 
 struct EglApi {
-  EglApi() : library({"libEGL.so.1", "libEGL.so"}) {
-    library.find(get_proc_address, "eglGetProcAddress");
-    library.find(initialize, "eglInitialize");
-    library.find(bind_api, "eglBindAPI");
-    library.find(choose_config, "eglChooseConfig");
-    library.find(create_context, "eglCreateContext");
-    library.find(destroy_context, "eglDestroyContext");
-    library.find(make_current, "eglMakeCurrent");
-    platform_display = extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-    query_devices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+  EglApi() {
     if (platform_display == nullptr) throw Error("EGL", "cannot open displays by platform");
   }
 
@@ -128,16 +119,17 @@ struct EglApi {
     return reinterpret_cast<Function>(get_proc_address(name));
   }
 
-  Library library;
-  decltype(&eglGetProcAddress) get_proc_address = nullptr;
-  decltype(&eglInitialize) initialize = nullptr;
-  decltype(&eglBindAPI) bind_api = nullptr;
-  decltype(&eglChooseConfig) choose_config = nullptr;
-  decltype(&eglCreateContext) create_context = nullptr;
-  decltype(&eglDestroyContext) destroy_context = nullptr;
-  decltype(&eglMakeCurrent) make_current = nullptr;
-  PFNEGLGETPLATFORMDISPLAYEXTPROC platform_display = nullptr;
-  PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
+  Library library{"libEGL.so.1", "libEGL.so"};
+  decltype(&eglGetProcAddress) get_proc_address = library.find("eglGetProcAddress");
+  decltype(&eglInitialize) initialize = library.find("eglInitialize");
+  decltype(&eglBindAPI) bind_api = library.find("eglBindAPI");
+  decltype(&eglChooseConfig) choose_config = library.find("eglChooseConfig");
+  decltype(&eglCreateContext) create_context = library.find("eglCreateContext");
+  decltype(&eglDestroyContext) destroy_context = library.find("eglDestroyContext");
+  decltype(&eglMakeCurrent) make_current = library.find("eglMakeCurrent");
+  PFNEGLGETPLATFORMDISPLAYEXTPROC platform_display =
+      extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  PFNEGLQUERYDEVICESEXTPROC query_devices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
 };
 
 /// Sets an environment variable for the current scope (Mesa reads it while initialising a display).

@@ -15,10 +15,10 @@ using What = scene::OpenRequest::What;
 
 namespace {
 
-using Result = app::Loader::Job::Result;
+using Result = app::Loader::Result;
 
 Result loaded(app::Loader& loader, const scene::OpenRequest& request, const scene::Document& current = {}) {
-  loader.start(request, current);
+  app::start_loading(loader, request, current);
   auto result = loader.poll(true);
   REQUIRE(result);
   return *std::move(result);
@@ -37,8 +37,8 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   const test::CubeFiles files;
   app::Loader loader;
   CHECK_FALSE(loader.poll(true));
-  loader.start({What::model, {files.cage}}, {});
-  loader.start({What::model, {files.model, files.cage}}, {});  // replaces the first request
+  app::start_loading(loader, {What::model, {files.cage}}, {});
+  app::start_loading(loader, {What::model, {files.model, files.cage}}, {});  // replaces the first request
   CHECK(loader.running());
   CHECK(loader.state().running);
   const auto result = loader.poll(true);
@@ -114,7 +114,7 @@ TEST_CASE("cancelled_reading_shows_a_message") {
     REQUIRE(lines < 5'000'000);
     while (text.size() < 30 * lines) text += "v 0.123456789 1 2\nv 1 0 0.5\n";
     test::put_file(folder / "large.obj", text + "f 1 2 3\n");
-    loader.start({What::model, {folder / "large.obj"}}, {});
+    app::start_loading(loader, {What::model, {folder / "large.obj"}}, {});
     CHECK(loader.state().what == "Reading large.obj");
     loader.stop();
     const auto result = loader.poll(true);
