@@ -38,9 +38,8 @@ constexpr ImU32 orange = IM_COL32(255, 128, 0, 255);
 
 std::size_t count(const render::Image& image, const render::Rgba8& color) {
   std::size_t found = 0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) found += image.pixel(x, y) == color ? 1 : 0;
-  }
+  for (int i = 0; i < image.width * image.height; ++i)
+    found += image.pixel(i % image.width, i / image.width) == color ? 1 : 0;
   return found;
 }
 
