@@ -93,28 +93,19 @@ namespace {
 
 constexpr std::size_t most = 20000;  // elements drawn; more would cover the surface
 
-// Renumbers the vertices of a few elements, so that only those are drawn and updated.
-class Numbering {
-public:
-  std::uint32_t operator()(std::uint32_t vertex) {
-    const auto [at, added] = numbers_.try_emplace(vertex, static_cast<std::uint32_t>(used_.size()));
-    if (added) used_.push_back(vertex);
-    return at->second;
-  }
-  std::vector<std::uint32_t> take_used() { return std::move(used_); }
-  std::size_t size() const { return used_.size(); }
-
-private:
-  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
-  std::vector<std::uint32_t> used_;
-};
-
 }  // namespace
 
 void FindingMarks::collect(const scene::Workspace& w) {
   std::vector<render::Triangle> triangles;
   std::vector<render::Segment> segments;
-  Numbering number;
+  // Renumbers the vertices of a few elements, so that only those are drawn and updated.
+  used_.clear();
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+  const auto number = [&](std::uint32_t vertex) {
+    const auto [at, added] = numbers.try_emplace(vertex, static_cast<std::uint32_t>(used_.size()));
+    if (added) used_.push_back(vertex);
+    return at->second;
+  };
   bool vertices = false;
   if (w.checks.shown) {
     const scene::Finding& finding = w.checks.findings[*w.checks.shown];
@@ -129,15 +120,14 @@ void FindingMarks::collect(const scene::Workspace& w) {
       add_outline(corners, segments);
     }
   }
-  faces_.set_triangles(triangles, number.size());
-  edges_.set_segments(segments, number.size());
+  faces_.set_triangles(triangles, used_.size());
+  edges_.set_segments(segments, used_.size());
   const glm::vec4 color(render::theme(w.view.dark).finding, 1);
   edges_.set_color(color);
-  vertices_.set_discs(std::vector<render::Disc>(number.size(), {color, vertices ? 4.0F : 2.5F, false}));
-  used_ = number.take_used();
+  vertices_.set_discs(std::vector<render::Disc>(used_.size(), {color, vertices ? 4.0F : 2.5F, false}));
 }
 
-bool FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_vertex, bool moved) {
+bool FindingMarks::set(const scene::Workspace& w, const scene::PosedModel& posed, bool moved) {
   const bool same = revision_ == w.checks.revision() && dark_ == w.view.dark;
   if (same && (!moved || used_.empty())) return false;
   if (!same) collect(w);
@@ -150,7 +140,8 @@ bool FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_ver
   const bool of_cage = w.checks.findings[*w.checks.shown].subject == scene::Subject::cage;
   std::vector<mesh::Point> positions;
   positions.reserve(used_.size());
-  for (const auto v : used_) positions.push_back(of_cage ? w.document.pose.positions[v] : model_vertex(v));
+  for (const auto v : used_)
+    positions.push_back(of_cage ? w.document.pose.positions[v] : posed.at(*w.document.model.surface, v));
   faces_.set_positions(positions);
   edges_.set_positions(positions);
   vertices_.set_positions(positions);

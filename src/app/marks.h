@@ -1,7 +1,6 @@
 // Highlights on model and cage: selected and hovered elements of the cage, and findings of the checks.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -39,16 +38,13 @@ private:
   render::LineLayer edges_;
 };
 
-/// The drawn position of a model vertex.
-using PointOfVertex = std::function<mesh::Point(std::size_t)>;
-
 class FindingMarks {
 public:
   explicit FindingMarks(const render::Gl& gl) : faces_(gl), edges_(gl), vertices_(gl) {}
 
-  /// Call every frame: updates from the shown finding. moved: positions changed since the last frame. Returns
-  /// true if the drawing changes.
-  bool set(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved);
+  /// Call every frame: updates from the shown finding. posed: the model as drawn; moved: positions changed
+  /// since the last frame. Returns true if the drawing changes.
+  bool set(const scene::Workspace& workspace, const scene::PosedModel& posed, bool moved);
   /// Call last: drawn on top, visible through other objects.
   void draw(const render::View& view, const render::Theme& theme) const;
 

@@ -100,6 +100,7 @@ void Viewer::frame(float seconds) {
   follow_document();
   scope_messages();
   deform(times);
+  if (std::exchange(workspace_.requests.frame_finding, false)) scene::frame_finding(workspace_);
   const bool new_fields = follow_fields(), inspected = inspector_.follow(workspace_, model_);
   if (new_fields || inspected) settle(2);
   const bool cage_moved =
@@ -242,7 +243,6 @@ void Viewer::follow_document() {
     }
     cage_drawn_.reset();
   }
-  if (std::exchange(workspace_.requests.frame_finding, false)) frame_finding();
   analysis_.follow_document(workspace_);
   if (analysis_.shows_news()) settle(3);
 }
@@ -267,22 +267,6 @@ void Viewer::finish_binding() {
 void Viewer::finish_checks() {
   follow_document();
   analysis_.finish_checks(workspace_);
-}
-
-void Viewer::frame_finding() {
-  const auto& checks = workspace_.checks;
-  if (!checks.shown) return;
-  const scene::Document& document = workspace_.document;
-  if (checks.findings[*checks.shown].subject == scene::Subject::cage)
-    return scene::frame_finding(workspace_, document.pose.positions);
-  std::vector<mesh::Point> positions(document.model.surface->positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = vertex(v);
-  scene::frame_finding(workspace_, positions);
-}
-
-mesh::Point Viewer::vertex(std::size_t index) const {
-  const scene::Document& document = workspace_.document;
-  return workspace_.view.deformed ? model_.vertex(document, index) : document.model.surface->positions[index];
 }
 
 void Viewer::deform(scene::FrameTimes& times) {
@@ -362,8 +346,7 @@ void Viewer::upload(scene::FrameTimes& times) {
   base::Stopwatch watch;
   const bool cage_moved = cage_drawn_ != document.revisions().pose;
   const bool at_rest = !workspace_.view.deformed, switched = std::exchange(at_rest_, at_rest) != at_rest;
-  renderer_.set_findings(
-      workspace_, [&](std::size_t v) { return vertex(v); }, deformed_ || cage_moved || switched);
+  renderer_.set_findings(workspace_, posed_in(0), deformed_ || cage_moved || switched);
   if (document.has_cage()) {
     if (cage_moved) renderer_.set_cage(workspace_);
     renderer_.set_hand(workspace_);

@@ -119,8 +119,6 @@ private:
   void follow_document();
   void commit_cage_edit();
   void scope_messages();
-  void frame_finding();
-  mesh::Point vertex(std::size_t index) const;  // a drawn model vertex
   void follow_notices();
   void deform(scene::FrameTimes& times);
   void enter_view_under_cursor();

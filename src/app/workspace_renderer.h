@@ -68,8 +68,8 @@ public:
     for (const auto& model : models_) model->forget();
   }
   /// Findings of the checks; see FindingMarks::set().
-  void set_findings(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved) {
-    if (findings_.set(workspace, model_vertex, moved)) ++content_;
+  void set_findings(const scene::Workspace& workspace, const scene::PosedModel& posed, bool moved) {
+    if (findings_.set(workspace, posed, moved)) ++content_;
   }
 
   /// The drawing of the workspace on `size` device pixels with the layers' current data.
