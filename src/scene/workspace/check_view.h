@@ -1,8 +1,6 @@
 // Showing a finding of the checks in the view, and stepping through its elements.
 #pragma once
 
-#include <span>
-
 #include "scene/workspace/workspace.h"
 
 namespace viete::scene {
