@@ -126,34 +126,6 @@ void frame(const Context& ui, const scene::Pane& pane) {
 
 }  // namespace
 
-// Copies the overlays of the active view to the views with the same camera.
-void repeat_in_views(const Context& ui, const DrawnBefore& before) {
-  const scene::Split& split = ui.workspace.split;
-  if (!split.on() || !split.linked) return;
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const int vertices = draw.VtxBuffer.Size - before.vertices, indices = draw.IdxBuffer.Size - before.indices;
-  if (vertices == 0) return;
-  const glm::vec2 from = scene::pane_of(split, split.active).at;
-  const scene::Viewport& v = ui.workspace.viewport;
-  for (std::size_t view = 0; view < split.count(); ++view) {
-    if (view == split.active) continue;
-    const scene::Pane pane = scene::pane_of(split, view);
-    const glm::vec2 shift = (pane.at - from) * v.size, low = v.origin + pane.at * v.size;
-    draw.PushClipRect(vec(low), vec(low + pane.size * v.size));
-    draw.PrimReserve(indices, vertices);
-    const auto base = draw._VtxCurrentIdx;
-    for (int i = 0; i < indices; ++i) {
-      const int index = draw.IdxBuffer[before.indices + i] - before.first + static_cast<int>(base);
-      draw.PrimWriteIdx(static_cast<ImDrawIdx>(index));
-    }
-    for (int i = 0; i < vertices; ++i) {
-      const ImDrawVert& vertex = draw.VtxBuffer[before.vertices + i];
-      draw.PrimWriteVtx({vertex.pos.x + shift.x, vertex.pos.y + shift.y}, vertex.uv, vertex.col);
-    }
-    draw.PopClipRect();
-  }
-}
-
 void split_overlay(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   if (!w.split.on() || !w.document.model.surface) return;
