@@ -165,14 +165,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   auto* compare = command.add_option("--compare", options.compare,
                                      "Compare 2 to 4 deformers or methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
-  auto* width = command.add_option_function<double>(
-      "--line-width",
-      [&options](double points) {
-        constexpr double pixels_per_point = 96.0 / 72;
-        options.viewer.cage_width = options.viewer.wire_width = static_cast<float>(points * pixels_per_point);
-      },
-      "Line width in points");
-  in_range(width, 0.05, 20)->default_str("0.94");
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }
 

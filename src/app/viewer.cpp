@@ -386,8 +386,6 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
 ViewDrawing Viewer::drawing() const {
   ViewDrawing wanted = renderer_.drawing(workspace_, device_size(), options_.scale);
   wanted.transparent = options_.transparent;
-  wanted.cage_width = options_.cage_width;
-  for (ViewDrawing::Part& part : wanted.parts) part.surface.wire_width = options_.wire_width;
   return wanted;
 }
 

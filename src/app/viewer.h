@@ -30,8 +30,6 @@ struct ViewerOptions {
   int still_samples = 0;       ///< samples of a refined picture after a quarter of a second at rest; 0 none
   bool may_be_coarse = false;  ///< draw motion at half the resolution if the workspace says so
   bool transparent = false;    ///< pictures without background
-  float cage_width = 1.25f;    ///< line width of the cage, logical pixels
-  float wire_width = 1;        ///< line width of mesh edges, logical pixels
   bool builtin_font = false;   ///< identical text on every machine, for picture tests
   bool probe = true;           ///< measure the methods in the background
   std::filesystem::path state{};  ///< folder for preferences and recovery, see FileDesk; empty: none

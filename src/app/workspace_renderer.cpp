@@ -274,7 +274,7 @@ void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view
                                   const render::Theme& theme) const {
   if (d.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
   cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
-  cage_lines_.draw(view, {d.cage_width, 0.9f, 0.25f, theme.halo});
+  cage_lines_.draw(view, {1.25f, 0.9f, 0.25f, theme.halo});
   marks_.draw(view, theme);
   cage_vertices_.draw(view, {theme.outline, theme.hover, 1, 0.35f});
 }

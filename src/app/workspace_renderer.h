@@ -34,7 +34,6 @@ struct ViewDrawing {
   glm::ivec2 size{1, 1};    ///< window size in device pixels
   float scale = 1;          ///< device pixels per logical pixel
   bool dark = true, transparent = false;
-  float cage_width = 1.25f;                                       ///< line width, logical pixels
   bool model = false, grid = false, cage = false, ghost = false;  ///< visible
   render::ShadowStyle shadow;
   render::GridStyle ground;

@@ -232,7 +232,7 @@ void SurfaceLayer::set_looks(const Program& program, const View& view, const The
   program.set("model_color", theme.model);
   program.set("exposure", theme.exposure);
   program.set("wire", glm::vec4(theme.wire, style.wireframe));
-  program.set("wire_width", style.wire_width * view.scale);
+  program.set("wire_width", view.scale);
   program.set("occlusion_strength", style.occlusion);
   const float range = style.scalar_high - style.scalar_low;
   program.set("scalar_low", style.scalar_low);

@@ -44,7 +44,6 @@ struct SurfaceStyle {
   /// software rasteriser. Parts turned inside out by a deformation then appear transparent.
   bool closed = false;
   float wireframe = 0;    ///< opacity of triangle edges, 0: none; 0.3 is subtle. Fades on tiny triangles
-  float wire_width = 1;   ///< logical pixels
   float occlusion = 1;    ///< strength of the baked darkening, 0 to 1
   bool scalars = false;   ///< colour by set_scalars() through set_palette() instead of theme.model
   float scalar_low = 0;   ///< scalar of the first palette colour
