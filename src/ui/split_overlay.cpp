@@ -3,8 +3,6 @@
 #include <cfloat>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
@@ -24,19 +22,14 @@ std::string blending_words(const scene::Workspace& w, bool other) {
   return w.document.timeline.straight != other ? "linear interpolation" : "log space";
 }
 
-// One line if the text fits.
-struct Text {
-  std::vector<std::string> parts;
-  const char* between;
-};
-
 struct Caption {
-  Text title{{}, " \u00b7 "}, numbers{{}, "   "};
-};
+  std::string title, numbers;
 
-void add(Text& text, std::string part) {
-  if (!part.empty()) text.parts.push_back(std::move(part));
-}
+  void add_title(const std::string& part) {
+    title += (title.empty() || part.empty() ? "" : " \u00b7 ") + part;
+  }
+  void add_number(const std::string& part) { numbers += (numbers.empty() ? "" : "   ") + part; }
+};
 
 std::string way_words(const scene::Scheme& scheme) {
   const auto way = scene::way_of(scheme);
@@ -49,69 +42,46 @@ Caption shown_in(const scene::Workspace& w, std::size_t number) {
   const scene::View& view = w.split.views[number];
   Caption shown;
   if (w.document.has_cage()) {
-    add(shown.title, way_words(way.scheme));
-    if (way.scheme.exponential()) add(shown.title, method_label(way.method));
+    shown.add_title(way_words(way.scheme));
+    if (way.scheme.exponential()) shown.add_title(method_label(way.method));
   }
-  add(shown.title, blending_words(w, way.other_blending));
+  shown.add_title(blending_words(w, way.other_blending));
   if (!view.problem.empty() || view.binding) {
-    add(shown.numbers, view.problem.empty() ? "binding" : view.problem);
+    shown.add_number(view.problem.empty() ? "binding" : view.problem);
     return shown;
   }
-  if (const auto times = view.stats.deforming_median())
-    add(shown.numbers, milliseconds(times->links.total()));
+  if (const auto times = view.stats.deforming_median()) shown.add_number(milliseconds(times->links.total()));
   const scene::MethodSample* running = number == 0 ? running_sample(w) : nullptr;
   if (const auto exp = running ? std::optional(running->worst_error) : view.exp_error)
-    add(shown.numbers, "exp " + error(*exp));
-  if (view.fused_error > 0) add(shown.numbers, "frame " + error(view.fused_error));
+    shown.add_number("exp " + error(*exp));
+  if (view.fused_error > 0) shown.add_number("frame " + error(view.fused_error));
   return shown;
 }
 
-struct Line {
-  ImFont* font;
-  ImU32 color;
-  std::string words;
-  ImVec2 size;
-};
-
-// Parts wider than the room are wrapped at spaces.
-void add_lines(std::vector<Line>& lines, ImFont* font, ImU32 color, const Text& text, float room) {
-  const float height = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  const auto size_of = [&](const std::string& words) {
-    return font->CalcTextSizeA(height, FLT_MAX, room, words.c_str());
-  };
-  const std::size_t first = lines.size();
-  for (const std::string& part : text.parts) {
-    const bool begins = lines.size() == first;
-    const std::string longer = begins ? part : lines.back().words + text.between + part;
-    if (begins || size_of(longer).y > 1.5f * height)
-      lines.push_back({font, color, part, size_of(part)});
-    else
-      lines.back().words = longer, lines.back().size = size_of(longer);
-  }
-}
-
-// At the upper left of its part, or with its lower left corner at `at`.
+// At the upper left of its part, or with its lower left corner at `at`. Wider texts are wrapped at spaces.
 void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool at_bottom) {
   const ImVec2 padding{10, 6};
   const float most = std::max(room - 16 - 2 * padding.x, 1.0f);
   const Caption shown = shown_in(ui.workspace, view);
-  std::vector<Line> lines;
-  add_lines(lines, ui.fonts.strong, ui.colors.text, shown.title, most);
-  add_lines(lines, ui.fonts.numbers, ui.colors.faint, shown.numbers, most);
-  if (lines.empty()) return;
-  float wide = 0, tall = 0;
-  for (const Line& line : lines) wide = std::max(wide, line.size.x), tall += line.size.y;
+  const auto height_of = [](ImFont* font) { return font->FontSize * ImGui::GetIO().FontGlobalScale; };
+  const auto size_of = [&](ImFont* font, const std::string& words) {
+    return words.empty() ? ImVec2(0, 0) : font->CalcTextSizeA(height_of(font), FLT_MAX, most, words.c_str());
+  };
+  const ImVec2 title = size_of(ui.fonts.strong, shown.title),
+               numbers = size_of(ui.fonts.numbers, shown.numbers);
+  const float wide = std::max(title.x, numbers.x), tall = title.y + numbers.y;
+  if (tall == 0) return;
   const ImVec2 low{at.x + 8, at_bottom ? at.y - tall - 2 * padding.y - 8 : at.y + 8};
   const ImVec2 high{low.x + std::min(wide, most) + 2 * padding.x, low.y + tall + 2 * padding.y};
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   draw.AddRectFilled(low, high, faded(ui.colors.card, 0.85f), 6);
   draw.PushClipRect(low, high, true);  // a word may be wider than the room
-  float y = low.y + padding.y;
-  for (const Line& line : lines) {
-    draw.AddText(line.font, line.font->FontSize * ImGui::GetIO().FontGlobalScale, {low.x + padding.x, y},
-                 line.color, line.words.c_str(), nullptr, most);
-    y += line.size.y;
-  }
+  const auto put = [&](ImFont* font, ImU32 color, const std::string& words, float below) {
+    draw.AddText(font, height_of(font), {low.x + padding.x, low.y + padding.y + below}, color, words.c_str(),
+                 nullptr, most);
+  };
+  put(ui.fonts.strong, ui.colors.text, shown.title, 0);
+  put(ui.fonts.numbers, ui.colors.faint, shown.numbers, title.y);
   draw.PopClipRect();
 }
 
