@@ -58,7 +58,6 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   // method `fast` is used, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
-  follow_mask(document);
   workspace.binding = binder_.state();
   return {new_surfaces, new_cage};
 }
@@ -80,12 +79,6 @@ std::shared_ptr<const deform::Cage> LiveModel::cage_of(const scene::Document& do
 
 deform::Scheme LiveModel::scheme_of(const scene::Document& document) {
   return document.has_cage() ? document.scheme : deform::no_motion();
-}
-
-void LiveModel::follow_mask(const scene::Document& document) {
-  if (!deformer_ || deformer_->mask() == document.mask) return;
-  deformer_->set_mask(document.mask);
-  derived_.reset();
 }
 
 void LiveModel::follow_blend(const deform::Scheme& scheme) {
@@ -138,7 +131,6 @@ void LiveModel::install(scene::Workspace& workspace, Bound bound) {
   workspace.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
   renew_deformer(scheme_of(workspace.document));
-  follow_mask(workspace.document);
 }
 
 void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
@@ -174,13 +166,12 @@ void LiveModel::finish_binding(scene::Workspace& workspace) {
 }
 
 bool LiveModel::deforms(const scene::Document& document) const {
-  return deformer_ && derived_ != Derived{document.revisions().pose, document.revisions().method};
+  return deformer_ && derived_ != derived_of(document);
 }
 
 bool LiveModel::is_due(const scene::Document& document) const {
   return surfaces_ != document.revisions().surfaces || cage_revision_ != document.revisions().cage ||
-         weights_ != document.revisions().weights || deforms(document) ||
-         (deformer_ && deformer_->mask() != document.mask);
+         weights_ != document.revisions().weights || deforms(document);
 }
 
 bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
@@ -190,7 +181,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   const auto& drag = workspace.interaction.drag;
   if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose only
   const bool editing = changes_rest(workspace);
-  if (editing) derived_ = {document.revisions().pose, document.revisions().method};
+  if (editing) derived_ = derived_of(document);
   const bool deformed = !editing && deforms(document);
   if (deformed) {
     times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
@@ -198,7 +189,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
     take_carried(document);
     if (document.has_cage()) scene::take_report(workspace, deformer_->state().report());
     times.links = deformer_->times();
-    derived_ = {document.revisions().pose, document.revisions().method};
+    derived_ = derived_of(document);
     prepared_ = std::exchange(unprepared_, false);
     if (prepared_) derived_.reset();
   }

@@ -60,7 +60,6 @@ private:
   void follow_path(bool same);
   void take_binding(scene::Workspace& workspace, bool wait);
   void install(scene::Workspace& workspace, Bound bound);
-  void follow_mask(const scene::Document& document);
   std::shared_ptr<const deform::Cage> cage_of(const scene::Document& document);
   static deform::Scheme scheme_of(const scene::Document& document);
   void take_carried(scene::Document& document);
@@ -78,8 +77,12 @@ private:
   scene::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;
   struct Derived {
     scene::Revision pose, method;
+    deform::Mask mask;
     friend bool operator==(const Derived&, const Derived&) = default;
   };
+  static Derived derived_of(const scene::Document& document) {
+    return {document.revisions().pose, document.revisions().method, document.mask};
+  }
   std::optional<Derived> derived_;
   mesh::Adjacency around_;                   // triangles at each vertex; empty until a pin needs it
   bool same_path_ = false;                   // the staged engine for all methods

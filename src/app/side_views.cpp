@@ -96,7 +96,6 @@ bool SideModel::follow(scene::View& side, scene::Workspace& w, const LiveModel& 
   drag_.before(*deformer_, drag);
   const scene::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
   const deform::Pose& pose = other ? other->cage : w.document.pose;
-  deformer_->set_mask(w.document.mask);
   base::Stopwatch watch;
   run(w.document, pose, other ? other->shape : w.document.shape, side.method);
   if (!side.other_blending) drag_.after(*deformer_, drag);  // another mix may move the whole cage

@@ -108,6 +108,7 @@ protected:
   }
   void run(const scene::Document& document, const deform::Pose& pose, const deform::SharedShape& shape,
            sym3::Method method) {
+    if (deformer_->mask() != document.mask) deformer_->set_mask(document.mask);
     deformer_->set_probes(document.probes);
     deformer_->set_shape(shape);
     deformer_->deform(document.has_cage() ? pose : deform::rest_pose(*bound_.cage), method);
