@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "render/gl.h"
 
@@ -24,9 +23,6 @@ public:
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  /// "OSMesa" or "EGL surfaceless" or "EGL device", for messages.
-  virtual std::string name() const = 0;
-  virtual void make_current() = 0;
   /// For render::load_gl: load_gl([&](const char* n) { return context.get_proc_address(n); }).
   virtual render::Proc get_proc_address(const char* name) const = 0;
 

@@ -60,29 +60,21 @@ void listen_to_end_signals() {
   }
 }
 
-// Only core 3.3 is used; some drivers return exactly the requested version, so requests the newest first.
 GLFWwindow* open_window(glm::ivec2 size) {
-  constexpr int versions[][2] = {{4, 5}, {4, 3}, {3, 3}};
-  for (const auto& version : versions) {
-    glfwDefaultWindowHints();
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version[0]);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version[1]);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, 0);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // keeps full screen while another screen is used
-    // Identifies the application: the desktop looks for these names in assets/desktop/viete.desktop.
-    glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
-    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // keeps full screen while another screen is used
+  // Identifies the application: the desktop looks for these names in assets/desktop/viete.desktop.
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
 #ifdef GLFW_WAYLAND_APP_ID
-    glfwWindowHintString(GLFW_WAYLAND_APP_ID, "viete");
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "viete");
 #endif
-    if (GLFWwindow* window = glfwCreateWindow(size.x, size.y, "Viete", nullptr, nullptr)) {
-      return window;
-    }
-  }
-  return nullptr;
+  return glfwCreateWindow(size.x, size.y, "Viete", nullptr, nullptr);
 }
 
 float content_scale(GLFWwindow* window) {
