@@ -241,16 +241,8 @@ void check_replaceable(const fs::path& path) {
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {
-  replace_file(path, std::span(&bytes, 1), durability);
-}
-
-void replace_file(const fs::path& path, std::span<const std::string_view> parts, Durability durability) {
   replace_file(
-      path,
-      [parts](const ByteSink& out) {
-        for (const auto bytes : parts) out(bytes);
-      },
-      durability);
+      path, [bytes](const ByteSink& out) { out(bytes); }, durability);
 }
 
 void replace_file(const fs::path& path, const std::function<void(const ByteSink&)>& produce,
