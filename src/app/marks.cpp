@@ -152,7 +152,7 @@ void FindingMarks::draw(const render::View& view, const render::Theme& theme) co
   if (used_.empty()) return;
   faces_.draw(view, {theme.finding, 0.30F, 0.05F, false});
   edges_.draw(view, {2.5F, 1, 0.7F});
-  vertices_.draw(view, {theme.outline, theme.hover, 1, 0.7F});
+  vertices_.draw(view, {theme.outline, theme.hover, 0.7F});
 }
 
 }  // namespace viete::app

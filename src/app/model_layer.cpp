@@ -18,10 +18,6 @@ namespace {
 
 using mesh::none;
 
-float light_of(float x) {
-  return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
-}
-
 class LooksMaker {
 public:
   LooksMaker(const mesh::Surface& surface, const mesh::Attributes& attributes,
@@ -100,7 +96,7 @@ private:
 
   void take_material(const mesh::Material& material, render::SurfaceRun& run) {
     const mesh::Color& c = material.base_color;
-    run.color = {light_of(c[0]), light_of(c[1]), light_of(c[2])};
+    run.color = {render::linear_light(c[0]), render::linear_light(c[1]), render::linear_light(c[2])};
     run.repeats = material.repeats;
     if (material.base_color_image < given_.images.size()) run.image = image(material.base_color_image);
     made_.has_looks |= run.image >= 0 || c[0] != c[1] || c[1] != c[2];

@@ -159,8 +159,8 @@ bool Viewer::finish_keeping() {
 
 // Windows in front of the panels need a few frames to settle their size.
 void Viewer::follow_notices() {
-  const Notices now{workspace_.question.has_value(), workspace_.messages.revision(),
-                    workspace_.notice_height};
+  const std::tuple now(workspace_.question.has_value(), workspace_.messages.revision(),
+                       workspace_.notice_height);
   if (std::exchange(notices_, now) != now) settle(3);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "app/analysis.h"
@@ -158,13 +159,7 @@ private:
   ViewCache view_;
   ui::FieldColors field_colors_;
 
-  struct Notices {
-    bool question = false;
-    unsigned messages = 0;
-    float row = 0;  ///< its height
-    bool operator==(const Notices&) const = default;
-  };
-  Notices notices_;                     ///< in the last frame
+  std::tuple<bool, unsigned, float> notices_;  ///< in the last frame: a question, messages, height of the row
   scene::Revisions message_revisions_;  ///< revisions that the messages up to message_revision_ refer to
   unsigned message_revision_ = 0;
   std::optional<scene::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn

@@ -228,7 +228,7 @@ ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 siz
   mesh::Point ground{c[0], c[1], c[2]};
   ground[static_cast<std::size_t>(up)] = document.model.bounds.low[static_cast<std::size_t>(up)];
   d.shadow = {ground, up, diagonal};
-  d.ground = {ground, scene::grid_cell(diagonal), 1.6 * diagonal, up, 1};
+  d.ground = {ground, scene::grid_cell(diagonal), 1.6 * diagonal, up};
   return d;
 }
 
@@ -276,7 +276,7 @@ void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view
   cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
   cage_lines_.draw(view, {1.25f, 0.9f, 0.25f, theme.halo});
   marks_.draw(view, theme);
-  cage_vertices_.draw(view, {theme.outline, theme.hover, 1, 0.35f});
+  cage_vertices_.draw(view, {theme.outline, theme.hover, 0.35f});
 }
 
 namespace {

@@ -42,8 +42,7 @@ void DiscLayer::draw(const View& view, const DiscStyle& style) const {
   looks_.bind(1);
   gl_.BindVertexArray(vertex_array_.id());
   draw_hidden_then_visible(
-      gl_, style.opacity * style.hidden_opacity, style.opacity,
-      [&](float opacity) { program_.set("opacity", opacity); },
+      gl_, style.hidden_opacity, 1, [&](float opacity) { program_.set("opacity", opacity); },
       [&] { gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * point_count_)); });
   debug_check_gl(gl_, "discs");
 }

@@ -24,7 +24,6 @@ struct Disc {
 struct DiscStyle {
   glm::vec3 outline{0, 0, 0};  ///< colour of the thin edge (theme.outline)
   glm::vec3 ring{1, 1, 1};     ///< colour of rings (theme.hover)
-  float opacity = 1;
   /// Opacity factor of discs behind something; rings are not faded. A point less than 2.5 radii behind a face
   /// counts as in front, so that the slanted faces around it do not cut into its disc.
   float hidden_opacity = 0.3F;

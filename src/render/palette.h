@@ -6,6 +6,9 @@
 
 namespace viete::render {
 
+/// Linear light of a display value.
+float linear_light(float display);
+
 /// For magnitudes on lit surfaces: blue over grey to yellow, with uniformly rising lightness, bright enough
 /// to show shading. `count` >= 2 colours as displayed.
 std::vector<glm::vec3> surface_palette(int count = 256);
