@@ -46,7 +46,7 @@ struct Endless {
   void start(BackgroundJob<int>& job, std::shared_ptr<int> held = nullptr) {
     job.start([this, held](Progress& progress) -> int {
       begun.set_value();
-      for (;;) progress.report(0.5);
+      for (;;) progress.report(held ? 0.5 : 0.25);
     });
     begun.get_future().wait();
   }
