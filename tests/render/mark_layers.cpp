@@ -1,6 +1,8 @@
 #include "render/mark_layers.h"
+
 #include "base/error.h"
-#include "shapes.h"
+#include "render/surface_layer.h"
+#include "support/stage.h"
 
 using namespace viete;
 using test::Point;
@@ -16,6 +18,35 @@ int brightest(const render::Image& image, glm::ivec2 from, glm::ivec2 step, int 
   return most;
 }
 
+/// A wall at x >= 0, z = 1, drawn black so that only lines and discs are visible.
+struct Wall {
+  explicit Wall(const render::Gl& gl) : surface(gl) {
+    const std::vector<Point> corners{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}};
+    const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 2, 3}};
+    surface.set_triangles(triangles, 4);
+    surface.set_positions(corners, std::vector<Point>(4, Point{0, 0, 1}));
+  }
+  void draw(const render::View& view) const {
+    render::Theme black = render::dark_theme();
+    black.exposure = 0;
+    surface.draw(view, black, {});
+  }
+  render::SurfaceLayer surface;
+};
+
+void set_line(render::LineLayer& lines, const Point& a, const Point& b,
+              const glm::vec4& color = glm::vec4(1)) {
+  const std::vector<render::Segment> segments{{0, 1}};
+  lines.set_segments(segments, 2);
+  lines.set_positions(std::vector<Point>{a, b});
+  lines.set_color(color);
+}
+
+void set_disc(render::DiscLayer& discs, const Point& at, const render::Disc& disc) {
+  discs.set_discs(std::vector<render::Disc>{disc});
+  discs.set_positions(std::vector<Point>{at});
+}
+
 }  // namespace
 
 TEST_CASE("disc_shows_its_colour_where_its_point_projects") {
@@ -23,7 +54,7 @@ TEST_CASE("disc_shows_its_colour_where_its_point_projects") {
   stage.view.projection = perspective;
   render::DiscLayer discs(stage.gl);
   const Point at{2.2, 1.1, -3};
-  test::set_disc(discs, at, {glm::vec4(0.2F, 0.8F, 1, 1), 5, false});
+  set_disc(discs, at, {glm::vec4(0.2F, 0.8F, 1, 1), 5, false});
   const render::Image image = stage.picture([&] { discs.draw(stage.view, {}); });
   const glm::ivec2 middle = stage.pixel_of(at);
   CHECK(image.pixel(middle.x, middle.y) == render::Rgba8{51, 204, 255, 255});
@@ -33,7 +64,7 @@ TEST_CASE("disc_shows_its_colour_where_its_point_projects") {
 TEST_CASE("disc_covers_a_circle_of_its_radius_at_any_scale") {
   test::Stage stage;
   render::DiscLayer discs(stage.gl);
-  test::set_disc(discs, {0.02, 0.03, 0}, {glm::vec4(1), 6, false});
+  set_disc(discs, {0.02, 0.03, 0}, {glm::vec4(1), 6, false});
   for (const float scale : {1.0F, 2.0F}) {
     stage.view.scale = scale;
     const double area = test::lit_area(stage.picture([&] { discs.draw(stage.view, {}); }));
@@ -43,12 +74,12 @@ TEST_CASE("disc_covers_a_circle_of_its_radius_at_any_scale") {
 
 TEST_CASE("ring_is_around_the_disc_with_a_gap_and_as_strong_if_the_disc_is_hidden") {
   test::Stage stage;
-  const test::Wall wall(stage.gl);
+  const Wall wall(stage.gl);
   render::DiscLayer discs(stage.gl);
   render::DiscStyle style;
   style.ring = glm::vec3(0, 1, 0);
   for (const int x : {-5, 5}) {
-    test::set_disc(discs, {double(x), 0, -2}, {glm::vec4(1, 0, 0, 1), 6, true});
+    set_disc(discs, {double(x), 0, -2}, {glm::vec4(1, 0, 0, 1), 6, true});
     const render::Image image = stage.picture([&] {
       wall.draw(stage.view);
       discs.draw(stage.view, style);
@@ -64,7 +95,7 @@ TEST_CASE("a_disc_behind_the_eye_is_not_drawn_and_their_number_must_match") {
   test::Stage stage;
   stage.view.projection = perspective;
   render::DiscLayer discs(stage.gl);
-  test::set_disc(discs, {0, 0, 15}, {});
+  set_disc(discs, {0, 0, 15}, {});
   CHECK(test::count_not_black(stage.picture([&] { discs.draw(stage.view, {}); })) == 0);
   discs.set_positions(std::vector<Point>(3));
   CHECK_THROWS_AS(discs.draw(stage.view, {}), base::Error);
@@ -73,7 +104,7 @@ TEST_CASE("a_disc_behind_the_eye_is_not_drawn_and_their_number_must_match") {
 TEST_CASE("line_has_the_asked_width_at_any_scale") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {-10, 0.03, 0}, {10, 0.03, 0});
+  set_line(lines, {-10, 0.03, 0}, {10, 0.03, 0});
   for (const float scale : {1.0F, 2.0F}) {
     stage.view.scale = scale;
     render::LineStyle style;
@@ -86,9 +117,9 @@ TEST_CASE("line_has_the_asked_width_at_any_scale") {
 
 TEST_CASE("hidden_parts_are_fainter_than_visible_ones") {
   test::Stage stage;
-  const test::Wall wall(stage.gl);
+  const Wall wall(stage.gl);
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {-12, 4, 0}, {12, 4, 0});
+  set_line(lines, {-12, 4, 0}, {12, 4, 0});
   render::DiscLayer discs(stage.gl);
   discs.set_discs(std::vector<render::Disc>(2, render::Disc{glm::vec4(1), 6, false}));
   discs.set_positions(std::vector<Point>{{-5, 0, -2}, {5, 0, -2}});
@@ -109,9 +140,9 @@ TEST_CASE("hidden_parts_are_fainter_than_visible_ones") {
 
 TEST_CASE("line_that_lies_on_a_surface_is_visible") {
   test::Stage stage;
-  const test::Wall wall(stage.gl);
+  const Wall wall(stage.gl);
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {2, -5, 1}, {12, 7, 1});
+  set_line(lines, {2, -5, 1}, {12, 7, 1});
   render::LineStyle style;
   style.width = 4;
   const render::Image image = stage.picture([&] {
@@ -126,11 +157,11 @@ TEST_CASE("line_through_the_near_plane_is_cut_there") {
   test::Stage stage;
   stage.view.projection = perspective;
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
+  set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
   const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
   CHECK(image.pixel(160, 195)[0] > 0);  // reaches the lower border
   for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);
-  test::set_line(lines, {-1, -1, 20}, {1, 1, 40});  // entirely behind the eye
+  set_line(lines, {-1, -1, 20}, {1, 1, 40});  // entirely behind the eye
   CHECK(test::count_not_black(stage.picture([&] { lines.draw(stage.view, {}); })) == 0);
 }
 
@@ -180,7 +211,7 @@ TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
   faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
   faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises towards the viewer
   render::DiscLayer discs(stage.gl);
-  test::set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
+  set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
   render::FaceStyle untinted;
   untinted.opacity = untinted.rim = 0;
   const render::Image image = stage.picture([&] {
@@ -197,7 +228,7 @@ TEST_CASE("faces_tint_and_hide_lines_behind_them") {
   faces.set_triangles(triangles, 4);
   faces.set_positions(std::vector<Point>{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}});
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {-12, 0, 0}, {12, 0, 0});
+  set_line(lines, {-12, 0, 0}, {12, 0, 0});
   render::FaceStyle style;
   style.opacity = 0.1F;
   render::LineStyle wide;
@@ -222,7 +253,7 @@ TEST_CASE("edges_of_faces_are_not_hidden_by_their_own_faces") {
   faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
   faces.set_positions(corners);
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, corners[0], corners[1]);
+  set_line(lines, corners[0], corners[1]);
   render::LineStyle wide;
   wide.width = 3;
   render::FaceStyle untinted;
