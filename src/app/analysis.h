@@ -28,6 +28,11 @@ public:
   /// After the frame: times and errors of the methods. Whole frames are timed only while the view is at rest.
   void follow_frame(scene::Workspace& workspace, LiveModel& model, bool moves);
 
+  /// After the model is deformed: the data of the vertex inspector, in well under a millisecond. Returns true
+  /// if they changed.
+  bool follow_vertex(scene::Workspace& workspace, const LiveModel& model);
+  bool vertex_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
+
   /// True if follow_document() or follow_frame() would do something now.
   bool has_news(const scene::Workspace& workspace, const LiveModel& model) const;
   /// True while a computation with a displayed progress runs.
@@ -68,6 +73,14 @@ private:
   };
   Path path_;
   std::optional<deform::EngineKind> engine_;
+  // The frame shown by the vertex inspector.
+  struct Inspected {
+    std::optional<std::uint32_t> vertex;
+    unsigned long frame = 0;
+    const deform::Deformer* deformer = nullptr;
+    friend bool operator==(const Inspected&, const Inspected&) = default;
+  };
+  Inspected inspected_;
   double probed_at_ = -1;    // wall seconds, of the start or the result
   unsigned long timed_ = 0;  // index of the frame whose pose was timed
   double rests_since_ = 0;   // wall seconds

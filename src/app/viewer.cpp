@@ -101,7 +101,7 @@ void Viewer::frame(float seconds) {
   scope_messages();
   deform(times);
   if (std::exchange(workspace_.requests.frame_finding, false)) scene::frame_finding(workspace_);
-  const bool new_fields = follow_fields(), inspected = inspector_.follow(workspace_, model_);
+  const bool new_fields = follow_fields(), inspected = analysis_.follow_vertex(workspace_, model_);
   if (new_fields || inspected) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
@@ -195,7 +195,7 @@ bool Viewer::changing() const {
   const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
          workspace_.playback.playing || workspace_.pins.is_due() || model_.is_due(document) ||
-         sides_.is_due(workspace_, model_) || field_is_due() || inspector_.is_due(workspace_, model_);
+         sides_.is_due(workspace_, model_) || field_is_due() || analysis_.vertex_is_due(workspace_, model_);
 }
 
 void Viewer::show_manual(const std::string& chapter) {

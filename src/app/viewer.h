@@ -12,7 +12,6 @@
 #include "app/file_desk.h"
 #include "app/live_model.h"
 #include "app/side_views.h"
-#include "app/vertex_inspector.h"
 #include "app/workspace_renderer.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
@@ -148,7 +147,6 @@ private:
   SideViews sides_;
   Analysis analysis_;
   FieldMaker fields_;
-  VertexInspector inspector_;
   scene::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;

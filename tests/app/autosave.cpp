@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <string>
 #include <thread>
 
 #include "base/clock.h"
@@ -145,4 +147,36 @@ TEST_CASE("without_a_folder_edits_are_not_backed_up_and_the_reason_is_given") {
   k.edit(0.25);
   CHECK_FALSE(autosave.keep_now(k.workspace));
   CHECK_FALSE(autosave.problem().empty());
+}
+
+namespace {
+
+// Restores an environment variable at the end of the test.
+class Variable {
+public:
+  explicit Variable(const char* name) : name_(name), old_(std::getenv(name) ? std::getenv(name) : "") {}
+  ~Variable() { set(old_.c_str()); }
+  void set(const char* value) { value ? setenv(name_, value, 1) : unsetenv(name_); }
+
+private:
+  const char* name_;
+  std::string old_;
+};
+
+}  // namespace
+
+TEST_CASE("the_state_folder_is_where_the_variables_say_or_in_the_home_folder_if_there_is_one") {
+  Variable home("HOME"), state("XDG_STATE_HOME");
+  home.set("/home/ada");
+  for (const char* none : {static_cast<const char*>(nullptr), "", "relative/path"}) {
+    state.set(none);
+    CHECK(app::state_folder() == "/home/ada/.local/state/viete");
+  }
+  state.set("/var/state");
+  CHECK(app::state_folder() == "/var/state/viete");
+  home.set(nullptr);
+  state.set(nullptr);
+  CHECK(app::state_folder().empty());
+  home.set("not/absolute");
+  CHECK(app::state_folder().empty());
 }
