@@ -4,16 +4,30 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "app/live_model.h"
-#include "app/method_timer.h"
 #include "base/background.h"
 #include "scene/document/checks.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::app {
+
+struct MethodTimings {
+  scene::MethodTimes times;
+  /// The binding, including staged weights if they are small enough to compute without being requested.
+  std::shared_ptr<const deform::Binding> binding;
+};
+
+/// Medians of interleaved frames, with its own deformer and pool. Throws base::Error if memory does not
+/// suffice, and base::Cancelled between frames. Thread-safe.
+MethodTimings time_methods(FrameInput timed, base::Progress& progress);
+
+/// Times and errors of all compared methods on these matrices: medians of interleaved runs in CPU time,
+/// errors against the 106-bit reference; NaN if one is.
+scene::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
 /// Restarts each measurement when its input changes, and stores the result in the workspace. Call from one
 /// thread.

@@ -1,11 +1,11 @@
-#include "app/method_timer.h"
-
+// Times and errors of every method, for whole frames and for a sample of the frame's matrices.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "app/analysis.h"
 #include "base/clock.h"
 #include "base/median.h"
 #include "base/worker_pool.h"

@@ -1,4 +1,4 @@
-#include "app/method_timer.h"
+#include "app/analysis.h"
 
 #include <doctest/doctest.h>
 
