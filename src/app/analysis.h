@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "app/live_model.h"
+#include "app/view_model.h"
 #include "base/background.h"
 #include "scene/document/checks.h"
 #include "scene/workspace/workspace.h"

@@ -1,4 +1,4 @@
-#include "app/live_model.h"
+#include "app/view_model.h"
 
 #include <algorithm>
 #include <array>

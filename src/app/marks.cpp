@@ -1,10 +1,10 @@
-#include "app/marks.h"
-
+// Highlights on model and cage: selected and hovered elements of the cage, and findings of the checks.
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "app/workspace_renderer.h"
 #include "scene/document/elements.h"
 
 namespace viete::app {

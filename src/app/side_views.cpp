@@ -1,4 +1,4 @@
-#include "app/side_views.h"
+#include "app/view_model.h"
 
 #include <algorithm>
 #include <utility>

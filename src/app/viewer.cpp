@@ -18,7 +18,7 @@
 #include "scene/workspace/check_view.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 #include "sym3/kernel.h"
 #include "ui/input.h"
 #include "ui/panels.h"

@@ -7,7 +7,7 @@
 #include "scene/document/elements.h"
 #include "scene/document/selection_sets.h"
 #include "scene/workspace/pointer.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 
 namespace viete::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scene/document/brush.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 #include "ui/choice_picture.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

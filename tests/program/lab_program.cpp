@@ -9,7 +9,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 

@@ -18,7 +18,7 @@
 #include "scene/hand/placing.h"
 #include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 #include "support/grips.h"
 #include "support/open.h"
 #include "support/text.h"

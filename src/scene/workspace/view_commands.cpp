@@ -8,7 +8,7 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/pointer.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 
 namespace viete::scene {
 
