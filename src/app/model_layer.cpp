@@ -10,7 +10,7 @@
 #include "mesh/cavity.h"
 #include "mesh/formats/source.h"
 #include "mesh/normals.h"
-#include "render/palette.h"
+#include "render/view.h"
 
 namespace viete::app {
 

@@ -59,15 +59,11 @@ void TerminalProgress::watch(const std::stop_token& stop) {
     const int percent = static_cast<int>(100 * progress_.done());
     if (counts_ && percent > counted) std::fprintf(stderr, "%d %%\n", counted = percent);
     if (!shows_ || now - shown < shown_every) continue;
-    show(now - begun);
+    std::fprintf(stderr, "%s%s: %s", clear_line, what_.c_str(),
+                 progress_text(progress_.done(), now - begun).c_str());
+    std::fflush(stderr);
     shown = now;
   }
-}
-
-void TerminalProgress::show(double seconds) const {
-  std::fprintf(stderr, "%s%s: %s", clear_line, what_.c_str(),
-               progress_text(progress_.done(), seconds).c_str());
-  std::fflush(stderr);
 }
 
 std::string progress_text(double done, double seconds) {

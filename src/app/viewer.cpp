@@ -13,7 +13,7 @@
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
-#include "render/palette.h"
+#include "render/view.h"
 #include "scene/document/cage_editing.h"
 #include "scene/workspace/check_view.h"
 #include "scene/workspace/playing.h"

@@ -1,10 +1,8 @@
-#include "render/palette.h"
+#include "render/view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-
-#include "render/view.h"
 
 namespace viete::render {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "render/palette.h"
+#include "render/view.h"
 #include "support/pictures.h"
 #include "support/stage.h"
 

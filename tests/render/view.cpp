@@ -2,7 +2,6 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "render/palette.h"
 #include "render/view.h"
 
 using namespace viete;
