@@ -14,8 +14,6 @@
 
 namespace viete::scene {
 
-struct Workspace;
-
 /// A view, and the results of its last frame. The first view shows the document's settings, see shown_way().
 struct View : SideWay {
   FieldView shown{};
@@ -55,16 +53,5 @@ std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& 
 
 /// Replaces the views and activates the first one.
 void put_ways(Split& split, const SideWays& ways);
-
-/// Sets the number of views, 1 to 4. New ones use deformers that are not shown yet.
-void split_view(Workspace& workspace, std::size_t count);
-/// Activates that view and its camera.
-void enter_view(Workspace& workspace, std::size_t view);
-/// The camera of a view.
-CameraPose camera_of(const Workspace& workspace, std::size_t view);
-/// The same at the end of a running animation.
-CameraPose last_camera_of(const Workspace& workspace, std::size_t view);
-/// The split as stored in a session.
-SideWays ways_of(const Workspace& workspace);
 
 }  // namespace viete::scene

@@ -267,6 +267,17 @@ SideWay shown_way(const Workspace& workspace, std::size_t view);
 /// The field shown as colours in a view; none if the chosen one is not available.
 lab::Field shown_field(const Workspace& workspace, std::size_t view = 0);
 
+/// Sets the number of views, 1 to 4. New ones use deformers that are not shown yet.
+void split_view(Workspace& workspace, std::size_t count);
+/// Activates that view and its camera.
+void enter_view(Workspace& workspace, std::size_t view);
+/// The camera of a view.
+CameraPose camera_of(const Workspace& workspace, std::size_t view);
+/// The same at the end of a running animation.
+CameraPose last_camera_of(const Workspace& workspace, std::size_t view);
+/// The split as stored in a session.
+SideWays ways_of(const Workspace& workspace);
+
 /// Starts a cancellable edit on mouse press; cancel_widget_edit() restores the state before it.
 void begin_widget_edit(Workspace& workspace);
 void cancel_widget_edit(Workspace& workspace);
