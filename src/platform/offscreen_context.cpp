@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <thread>
 
@@ -97,27 +96,11 @@ struct EglApi {
   decltype(&eglMakeCurrent) make_current = library.find("eglMakeCurrent");
 };
 
-/// Sets an environment variable for the current scope (Mesa reads it while initialising a display).
-class EnvironmentScope {
-public:
-  EnvironmentScope(const char* name, const char* value) : name_(name) {
-    if (const char* old = std::getenv(name)) old_ = old;
-    setenv(name, value, 1);
-  }
-  EnvironmentScope(const EnvironmentScope&) = delete;
-  EnvironmentScope& operator=(const EnvironmentScope&) = delete;
-  ~EnvironmentScope() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
-
-private:
-  const char* name_;
-  std::optional<std::string> old_;
-};
-
 // Without a surface. Never terminates the display, which all contexts of the process share.
 class EglContext final : public OffscreenContext {
 public:
   EglContext() {
-    const EnvironmentScope scope("LIBGL_ALWAYS_SOFTWARE", "1");
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // Mesa reads it while initialising a display
     open_display();
     create_context();
     if (api_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)

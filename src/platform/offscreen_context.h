@@ -14,8 +14,8 @@ class OffscreenContext {
 public:
   enum class Kind { any, osmesa, egl };
 
-  /// any: OSMesa first, then EGL with Mesa's CPU rasteriser (LIBGL_ALWAYS_SOFTWARE=1, set only during
-  /// creation), so that pictures are the same on every machine. Throws base::Error with the reason of each
+  /// any: OSMesa first, then EGL with Mesa's CPU rasteriser (sets LIBGL_ALWAYS_SOFTWARE=1 for the
+  /// process), so that pictures are the same on every machine. Throws base::Error with the reason of each
   /// failed attempt.
   static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any);
 

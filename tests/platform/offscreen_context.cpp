@@ -1,6 +1,3 @@
-#include <cstdlib>
-#include <string>
-
 #include "platform/offscreen_context.h"
 #include "render/backdrop.h"
 #include "render/surface_layer.h"
@@ -36,12 +33,4 @@ TEST_CASE("osmesa_and_egl_give_the_same_picture" * doctest::test_suite(test::if_
 
 TEST_CASE("contexts_can_be_created_repeatedly") {
   for (int i = 0; i < 3; ++i) CHECK(test::count_not_black(ball_picture(Kind::any)) > 10000);
-}
-
-TEST_CASE("environment_is_as_before_after_making_a_context" * doctest::test_suite(test::if_present)) {
-  if (!test::available(Kind::egl)) return;
-  setenv("LIBGL_ALWAYS_SOFTWARE", "0", 1);
-  const auto context = platform::OffscreenContext::create(Kind::egl);
-  CHECK(std::string(std::getenv("LIBGL_ALWAYS_SOFTWARE")) == "0");
-  unsetenv("LIBGL_ALWAYS_SOFTWARE");
 }
