@@ -33,35 +33,6 @@ bool SideModel::serves(const Need& need) const {
   return deformer_->all_staged() == need.staged && deformer_->engine(need.method).has_value();
 }
 
-void SideModel::install(const Need& need, base::WorkerPool& pool) {
-  make_deformer(need.scheme, need.staged, pool);
-  made_.reset();
-}
-
-// The requirement may have changed since: then binds again.
-void SideModel::take_binding(scene::View& side, const Need& need, base::WorkerPool& pool, bool wait) {
-  auto result = binder_.poll(wait);
-  if (!result) return;
-  side.problem = result->problem;
-  if (result->value) {
-    bound_ = *std::move(result->value);
-    install(asked_, pool);
-  }
-  if (asked_ == need && !serves(need)) refused_ = need;
-}
-
-// True if a frame can be computed now; otherwise starts binding.
-bool SideModel::prepare(const Need& need, const Bound& known, base::WorkerPool& pool) {
-  if (serves(need)) return true;
-  if (bound_.binding->weighting == need.scheme.weighting) install(need, pool);
-  if (serves(need)) return true;
-  deformer_.reset();
-  asked_ = need;
-  const bool own = bound_.binding->weighting == need.scheme.weighting;
-  bind_for(need, known.model, known.cage, own ? bound_ : known);
-  return false;
-}
-
 void SideModel::forget() {
   binder_.cancel();
   deformer_.reset();
@@ -86,12 +57,28 @@ bool SideModel::follow(scene::View& side, scene::Workspace& w, const LiveModel& 
     bound_ = known;
   }
   const Made wanted = made_of(side, w);
-  take_binding(side, wanted.need, pool, wait);
+  const Need& need = wanted.need;
+  if (auto result = binder_.poll(wait)) {
+    side.problem = result->problem;
+    if (result->value) {
+      bound_ = *std::move(result->value);
+      make_deformer(asked_.scheme, asked_.staged, pool);
+      made_.reset();
+    }
+    if (asked_ == need && !serves(need)) refused_ = need;  // otherwise it has changed since: binds again
+  }
   side.binding = binder_.running();
-  const bool due = made_ != wanted && refused_ != wanted.need && !side.binding && !changes_rest(w);
+  const bool due = made_ != wanted && refused_ != need && !side.binding && !changes_rest(w);
   if (!due || !first.ran()) return false;
-  side.binding = !prepare(wanted.need, known, pool);
-  if (side.binding) return false;
+  const bool same_weights = bound_.binding->weighting == need.scheme.weighting;
+  if (!serves(need) && same_weights) make_deformer(need.scheme, need.staged, pool);
+  if (!serves(need)) {
+    deformer_.reset();
+    asked_ = need;
+    bind_for(need, known.model, known.cage, same_weights ? bound_ : known);
+    side.binding = true;
+    return false;
+  }
   const auto& drag = w.interaction.drag;
   drag_.before(*deformer_, drag);
   const scene::SharedPose other = side.other_blending ? other_pose(w) : nullptr;

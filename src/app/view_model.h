@@ -226,9 +226,6 @@ private:
   };
   static Made made_of(const scene::View& view, const scene::Workspace& workspace);
   bool serves(const Need& need) const;
-  bool prepare(const Need& need, const Bound& known, base::WorkerPool& pool);
-  void take_binding(scene::View& view, const Need& need, base::WorkerPool& pool, bool wait);
-  void install(const Need& need, base::WorkerPool& pool);
 
   std::optional<Made> made_;     // last frame
   Need asked_;                   // the running binding
