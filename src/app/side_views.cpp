@@ -73,7 +73,7 @@ bool SideModel::follow(scene::View& side, scene::Workspace& w, const LiveModel& 
   const bool same_weights = bound_.binding->weighting == need.scheme.weighting;
   if (!serves(need) && same_weights) make_deformer(need.scheme, need.staged, pool);
   if (!serves(need)) {
-    deformer_.reset();
+    deformer_.reset(), made_.reset();
     asked_ = need;
     bind_for(need, known.model, known.cage, same_weights ? bound_ : known);
     side.binding = true;
