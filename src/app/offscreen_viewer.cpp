@@ -116,11 +116,6 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
     throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
-  const int most = offscreen->viewer().longest_side();
-  if (pixels.x > most || pixels.y > most)
-    throw base::Error("picture",
-                      "a side is longer than " + std::to_string(most) + " pixels, the limit of this renderer",
-                      "use a smaller --size or --scale");
   scene::Workspace& workspace = offscreen->viewer().workspace();
   scene::apply_opened(workspace, std::move(opened));
   workspace.view = view_of(options, session);

@@ -99,8 +99,6 @@ public:
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture();
-  /// The driver's largest picture side, in device pixels.
-  int longest_side() const { return render::longest_side(gl_); }
   /// The current drawing of the view.
   ViewDrawing drawing() const;
   /// The deformer of the open document; null without one.

@@ -15,22 +15,18 @@ std::string size_text(glm::ivec2 size) {
 }
 
 void require_supported(const Gl& gl, glm::ivec2 size) {
-  const int limit = longest_side(gl);
+  GLint texture = 0, buffer = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
+  const int limit = std::min(texture, buffer);
   if (size.x <= limit && size.y <= limit) return;
   throw base::Error(
       "picture",
-      size_text(size) + "  pixels exceeds the driver's limit of " + std::to_string(limit) + " per side",
+      size_text(size) + " pixels exceeds the driver's limit of " + std::to_string(limit) + " per side",
       "choose a smaller size or scale");
 }
 
 }  // namespace
-
-int longest_side(const Gl& gl) {
-  GLint texture = 0, buffer = 0;
-  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
-  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
-  return std::min(texture, buffer);
-}
 
 Framebuffer::Framebuffer(const Gl& gl)
     : gl_(gl),
