@@ -183,18 +183,6 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   ghost_lines_.set_color(opaque(theme.cage));
 }
 
-render::SurfaceStyle WorkspaceRenderer::surface_style(const scene::Workspace& w) const {
-  render::SurfaceStyle style;
-  style.wireframe = w.view.wireframe ? 0.3f : 0.0f;
-  // Back faces of a closed surface are culled: software rendering then takes half the time. For a GPU it
-  // makes no difference.
-  const auto& summary = w.document.model.summary;
-  style.closed =
-      gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
-  style.paint = paint_of(w.view.shading, file_has_looks_);
-  return style;
-}
-
 ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t view) const {
   ViewDrawing::Part part;
   const scene::Pane pane = scene::pane_of(w.split, view);
@@ -205,7 +193,13 @@ ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t
   if (const auto pose = scene::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(scene::viewport_of(w.split, v, view)));
-  part.surface = surface_style(w);
+  part.surface.wireframe = w.view.wireframe ? 0.3f : 0.0f;
+  // Back faces of a closed surface are culled: software rendering then takes half the time. For a GPU it
+  // makes no difference.
+  const auto& summary = w.document.model.summary;
+  part.surface.closed =
+      gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
+  part.surface.paint = paint_of(w.view.shading, file_has_looks_);
   part.cage = !scene::shown_way(w, view).other_blending;
   models_[view]->span(part.surface, w.split.views[view].shown);
   return part;
@@ -234,7 +228,12 @@ ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 siz
 
 void WorkspaceRenderer::draw(const ViewDrawing& d) {
   const render::Theme theme = render::theme(d.dark);
-  draw_background(d, theme);
+  if (d.transparent) {
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+  } else {
+    backdrop_.draw(theme);
+  }
   for (std::size_t view = 0; view < d.parts.size(); ++view) {
     const ViewDrawing::Part& part = d.parts[view];
     if (d.parts.size() > 1) clip_to(d, part);
@@ -249,12 +248,6 @@ void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& p
       high(glm::round(part.high * glm::vec2(d.size)));
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.Scissor(low.x, d.size.y - high.y, high.x - low.x, high.y - low.y);
-}
-
-void WorkspaceRenderer::draw_background(const ViewDrawing& d, const render::Theme& theme) const {
-  if (!d.transparent) return backdrop_.draw(theme);
-  gl_.ClearColor(0, 0, 0, 0);
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 
 void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const render::Theme& theme) {

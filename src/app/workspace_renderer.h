@@ -130,11 +130,9 @@ public:
 private:
   ViewDrawing::Part part(const scene::Workspace& workspace, std::size_t view) const;
   void clip_to(const ViewDrawing& drawing, const ViewDrawing::Part& part) const;
-  void draw_background(const ViewDrawing& drawing, const render::Theme& theme) const;
   void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme);
   void set_shown_edges(const scene::Document& document);
   void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;
-  render::SurfaceStyle surface_style(const scene::Workspace& workspace) const;
 
   const render::Gl& gl_;
   render::Backdrop backdrop_;

@@ -190,7 +190,8 @@ float Window::logical_per_unit() const {
   return units > 0 ? static_cast<float>(device_size().x) / static_cast<float>(units) / scale_ : 1;
 }
 
-void Window::listen_to_mouse() {
+void Window::listen(WindowEvents events) {
+  events_ = std::move(events);
   glfwSetCursorPosCallback(handle_, [](GLFWwindow* w, double x, double y) {
     const float k = of(w).logical_per_unit();
     of(w).events_.input(InputEvent::move({static_cast<float>(x) * k, static_cast<float>(y) * k}));
@@ -204,9 +205,6 @@ void Window::listen_to_mouse() {
   glfwSetCursorEnterCallback(handle_, [](GLFWwindow* w, int entered) {
     if (!entered) of(w).events_.input(InputEvent::left_window());
   });
-}
-
-void Window::listen_to_keys() {
   glfwSetKeyCallback(handle_, [](GLFWwindow* w, int key, int scancode, int action, int) {
     if (action != GLFW_REPEAT && key >= 0)
       of(w).events_.input(InputEvent::key(labelled(key, scancode), action == GLFW_PRESS));
@@ -215,12 +213,6 @@ void Window::listen_to_keys() {
     char utf8[5];
     of(w).events_.input(InputEvent::typed(ImTextCharToUtf8(utf8, code)));
   });
-}
-
-void Window::listen(WindowEvents events) {
-  events_ = std::move(events);
-  listen_to_mouse();
-  listen_to_keys();
   glfwSetDropCallback(handle_, [](GLFWwindow* w, int count, const char** paths) {
     of(w).events_.dropped({paths, paths + count});
   });

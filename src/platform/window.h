@@ -56,8 +56,6 @@ public:
 
 private:
   Window(GLFWwindow* handle, float scale);
-  void listen_to_mouse();
-  void listen_to_keys();
   glm::ivec2 device_size() const;
   float logical_per_unit() const;
 

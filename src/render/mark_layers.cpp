@@ -152,24 +152,20 @@ void FaceLayer::draw(const View& view, const FaceStyle& style) const {
   program_.set("rim", style.rim);
   gl_.BindVertexArray(vertex_array_.id());
   const BlendScope blend(gl_);
+  const auto draw_triangles = [&] {
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
+  };
   if (style.opacity > 0 || style.rim > 0) draw_triangles();
-  if (style.occlude) draw_depth();
+  if (style.occlude) {  // pushed back slightly, so that faces do not hide their own edges
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    gl_.PolygonOffset(1, 4);
+    draw_triangles();
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
   debug_check_gl(gl_, "faces");
-}
-
-void FaceLayer::draw_triangles() const {
-  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
-}
-
-// Pushed back slightly, so that faces do not hide their own edges.
-void FaceLayer::draw_depth() const {
-  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  gl_.DepthMask(GL_TRUE);
-  gl_.Enable(GL_POLYGON_OFFSET_FILL);
-  gl_.PolygonOffset(1, 4);
-  draw_triangles();
-  gl_.Disable(GL_POLYGON_OFFSET_FILL);
-  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace viete::render

@@ -111,9 +111,6 @@ public:
   void draw(const View& view, const FaceStyle& style) const;
 
 private:
-  void draw_triangles() const;
-  void draw_depth() const;
-
   const Gl& gl_;
   Program program_;
   VertexArray vertex_array_;

@@ -167,13 +167,6 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
   return *program;
 }
 
-void SurfaceLayer::use(const Program& program, const View& view, const Theme& theme,
-                       const SurfaceStyle& style) const {
-  program.use();
-  set_view(program, view);
-  set_looks(program, view, theme, style);
-}
-
 void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
   if (!has_vertices_ || triangle_count_ == 0) return;
   indices_.bind(0);
@@ -218,17 +211,15 @@ void SurfaceLayer::draw_runs(const View& view, const Theme& theme, const Surface
   for (const SurfaceRun& run : runs_) draw_run(run);
 }
 
-void SurfaceLayer::set_view(const Program& program, const View& view) const {
+void SurfaceLayer::use(const Program& program, const View& view, const Theme& theme,
+                       const SurfaceStyle& style) const {
+  program.use();
   program.set("indices", 0);
   program.set("vertices", 1);
   program.set("palette", 2);
   program.set("looks", 3);
   set_camera(program, view, origin_);
   program.set("eye_ray", eye_ray(view));
-}
-
-void SurfaceLayer::set_looks(const Program& program, const View& view, const Theme& theme,
-                             const SurfaceStyle& style) const {
   program.set("model_color", theme.model);
   program.set("exposure", theme.exposure);
   program.set("wire", glm::vec4(theme.wire, style.wireframe));

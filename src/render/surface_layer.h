@@ -92,9 +92,6 @@ private:
   const Program& program_for(const SurfaceStyle& style, bool flat = false) const;
   void use(const Program& program, const View& view, const Theme& theme, const SurfaceStyle& style) const;
   void draw_runs(const View& view, const Theme& theme, const SurfaceStyle& style) const;
-  void set_view(const Program& program, const View& view) const;
-  void set_looks(const Program& program, const View& view, const Theme& theme,
-                 const SurfaceStyle& style) const;
 
   const Gl& gl_;
   // One program per combination, so that unused features cost nothing: wireframe or not, vertex colours or
