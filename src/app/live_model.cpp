@@ -44,7 +44,12 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
   if (new_surfaces || new_cage)
     follow_surfaces(workspace, new_surfaces ? files_.take_bound() : std::move(made));
-  if (new_surfaces || new_cage || new_weights) follow_weights(document);
+  if (new_surfaces || new_cage || new_weights) {
+    binder_.cancel();
+    given_up_.reset();
+    const bool served = deformer_ && document.has_cage();
+    if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
+  }
   // Binds once something can move the model: without a cage that is the first probe. Waits while a cage is
   // being generated.
   if (!deformer_ && !binder_.running() && !workspace.making_cage.running && given_up_ != now.pose &&
@@ -53,21 +58,18 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   // Other elements or another blend need other sums over the same weights.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
-  follow_path(workspace.view.same_path);
+  same_path_ = workspace.view.same_path;
+  if (deformer_ && deformer_->all_staged() != same_path_) {
+    deformer_->set_all_staged(same_path_);
+    derived_.reset();
+    unprepared_ = true;
+  }
   // Staged weights are computed when a method needs them, and a stitching when a scheme does; until then
   // method `fast` is used, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
   workspace.binding = binder_.state();
   return {new_surfaces, new_cage};
-}
-
-void LiveModel::follow_path(bool same) {
-  same_path_ = same;
-  if (!deformer_ || deformer_->all_staged() == same) return;
-  deformer_->set_all_staged(same);
-  derived_.reset();
-  unprepared_ = true;
 }
 
 // The cage, or its substitute, and the scheme.
@@ -101,13 +103,6 @@ void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
   workspace.pose_notes.clear();
   workspace.pose_report = {};
   if (bound.binds(workspace.document)) install(workspace, std::move(bound));
-}
-
-void LiveModel::follow_weights(const scene::Document& document) {
-  binder_.cancel();
-  given_up_.reset();
-  const bool served = deformer_ && document.has_cage();
-  if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
 }
 
 void LiveModel::start_binding(const scene::Document& document) {

@@ -170,9 +170,7 @@ public:
 
 private:
   void follow_surfaces(scene::Workspace& workspace, Bound bound);
-  void follow_weights(const scene::Document& document);
   void start_binding(const scene::Document& document);
-  void follow_path(bool same);
   void take_binding(scene::Workspace& workspace, bool wait);
   void install(scene::Workspace& workspace, Bound bound);
   std::shared_ptr<const deform::Cage> cage_of(const scene::Document& document);
