@@ -210,8 +210,9 @@ void Window::listen(WindowEvents events) {
       of(w).events_.input(InputEvent::key(labelled(key, scancode), action == GLFW_PRESS));
   });
   glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned code) {
-    char utf8[5];
-    of(w).events_.input(InputEvent::typed(ImTextCharToUtf8(utf8, code)));
+    char utf8[5] = "";
+    ImTextCharToUtf8(utf8, code);
+    of(w).events_.input(InputEvent::typed(utf8));
   });
   glfwSetDropCallback(handle_, [](GLFWwindow* w, int count, const char** paths) {
     of(w).events_.dropped({paths, paths + count});
