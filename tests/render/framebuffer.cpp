@@ -36,17 +36,14 @@ TEST_CASE("top_row_of_the_picture_comes_first") {
   CHECK(image.pixel(5, 10)[0] == 0);
 }
 
-TEST_CASE("samples_are_clamped_to_what_the_driver_has") {
+TEST_CASE("size_and_samples_can_change_up_to_what_the_driver_has") {
   test::Stage stage;
   stage.framebuffer.begin({64, 64}, 1000);
   CHECK(stage.framebuffer.samples() == (stage.gl.max_samples >= 2 ? stage.gl.max_samples : 0));
   stage.framebuffer.begin({64, 64}, 1);
   CHECK(stage.framebuffer.samples() == 0);
   CHECK_NOTHROW(render::check_gl(stage.gl, "samples"));
-}
-
-TEST_CASE("size_can_change_between_frames") {
-  test::Stage stage;
+  CHECK_THROWS_AS(stage.framebuffer.begin({1 << 20, 16}, 0), base::Error);
   for (const glm::ivec2 size :
        {glm::ivec2(1, 1), glm::ivec2(333, 77), glm::ivec2(64, 64), glm::ivec2(0, -5)}) {
     stage.view.size = size;
@@ -55,12 +52,6 @@ TEST_CASE("size_can_change_between_frames") {
     CHECK(image.height == std::max(1, size.y));
     CHECK(image.pixel(image.width - 1, image.height - 1)[1] == 255);
   }
-}
-
-TEST_CASE("too_large_picture_is_rejected_and_the_next_one_works") {
-  test::Stage stage;
-  CHECK_THROWS_AS(stage.framebuffer.begin({1 << 20, 16}, 0), base::Error);
-  CHECK(stage.picture([&] { clear(stage.gl, 0, 0, 1, 1); }).pixel(0, 0)[2] == 255);
 }
 
 TEST_CASE("begin_with_stretches_another_picture_without_changing_it") {

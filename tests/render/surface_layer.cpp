@@ -39,13 +39,17 @@ TEST_CASE("lit_ball_covers_its_projected_area_multisampled_or_not") {
   CHECK(test::difference(plain, scene.picture({.closed = true}), 1) < 0.001);
 }
 
-TEST_CASE("key_light_comes_from_the_upper_left") {
-  Scene scene(test::ball(7));
-  const render::Image image = scene.picture();
+TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
+  const render::Image image = Scene(test::ball(7)).picture();
   const int upper_left = test::brightness(image.pixel(160 - 30, 100 - 40));
   const int lower_right = test::brightness(image.pixel(160 + 40, 100 + 40));
   CHECK(upper_left > lower_right + 100);
   CHECK(lower_right > 40);  // no part is black
+  test::Ball inside_out = test::ball(7);
+  for (auto& t : inside_out.triangles) std::swap(t[1], t[2]);
+  for (auto& n : inside_out.normals) n = {-n[0], -n[1], -n[2]};
+  const int back = test::brightness(Scene(inside_out).picture().pixel(140, 80));
+  CHECK(back > test::brightness(image.pixel(140, 80)) / 2);
 }
 
 TEST_CASE("moved_positions_move_the_pixels") {
@@ -77,17 +81,6 @@ TEST_CASE("wireframe_darkens_edges_only") {
   CHECK(changed > 500);
   CHECK(changed < 0.3 * static_cast<double>(test::count_not_black(plain)));
   CHECK(test::lit_area(wired) < test::lit_area(plain));
-}
-
-TEST_CASE("back_of_an_open_surface_is_lit_too") {
-  Scene scene(test::ball(7));
-  test::Ball inside_out = test::ball(7);
-  for (auto& t : inside_out.triangles) std::swap(t[1], t[2]);
-  for (auto& n : inside_out.normals) n = {-n[0], -n[1], -n[2]};
-  Scene flipped(inside_out);
-  const int front = test::brightness(scene.picture().pixel(140, 80));
-  const int back = test::brightness(flipped.picture().pixel(140, 80));
-  CHECK(back > front / 2);
 }
 
 TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belongs") {
@@ -133,17 +126,14 @@ TEST_CASE("scalars_choose_the_palette_colour") {
   CHECK(right[0] > right[2] + 30);  // yellow
 }
 
-TEST_CASE("non_finite_vertices_do_not_spread") {
+TEST_CASE("non_finite_vertices_do_not_spread_and_an_empty_surface_is_not_drawn") {
+  CHECK(test::count_not_black(Scene(test::Ball{}).picture()) == 0);
   test::Ball ball = test::ball(7);
   ball.positions[2000] = {std::numeric_limits<double>::quiet_NaN(), 0,
                           std::numeric_limits<double>::infinity()};
   Scene scene(ball);
   CHECK(static_cast<double>(test::count_not_black(scene.picture())) ==
         doctest::Approx(M_PI * 4900).epsilon(0.02));
-}
-
-TEST_CASE("an_empty_surface_is_not_drawn") {
-  CHECK(test::count_not_black(Scene(test::Ball{}).picture()) == 0);
 }
 
 TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
