@@ -29,12 +29,7 @@ TEST_CASE("options_take_what_they_need_and_refuse_the_rest_with_it") {
   const auto refuses = [&](const std::string& option, const std::string& needs,
                            std::initializer_list<const char*> values) {
     for (const char* value : values) {
-      std::string refusal;
-      try {
-        command.parse(option + " " + value, false);
-      } catch (const CLI::ParseError& error) {
-        refusal = error.what();
-      }
+      const std::string refusal = test::problem_of([&] { command.parse(option + " " + value, false); });
       CHECK_MESSAGE(mentions(refusal, needs), option, " ", value, ": ", refusal);
     }
   };

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "support/data.h"
 #include "support/folder.h"
+#include "support/text.h"
 
 using namespace viete;
 
@@ -23,12 +24,7 @@ TEST_CASE("pictures_are_read_back_and_incomplete_ones_refused") {
 TEST_CASE("pictures_of_hostile_size_are_refused_before_they_are_decoded") {
   using namespace std::string_literals;
   const auto refusal = [](const std::string& bytes) {
-    try {
-      base::decode_picture("given", bytes);
-    } catch (const base::Error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::problem_of([&] { base::decode_picture("given", bytes); });
   };
   const auto png = [](const std::string& size) {
     return "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s + size + "\x08\6\0\0\0\0\0\0\0\0\0\0\4IDATabcd\0\0\0\0"s;
