@@ -32,16 +32,6 @@ double weight_bytes(const deform::Binding& binding) {
   return 8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles);
 }
 
-deform::LinkTimes median_of(const std::vector<deform::LinkTimes>& frames) {
-  deform::LinkTimes median;
-  for (std::size_t link = 0; link < deform::link_count; ++link) {
-    std::vector<double> ms;
-    for (const auto& frame : frames) ms.push_back(frame.ms[link]);
-    median.ms[link] = base::median(std::move(ms));
-  }
-  return median;
-}
-
 }  // namespace
 
 MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
@@ -56,18 +46,18 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   deformer.set_mask(timed.mask);
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);
-  std::array<std::vector<deform::LinkTimes>, compared_methods.size()> frames;
+  std::array<std::vector<scene::FrameTimes>, compared_methods.size()> frames;
   for (std::size_t round = 0; round <= timed_rounds; ++round) {  // the first round fills caches
     for (std::size_t m = 0; m < frames.size(); ++m) {
       progress.report(0);
       if (!deformer.engine(compared_methods[m])) continue;
       deformer.deform(timed.pose, compared_methods[m]);
-      if (round > 0) frames[m].push_back(deformer.times());
+      if (round > 0) frames[m].push_back({.links = deformer.times()});
     }
   }
   MethodTimings result{{.links = {}, .measured = true}, bound.binding};
   for (std::size_t m = 0; m < frames.size(); ++m)
-    if (!frames[m].empty()) result.times.links[m] = median_of(frames[m]);
+    if (!frames[m].empty()) result.times.links[m] = scene::median_of(frames[m]).links;
   return result;
 }
 

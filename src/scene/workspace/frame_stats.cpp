@@ -11,7 +11,9 @@ namespace {
 
 constexpr double window_seconds = 0.5, refresh_seconds = 0.25;
 
-FrameTimes median_of(const std::deque<FrameTimes>& frames) {
+}  // namespace
+
+FrameTimes median_of(std::span<const FrameTimes> frames) {
   const auto of = [&](auto value) {
     std::vector<double> values;
     for (const auto& frame : frames) values.push_back(value(frame));
@@ -27,16 +29,14 @@ FrameTimes median_of(const std::deque<FrameTimes>& frames) {
   return result;
 }
 
-}  // namespace
-
 void FrameStats::add(const FrameTimes& times) {
   const bool deformed = times.links.total() > 0, first = deformed != drawing_.empty();
   if (deformed) drawing_.clear();
   const bool another = deformed && !deforming_.empty() && deforming_.back().method != times.method;
   if (another) deforming_.clear();
-  std::deque<FrameTimes>& frames = deformed ? deforming_ : drawing_;
+  std::vector<FrameTimes>& frames = deformed ? deforming_ : drawing_;
   frames.push_back(times);
-  while (frames.front().when < times.when - window_seconds) frames.pop_front();
+  std::erase_if(frames, [&](const FrameTimes& frame) { return frame.when < times.when - window_seconds; });
   if (deforming_.empty() || (times.when < due_ && !first && !another)) return;
   due_ = times.when + refresh_seconds;
   median_ = median_of(frames);
