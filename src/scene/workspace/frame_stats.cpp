@@ -14,18 +14,16 @@ constexpr double window_seconds = 0.5, refresh_seconds = 0.25;
 }  // namespace
 
 FrameTimes median_of(std::span<const FrameTimes> frames) {
-  const auto of = [&](auto value) {
+  const auto median = [&](auto value) {
     std::vector<double> values;
     for (const auto& frame : frames) values.push_back(value(frame));
     return base::median(std::move(values));
   };
   FrameTimes result = frames.back();
   for (std::size_t i = 0; i < deform::link_count; ++i)
-    result.links.ms[i] = of([i](const FrameTimes& f) { return f.links.ms[i]; });
-  result.upload = of([](const FrameTimes& f) { return f.upload; });
-  result.draw = of([](const FrameTimes& f) { return f.draw; });
-  result.panels = of([](const FrameTimes& f) { return f.panels; });
-  result.frame = of([](const FrameTimes& f) { return f.frame; });
+    result.links.ms[i] = median([i](const FrameTimes& f) { return f.links.ms[i]; });
+  for (const auto part : {&FrameTimes::upload, &FrameTimes::draw, &FrameTimes::panels, &FrameTimes::frame})
+    result.*part = median([part](const FrameTimes& f) { return f.*part; });
   return result;
 }
 
