@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
-#include <utility>
 
 #include "base/numbered_files.h"
 #include "scene/files/animation_export.h"

@@ -1,7 +1,6 @@
 // The data of the vertex inspector.
 #include <numbers>
 #include <string>
-#include <utility>
 
 #include "app/analysis.h"
 #include "deform/vertex_sample.h"

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <ctime>
 #include <tuple>
 #include <utility>

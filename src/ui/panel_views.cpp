@@ -1,5 +1,4 @@
 // The number of views, and the settings of each.
-#include <optional>
 #include <string>
 
 #include "scene/workspace/playing.h"

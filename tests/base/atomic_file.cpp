@@ -6,8 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <chrono>
-
 #include "base/error.h"
 #include "base/process.h"
 #include "base/progress.h"

@@ -1,6 +1,5 @@
 #include "scene/workspace/frame_stats.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/median.h"
