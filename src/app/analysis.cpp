@@ -39,7 +39,8 @@ void Analysis::follow_frame(scene::Workspace& workspace, LiveModel& model, bool 
   shows_news_ = false;
   follow_path(workspace, model);
   if (!probe_wanted_) return;
-  follow_probe(workspace, model);
+  take_probe(workspace, false);
+  if (probe_is_due(workspace, model)) start_probe(workspace, model);
   follow_times(workspace, model, moves);
 }
 
@@ -57,10 +58,10 @@ void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) 
   path.scheme.amounts = {};
   const bool another = path_ != path;
   if (!another && engine_ == engine) return;
-  workspace.fused_error = 0;
+  workspace.split.views[0].fused_error = 0;
   probed_ = 0;
   if (another) {
-    probe_.forget();
+    probe_.cancel();
     workspace.methods = {};
     timer_.cancel();
     workspace.method_times = {};
@@ -77,8 +78,7 @@ void Analysis::follow_report(scene::Workspace& workspace) {
     if (!result->problem.empty()) workspace.messages.error("Report failed: " + result->problem, {"report"});
     shows_news_ = true;
   }
-  workspace.reporting.running = report_.running();
-  workspace.reporting.done = report_.done();
+  workspace.reporting = report_.state();
 }
 
 // Checks the surfaces as loaded, independent of pose and binding.
@@ -93,7 +93,7 @@ void Analysis::start_checks(const scene::Document& document) {
 void Analysis::take_checks(scene::Workspace& workspace, bool wait) {
   auto result = checks_.poll(wait);
   workspace.checks.running = checks_.running();
-  workspace.checks.done = checks_.done();
+  workspace.checks.done = checks_.state().done;
   if (!result) return;
   shows_news_ = true;
   if (!result->value)
@@ -108,29 +108,28 @@ void Analysis::finish_checks(scene::Workspace& workspace) {
 }
 
 bool Analysis::probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const {
-  if (!probe_wanted_ || !model.deformer() || !model.deformer()->ran()) return false;
+  if (!probe_wanted_ || !model.ran()) return false;
   const bool missing = model.takes_exponentials() && workspace.methods.matrices == 0;
   const bool fresh = missing || probed_ != model.frames();
-  return fresh && probe_.ready() && base::wall_seconds() - probed_at_ > probe_seconds;
-}
-
-void Analysis::follow_probe(scene::Workspace& workspace, const LiveModel& model) {
-  take_probe(workspace, false);
-  if (probe_is_due(workspace, model)) start_probe(workspace, model);
+  return fresh && !probe_.running() && base::wall_seconds() - probed_at_ > probe_seconds;
 }
 
 void Analysis::take_probe(scene::Workspace& workspace, bool wait) {
-  const auto stats = probe_.poll(wait);
-  if (!stats) return;
-  workspace.methods = *stats;
+  const auto result = probe_.poll(wait);
+  if (!result || !result->value) return;
+  workspace.methods = *result->value;
+  probed_at_ = base::wall_seconds();
   shows_news_ = true;
 }
 
 void Analysis::start_probe(scene::Workspace& workspace, const LiveModel& model) {
   probed_ = model.frames();
   probed_at_ = base::wall_seconds();
-  workspace.fused_error = model.deformer()->sampled_error();
-  if (model.takes_exponentials()) probe_.offer(model.deformer()->sample_matrices(probed_matrices));
+  workspace.split.views[0].fused_error = model.deformer()->sampled_error();
+  if (model.takes_exponentials())
+    probe_.start([matrices = model.deformer()->sample_matrices(probed_matrices)](base::Progress&) {
+      return measure_methods(matrices);
+    });
   shows_news_ |= !model.takes_exponentials();
 }
 
@@ -140,10 +139,8 @@ bool Analysis::timer_is_due(const scene::Workspace& workspace, const LiveModel& 
 }
 
 void Analysis::start_timer(const scene::Workspace& workspace, const LiveModel& model) {
-  const scene::Document& document = workspace.document;
   timed_ = model.frames();
-  timer_.start([timed = TimedPose{model.bound(), model.deformer()->scheme(), model.deformer()->all_staged(),
-                                  document.pose, document.mask, document.probes, document.shape}](
+  timer_.start([timed = model.input(workspace.document, workspace.document.method)](
                    base::Progress& progress) { return time_methods(timed, progress); });
 }
 
@@ -163,7 +160,7 @@ void Analysis::follow_times(scene::Workspace& workspace, LiveModel& model, bool 
   }
   take_times(workspace, model, false);
   if (timer_is_due(workspace, model)) start_timer(workspace, model);
-  const auto frame = workspace.stats.deforming_median();
+  const auto frame = workspace.split.views[0].stats.deforming_median();
   if (!frame || (workspace.method_times.measured && timed_ == model.frames())) return;
   const auto& methods = scene::compared_methods;
   const auto running = std::ranges::find(methods, frame->method);

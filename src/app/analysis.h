@@ -4,16 +4,30 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
-#include "app/live_model.h"
-#include "app/method_timer.h"
+#include "app/view_model.h"
 #include "base/background.h"
 #include "scene/document/checks.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::app {
+
+struct MethodTimings {
+  scene::MethodTimes times;
+  /// The binding, including staged weights if they are small enough to compute without being requested.
+  std::shared_ptr<const deform::Binding> binding;
+};
+
+/// Medians of interleaved frames, with its own deformer and pool. Throws base::Error if memory does not
+/// suffice, and base::Cancelled between frames. Thread-safe.
+MethodTimings time_methods(FrameInput timed, base::Progress& progress);
+
+/// Times and errors of all compared methods on these matrices: medians of interleaved runs in CPU time,
+/// errors against the 106-bit reference; NaN if one is.
+scene::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
 /// Restarts each measurement when its input changes, and stores the result in the workspace. Call from one
 /// thread.
@@ -27,6 +41,11 @@ public:
   void follow_document(scene::Workspace& workspace);
   /// After the frame: times and errors of the methods. Whole frames are timed only while the view is at rest.
   void follow_frame(scene::Workspace& workspace, LiveModel& model, bool moves);
+
+  /// After the model is deformed: the data of the vertex inspector, in well under a millisecond. Returns true
+  /// if they changed.
+  bool follow_vertex(scene::Workspace& workspace, const LiveModel& model);
+  bool vertex_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
 
   /// True if follow_document() or follow_frame() would do something now.
   bool has_news(const scene::Workspace& workspace, const LiveModel& model) const;
@@ -45,7 +64,6 @@ private:
   void follow_report(scene::Workspace& workspace);
   void follow_path(scene::Workspace& workspace, const LiveModel& model);
   bool probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
-  void follow_probe(scene::Workspace& workspace, const LiveModel& model);
   void start_probe(scene::Workspace& workspace, const LiveModel& model);
   void take_probe(scene::Workspace& workspace, bool wait);
   bool timer_is_due(const scene::Workspace& workspace, const LiveModel& model) const;
@@ -55,7 +73,7 @@ private:
 
   bool probe_wanted_, shows_news_ = false;
   std::filesystem::path program_, state_;
-  MethodProbe probe_;
+  base::BackgroundJob<scene::MethodStats> probe_;
   base::BackgroundJob<MethodTimings> timer_;
   base::BackgroundJob<std::string> report_;
   base::BackgroundJob<std::vector<scene::Finding>> checks_;
@@ -69,7 +87,15 @@ private:
   };
   Path path_;
   std::optional<deform::EngineKind> engine_;
-  double probed_at_ = -1;    // wall seconds
+  // The frame shown by the vertex inspector.
+  struct Inspected {
+    std::optional<std::uint32_t> vertex;
+    unsigned long frame = 0;
+    const deform::Deformer* deformer = nullptr;
+    friend bool operator==(const Inspected&, const Inspected&) = default;
+  };
+  Inspected inspected_;
+  double probed_at_ = -1;    // wall seconds, of the start or the result
   unsigned long timed_ = 0;  // index of the frame whose pose was timed
   double rests_since_ = 0;   // wall seconds
 };

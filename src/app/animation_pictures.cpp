@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
-#include <utility>
 
 #include "base/numbered_files.h"
 #include "scene/files/animation_export.h"
@@ -27,42 +26,6 @@ std::string plain(double number) {
   std::snprintf(text, sizeof text, "%.9g", number);
   return text;
 }
-
-// Renders successive frames.
-class FrameViewer {
-public:
-  FrameViewer(OffscreenViewer& offscreen, const PictureRun& run)
-      : offscreen_(offscreen), run_(run), start_(workspace().camera.pose()) {}
-
-  scene::Workspace& workspace() { return offscreen_.viewer().workspace(); }
-
-  // Sets pose and camera of the picture with this index.
-  void go_to(std::size_t picture) {
-    workspace().camera.set_pose(start_);
-    if (!workspace().document.timeline.empty()) scene::go_to_frame(workspace(), run_.frames[picture]);
-    if (!run_.turntable) return;
-    scene::CameraPose camera = workspace().camera.pose();
-    const double share = static_cast<double>(picture) / static_cast<double>(run_.frames.size());
-    camera.yaw += static_cast<float>(2 * std::numbers::pi * share);
-    workspace().camera.set_pose(camera);
-  }
-
-  // Waits for panels and error maps, which take several frames to become current.
-  render::Image picture() {
-    const scene::ViewOptions& view = workspace().view;
-    if (view.panels || view.field != lab::Field::none) {
-      offscreen_.settle();
-    } else {
-      offscreen_.viewer().frame(0);
-    }
-    return offscreen_.viewer().picture();
-  }
-
-private:
-  OffscreenViewer& offscreen_;
-  const PictureRun& run_;
-  scene::CameraPose start_;
-};
 
 }  // namespace
 
@@ -94,11 +57,24 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
   const base::NumberedName name(run.file);
   scene::check_frames_are_new(name, run.frames, run.force);
   offscreen.settle();
-  FrameViewer viewer(offscreen, run);
-  const auto count = static_cast<double>(run.frames.size());
+  Viewer& viewer = offscreen.viewer();
+  scene::Workspace& w = viewer.workspace();
+  const scene::CameraPose start = w.camera.pose();
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    progress.report(static_cast<double>(i) / count);
-    viewer.go_to(i);
+    const double share = static_cast<double>(i) / static_cast<double>(run.frames.size());
+    progress.report(share);
+    w.camera.set_pose(start);
+    if (!w.document.timeline.empty()) scene::go_to_frame(w, run.frames[i]);
+    if (run.turntable) {
+      scene::CameraPose camera = w.camera.pose();
+      camera.yaw += static_cast<float>(2 * std::numbers::pi * share);
+      w.camera.set_pose(camera);
+    }
+    // Panels and maps take several frames to become current.
+    if (w.view.panels || w.view.field != lab::Field::none)
+      offscreen.settle();
+    else
+      viewer.frame(0);
     render::write_png(name.file(run.frames[i]), viewer.picture());
   }
   progress.report(1);

@@ -1,4 +1,4 @@
-#include "app/build_facts.h"
+#include "app/assets.h"
 
 namespace viete::app {
 

@@ -72,7 +72,7 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
     if (is_due(w) && wants_full_) start(w, cages::Effort::full);
     if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_) close(w);
   }
-  w.making_cage = {job_.running(), text_, job_.done(), job_.seconds(), job_.seconds()};
+  w.making_cage = job_.state();
 }
 
 void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
@@ -81,13 +81,13 @@ void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
   asked_ = w.making.wish;
   effort_ = effort;
   wants_full_ = effort == cages::Effort::preview && w.making.wish.kind == cages::Kind::automatic;
-  text_ = text_of(*asked_);
   cages::Wish wish = *asked_;
   wish.effort = effort;
   if (!workshop_ || workshop_->model != document.model.surface)
     workshop_ = std::make_shared<Workshop>(Workshop{document.model.surface});
   job_.start([workshop = workshop_, wish, scheme = document.scheme, method = document.method](
-                 base::Progress& progress) { return make(*workshop, wish, scheme, method, progress); });
+                 base::Progress& progress) { return make(*workshop, wish, scheme, method, progress); },
+             text_of(wish));
 }
 
 void CageMaker::take(scene::Workspace& w, Made&& made) {

@@ -50,7 +50,6 @@ private:
 
   base::BackgroundJob<Made> job_;
   std::shared_ptr<Workshop> workshop_;
-  std::string text_;
   std::optional<cages::Wish> asked_;  // the last settings started
   cages::Effort effort_ = cages::Effort::preview;
   double asked_at_ = 0;  // wall seconds

@@ -89,14 +89,14 @@ void Exporter::start_next() {
   if (waiting_.empty()) return;
   now_ = std::move(waiting_.front());
   waiting_.pop_front();
-  job_.start(std::move(now_.write));
+  job_.start(std::move(now_.write), "Exporting " + now_.file.filename().string());
 }
 
 scene::WorkState Exporter::state() const {
   if (!running()) return {};
-  std::string what = "Exporting " + now_.file.filename().string();
-  if (!waiting_.empty()) what += ", then " + waiting_.front().file.filename().string();
-  return {true, std::move(what), job_.done(), job_.seconds(), job_.seconds()};
+  scene::WorkState state = job_.state();
+  if (!waiting_.empty()) state.what += ", then " + waiting_.front().file.filename().string();
+  return state;
 }
 
 // Notes that need no action go to the message list only.

@@ -22,38 +22,12 @@ std::vector<mesh::Point> drawn_positions(const scene::PosedModel& posed, const m
   return positions;
 }
 
-// The input of a job that deforms the model again.
-struct Frame {
-  std::shared_ptr<const mesh::Surface> model;
-  std::shared_ptr<const deform::Cage> cage;
-  deform::Scheme scheme;
-  deform::Mask mask;
-  deform::SharedShape shape;
-  deform::Probes probes;
-  deform::Pose pose;
-  sym3::Method method;
-};
-
-Frame frame_of(const FieldSubject& subject) {
-  const scene::Document& document = subject.document;
-  const deform::Deformer& deformer = *subject.deformer;
-  const auto& cage = subject.bound.cage;
-  return {document.model.surface,
-          cage,
-          deformer.scheme(),
-          deformer.mask(),
-          document.shape,
-          document.probes,
-          document.has_cage() ? document.pose : deform::rest_pose(*cage),
-          subject.method};
-}
-
 class FrameInDouble {
 public:
-  FrameInDouble(const Frame& frame, base::Progress& progress)
+  FrameInDouble(const FrameInput& frame, base::Progress& progress)
       : frame_(frame),
         progress_(progress),
-        deformer_(*frame.model, frame.cage, frame.scheme, frame.method, pool_,
+        deformer_(*frame.bound.model, frame.bound.cage, frame.scheme, frame.method, pool_,
                   deform::ExactDeformer::Weights::kept, frame.mask, &progress) {}
 
   std::vector<mesh::Point> positions(const deform::Pose& pose, const deform::Probes& probes) {
@@ -61,7 +35,7 @@ public:
   }
 
 private:
-  const Frame& frame_;
+  const FrameInput& frame_;
   base::Progress& progress_;
   base::WorkerPool pool_{1};  // in addition to the frame's threads
   deform::ExactDeformer deformer_;
@@ -69,17 +43,17 @@ private:
 
 // The displacement of each vertex per small displacement of the selection or the pins.
 struct Influence {
-  Frame frame;
+  FrameInput frame;
   scene::Selection selection;
   std::vector<std::uint32_t> vertices;  // moving vertices of the cage
 
   std::vector<double> shares(base::Progress& progress) const {
-    std::vector<double> all(frame.model->positions.size());
+    std::vector<double> all(frame.bound.model->positions.size());
     const bool of_probes = selection.kind() == scene::ElementKind::probe;
     if (of_probes ? selection.empty() : vertices.empty()) return all;
     if (of_probes && is_of_pins()) return of_pins();
     constexpr double small = 1e-4;
-    const double way = small * mesh::bounds(frame.model->positions).diagonal();
+    const double way = small * mesh::bounds(frame.bound.model->positions).diagonal();
     FrameInDouble deformer(frame, progress);
     const auto before = deformer.positions(frame.pose, frame.probes);
     deform::Pose pose = frame.pose;
@@ -104,7 +78,7 @@ private:
 
   std::vector<double> of_pins() const {
     base::WorkerPool pool(1);
-    const deform::ShapeSpace space(*frame.model, pool);
+    const deform::ShapeSpace space(*frame.bound.model, pool);
     deform::ExamplePosing posing(space, {}, pool);
     std::vector<deform::PosingPin> pins;
     std::vector<std::size_t> moved;
@@ -152,7 +126,7 @@ bool FieldMaker::is_due(std::size_t view, const FieldSubject& s, const scene::Fi
   if (source == Source::nothing) return shown.values != nullptr;
   if (key_of(s) == v.key) return false;
   if (source == Source::surface || source == Source::first) return true;
-  return !v.job.running() && s.deformer && s.deformer->ran();
+  return !v.job.running() && s.model.ran();
 }
 
 bool FieldMaker::follow(std::size_t view, const FieldSubject& s, scene::FieldView& shown, bool wait) {
@@ -198,9 +172,10 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
   const Field field = s.field;
   const sym3::Method method = s.method;
   if (lab::entry(field).source == Source::matrices) {
-    const deform::Rows rows = s.deformer->state().rows();
+    const deform::Rows rows = s.model.deformer()->state().rows();
     return view.job.start(
-        [=, bound = s.bound, mask = s.deformer->mask(), form = rows.form, origin = rows.origin,
+        [=, bound = s.model.bound(), mask = s.model.deformer()->mask(), form = rows.form,
+         origin = rows.origin,
          values = std::vector(rows.values.begin(), rows.values.end())](base::Progress& progress) {
           const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
           const auto matrices = deform::sample_stretches(
@@ -210,7 +185,7 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
           return lab::measure(field, input);
         });
   }
-  const Frame frame = frame_of(s);
+  const FrameInput frame = s.model.input(s.document, method);
   if (field == Field::influence) {
     std::vector<std::uint32_t> vertices;
     if (s.document.selection.kind() != scene::ElementKind::probe)
@@ -223,7 +198,7 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
           return lab::measure(field, input);
         });
   }
-  view.job.start([=, drawn = drawn_positions(s.posed, *frame.model)](base::Progress& progress) {
+  view.job.start([=, drawn = drawn_positions(s.posed, *frame.bound.model)](base::Progress& progress) {
     const auto exact = FrameInDouble(frame, progress).positions(frame.pose, frame.probes);
     lab::FieldInput input = input_of(*strain, method);
     input.drawn = drawn, input.exact = exact;

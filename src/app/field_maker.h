@@ -5,10 +5,8 @@
 #include <cstddef>
 #include <memory>
 
-#include "app/bound.h"
-#include "base/background.h"
+#include "app/view_model.h"
 #include "base/worker_pool.h"
-#include "deform/deformer.h"
 #include "lab/field.h"
 #include "lab/strain.h"
 #include "scene/workspace/workspace.h"
@@ -19,8 +17,7 @@ namespace viete::app {
 struct FieldSubject {
   const scene::Document& document;
   lab::Field field;
-  const deform::Deformer* deformer;  ///< null or without a frame: nothing is computed in the background
-  const Bound& bound;
+  const ViewModel& model;  ///< without a frame: nothing is computed in the background
   sym3::Method method;
   scene::PosedModel posed, first;  ///< the model as drawn in this view and in the first view; empty: at rest
 };
@@ -59,7 +56,7 @@ private:
   std::unique_ptr<base::WorkerPool> pool_;
   std::shared_ptr<const mesh::Surface> surface_;
   std::shared_ptr<const lab::Strain> strain_;  // for surface_
-  std::array<View, scene::Split::most_sides + 1> views_;
+  std::array<View, scene::Split::most> views_;
 };
 
 }  // namespace viete::app

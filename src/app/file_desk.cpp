@@ -49,7 +49,7 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
   if (const auto request = std::exchange(r.open, std::nullopt)) {
     reading_ = request->files.empty() ? fs::path() : request->files.front();
-    loader_.start(*request, w.document);
+    start_loading(loader_, *request, w.document);
   }
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
@@ -134,15 +134,13 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     waiting_ = std::move(result->value);
     w.question = scene::ask_before_opening(scene::name_of_work(w), autosave_.problem());
   } else if (result->stopped) {
-    w.messages.info(loader_.was_binding() ? "Cancelled binding; nothing was changed."
-                                          : "Cancelled reading; nothing was changed.",
-                    {"open"});
+    w.messages.info("Cancelled opening; nothing was changed.", {"open"});
   } else {
     scene::report_refusal(w, reading_, result->problem, "open");
   }
 }
 
-void FileDesk::take(scene::Workspace& w, Loader::Loaded&& loaded) {
+void FileDesk::take(scene::Workspace& w, Loaded&& loaded) {
   if (loaded.shading.surface) shading_ = std::move(loaded.shading);
   if (loaded.bound.binding) bound_ = std::move(loaded.bound);
   scene::apply_opened(w, std::move(loaded.opened));

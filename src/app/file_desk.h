@@ -59,7 +59,7 @@ private:
   PictureExport picture_export_of(const scene::Workspace& w, const std::filesystem::path& file) const;
   void start_animation_export(const scene::Workspace& w, const std::filesystem::path& file);
   void take_loaded(scene::Workspace& workspace, bool wait);
-  void take(scene::Workspace& workspace, Loader::Loaded&& loaded);
+  void take(scene::Workspace& workspace, Loaded&& loaded);
   void take_answer(scene::Workspace& workspace, scene::Answer answer);
   void proceed(scene::Workspace& workspace, scene::Question::Kind kind);
   void proceed_after_saving(scene::Workspace& workspace);
@@ -79,7 +79,7 @@ private:
   ModelShading shading_;
   Bound bound_;
   std::filesystem::path reading_;          // first file of the last request
-  std::optional<Loader::Loaded> waiting_;  // read, and waiting for an answer to replace the document
+  std::optional<Loaded> waiting_;          // read, and waiting for an answer to replace the document
   bool closing_ = false, closed_ = false;  // closing waits for exports
   std::vector<std::future<void>> writes_;  // writes of small files, until their result is known
   base::BackgroundQueue queue_;

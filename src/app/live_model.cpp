@@ -1,4 +1,4 @@
-#include "app/live_model.h"
+#include "app/view_model.h"
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,12 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
   if (new_surfaces || new_cage)
     follow_surfaces(workspace, new_surfaces ? files_.take_bound() : std::move(made));
-  if (new_surfaces || new_cage || new_weights) follow_weights(document);
+  if (new_surfaces || new_cage || new_weights) {
+    binder_.cancel();
+    given_up_.reset();
+    const bool served = deformer_ && document.has_cage();
+    if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
+  }
   // Binds once something can move the model: without a cage that is the first probe. Waits while a cage is
   // being generated.
   if (!deformer_ && !binder_.running() && !workspace.making_cage.running && given_up_ != now.pose &&
@@ -53,23 +58,18 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   // Other elements or another blend need other sums over the same weights.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
-  follow_path(workspace.view.same_path);
+  same_path_ = workspace.view.same_path;
+  if (deformer_ && deformer_->all_staged() != same_path_) {
+    deformer_->set_all_staged(same_path_);
+    derived_.reset();
+    unprepared_ = true;
+  }
   // Staged weights are computed when a method needs them, and a stitching when a scheme does; until then
   // method `fast` is used, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
-  follow_mask(document);
-  workspace.binding = {binder_.running(), binding_text_, binder_.done(), binder_.seconds(),
-                       binder_.seconds()};
+  workspace.binding = binder_.state();
   return {new_surfaces, new_cage};
-}
-
-void LiveModel::follow_path(bool same) {
-  same_path_ = same;
-  if (!deformer_ || deformer_->all_staged() == same) return;
-  deformer_->set_all_staged(same);
-  derived_.reset();
-  unprepared_ = true;
 }
 
 // The cage, or its substitute, and the scheme.
@@ -83,17 +83,11 @@ deform::Scheme LiveModel::scheme_of(const scene::Document& document) {
   return document.has_cage() ? document.scheme : deform::no_motion();
 }
 
-void LiveModel::follow_mask(const scene::Document& document) {
-  if (!deformer_ || deformer_->mask() == document.mask) return;
-  deformer_->set_mask(document.mask);
-  derived_.reset();
-}
-
 void LiveModel::follow_blend(const deform::Scheme& scheme) {
   if (deformer_->scheme() == scheme) return;
   deform::Scheme bound = deformer_->scheme();
   bound.amounts = scheme.amounts;
-  if (bound != scheme) return make_deformer(scheme);
+  if (bound != scheme) return renew_deformer(scheme);
   deformer_->set_amounts(scheme.amounts);
   derived_.reset();
 }
@@ -111,22 +105,11 @@ void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
   if (bound.binds(workspace.document)) install(workspace, std::move(bound));
 }
 
-void LiveModel::follow_weights(const scene::Document& document) {
-  binder_.cancel();
-  given_up_.reset();
-  const bool served = deformer_ && document.has_cage();
-  if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
-}
-
 void LiveModel::start_binding(const scene::Document& document) {
-  binding_text_ = document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
-                                      : "Preparing the model for probes";
-  binder_.start([model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
-                 // Every method except `fast` uses the staged weights.
-                 method = same_path_ ? sym3::Method::diag : document.method,
-                 known = bound_](base::Progress& progress) {
-    return app::bind(model, cage, scheme, method, known, progress);
-  });
+  bind_for({scheme_of(document), document.method, same_path_}, document.model.surface, cage_of(document),
+           bound_,
+           document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
+                               : "Preparing the model for probes");
 }
 
 void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {
@@ -142,21 +125,17 @@ void LiveModel::install(scene::Workspace& workspace, Bound bound) {
   for (const auto& warning : bound.binding->warnings) workspace.messages.warn(warning, of_cage);
   workspace.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
-  make_deformer(scheme_of(workspace.document));
-  follow_mask(workspace.document);
+  renew_deformer(scheme_of(workspace.document));
 }
 
 void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
   if (bound_.binding && bound_.binding->tiles == binding->tiles) bound_.binding = binding;
 }
 
-void LiveModel::make_deformer(const deform::Scheme& scheme) {
-  deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool_,
-                                                 bound_.stitches(scheme) ? bound_.stitching : nullptr);
+void LiveModel::renew_deformer(const deform::Scheme& scheme) {
+  make_deformer(scheme, same_path_, pool_);
   derived_.reset();
-  deformer_->set_all_staged(same_path_);
   unprepared_ = true;
-  drag_ = {};
 }
 
 void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
@@ -182,13 +161,12 @@ void LiveModel::finish_binding(scene::Workspace& workspace) {
 }
 
 bool LiveModel::deforms(const scene::Document& document) const {
-  return deformer_ && derived_ != Derived{document.revisions().pose, document.revisions().method};
+  return deformer_ && derived_ != derived_of(document);
 }
 
 bool LiveModel::is_due(const scene::Document& document) const {
   return surfaces_ != document.revisions().surfaces || cage_revision_ != document.revisions().cage ||
-         weights_ != document.revisions().weights || deforms(document) ||
-         (deformer_ && deformer_->mask() != document.mask);
+         weights_ != document.revisions().weights || deforms(document);
 }
 
 bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
@@ -198,18 +176,15 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   const auto& drag = workspace.interaction.drag;
   if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose only
   const bool editing = changes_rest(workspace);
-  if (editing) derived_ = {document.revisions().pose, document.revisions().method};
+  if (editing) derived_ = derived_of(document);
   const bool deformed = !editing && deforms(document);
   if (deformed) {
-    deformer_->set_probes(document.probes);
-    deformer_->set_shape(document.shape);
     times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
-    deformer_->deform(document.has_cage() ? document.pose : deform::rest_pose(*no_cage_), times.method);
+    run(document, document.pose, document.shape, times.method);
     take_carried(document);
     if (document.has_cage()) scene::take_report(workspace, deformer_->state().report());
     times.links = deformer_->times();
-    derived_ = {document.revisions().pose, document.revisions().method};
-    ++frames_;
+    derived_ = derived_of(document);
     prepared_ = std::exchange(unprepared_, false);
     if (prepared_) derived_.reset();
   }
@@ -256,7 +231,7 @@ sym3::Mat3<double> LiveModel::map_at(const scene::Document& document, std::uint3
 }
 
 mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index) const {
-  if (!deformer_ || !deformer_->ran()) return document.model.surface->positions[index];
+  if (!ran()) return document.model.surface->positions[index];
   const auto& p = deformer_->vertices()[index].position;
   return deformer_->origin() + mesh::Point{p[0], p[1], p[2]};
 }

@@ -1,8 +1,5 @@
 #include "app/loader.h"
 
-#include <utility>
-
-#include "base/clock.h"
 #include "deform/binding.h"
 #include "scene/document/binding_plan.h"
 
@@ -26,16 +23,7 @@ scene::Document without_history(const scene::Document& document) {
   return copy;
 }
 
-}  // namespace
-
-void Loader::Part::begin(std::string name) {
-  const std::lock_guard lock(mutex);
-  what = std::move(name);
-  begun = base::wall_seconds();
-}
-
-Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Document& current, Part& part,
-                            base::Progress& progress) {
+Loaded load(const scene::OpenRequest& request, const scene::Document& current, base::StepProgress& progress) {
   Loaded loaded;
   try {
     loaded.opened = scene::open_files(request, current, &progress);
@@ -53,29 +41,20 @@ Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Docu
     progress.section(0.8, 1);
     loaded.shading = shading_of(document.model.surface, document.model.attributes.get());
   }
-  progress.section(1, 1);
   if (!document.has_cage()) return loaded;
-  part.binds = true;
-  part.begin(scene::text(scene::binding_plan(document, document.scheme.weighting)));
-  progress.section(0, 1);
+  progress.step(scene::text(scene::binding_plan(document, document.scheme.weighting)));
   loaded.bound =
       app::bind(document.model.surface, document.cage, document.scheme, document.method, {}, progress);
   return loaded;
 }
 
-void Loader::start(const scene::OpenRequest& request, const scene::Document& current) {
-  const auto& files = request.files;
-  part_ = std::make_shared<Part>();
-  part_->begin("Reading " + (files.empty() ? "" : files.front().filename().string()));
-  job_.start([request, current = without_history(current), part = part_](base::Progress& progress) {
-    return load(request, current, *part, progress);
-  });
-}
+}  // namespace
 
-scene::WorkState Loader::state() const {
-  if (!running()) return {};
-  const std::lock_guard lock(part_->mutex);
-  return {true, part_->what, job_.done(), base::wall_seconds() - part_->begun, job_.seconds()};
+void start_loading(Loader& loader, const scene::OpenRequest& request, const scene::Document& current) {
+  const auto& files = request.files;
+  loader.start([request, current = without_history(current)](
+                   base::StepProgress& progress) { return load(request, current, progress); },
+               "Reading " + (files.empty() ? "" : files.front().filename().string()));
 }
 
 }  // namespace viete::app

@@ -1,5 +1,5 @@
 // The entry point of viete.
-#include "app/program.h"
+#include "app/command_line.h"
 
 int main(int argc, char** argv) {
   return viete::app::run_program(argc, argv, viete::app::viete_program());

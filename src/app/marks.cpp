@@ -1,10 +1,10 @@
-#include "app/marks.h"
-
+// Highlights on model and cage: selected and hovered elements of the cage, and findings of the checks.
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "app/workspace_renderer.h"
 #include "scene/document/elements.h"
 
 namespace viete::app {
@@ -17,6 +17,13 @@ void set_triangles(render::FaceLayer& layer, const std::vector<render::Triangle>
                    const std::vector<mesh::Point>& positions) {
   layer.set_triangles(triangles, positions.size());
   if (!triangles.empty()) layer.set_positions(positions);
+}
+
+// The edges of an element: a closed polygon, one edge, or none for a vertex.
+void add_outline(const std::vector<std::uint32_t>& corners, std::vector<render::Segment>& segments) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
+    segments.push_back({corners[i], corners[(i + 1) % n]});
 }
 
 std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const scene::Selection& selection) {
@@ -64,10 +71,7 @@ void CageMarks::add_edges(const scene::Workspace& workspace, const render::Theme
   const auto kind = document.selection.kind();
   auto& segments = marks.edges;
   const auto add = [&](std::uint32_t element) {
-    const auto corners = scene::element_vertices(*document.cage, kind, element);
-    const std::size_t sides = corners.size() > 2 ? corners.size() : corners.size() - 1;
-    for (std::size_t i = 0; i < sides; ++i)
-      segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    add_outline(scene::element_vertices(*document.cage, kind, element), segments);
   };
   if (kind != ElementKind::probe) {
     for (const auto i : document.selection.indices()) add(i);
@@ -89,28 +93,19 @@ namespace {
 
 constexpr std::size_t most = 20000;  // elements drawn; more would cover the surface
 
-// Renumbers the vertices of a few elements, so that only those are drawn and updated.
-class Numbering {
-public:
-  std::uint32_t operator()(std::uint32_t vertex) {
-    const auto [at, added] = numbers_.try_emplace(vertex, static_cast<std::uint32_t>(used_.size()));
-    if (added) used_.push_back(vertex);
-    return at->second;
-  }
-  std::vector<std::uint32_t> take_used() { return std::move(used_); }
-  std::size_t size() const { return used_.size(); }
-
-private:
-  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
-  std::vector<std::uint32_t> used_;
-};
-
 }  // namespace
 
 void FindingMarks::collect(const scene::Workspace& w) {
   std::vector<render::Triangle> triangles;
   std::vector<render::Segment> segments;
-  Numbering number;
+  // Renumbers the vertices of a few elements, so that only those are drawn and updated.
+  used_.clear();
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+  const auto number = [&](std::uint32_t vertex) {
+    const auto [at, added] = numbers.try_emplace(vertex, static_cast<std::uint32_t>(used_.size()));
+    if (added) used_.push_back(vertex);
+    return at->second;
+  };
   bool vertices = false;
   if (w.checks.shown) {
     const scene::Finding& finding = w.checks.findings[*w.checks.shown];
@@ -122,19 +117,17 @@ void FindingMarks::collect(const scene::Workspace& w) {
       for (auto& v : corners) v = number(v);
       const std::size_t n = corners.size();
       for (std::size_t i = 2; i < n; ++i) triangles.push_back({corners[0], corners[i - 1], corners[i]});
-      for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
-        segments.push_back({corners[i], corners[(i + 1) % n]});
+      add_outline(corners, segments);
     }
   }
-  faces_.set_triangles(triangles, number.size());
-  edges_.set_segments(segments, number.size());
-  const glm::vec4 color(w.view.dark ? render::dark_theme().finding : render::light_theme().finding, 1);
+  faces_.set_triangles(triangles, used_.size());
+  edges_.set_segments(segments, used_.size());
+  const glm::vec4 color(render::theme(w.view.dark).finding, 1);
   edges_.set_color(color);
-  vertices_.set_discs(std::vector<render::Disc>(number.size(), {color, vertices ? 4.0F : 2.5F, false}));
-  used_ = number.take_used();
+  vertices_.set_discs(std::vector<render::Disc>(used_.size(), {color, vertices ? 4.0F : 2.5F, false}));
 }
 
-bool FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_vertex, bool moved) {
+bool FindingMarks::set(const scene::Workspace& w, const scene::PosedModel& posed, bool moved) {
   const bool same = revision_ == w.checks.revision() && dark_ == w.view.dark;
   if (same && (!moved || used_.empty())) return false;
   if (!same) collect(w);
@@ -147,7 +140,8 @@ bool FindingMarks::set(const scene::Workspace& w, const PointOfVertex& model_ver
   const bool of_cage = w.checks.findings[*w.checks.shown].subject == scene::Subject::cage;
   std::vector<mesh::Point> positions;
   positions.reserve(used_.size());
-  for (const auto v : used_) positions.push_back(of_cage ? w.document.pose.positions[v] : model_vertex(v));
+  for (const auto v : used_)
+    positions.push_back(of_cage ? w.document.pose.positions[v] : posed.at(*w.document.model.surface, v));
   faces_.set_positions(positions);
   edges_.set_positions(positions);
   vertices_.set_positions(positions);
@@ -158,7 +152,7 @@ void FindingMarks::draw(const render::View& view, const render::Theme& theme) co
   if (used_.empty()) return;
   faces_.draw(view, {theme.finding, 0.30F, 0.05F, false});
   edges_.draw(view, {2.5F, 1, 0.7F});
-  vertices_.draw(view, {theme.outline, theme.hover, 1, 0.7F});
+  vertices_.draw(view, {theme.outline, theme.hover, 0.7F});
 }
 
 }  // namespace viete::app

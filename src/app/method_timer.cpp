@@ -1,12 +1,11 @@
-#include "app/method_timer.h"
-
+// Times and errors of every method, for whole frames and for a sample of the frame's matrices.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "app/analysis.h"
 #include "base/clock.h"
 #include "base/median.h"
 #include "base/worker_pool.h"
@@ -24,7 +23,7 @@ constexpr std::size_t timed_rounds = 5;
 // Larger staged weights are computed only when a method that needs them is chosen.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
-bool lacks_weights(const TimedPose& timed) {
+bool lacks_weights(const FrameInput& timed) {
   return timed.bound.binding->weights.empty() &&
          deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged;
 }
@@ -33,19 +32,9 @@ double weight_bytes(const deform::Binding& binding) {
   return 8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles);
 }
 
-deform::LinkTimes median_of(const std::vector<deform::LinkTimes>& frames) {
-  deform::LinkTimes median;
-  for (std::size_t link = 0; link < deform::link_count; ++link) {
-    std::vector<double> ms;
-    for (const auto& frame : frames) ms.push_back(frame.ms[link]);
-    median.ms[link] = base::median(std::move(ms));
-  }
-  return median;
-}
-
 }  // namespace
 
-MethodTimings time_methods(TimedPose timed, base::Progress& progress) {
+MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   if (lacks_weights(timed) && weight_bytes(*timed.bound.binding) <= most_weight_bytes)
     timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag,
                             timed.bound, progress);
@@ -57,24 +46,23 @@ MethodTimings time_methods(TimedPose timed, base::Progress& progress) {
   deformer.set_mask(timed.mask);
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);
-  std::array<std::vector<deform::LinkTimes>, compared_methods.size()> frames;
+  std::array<std::vector<scene::FrameTimes>, compared_methods.size()> frames;
   for (std::size_t round = 0; round <= timed_rounds; ++round) {  // the first round fills caches
     for (std::size_t m = 0; m < frames.size(); ++m) {
       progress.report(0);
       if (!deformer.engine(compared_methods[m])) continue;
       deformer.deform(timed.pose, compared_methods[m]);
-      if (round > 0) frames[m].push_back(deformer.times());
+      if (round > 0) frames[m].push_back({.links = deformer.times()});
     }
   }
   MethodTimings result{{.links = {}, .measured = true}, bound.binding};
   for (std::size_t m = 0; m < frames.size(); ++m)
-    if (!frames[m].empty()) result.times.links[m] = median_of(frames[m]);
+    if (!frames[m].empty()) result.times.links[m] = scene::median_of(frames[m]).links;
   return result;
 }
 
 namespace {
 
-constexpr double pause_seconds = 0.33;
 constexpr int rounds = 5;
 constexpr std::size_t method_count = scene::compared_methods.size();
 using Matrix = sym3::Sym3<double>;
@@ -83,27 +71,14 @@ scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const 
   std::vector<double> errors(matrices.size());
   for (std::size_t i = 0; i < matrices.size(); ++i)
     errors[i] = sym3::relative_error(computed[i], matrices[i]);
-  scene::MethodSample sample;
-  std::tie(sample.worst_error, sample.median_error) = worst_and_median(std::move(errors));
+  scene::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
+  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
+  sample.worst_error = std::ranges::max(errors);
+  sample.median_error = base::median(std::move(errors));
   return sample;
 }
 
 }  // namespace
-
-std::pair<double, double> worst_and_median(std::vector<double> errors) {
-  if (errors.empty()) return {0, 0};
-  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); }))
-    return {std::nan(""), std::nan("")};
-  const double worst = std::ranges::max(errors);
-  return {worst, base::median(std::move(errors))};
-}
-
-std::vector<Matrix> spread_sample(std::span<const Matrix> matrices, std::size_t most) {
-  const std::size_t count = std::min(matrices.size(), most);
-  std::vector<Matrix> sample(count);
-  for (std::size_t i = 0; i < count; ++i) sample[i] = matrices[i * matrices.size() / count];
-  return sample;
-}
 
 scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
   scene::MethodStats stats;
@@ -123,22 +98,6 @@ scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
   }
   stats.matrices = matrices.size();
   return stats;
-}
-
-bool MethodProbe::ready() const {
-  return !job_.running() && base::wall_seconds() - last_ > pause_seconds;
-}
-
-void MethodProbe::offer(std::span<const Matrix> matrices) {
-  job_.start(
-      [sample = spread_sample(matrices, probe_limit)](base::Progress&) { return measure_methods(sample); });
-}
-
-std::optional<scene::MethodStats> MethodProbe::poll(bool wait) {
-  const auto result = job_.poll(wait);
-  if (!result) return std::nullopt;
-  last_ = base::wall_seconds();
-  return result->value;
 }
 
 }  // namespace viete::app

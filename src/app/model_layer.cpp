@@ -10,17 +10,13 @@
 #include "mesh/cavity.h"
 #include "mesh/formats/source.h"
 #include "mesh/normals.h"
-#include "render/palette.h"
+#include "render/view.h"
 
 namespace viete::app {
 
 namespace {
 
 using mesh::none;
-
-float light_of(float x) {
-  return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
-}
 
 class LooksMaker {
 public:
@@ -100,7 +96,7 @@ private:
 
   void take_material(const mesh::Material& material, render::SurfaceRun& run) {
     const mesh::Color& c = material.base_color;
-    run.color = {light_of(c[0]), light_of(c[1]), light_of(c[2])};
+    run.color = {render::linear_light(c[0]), render::linear_light(c[1]), render::linear_light(c[2])};
     run.repeats = material.repeats;
     if (material.base_color_image < given_.images.size()) run.image = image(material.base_color_image);
     made_.has_looks |= run.image >= 0 || c[0] != c[1] || c[1] != c[2];
@@ -209,7 +205,7 @@ bool ModelLayer::set_colors(const scene::Workspace& w, lab::Field field, const s
     surface_.set_scalars(wanted.field ? *wanted.field : std::vector<float>());
     return true;
   }
-  const render::Theme theme = w.view.dark ? render::dark_theme() : render::light_theme();
+  const render::Theme theme = render::theme(w.view.dark);
   surface_.set_palette(render::blend_palette({theme.held, theme.model}, 64));
   surface_.set_scalars(wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f));
   return true;

@@ -50,7 +50,6 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   view.dark &= !options.light;
   view.cage = options.cage;
   view.wireframe |= options.wireframe;
-  if (options.error_map) view.field = lab::Field::exp_error;
   view.field = base::value_of_word<lab::Field>(options.map).value_or(view.field);
   view.grid &= !options.no_grid;
   view.shading = base::value_of_word<scene::Shading>(options.shading).value_or(view.shading);
@@ -102,9 +101,8 @@ void print_missing(const scene::Workspace& w) {
   if (scene::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
                  " here: some maps need a cage and a blend in log space, others a model that can move"});
-  if (!w.field.problem.empty()) throw base::Error("", w.field.problem);
-  for (const scene::SideView& side : w.split.sides)
-    for (const std::string& problem : {side.problem, side.shown.problem})
+  for (const scene::View& view : w.split.views)
+    for (const std::string& problem : {view.problem, view.shown.problem})
       if (!problem.empty()) throw base::Error("", problem);
 }
 
@@ -118,11 +116,6 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
     throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
-  const int most = offscreen->viewer().longest_side();
-  if (pixels.x > most || pixels.y > most)
-    throw base::Error("picture",
-                      "a side is longer than " + std::to_string(most) + " pixels, the limit of this renderer",
-                      "use a smaller --size or --scale");
   scene::Workspace& workspace = offscreen->viewer().workspace();
   scene::apply_opened(workspace, std::move(opened));
   workspace.view = view_of(options, session);
@@ -167,15 +160,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   auto* compare = command.add_option("--compare", options.compare,
                                      "Compare 2 to 4 deformers or methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
-  command.add_flag("--error-map", options.error_map, "Same as --map exp-error");
-  auto* width = command.add_option_function<double>(
-      "--line-width",
-      [&options](double points) {
-        constexpr double pixels_per_point = 96.0 / 72;
-        options.viewer.cage_width = options.viewer.wire_width = static_cast<float>(points * pixels_per_point);
-      },
-      "Line width in points");
-  in_range(width, 0.05, 20)->default_str("0.94");
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }
 

@@ -37,7 +37,7 @@ namespace viete::app {
 
 struct PictureOptions {
   ViewerOptions viewer{.samples = 4};
-  bool panels = false, light = false, error_map = false, cage = false, wireframe = false, no_grid = false;
+  bool panels = false, light = false, cage = false, wireframe = false, no_grid = false;
   std::string look = "home", shading, map;
   std::vector<std::string> compare;             ///< deformers or methods, one view each
   std::filesystem::path camera;                 ///< a session to take the camera from; empty: none

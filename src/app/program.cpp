@@ -1,4 +1,4 @@
-#include "app/program.h"
+#include "app/command_line.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -6,7 +6,7 @@
 #include <exception>
 #include <new>
 
-#include "app/build_facts.h"
+#include "app/assets.h"
 #include "app/help.h"
 #include "sym3/kernel.h"
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/background.h"
 #include "base/clock.h"
 #include "base/worker_pool.h"
 
@@ -58,22 +59,18 @@ void TerminalProgress::watch(const std::stop_token& stop) {
     const int percent = static_cast<int>(100 * progress_.done());
     if (counts_ && percent > counted) std::fprintf(stderr, "%d %%\n", counted = percent);
     if (!shows_ || now - shown < shown_every) continue;
-    show(now - begun);
+    std::fprintf(stderr, "%s%s: %s", clear_line, what_.c_str(),
+                 progress_text(progress_.done(), now - begun).c_str());
+    std::fflush(stderr);
     shown = now;
   }
 }
 
-void TerminalProgress::show(double seconds) const {
-  std::fprintf(stderr, "%s%s: %s", clear_line, what_.c_str(),
-               progress_text(progress_.done(), seconds).c_str());
-  std::fflush(stderr);
-}
-
 std::string progress_text(double done, double seconds) {
-  constexpr double known = 0.01, surely = 1;  // no estimate before these
   std::string text = std::to_string(static_cast<int>(100 * done)) + " %";
-  if (done < known || seconds < surely) return text;
-  const double left = std::ceil(seconds * (1 - done) / done);
+  const auto estimate = base::time_left(done, seconds);
+  if (!estimate) return text;
+  const double left = std::ceil(*estimate);
   constexpr double minute = 60, long_time = 120;
   if (left < long_time) return text + ", " + std::to_string(static_cast<long>(left)) + " s left";
   return text + ", " + std::to_string(static_cast<long>(std::ceil(left / minute))) + " min left";

@@ -25,7 +25,6 @@ public:
 
 private:
   void watch(const std::stop_token& stop);
-  void show(double seconds) const;
 
   std::string what_;
   base::Progress progress_;

@@ -1,9 +1,8 @@
-#include "app/vertex_inspector.h"
-
+// The data of the vertex inspector.
 #include <numbers>
 #include <string>
-#include <utility>
 
+#include "app/analysis.h"
 #include "deform/vertex_sample.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/reference.h"
@@ -66,24 +65,21 @@ scene::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
 
 }  // namespace
 
-VertexInspector::Key VertexInspector::key_of(const scene::Workspace& w, const LiveModel& model) {
-  return {w.vertex.vertex, model.frames(), model.deformer()};
+bool Analysis::vertex_is_due(const scene::Workspace& w, const LiveModel& model) const {
+  return (w.vertex.vertex || inspected_.vertex) &&
+         inspected_ != Inspected{w.vertex.vertex, model.frames(), model.deformer()};
 }
 
-bool VertexInspector::is_due(const scene::Workspace& w, const LiveModel& model) const {
-  return (w.vertex.vertex || key_.vertex) && key_of(w, model) != key_;
-}
-
-bool VertexInspector::follow(scene::Workspace& w, const LiveModel& model) {
-  if (!is_due(w, model)) return false;
-  key_ = key_of(w, model);
+bool Analysis::follow_vertex(scene::Workspace& w, const LiveModel& model) {
+  if (!vertex_is_due(w, model)) return false;
+  inspected_ = {w.vertex.vertex, model.frames(), model.deformer()};
   const auto vertex = w.vertex.vertex;
   w.vertex = {};
   const deform::Deformer* deformer = model.deformer();
   const mesh::Surface& surface = *w.document.model.surface;
   if (!vertex || *vertex >= surface.positions.size()) return true;
   w.vertex.vertex = vertex;
-  if (!deformer || !deformer->ran() || !w.document.has_cage()) return true;
+  if (!model.ran() || !w.document.has_cage()) return true;
   const Bound& bound = model.bound();
   const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
   const deform::VertexSum sum =

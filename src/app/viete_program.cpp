@@ -1,4 +1,4 @@
-#include "app/program.h"
+#include "app/command_line.h"
 
 #include <unistd.h>
 
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "app/assets.h"
-#include "app/command_line.h"
 #include "app/help.h"
 #include "app/options.h"
 #include "base/error.h"

@@ -3,24 +3,21 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <ctime>
 #include <tuple>
 #include <utility>
 
 #include "app/assets.h"
-#include "app/build_facts.h"
 #include "app/child_process.h"
-#include "app/manual.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
-#include "render/palette.h"
+#include "render/view.h"
 #include "scene/document/cage_editing.h"
 #include "scene/workspace/check_view.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 #include "sym3/kernel.h"
 #include "ui/input.h"
 #include "ui/panels.h"
@@ -102,7 +99,8 @@ void Viewer::frame(float seconds) {
   follow_document();
   scope_messages();
   deform(times);
-  const bool new_fields = follow_fields(), inspected = inspector_.follow(workspace_, model_);
+  if (std::exchange(workspace_.requests.frame_finding, false)) scene::frame_finding(workspace_);
+  const bool new_fields = follow_fields(), inspected = analysis_.follow_vertex(workspace_, model_);
   if (new_fields || inspected) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
@@ -117,7 +115,8 @@ void Viewer::frame(float seconds) {
   std::tie(workspace_.has_user, workspace_.tools) = shown;
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
-  if ((deformed_ && !model_.prepared()) || (camera_moved && !deformed_)) workspace_.stats.add(times);
+  if ((deformed_ && !model_.prepared()) || (camera_moved && !deformed_))
+    workspace_.split.views[0].stats.add(times);
   files_.keep(workspace_, !pointer_.active());
   follow_notices();
   analysis_.follow_frame(workspace_, model_, moves_);
@@ -159,8 +158,8 @@ bool Viewer::finish_keeping() {
 
 // Windows in front of the panels need a few frames to settle their size.
 void Viewer::follow_notices() {
-  const Notices now{workspace_.question.has_value(), workspace_.closing_notice,
-                    workspace_.messages.revision(), workspace_.notice_height};
+  const std::tuple now(workspace_.question.has_value(), workspace_.messages.revision(),
+                       workspace_.notice_height);
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
@@ -195,7 +194,7 @@ bool Viewer::changing() const {
   const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
          workspace_.playback.playing || workspace_.pins.is_due() || model_.is_due(document) ||
-         sides_.is_due(workspace_, model_) || field_is_due() || inspector_.is_due(workspace_, model_);
+         sides_.is_due(workspace_, model_) || field_is_due() || analysis_.vertex_is_due(workspace_, model_);
 }
 
 void Viewer::show_manual(const std::string& chapter) {
@@ -230,7 +229,7 @@ void Viewer::follow_document() {
   if (changed.document || changed.cage) {
     fields_.forget();
     sides_.forget();
-    for (scene::SideView& side : workspace_.split.sides) side.shown = {}, side.stats.clear();
+    for (scene::View& side : workspace_.split.sides()) side.shown = {}, side.stats.clear();
     workspace_.interaction.hovered.reset();
     if (files_.shading().surface != document.model.surface)
       files_.shading() = shading_of(document.model.surface, document.model.attributes.get());
@@ -243,7 +242,6 @@ void Viewer::follow_document() {
     }
     cage_drawn_.reset();
   }
-  if (std::exchange(workspace_.requests.frame_finding, false)) frame_finding();
   analysis_.follow_document(workspace_);
   if (analysis_.shows_news()) settle(3);
 }
@@ -270,61 +268,32 @@ void Viewer::finish_checks() {
   analysis_.finish_checks(workspace_);
 }
 
-void Viewer::frame_finding() {
-  const auto& checks = workspace_.checks;
-  if (!checks.shown) return;
-  const scene::Document& document = workspace_.document;
-  if (checks.findings[*checks.shown].subject == scene::Subject::cage)
-    return scene::frame_finding(workspace_, document.pose.positions);
-  std::vector<mesh::Point> positions(document.model.surface->positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = vertex(v);
-  scene::frame_finding(workspace_, positions);
-}
-
-mesh::Point Viewer::vertex(std::size_t index) const {
-  const scene::Document& document = workspace_.document;
-  return workspace_.view.deformed ? model_.vertex(document, index) : document.model.surface->positions[index];
-}
-
 void Viewer::deform(scene::FrameTimes& times) {
-  first_deformed_ = model_.deform(workspace_, times);
-  deformed_ = sides_.follow(workspace_, model_) || first_deformed_;
+  deformed_ = model_.deform(workspace_, times);
+  deformed_ |= sides_.follow(workspace_, model_);
   workspace_.posed = posed_in(workspace_.split.active);
 }
 
 // The model as drawn; empty: at rest. A side view without a frame uses the first view's.
 scene::PosedModel Viewer::posed_in(std::size_t view) const {
-  const deform::Deformer* deformer = view > 0 ? sides_[view - 1].deformer() : nullptr;
-  const bool own = deformer && deformer->ran();
-  if (!own) deformer = model_.deformer();
-  if (!workspace_.view.deformed || !deformer || !deformer->ran()) return {};
-  return {deformer->vertices(), deformer->origin(), own ? sides_[view - 1].frames() : model_.frames()};
+  const ViewModel& model = model_of(view).ran() ? model_of(view) : model_;
+  if (!workspace_.view.deformed || !model.ran()) return {};
+  return {model.deformer()->vertices(), model.deformer()->origin(), model.frames()};
+}
+
+const ViewModel& Viewer::model_of(std::size_t view) const {
+  return view == 0 ? static_cast<const ViewModel&>(model_) : sides_[view - 1];
 }
 
 FieldSubject Viewer::field_subject(std::size_t view) const {
-  const scene::Document& document = workspace_.document;
-  if (view == 0)
-    return {document,          scene::shown_field(workspace_),
-            model_.deformer(), model_.bound(),
-            document.method,   posed_in(0),
-            posed_in(0)};
-  const scene::SideView& side = workspace_.split.sides[view - 1];
-  const SideModel& model = sides_[view - 1];
-  return {document,         scene::shown_field(workspace_, side),
-          model.deformer(), model.bound(),
-          side.method,      posed_in(view),
-          posed_in(0)};
-}
-
-scene::FieldView& Viewer::field_view(std::size_t view) {
-  return view == 0 ? workspace_.field : workspace_.split.sides[view - 1].shown;
+  return {workspace_.document, scene::shown_field(workspace_, view),
+          model_of(view),      scene::shown_way(workspace_, view).method,
+          posed_in(view),      posed_in(0)};
 }
 
 bool Viewer::field_is_due() const {
-  for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
-    const auto& shown = view == 0 ? workspace_.field : workspace_.split.sides[view - 1].shown;
-    if (fields_.is_due(view, field_subject(view), shown)) return true;
-  }
+  for (std::size_t view = 0; view < workspace_.split.count(); ++view)
+    if (fields_.is_due(view, field_subject(view), workspace_.split.views[view].shown)) return true;
   return false;
 }
 
@@ -332,7 +301,7 @@ bool Viewer::follow_fields() {
   bool news = false;
   if (!workspace_.document.model.surface) return news;
   for (std::size_t view = 0; view < workspace_.split.count(); ++view)
-    news |= fields_.follow(view, field_subject(view), field_view(view));
+    news |= fields_.follow(view, field_subject(view), workspace_.split.views[view].shown);
   if (news && workspace_.split.on()) share_ranges();
   return news;
 }
@@ -340,11 +309,11 @@ bool Viewer::follow_fields() {
 // A colour means the same in all views of one field.
 void Viewer::share_ranges() {
   for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
-    scene::FieldView& shown = field_view(view);
+    scene::FieldView& shown = workspace_.split.views[view].shown;
     lab::FieldStats& stats = shown.stats;
     if (!shown.values) continue;
     for (std::size_t other = 0; other < workspace_.split.count(); ++other) {
-      const scene::FieldView& beside = field_view(other);
+      const scene::FieldView& beside = workspace_.split.views[other].shown;
       if (!beside.values || beside.stats.field != stats.field || shown.holds_range) continue;
       stats.low = std::min(stats.low, beside.stats.low), stats.high = std::max(stats.high, beside.stats.high);
     }
@@ -357,7 +326,7 @@ void Viewer::finish_views() {
   sides_.finish(workspace_, model_);
   frame(0);
   for (std::size_t view = 0; view < workspace_.split.count(); ++view)
-    fields_.finish(view, field_subject(view), field_view(view));
+    fields_.finish(view, field_subject(view), workspace_.split.views[view].shown);
   if (workspace_.split.on()) share_ranges();
 }
 
@@ -376,8 +345,7 @@ void Viewer::upload(scene::FrameTimes& times) {
   base::Stopwatch watch;
   const bool cage_moved = cage_drawn_ != document.revisions().pose;
   const bool at_rest = !workspace_.view.deformed, switched = std::exchange(at_rest_, at_rest) != at_rest;
-  renderer_.set_findings(
-      workspace_, [&](std::size_t v) { return vertex(v); }, deformed_ || cage_moved || switched);
+  renderer_.set_findings(workspace_, posed_in(0), deformed_ || cage_moved || switched);
   if (document.has_cage()) {
     if (cage_moved) renderer_.set_cage(workspace_);
     renderer_.set_hand(workspace_);
@@ -386,7 +354,7 @@ void Viewer::upload(scene::FrameTimes& times) {
   if (switched && at_rest) renderer_.set_rest(document, files_.shading());
   renderer_.set_views(workspace_.split.count(), document, files_.shading());
   for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
-    const bool news = view == 0 ? first_deformed_ : sides_.take_news(view - 1);
+    const bool news = view == 0 ? model_.take_news() : sides_[view - 1].take_news();
     const scene::PosedModel posed = posed_in(view);
     if ((news || switched) && !posed.vertices.empty())
       renderer_.set_model(view, posed.vertices, posed.origin);
@@ -417,8 +385,6 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
 ViewDrawing Viewer::drawing() const {
   ViewDrawing wanted = renderer_.drawing(workspace_, device_size(), options_.scale);
   wanted.transparent = options_.transparent;
-  wanted.cage_width = options_.cage_width;
-  for (ViewDrawing::Part& part : wanted.parts) part.surface.wire_width = options_.wire_width;
   return wanted;
 }
 

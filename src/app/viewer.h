@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "app/analysis.h"
 #include "app/cage_maker.h"
 #include "app/field_maker.h"
 #include "app/file_desk.h"
-#include "app/live_model.h"
-#include "app/side_views.h"
-#include "app/vertex_inspector.h"
+#include "app/view_model.h"
 #include "app/workspace_renderer.h"
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
@@ -30,8 +29,6 @@ struct ViewerOptions {
   int still_samples = 0;       ///< samples of a refined picture after a quarter of a second at rest; 0 none
   bool may_be_coarse = false;  ///< draw motion at half the resolution if the workspace says so
   bool transparent = false;    ///< pictures without background
-  float cage_width = 1.25f;    ///< line width of the cage, logical pixels
-  float wire_width = 1;        ///< line width of mesh edges, logical pixels
   bool builtin_font = false;   ///< identical text on every machine, for picture tests
   bool probe = true;           ///< measure the methods in the background
   std::filesystem::path state{};  ///< folder for preferences and recovery, see FileDesk; empty: none
@@ -102,8 +99,6 @@ public:
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture();
-  /// The driver's largest picture side, in device pixels.
-  int longest_side() const { return render::longest_side(gl_); }
   /// The current drawing of the view.
   ViewDrawing drawing() const;
   /// The deformer of the open document; null without one.
@@ -119,14 +114,12 @@ private:
   void follow_document();
   void commit_cage_edit();
   void scope_messages();
-  void frame_finding();
-  mesh::Point vertex(std::size_t index) const;  // a drawn model vertex
   void follow_notices();
   void deform(scene::FrameTimes& times);
   void enter_view_under_cursor();
+  const ViewModel& model_of(std::size_t view) const;
   scene::PosedModel posed_in(std::size_t view) const;
   FieldSubject field_subject(std::size_t view) const;
-  scene::FieldView& field_view(std::size_t view);
   bool follow_fields();
   bool field_is_due() const;
   void share_ranges();
@@ -151,7 +144,6 @@ private:
   SideViews sides_;
   Analysis analysis_;
   FieldMaker fields_;
-  VertexInspector inspector_;
   scene::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
@@ -162,17 +154,11 @@ private:
   ViewCache view_;
   ui::FieldColors field_colors_;
 
-  struct Notices {
-    bool question = false, closing_notice = false;
-    unsigned messages = 0;
-    float row = 0;  ///< its height
-    bool operator==(const Notices&) const = default;
-  };
-  Notices notices_;                     ///< in the last frame
+  std::tuple<bool, unsigned, float> notices_;  ///< in the last frame: a question, messages, height of the row
   scene::Revisions message_revisions_;  ///< revisions that the messages up to message_revision_ refer to
   unsigned message_revision_ = 0;
   std::optional<scene::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn
-  bool deformed_ = false, first_deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
+  bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< wall time in seconds; of the view alone, and of all
   double last_motion_ = 0;                   ///< time of the last picture with motion
   bool refines_ = false, moves_ = false;     ///< in this frame: refining the view at rest; the view is moving

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -48,14 +47,11 @@ public:
 private:
   void listen();
   void draw(float seconds, bool exposed = false);
-  void set_title();
   void follow_full_screen();
-  void request_attention();
-  void show_closing_notice();
 
   platform::Window& window_;
   Viewer viewer_;
-  bool exposed_ = true, asks_ = false;
+  bool exposed_ = true;
 };
 
 void WindowViewer::listen() {
@@ -73,10 +69,6 @@ void WindowViewer::listen() {
   window_.listen(std::move(events));
 }
 
-void WindowViewer::set_title() {
-  window_.set_title(scene::window_title(viewer_.workspace()));
-}
-
 // Without a title bar a message tells how to leave full screen.
 void WindowViewer::follow_full_screen() {
   scene::Workspace& w = viewer_.workspace();
@@ -90,29 +82,11 @@ void WindowViewer::follow_full_screen() {
   w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
 }
 
-// The window may be hidden when closing is requested.
-void WindowViewer::request_attention() {
-  const bool asks = viewer_.workspace().question.has_value();
-  if (asks && !asks_) window_.call_for_attention();
-  asks_ = asks;
-}
-
 void WindowViewer::draw(float seconds, bool exposed) {
   viewer_.frame(seconds);
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
-  set_title();
-  request_attention();
+  window_.set_title(scene::window_title(viewer_.workspace()));
   follow_full_screen();
-}
-
-// Shows for a moment that edits were backed up.
-void WindowViewer::show_closing_notice() {
-  constexpr double seconds = 1.5;
-  if (!viewer_.keeping()) return;
-  viewer_.workspace().closing_notice = true;
-  for (int i = 0; i < 3; ++i) draw(0.02f);  // new windows of the panels need a frame to settle their size
-  const double end = base::wall_seconds() + seconds;
-  while (base::wall_seconds() < end) window_.wait_for_events(0.1);
 }
 
 void WindowViewer::run(int frames) {
@@ -127,7 +101,7 @@ void WindowViewer::run(int frames) {
     draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
     last = now;
     if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // nothing was presented, so there is no vsync
-    if (viewer_.closed()) return show_closing_notice();
+    if (viewer_.closed()) return;
     if (!viewer_.loading()) ++drawn;
   }
 }

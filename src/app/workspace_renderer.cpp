@@ -7,7 +7,7 @@
 #include "scene/document/elements.h"
 #include "scene/document/selection_sets.h"
 #include "scene/workspace/pointer.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 
 namespace viete::app {
 
@@ -26,20 +26,12 @@ glm::vec4 opaque(const glm::vec3& color) {
   return {color, 1};
 }
 
-render::Theme theme_of(const scene::Workspace& w) {
-  return w.view.dark ? render::dark_theme() : render::light_theme();
-}
-
-render::Paint paint_of(scene::Shading shading, bool file_says_something) {
-  switch (shading) {
-    case scene::Shading::porcelain: return render::Paint::porcelain;
-    case scene::Shading::jade: return render::Paint::jade;
-    case scene::Shading::zebra: return render::Paint::zebra;
-    case scene::Shading::checker: return render::Paint::checker;
-    case scene::Shading::normals: return render::Paint::normals;
-    case scene::Shading::file: return file_says_something ? render::Paint::file : render::Paint::plain;
-    default: return render::Paint::plain;
-  }
+render::Paint paint_of(scene::Shading shading, bool file_has_looks) {
+  using render::Paint;
+  constexpr Paint paints[] = {Paint::plain,   Paint::porcelain, Paint::jade, Paint::file,
+                              Paint::checker, Paint::normals,   Paint::zebra};  // as scene::Shading
+  const Paint paint = paints[static_cast<std::size_t>(shading)];
+  return paint == Paint::file && !file_has_looks ? Paint::plain : paint;
 }
 
 // The share of the motion for each cage vertex; empty without soft selection.
@@ -95,14 +87,8 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
 
 void WorkspaceRenderer::set_colors(const scene::Workspace& w) {
   bool changed = false;
-  for (std::size_t view = 0; view < models_.size(); ++view) {
-    if (view == 0) {
-      changed |= models_[view]->set_colors(w, scene::shown_field(w), w.field);
-    } else if (view < w.split.count()) {
-      const scene::SideView& side = w.split.sides[view - 1];
-      changed |= models_[view]->set_colors(w, scene::shown_field(w, side), side.shown);
-    }
-  }
+  for (std::size_t view = 0; view < std::min(models_.size(), w.split.count()); ++view)
+    changed |= models_[view]->set_colors(w, scene::shown_field(w, view), w.split.views[view].shown);
   if (changed) ++content_;
 }
 
@@ -167,7 +153,7 @@ void WorkspaceRenderer::set_cage(const scene::Workspace& workspace) {
 }
 
 void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
-  const render::Theme theme = theme_of(workspace);
+  const render::Theme theme = render::theme(workspace.view.dark);
   const auto& document = workspace.document;
   // Vertices are less prominent if edges or faces are selected.
   const bool vertices = !workspace.tools || document.selection.kind() == scene::ElementKind::vertex;
@@ -197,18 +183,6 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   ghost_lines_.set_color(opaque(theme.cage));
 }
 
-render::SurfaceStyle WorkspaceRenderer::surface_style(const scene::Workspace& w) const {
-  render::SurfaceStyle style;
-  style.wireframe = w.view.wireframe ? 0.3f : 0.0f;
-  // Back faces of a closed surface are culled: software rendering then takes half the time. For a GPU it
-  // makes no difference.
-  const auto& summary = w.document.model.summary;
-  style.closed =
-      gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
-  style.paint = paint_of(w.view.shading, file_has_looks_);
-  return style;
-}
-
 ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t view) const {
   ViewDrawing::Part part;
   const scene::Pane pane = scene::pane_of(w.split, view);
@@ -219,9 +193,15 @@ ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t
   if (const auto pose = scene::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(scene::viewport_of(w.split, v, view)));
-  part.surface = surface_style(w);
-  part.cage = view == 0 || !w.split.sides[view - 1].other_blending;
-  models_[view]->span(part.surface, view == 0 ? w.field : w.split.sides[view - 1].shown);
+  part.surface.wireframe = w.view.wireframe ? 0.3f : 0.0f;
+  // Back faces of a closed surface are culled: software rendering then takes half the time. For a GPU it
+  // makes no difference.
+  const auto& summary = w.document.model.summary;
+  part.surface.closed =
+      gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
+  part.surface.paint = paint_of(w.view.shading, file_has_looks_);
+  part.cage = !scene::shown_way(w, view).other_blending;
+  models_[view]->span(part.surface, w.split.views[view].shown);
   return part;
 }
 
@@ -242,13 +222,18 @@ ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 siz
   mesh::Point ground{c[0], c[1], c[2]};
   ground[static_cast<std::size_t>(up)] = document.model.bounds.low[static_cast<std::size_t>(up)];
   d.shadow = {ground, up, diagonal};
-  d.ground = {ground, scene::grid_cell(diagonal), 1.6 * diagonal, up, 1};
+  d.ground = {ground, scene::grid_cell(diagonal), 1.6 * diagonal, up};
   return d;
 }
 
 void WorkspaceRenderer::draw(const ViewDrawing& d) {
-  const render::Theme theme = d.dark ? render::dark_theme() : render::light_theme();
-  draw_background(d, theme);
+  const render::Theme theme = render::theme(d.dark);
+  if (d.transparent) {
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+  } else {
+    backdrop_.draw(theme);
+  }
   for (std::size_t view = 0; view < d.parts.size(); ++view) {
     const ViewDrawing::Part& part = d.parts[view];
     if (d.parts.size() > 1) clip_to(d, part);
@@ -263,12 +248,6 @@ void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& p
       high(glm::round(part.high * glm::vec2(d.size)));
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.Scissor(low.x, d.size.y - high.y, high.x - low.x, high.y - low.y);
-}
-
-void WorkspaceRenderer::draw_background(const ViewDrawing& d, const render::Theme& theme) const {
-  if (!d.transparent) return backdrop_.draw(theme);
-  gl_.ClearColor(0, 0, 0, 0);
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 
 void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const render::Theme& theme) {
@@ -288,9 +267,9 @@ void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view
                                   const render::Theme& theme) const {
   if (d.ghost) ghost_lines_.draw(view, {1, 0.15f, 0.5f});
   cage_faces_.draw(view, {theme.cage, 0.03f, 0.06f, true});
-  cage_lines_.draw(view, {d.cage_width, 0.9f, 0.25f, theme.halo});
+  cage_lines_.draw(view, {1.25f, 0.9f, 0.25f, theme.halo});
   marks_.draw(view, theme);
-  cage_vertices_.draw(view, {theme.outline, theme.hover, 1, 0.35f});
+  cage_vertices_.draw(view, {theme.outline, theme.hover, 0.35f});
 }
 
 namespace {

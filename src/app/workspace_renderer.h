@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "app/marks.h"
 #include "app/model_layer.h"
 #include "deform/rows.h"
 #include "render/backdrop.h"
@@ -34,13 +33,64 @@ struct ViewDrawing {
   glm::ivec2 size{1, 1};    ///< window size in device pixels
   float scale = 1;          ///< device pixels per logical pixel
   bool dark = true, transparent = false;
-  float cage_width = 1.25f;                                       ///< line width, logical pixels
   bool model = false, grid = false, cage = false, ghost = false;  ///< visible
   render::ShadowStyle shadow;
   render::GridStyle ground;
   unsigned long content = 0;  ///< increases with each change of the layers' data
 
   friend bool operator==(const ViewDrawing&, const ViewDrawing&) = default;
+};
+
+/// Highlights of selected and hovered elements of the cage.
+class CageMarks {
+public:
+  explicit CageMarks(const render::Gl& gl) : selected_faces_(gl), hovered_face_(gl), edges_(gl) {}
+
+  /// Call every frame after the cage was posed: updates from the selection and pointer. Vertices are drawn
+  /// elsewhere. Returns true on a change.
+  bool set(const scene::Workspace& workspace, const render::Theme& theme);
+  /// Forces an update in the next set().
+  void forget() { marks_.reset(); }
+  /// Call after drawing the cage's lines.
+  void draw(const render::View& view, const render::Theme& theme) const;
+
+private:
+  struct Marks {
+    std::vector<render::Triangle> selected, hovered;  // faces
+    std::vector<render::Segment> edges;
+    std::vector<glm::vec4> colors;  // one per edge
+    std::vector<mesh::Point> positions;
+    friend bool operator==(const Marks&, const Marks&) = default;
+  };
+  static void add_faces(const scene::Workspace& workspace, Marks& marks);
+  static void add_edges(const scene::Workspace& workspace, const render::Theme& theme, Marks& marks);
+  void upload();
+
+  std::optional<Marks> marks_;
+  render::FaceLayer selected_faces_, hovered_face_;
+  render::LineLayer edges_;
+};
+
+/// Findings of the checks.
+class FindingMarks {
+public:
+  explicit FindingMarks(const render::Gl& gl) : faces_(gl), edges_(gl), vertices_(gl) {}
+
+  /// Call every frame: updates from the shown finding. posed: the model as drawn; moved: positions changed
+  /// since the last frame. Returns true if the drawing changes.
+  bool set(const scene::Workspace& workspace, const scene::PosedModel& posed, bool moved);
+  /// Call last: drawn on top, visible through other objects.
+  void draw(const render::View& view, const render::Theme& theme) const;
+
+private:
+  void collect(const scene::Workspace& workspace);
+
+  render::FaceLayer faces_;
+  render::LineLayer edges_;
+  render::DiscLayer vertices_;
+  std::vector<std::uint32_t> used_;  // vertices of the surface in the layers, in order
+  unsigned long revision_ = 0;
+  bool dark_ = true;
 };
 
 class WorkspaceRenderer {
@@ -68,8 +118,8 @@ public:
     for (const auto& model : models_) model->forget();
   }
   /// Findings of the checks; see FindingMarks::set().
-  void set_findings(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved) {
-    if (findings_.set(workspace, model_vertex, moved)) ++content_;
+  void set_findings(const scene::Workspace& workspace, const scene::PosedModel& posed, bool moved) {
+    if (findings_.set(workspace, posed, moved)) ++content_;
   }
 
   /// The drawing of the workspace on `size` device pixels with the layers' current data.
@@ -80,11 +130,9 @@ public:
 private:
   ViewDrawing::Part part(const scene::Workspace& workspace, std::size_t view) const;
   void clip_to(const ViewDrawing& drawing, const ViewDrawing::Part& part) const;
-  void draw_background(const ViewDrawing& drawing, const render::Theme& theme) const;
   void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme);
   void set_shown_edges(const scene::Document& document);
   void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;
-  render::SurfaceStyle surface_style(const scene::Workspace& workspace) const;
 
   const render::Gl& gl_;
   render::Backdrop backdrop_;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <string>
@@ -69,31 +68,19 @@ void remove_if_left(const fs::path& part) {
   close(handle);
 }
 
-// A process in another container, or on another machine that shares the folder, is not in our process list,
-// but its part is locked.
-void remove_if_stale(const fs::path& part) {
-  if (!process_runs(process_of_part(part.filename().string()))) remove_if_left(part);
-}
-
-// The matching file names of a folder; an unreadable folder has none.
-template <class Wanted>
-std::vector<fs::path> files_in(const fs::path& folder, const Wanted& wanted) {
-  std::vector<fs::path> files;
-  std::error_code code;
+// Removes stale parts of one target, or of all for an empty name. A process in another container, or on
+// another machine that shares the folder, is not in our process list, but its part is locked.
+void remove_stale_parts(const fs::path& folder, const std::string& target) {
+  std::vector<fs::path> stale;
+  std::error_code code;  // an unreadable folder has none
   for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
        at.increment(code)) {
-    if (wanted(at->path().filename().string())) files.push_back(at->path());
-  }
-  return files;
-}
-
-// Removes stale parts of one target, or of all for an empty name.
-void remove_stale_parts(const fs::path& folder, const std::string& target) {
-  const auto parts = files_in(folder, [&](const std::string& name) {
+    const std::string name = at->path().filename().string();
     const std::string_view process = process_of_part(name);
-    return !process.empty() && (target.empty() || name.starts_with(target + "." + std::string(process)));
-  });
-  std::ranges::for_each(parts, remove_if_stale);
+    const bool wanted = target.empty() || name.starts_with(target + "." + std::string(process));
+    if (!process.empty() && wanted && !process_runs(process)) stale.push_back(at->path());
+  }
+  std::ranges::for_each(stale, remove_if_left);
 }
 
 // Permission bits kept from an existing file: setuid and setgid programs lose these bits with their content.
@@ -187,15 +174,6 @@ void check_rights(const fs::path& path, const fs::path& target) {
                 "choose another name, or make it writable (chmod u+w)");
 }
 
-void check_names(const fs::path& path, const fs::path& target) {
-  struct stat existing {};
-  if (stat(target.c_str(), &existing) != 0 || existing.st_nlink == 1) return;
-  throw Error(path.string(),
-              "this file has " + std::to_string(existing.st_nlink) +
-                  " names (hard links), which replacing it would separate",
-              "choose another name, or remove this one first");
-}
-
 // The path to write; throws if it cannot be a file.
 fs::path checked_target(const fs::path& path) {
   const fs::path target = target_of(path);
@@ -236,21 +214,18 @@ void remove_leftovers_beside(const fs::path& path) {
 
 void check_replaceable(const fs::path& path) {
   const fs::path target = checked_target(path);
-  check_names(path, target);
+  struct stat existing {};
+  if (stat(target.c_str(), &existing) == 0 && existing.st_nlink != 1)
+    throw Error(path.string(),
+                "this file has " + std::to_string(existing.st_nlink) +
+                    " names (hard links), which replacing it would separate",
+                "choose another name, or remove this one first");
   NewFile probe(target);  // removed again; never renamed to the target
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {
-  replace_file(path, std::span(&bytes, 1), durability);
-}
-
-void replace_file(const fs::path& path, std::span<const std::string_view> parts, Durability durability) {
   replace_file(
-      path,
-      [parts](const ByteSink& out) {
-        for (const auto bytes : parts) out(bytes);
-      },
-      durability);
+      path, [bytes](const ByteSink& out) { out(bytes); }, durability);
 }
 
 void replace_file(const fs::path& path, const std::function<void(const ByteSink&)>& produce,

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +25,6 @@ enum class Durability { process, power_cut };
 /// The new file is called `NAME.PROCESS-NUMBER.part`, see process_name(). Removes such files that killed
 /// programs left for this file.
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
-                  Durability durability = Durability::power_cut);
-
-/// The same with bytes in several parts, which are concatenated.
-void replace_file(const std::filesystem::path& path, std::span<const std::string_view> parts,
                   Durability durability = Durability::power_cut);
 
 /// Receives a portion of a file's bytes.

@@ -38,4 +38,23 @@ void BackgroundQueue::serve() {
   }
 }
 
+std::optional<double> time_left(double done, double seconds) {
+  constexpr double known = 0.01, surely = 1;
+  if (done < known || seconds < surely) return std::nullopt;
+  return seconds * (1 - done) / done;
+}
+
+void StepProgress::step(std::string name) {
+  const std::lock_guard lock(mutex_);
+  name_ = std::move(name);
+  step_begun_ = wall_seconds();
+  section(0, 1);
+}
+
+WorkState StepProgress::state() const {
+  const std::lock_guard lock(mutex_);
+  const double now = wall_seconds();
+  return {true, name_, done(), now - step_begun_, now - begun_};
+}
+
 }  // namespace viete::base

@@ -56,6 +56,33 @@ private:
   std::jthread thread_;
 };
 
+/// Progress of background work that the user waits for.
+struct WorkState {
+  bool running = false;
+  std::string what{};  ///< "Reading dragon.ply", "Binding 50,000 vertices to 148 faces, 72 MB"
+  double done = 0;     ///< in [0, 1]
+  double seconds = 0;  ///< since this step began
+  double age = 0;      ///< since the whole began
+};
+
+/// Estimated remaining seconds; nullopt while there is too little data.
+std::optional<double> time_left(double done, double seconds);
+
+/// Progress of work in named steps.
+class StepProgress : public Progress {
+public:
+  explicit StepProgress(std::string name) : name_(std::move(name)) {}
+
+  /// Called by the work: its next step begins, from 0 again.
+  void step(std::string name);
+  WorkState state() const;
+
+private:
+  mutable std::mutex mutex_;
+  std::string name_;
+  double begun_ = wall_seconds(), step_begun_ = begun_;
+};
+
 /// Runs one job at a time. Call from one thread. Starting another job, or cancelling, does not wait for the
 /// running job: that ends at its next progress report, then the next job begins. The destructor cancels and
 /// waits.
@@ -73,10 +100,10 @@ public:
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;
 
-  void start(std::function<Value(Progress&)> work) {
+  /// name: what the user reads while it runs, see state().
+  void start(std::function<Value(StepProgress&)> work, std::string name = "") {
     cancel();
-    progress_ = std::make_shared<Progress>();
-    begun_ = wall_seconds();
+    progress_ = std::make_shared<StepProgress>(std::move(name));
     value_ = queue_.add([progress = progress_, work = std::move(work)] {
       progress->report(0);  // throws if it was cancelled before it began
       return work(*progress);
@@ -96,14 +123,8 @@ public:
 
   /// True from start() until the result is taken.
   bool running() const { return value_.valid(); }
-  /// Progress in [0, 1].
-  double done() const { return running() ? progress_->done() : 0; }
-  /// Seconds since the start.
-  double seconds() const { return running() ? wall_seconds() - begun_ : 0; }
+  WorkState state() const { return running() ? progress_->state() : WorkState{}; }
   bool has_result() const { return is_ready(value_); }
-  void wait() const {
-    if (running()) value_.wait();
-  }
 
   /// The result, once it is available; each is returned only once. With wait, waits for it.
   std::optional<Result> poll(bool wait = false) {
@@ -118,9 +139,8 @@ public:
   }
 
 private:
-  std::shared_ptr<Progress> progress_;
+  std::shared_ptr<StepProgress> progress_;
   std::future<Value> value_;
-  double begun_ = 0;
   BackgroundQueue queue_;
 };
 

@@ -23,32 +23,11 @@ struct NumberPlace {
   int digits = 1;
 };
 
-// "%d" or "%04d" at this position of the name; nothing for other uses of the percent sign.
-std::optional<NumberPlace> printf_place(std::string_view name, std::size_t at) {
-  const std::size_t d = name.find_first_not_of(decimal, at + 1);
-  if (d == name.npos || name[d] != 'd') return std::nullopt;
-  const std::string_view width = name.substr(at + 1, d - at - 1);
-  NumberPlace place{at, d + 1, 1};
-  if (width.empty()) return place;
-  const auto [end, code] = std::from_chars(width.data(), width.data() + width.size(), place.digits);
-  if (width[0] != '0' || code != std::errc() || place.digits > most_digits) return std::nullopt;
-  place.digits = std::max(place.digits, 1);
-  return place;
-}
-
 std::vector<NumberPlace> places_in(std::string_view name) {
   std::vector<NumberPlace> places;
-  for (std::size_t at = 0; at < name.size();) {
-    if (name[at] == '#') {
-      const std::size_t end = std::min(name.find_first_not_of('#', at), name.size());
-      places.push_back({at, end, static_cast<int>(std::min<std::size_t>(end - at, most_digits))});
-      at = end;
-    } else if (const auto place = name[at] == '%' ? printf_place(name, at) : std::nullopt) {
-      places.push_back(*place);
-      at = place->end;
-    } else {
-      ++at;
-    }
+  for (std::size_t at = 0; (at = name.find('#', at)) != name.npos; at = places.back().end) {
+    const std::size_t end = std::min(name.find_first_not_of('#', at), name.size());
+    places.push_back({at, end, static_cast<int>(std::min<std::size_t>(end - at, most_digits))});
   }
   return places;
 }

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,8 @@ struct NumberedFile {
   std::filesystem::path path;
 };
 
-/// A pattern `frame_####.obj`, with at least as many digits as marks, or in printf style: `frame_%04d.obj`,
-/// `frame_%d.obj`. The number is in the file's name, not in its folder. Immutable.
+/// A pattern `frame_####.obj`, with at least as many digits as marks. The number is in the file's name, not
+/// in its folder. Immutable.
 class NumberedName {
 public:
   /// Throws Error unless the pattern has exactly one place for the number.
@@ -39,7 +38,6 @@ public:
   /// read.
   std::vector<NumberedFile> find() const;
 
-  /// The pattern with `#` marks.
   std::string pattern() const;
 
 private:

@@ -85,7 +85,12 @@ void append_to(void* text, void* data, int size) {
 
 }  // namespace
 
-Picture decode_picture(const std::string& place, std::string_view bytes, int channels) {
+std::array<std::uint8_t, 4> Picture::pixel(int x, int y) const {
+  const std::size_t at = 4 * (static_cast<std::size_t>(y) * width + x);
+  return {rgba[at], rgba[at + 1], rgba[at + 2], rgba[at + 3]};
+}
+
+Picture decode_picture(const std::string& place, std::string_view bytes) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -93,32 +98,28 @@ Picture decode_picture(const std::string& place, std::string_view bytes, int cha
   if (bytes.starts_with('\xFF') && !has_sound_tables(bytes))
     throw Error(place, "the picture is damaged", "save it again");
   Picture picture;
+  int channels = 0;
   if (bytes.starts_with("\x89PNG") && bytes.size() >= 24 && bytes.substr(0, 16).ends_with("IHDR"))
     check_size(place, word_at(bytes, 16), word_at(bytes, 20));
-  if (!is_known(bytes) ||
-      stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0)
+  if (!is_known(bytes) || stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels) == 0)
     throw Error(place, "this is not a picture in a supported format", "save it as PNG or JPEG");
   const std::size_t pixels =
       check_size(place, static_cast<std::size_t>(picture.width), static_cast<std::size_t>(picture.height));
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
-      stbi_load_from_memory(data, size, &picture.width, &picture.height, &picture.channels, channels),
-      stbi_image_free);
+      stbi_load_from_memory(data, size, &picture.width, &picture.height, &channels, 4), stbi_image_free);
   const bool as_said =
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) == pixels;
   if (!decoded || !as_said) throw Error(place, "the picture is damaged", "save it again");
-  if (channels > 0) picture.channels = channels;
-  picture.bytes.assign(decoded.get(), decoded.get() + static_cast<std::size_t>(picture.channels) * pixels);
+  picture.rgba.assign(decoded.get(), decoded.get() + 4 * pixels);
   return picture;
 }
 
-std::string encode_png(const std::string& place, int width, int height, int channels,
-                       std::span<const std::uint8_t> bytes) {
-  const bool whole = width > 0 && height > 0 &&
-                     bytes.size() == static_cast<std::size_t>(channels) * static_cast<std::size_t>(width) *
-                                         static_cast<std::size_t>(height);
-  if (!whole) throw Error(place, "the picture is empty or incomplete");
+std::string encode_png(const std::string& place, const Picture& picture) {
+  const auto& [width, height, rgba] = picture;
+  if (width <= 0 || height <= 0 || rgba.size() != 4 * static_cast<std::size_t>(width) * height)
+    throw Error(place, "the picture is empty or incomplete");
   std::string png;
-  if (stbi_write_png_to_func(append_to, &png, width, height, channels, bytes.data(), channels * width) == 0)
+  if (stbi_write_png_to_func(append_to, &png, width, height, 4, rgba.data(), 4 * width) == 0)
     throw Error(place, "there is not enough memory to encode the picture");
   return png;
 }

@@ -1,27 +1,28 @@
 // Decoding of picture files, and encoding as PNG.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace viete::base {
 
-/// Top row first, one byte per channel: grey, grey and opacity, RGB or RGBA.
+/// Top row first, display values (sRGB), alpha not premultiplied.
 struct Picture {
-  int width = 0, height = 0, channels = 4;
-  std::vector<std::uint8_t> bytes;  ///< channels * width * height
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;  ///< 4 * width * height bytes
+
+  /// x in [0, width) from the left, y in [0, height) from the top.
+  std::array<std::uint8_t, 4> pixel(int x, int y) const;
 };
 
-/// Decodes PNG, JPEG, BMP and TGA to `channels` channels; 0: as in the file. Checks the size before decoding:
-/// sides up to 16384, 64 million pixels. Throws Error at `place`.
-Picture decode_picture(const std::string& place, std::string_view bytes, int channels = 0);
+/// Decodes PNG, JPEG, BMP and TGA. Checks the size before decoding: sides up to 16384, 64 million pixels.
+/// Throws Error at `place`.
+Picture decode_picture(const std::string& place, std::string_view bytes);
 
-/// Bytes as in Picture. Throws Error at `place` if the picture is empty, incomplete or too large for the
-/// memory.
-std::string encode_png(const std::string& place, int width, int height, int channels,
-                       std::span<const std::uint8_t> bytes);
+/// Throws Error at `place` if the picture is empty, incomplete or too large for the memory.
+std::string encode_png(const std::string& place, const Picture& picture);
 
 }  // namespace viete::base

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "app/program.h"
+#include "app/command_line.h"
 #include "bench/options.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/build_facts.h"
+#include "app/assets.h"
 #include "base/text.h"
 #include "bench/figures.h"
 #include "bench/halfway.h"

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "app/assets.h"
+#include "app/command_line.h"
 #include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
-#include "app/program.h"
 #include "app/terminal_progress.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"

@@ -59,13 +59,7 @@ void ImGuiRenderer::upload_fonts() {
   int width = 0, height = 0;
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.GetTexDataAsRGBA32(&pixels, &width, &height);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, font_.id());
-  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+  render::set_texture(gl_, 0, font_, width, height, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, pixels);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): a pointer before ImGui 1.91.4, an integer after
   fonts.SetTexID((ImTextureID)(std::intptr_t)font_.id());
   drawn_.clear();

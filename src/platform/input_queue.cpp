@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <utility>
 #include <vector>
@@ -13,24 +14,17 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
-// GLFW codes of the left and right modifier keys.
-bool is_shift(int code) {
-  return code == 340 || code == 344;
-}
-bool is_ctrl(int code) {
-  return code == 341 || code == 345;
-}
-bool is_alt(int code) {
-  return code == 342 || code == 346;
+enum Modifier { shift, ctrl, alt, no_modifier };
+
+// GLFW's codes of the left and right modifier keys are consecutive.
+Modifier modifier_of(const InputEvent& e) {
+  constexpr int left_shift = 340, right_alt = 346;
+  if (e.kind != Kind::key || e.code < left_shift || e.code > right_alt) return no_modifier;
+  return static_cast<Modifier>((e.code - left_shift) % 4);
 }
 
 bool is_modifier(const InputEvent& e) {
-  return e.kind == Kind::key && (is_shift(e.code) || is_ctrl(e.code) || is_alt(e.code));
-}
-
-// With these modifiers a key is a command, even in a text field.
-bool is_command_key(const InputEvent& e) {
-  return e.kind == Kind::key && (is_ctrl(e.code) || is_alt(e.code));
+  return modifier_of(e) != no_modifier;
 }
 
 // GLFW codes of character keys: alphanumeric block and number pad.
@@ -48,9 +42,10 @@ void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
     case Kind::wheel: io.AddMouseWheelEvent(0, e.wheel); break;
     case Kind::text: io.AddInputCharactersUTF8(e.text.c_str()); break;
     case Kind::key:
-      if (is_shift(e.code)) io.AddKeyEvent(ImGuiMod_Shift, e.down);
-      if (is_ctrl(e.code)) io.AddKeyEvent(ImGuiMod_Ctrl, e.down);
-      if (is_alt(e.code)) io.AddKeyEvent(ImGuiMod_Alt, e.down);
+      if (is_modifier(e)) {
+        constexpr ImGuiKey keys[] = {ImGuiMod_Shift, ImGuiMod_Ctrl, ImGuiMod_Alt};
+        io.AddKeyEvent(keys[modifier_of(e)], e.down);
+      }
       if (const int key = imgui_key(e.code); key > 0) io.AddKeyEvent(static_cast<ImGuiKey>(key), e.down);
       break;
   }
@@ -66,9 +61,7 @@ void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
     case Kind::wheel: io.MouseWheel += e.wheel; break;
     case Kind::text: io.AddInputCharactersUTF8(e.text.c_str()); break;
     case Kind::key:
-      if (is_shift(e.code)) io.KeyShift = e.down;
-      if (is_ctrl(e.code)) io.KeyCtrl = e.down;
-      if (is_alt(e.code)) io.KeyAlt = e.down;
+      if (is_modifier(e)) *std::array{&io.KeyShift, &io.KeyCtrl, &io.KeyAlt}[modifier_of(e)] = e.down;
       if (const int key = imgui_key(e.code); key > 0 && key < 512) io.KeysDown[key] = e.down;
       break;
   }
@@ -131,7 +124,8 @@ void InputQueue::feed_frame() {
     if (stroke && (is_modifier(event) || (strokes && event.down))) return;
     if (stroke && typing && event.kind == Kind::text) return;
     if (switches) changed.push_back(what);
-    if (is_command_key(event)) commands_ = event.down;
+    // With Ctrl or Alt a key is a command, even in a text field.
+    if (modifier_of(event) == ctrl || modifier_of(event) == alt) commands_ = event.down;
     stroke |= strokes;
     button_changed |= event.kind == Kind::button;
     feed(io, event, imgui_key_);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "render/gl.h"
 
@@ -15,18 +14,15 @@ class OffscreenContext {
 public:
   enum class Kind { any, osmesa, egl };
 
-  /// any: OSMesa first, then EGL. software: makes EGL use Mesa's CPU rasteriser (LIBGL_ALWAYS_SOFTWARE=1, set
-  /// only during creation), so that pictures are the same on every machine; otherwise EGL uses a GPU if
-  /// present. Throws base::Error with the reason of each failed attempt.
-  static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any, bool software = true);
+  /// any: OSMesa first, then EGL with Mesa's CPU rasteriser (sets LIBGL_ALWAYS_SOFTWARE=1 for the
+  /// process), so that pictures are the same on every machine. Throws base::Error with the reason of each
+  /// failed attempt.
+  static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any);
 
   virtual ~OffscreenContext() = default;
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  /// "OSMesa" or "EGL surfaceless" or "EGL device", for messages.
-  virtual std::string name() const = 0;
-  virtual void make_current() = 0;
   /// For render::load_gl: load_gl([&](const char* n) { return context.get_proc_address(n); }).
   virtual render::Proc get_proc_address(const char* name) const = 0;
 

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <csignal>
@@ -20,15 +21,6 @@ std::string last_glfw_error() {
   std::string reason = text ? text : "no reason given";
   while (!reason.empty() && reason.back() == ' ') reason.pop_back();
   return reason;
-}
-
-std::string utf8(unsigned code) {
-  const auto byte = [](unsigned value) { return static_cast<char>(value); };
-  const auto tail = [&](unsigned shift) { return byte(0x80 | (code >> shift & 0x3f)); };
-  if (code < 0x80) return {byte(code)};
-  if (code < 0x800) return {byte(0xc0 | code >> 6), tail(0)};
-  if (code < 0x10000) return {byte(0xe0 | code >> 12), tail(6), tail(0)};
-  return {byte(0xf0 | code >> 18), tail(12), tail(6), tail(0)};
 }
 
 // GLFW names keys by their position on a US keyboard; shortcuts use the printed label.
@@ -68,29 +60,21 @@ void listen_to_end_signals() {
   }
 }
 
-// Only core 3.3 is used; some drivers return exactly the requested version, so requests the newest first.
 GLFWwindow* open_window(glm::ivec2 size) {
-  constexpr int versions[][2] = {{4, 5}, {4, 3}, {3, 3}};
-  for (const auto& version : versions) {
-    glfwDefaultWindowHints();
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version[0]);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version[1]);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, 0);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // keeps full screen while another screen is used
-    // Identifies the application: the desktop looks for these names in assets/desktop/viete.desktop.
-    glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
-    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // keeps full screen while another screen is used
+  // Identifies the application: the desktop looks for these names in assets/desktop/viete.desktop.
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
 #ifdef GLFW_WAYLAND_APP_ID
-    glfwWindowHintString(GLFW_WAYLAND_APP_ID, "viete");
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "viete");
 #endif
-    if (GLFWwindow* window = glfwCreateWindow(size.x, size.y, "Viete", nullptr, nullptr)) {
-      return window;
-    }
-  }
-  return nullptr;
+  return glfwCreateWindow(size.x, size.y, "Viete", nullptr, nullptr);
 }
 
 float content_scale(GLFWwindow* window) {
@@ -206,7 +190,8 @@ float Window::logical_per_unit() const {
   return units > 0 ? static_cast<float>(device_size().x) / static_cast<float>(units) / scale_ : 1;
 }
 
-void Window::listen_to_mouse() {
+void Window::listen(WindowEvents events) {
+  events_ = std::move(events);
   glfwSetCursorPosCallback(handle_, [](GLFWwindow* w, double x, double y) {
     const float k = of(w).logical_per_unit();
     of(w).events_.input(InputEvent::move({static_cast<float>(x) * k, static_cast<float>(y) * k}));
@@ -220,21 +205,15 @@ void Window::listen_to_mouse() {
   glfwSetCursorEnterCallback(handle_, [](GLFWwindow* w, int entered) {
     if (!entered) of(w).events_.input(InputEvent::left_window());
   });
-}
-
-void Window::listen_to_keys() {
   glfwSetKeyCallback(handle_, [](GLFWwindow* w, int key, int scancode, int action, int) {
     if (action != GLFW_REPEAT && key >= 0)
       of(w).events_.input(InputEvent::key(labelled(key, scancode), action == GLFW_PRESS));
   });
-  glfwSetCharCallback(
-      handle_, [](GLFWwindow* w, unsigned code) { of(w).events_.input(InputEvent::typed(utf8(code))); });
-}
-
-void Window::listen(WindowEvents events) {
-  events_ = std::move(events);
-  listen_to_mouse();
-  listen_to_keys();
+  glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned code) {
+    char utf8[5] = "";
+    ImTextCharToUtf8(utf8, code);
+    of(w).events_.input(InputEvent::typed(utf8));
+  });
   glfwSetDropCallback(handle_, [](GLFWwindow* w, int count, const char** paths) {
     of(w).events_.dropped({paths, paths + count});
   });
@@ -300,10 +279,6 @@ void Window::set_full_screen(bool full) {
   if (!mode) return;
   windowed_ = place;
   glfwSetWindowMonitor(handle_, screen, 0, 0, mode->width, mode->height, mode->refreshRate);
-}
-
-void Window::call_for_attention() {
-  glfwRequestWindowAttention(handle_);
 }
 
 void Window::present(render::Framebuffer& framebuffer) {

@@ -52,14 +52,10 @@ public:
   /// Fills the screen that shows most of the window, or restores its place and size. No effect if already so.
   void set_full_screen(bool full);
   bool full_screen() const;
-  /// For a window that may be behind others.
-  void call_for_attention();
   void present(render::Framebuffer& framebuffer);
 
 private:
   Window(GLFWwindow* handle, float scale);
-  void listen_to_mouse();
-  void listen_to_keys();
   glm::ivec2 device_size() const;
   float logical_per_unit() const;
 

@@ -45,7 +45,7 @@ void Grid::draw(const View& view, const Theme& theme, const GridStyle& style) co
   program_.set("cell", static_cast<float>(style.cell));
   program_.set("radius", static_cast<float>(style.radius));
   program_.set("line_width", view.scale);
-  program_.set("color", glm::vec4(theme.grid, style.opacity));
+  program_.set("color", glm::vec4(theme.grid, 1));
   const BlendScope blend(gl_);
   gl_.BindVertexArray(vertex_array_.id());
   gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);

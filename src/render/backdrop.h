@@ -26,7 +26,6 @@ struct GridStyle {
   double cell = 1;        ///< distance of fine lines; every tenth one is stronger
   double radius = 10;     ///< distance from center at which the grid has faded out
   int up = 1;             ///< axis that points up: 0 x, 1 y, 2 z
-  float opacity = 1;
 
   friend bool operator==(const GridStyle&, const GridStyle&) = default;
 };

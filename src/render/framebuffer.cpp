@@ -15,22 +15,18 @@ std::string size_text(glm::ivec2 size) {
 }
 
 void require_supported(const Gl& gl, glm::ivec2 size) {
-  const int limit = longest_side(gl);
+  GLint texture = 0, buffer = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
+  const int limit = std::min(texture, buffer);
   if (size.x <= limit && size.y <= limit) return;
   throw base::Error(
       "picture",
-      size_text(size) + "  pixels exceeds the driver's limit of " + std::to_string(limit) + " per side",
+      size_text(size) + " pixels exceeds the driver's limit of " + std::to_string(limit) + " per side",
       "choose a smaller size or scale");
 }
 
 }  // namespace
-
-int longest_side(const Gl& gl) {
-  GLint texture = 0, buffer = 0;
-  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
-  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
-  return std::min(texture, buffer);
-}
 
 Framebuffer::Framebuffer(const Gl& gl)
     : gl_(gl),
@@ -63,11 +59,7 @@ void Framebuffer::allocate(glm::ivec2 size, int samples) {
   require_supported(gl_, size);
   size_ = {0, 0};  // if anything below throws, the next begin() tries again
   samples_ = samples;
-  gl_.BindTexture(GL_TEXTURE_2D, color_.id());
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  set_texture(gl_, 0, color_, size.x, size.y, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, nullptr);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
   gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH_COMPONENT24, size.x, size.y);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());

@@ -10,9 +10,6 @@ namespace viete::render {
 
 /// Target of all drawing, in a window, OSMesa or EGL, which makes their pictures equal. Reallocated only when
 /// size or samples change. Colour is RGBA8 as displayed (no sRGB conversion by GL), depth 24 bits.
-/// The driver's limit on the longest side of a target, in device pixels.
-int longest_side(const Gl& gl);
-
 class Framebuffer {
 public:
   explicit Framebuffer(const Gl& gl);

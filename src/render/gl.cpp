@@ -1,5 +1,7 @@
 #include "render/gl.h"
 
+#include <cstdio>
+
 #include "base/error.h"
 
 namespace viete::render {
@@ -37,17 +39,6 @@ bool is_software(const std::string& renderer) {
   return false;
 }
 
-const char* error_name(GLenum error) {
-  switch (error) {
-    case GL_INVALID_ENUM: return "invalid enum";
-    case GL_INVALID_VALUE: return "invalid value";
-    case GL_INVALID_OPERATION: return "invalid operation";
-    case GL_INVALID_FRAMEBUFFER_OPERATION: return "invalid framebuffer operation";
-    case GL_OUT_OF_MEMORY: return "out of memory";
-    default: return "unknown error";
-  }
-}
-
 }  // namespace
 
 Gl load_gl(const GetProc& get) {
@@ -64,7 +55,27 @@ Gl load_gl(const GetProc& get) {
 
 void check_gl(const Gl& gl, const char* where) {
   const GLenum error = gl.GetError();
-  if (error != GL_NO_ERROR) throw base::Error(where, std::string("OpenGL reports ") + error_name(error));
+  if (error == GL_NO_ERROR) return;
+  char code[16];
+  std::snprintf(code, sizeof code, "0x%x", error);
+  throw base::Error(where, std::string("OpenGL reports error ") + code);
+}
+
+void bind_texture(const Gl& gl, int unit, const Texture& texture) {
+  gl.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+}
+
+void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int height,
+                 const TexelFormat& format, const void* data) {
+  bind_texture(gl, unit, texture);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, format.stored, width, height, 0, format.given, format.type, data);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 // GL_ARRAY_BUFFER is not part of a vertex array's state, so binding it for an upload has no side effects.

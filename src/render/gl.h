@@ -90,6 +90,17 @@ private:
 
 using VertexArray = Object<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>;
 using Texture = Object<&Gl::GenTextures, &Gl::DeleteTextures>;
+/// The format of a texture's pixels.
+struct TexelFormat {
+  GLint stored;  ///< GL_RGBA8, ...
+  GLenum given, type;
+};
+/// Makes a texture of one level, filtered linearly and clamped at its edges; bound to the unit afterwards.
+/// data may be null.
+void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int height,
+                 const TexelFormat& format, const void* data);
+void bind_texture(const Gl& gl, int unit, const Texture& texture);
+
 using Renderbuffer = Object<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>;
 using FramebufferObject = Object<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>;
 

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
-#include <utility>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
-#include "base/picture.h"
 
 namespace viete::render {
 
@@ -57,15 +53,9 @@ Image halved(const Image& image) {
 }  // namespace
 
 Image decode_image(const std::string& place, std::string_view bytes, int longest) {
-  base::Picture picture = base::decode_picture(place, bytes, 4);
-  Image image{picture.width, picture.height, std::move(picture.bytes)};
+  Image image = base::decode_picture(place, bytes);
   while (image.width > longest || image.height > longest) image = halved(image);
   return image;
-}
-
-Rgba8 Image::pixel(int x, int y) const {
-  const std::size_t at = 4 * (static_cast<std::size_t>(y) * width + x);
-  return {rgba[at], rgba[at + 1], rgba[at + 2], rgba[at + 3]};
 }
 
 void divide_by_opacity(Image& image) {
@@ -78,7 +68,7 @@ void divide_by_opacity(Image& image) {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image) {
-  base::replace_file(path, base::encode_png(path.string(), image.width, image.height, 4, image.rgba));
+  base::replace_file(path, base::encode_png(path.string(), image));
 }
 
 }  // namespace viete::render

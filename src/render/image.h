@@ -2,26 +2,17 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "base/picture.h"
 
 namespace viete::render {
 
 using Rgba8 = std::array<std::uint8_t, 4>;
-
-/// Top row first, 4 bytes a pixel, display values (sRGB), alpha not premultiplied.
-struct Image {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;  ///< 4 * width * height bytes
-
-  /// x in [0, width) from the left, y in [0, height) from the top.
-  Rgba8 pixel(int x, int y) const;
-};
+using Image = base::Picture;
 
 /// Divides colours by alpha: drawing gives premultiplied colours, files store straight ones.
 void divide_by_opacity(Image& image);

@@ -33,8 +33,7 @@ void DiscLayer::draw(const View& view, const DiscStyle& style) const {
   program_.use();
   program_.set("points", 0);
   program_.set("looks", 1);
-  program_.set("eye_from_model", eye_matrix(view, origin_));
-  program_.set("clip_from_eye", glm::mat4(view.projection));
+  set_camera(program_, view, origin_);
   program_.set("viewport", glm::vec2(view.size));
   program_.set("scale", view.scale);
   program_.set("outline_color", style.outline);
@@ -43,8 +42,7 @@ void DiscLayer::draw(const View& view, const DiscStyle& style) const {
   looks_.bind(1);
   gl_.BindVertexArray(vertex_array_.id());
   draw_hidden_then_visible(
-      gl_, style.opacity * style.hidden_opacity, style.opacity,
-      [&](float opacity) { program_.set("opacity", opacity); },
+      gl_, style.hidden_opacity, 1, [&](float opacity) { program_.set("opacity", opacity); },
       [&] { gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * point_count_)); });
   debug_check_gl(gl_, "discs");
 }
@@ -99,8 +97,7 @@ void LineLayer::draw(const View& view, const LineStyle& style) const {
   program_.set("segments", 0);
   program_.set("points", 1);
   program_.set("colors", 2);
-  program_.set("eye_from_model", eye_matrix(view, origin_));
-  program_.set("clip_from_eye", glm::mat4(view.projection));
+  set_camera(program_, view, origin_);
   program_.set("viewport", glm::vec2(view.size));
   segments_.bind(0);
   points_.bind(1);
@@ -148,32 +145,27 @@ void FaceLayer::set_positions(std::span<const Point> positions) {
 void FaceLayer::draw(const View& view, const FaceStyle& style) const {
   if (!has_positions_ || triangle_count_ == 0) return;
   program_.use();
-  program_.set("eye_from_model", eye_matrix(view, origin_));
-  program_.set("clip_from_eye", glm::mat4(view.projection));
+  set_camera(program_, view, origin_);
   program_.set("perspective", view.projection[3][3] == 0 ? 1.0F : 0.0F);
   program_.set("color", style.color);
   program_.set("opacity", style.opacity);
   program_.set("rim", style.rim);
   gl_.BindVertexArray(vertex_array_.id());
   const BlendScope blend(gl_);
+  const auto draw_triangles = [&] {
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
+  };
   if (style.opacity > 0 || style.rim > 0) draw_triangles();
-  if (style.occlude) draw_depth();
+  if (style.occlude) {  // pushed back slightly, so that faces do not hide their own edges
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    gl_.PolygonOffset(1, 4);
+    draw_triangles();
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
   debug_check_gl(gl_, "faces");
-}
-
-void FaceLayer::draw_triangles() const {
-  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
-}
-
-// Pushed back slightly, so that faces do not hide their own edges.
-void FaceLayer::draw_depth() const {
-  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  gl_.DepthMask(GL_TRUE);
-  gl_.Enable(GL_POLYGON_OFFSET_FILL);
-  gl_.PolygonOffset(1, 4);
-  draw_triangles();
-  gl_.Disable(GL_POLYGON_OFFSET_FILL);
-  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace viete::render

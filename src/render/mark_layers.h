@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "render/gl.h"
 #include "render/program.h"
@@ -24,7 +23,6 @@ struct Disc {
 struct DiscStyle {
   glm::vec3 outline{0, 0, 0};  ///< colour of the thin edge (theme.outline)
   glm::vec3 ring{1, 1, 1};     ///< colour of rings (theme.hover)
-  float opacity = 1;
   /// Opacity factor of discs behind something; rings are not faded. A point less than 2.5 radii behind a face
   /// counts as in front, so that the slanted faces around it do not cut into its disc.
   float hidden_opacity = 0.3F;
@@ -112,9 +110,6 @@ public:
   void draw(const View& view, const FaceStyle& style) const;
 
 private:
-  void draw_triangles() const;
-  void draw_depth() const;
-
   const Gl& gl_;
   Program program_;
   VertexArray vertex_array_;

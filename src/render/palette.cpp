@@ -1,18 +1,16 @@
-#include "render/palette.h"
+#include "render/view.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-
-#include "render/view.h"
 
 namespace viete::render {
 
-namespace {
-
-float to_linear(float c) {
+float linear_light(float c) {
   return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
 }
+
+namespace {
+
 float to_display(float c) {
   c = std::clamp(c, 0.0F, 1.0F);
   return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
@@ -27,7 +25,7 @@ const glm::mat3 lab_from_root = glm::transpose(glm::mat3(0.2104542553F, 0.793617
                                                          0.0259040371F, 0.7827717662F, -0.8086757660F));
 
 glm::vec3 to_oklab(const glm::vec3& display) {
-  const glm::vec3 linear(to_linear(display.x), to_linear(display.y), to_linear(display.z));
+  const glm::vec3 linear(linear_light(display.x), linear_light(display.y), linear_light(display.z));
   const glm::vec3 cone = cone_from_rgb * linear;
   return lab_from_root * glm::vec3(std::cbrt(cone.x), std::cbrt(cone.y), std::cbrt(cone.z));
 }

@@ -111,20 +111,23 @@ void find_squares(GroundShadow& shadow) {
 
 }  // namespace
 
-SpreadPoints::SpreadPoints(std::span<const Triangle> triangles, std::span<const Point> positions) {
+std::vector<SpreadPoint> spread_points(std::span<const Triangle> triangles,
+                                       std::span<const Point> positions) {
+  std::vector<SpreadPoint> points;
   double whole = 0;
   const auto area_of = [&](const Triangle& t) {
     return area(positions[t[0]], positions[t[1]], positions[t[2]]);
   };
   for (const Triangle& t : triangles) whole += area_of(t);
-  if (!(whole > 0) || !std::isfinite(whole)) return;
-  places_.reserve(place_count);
+  if (!(whole > 0) || !std::isfinite(whole)) return points;
+  points.reserve(place_count);
   double passed = 0;
   for (const Triangle& t : triangles) {
     passed += area_of(t) / whole;
-    while (places_.size() < place_count && (static_cast<double>(places_.size()) + 0.5) / place_count < passed)
-      places_.push_back({t, shares(places_.size())});
+    while (points.size() < place_count && (static_cast<double>(points.size()) + 0.5) / place_count < passed)
+      points.push_back({t, shares(points.size())});
   }
+  return points;
 }
 
 // Cells lie on a fixed grid, so that shadows of moving models do not shimmer.
@@ -180,7 +183,7 @@ ShadowLayer::ShadowLayer(const Gl& gl)
 
 void ShadowLayer::set_triangles(std::span<const Triangle> triangles, std::span<const Point> positions) {
   require_indices("shadow", triangles, positions.size());
-  spread_ = SpreadPoints(triangles, positions);
+  spread_ = spread_points(triangles, positions);
   vertex_count_ = positions.size();
   set_positions(positions);
 }
@@ -188,7 +191,7 @@ void ShadowLayer::set_triangles(std::span<const Triangle> triangles, std::span<c
 void ShadowLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
   require_count("shadow vertices", vertices.size(), vertex_count_);
   points_.clear();
-  for (const auto& place : spread_.places()) {
+  for (const auto& place : spread_) {
     glm::vec3 p(0);
     for (std::size_t k = 0; k < 3; ++k) {
       const float* corner = vertices[place.corners[k]].position;
@@ -228,16 +231,8 @@ void ShadowLayer::cast(const ShadowStyle& style) {
   if (shadow_.squares.empty()) return;
   squares_.buffer.upload(shadow_.squares.data(), shadow_.squares.size() * sizeof(shadow_.squares[0]),
                          GL_STREAM_DRAW);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, darkness_.id());
-  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, shadow_.width, shadow_.height, 0, GL_RED, GL_UNSIGNED_BYTE,
-                 shadow_.darkness.data());
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  set_texture(gl_, 0, darkness_, shadow_.width, shadow_.height, {GL_R8, GL_RED, GL_UNSIGNED_BYTE},
+              shadow_.darkness.data());
 }
 
 void ShadowLayer::draw(const View& view, const Theme& theme, const ShadowStyle& style) {
@@ -258,8 +253,7 @@ void ShadowLayer::draw(const View& view, const Theme& theme, const ShadowStyle& 
   program_.set("place", glm::vec4(shadow_.low, extent));
   program_.set("share", static_cast<float>(GroundShadow::square) / glm::vec2(shadow_.width, shadow_.height));
   program_.set("color", glm::vec4(glm::vec3(theme.shadow), seen * theme.shadow.a));
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, darkness_.id());
+  bind_texture(gl_, 0, darkness_);
   squares_.bind(1);
   const BlendScope blend(gl_);
   gl_.BindVertexArray(vertex_array_.id());

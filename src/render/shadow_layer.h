@@ -14,22 +14,12 @@ namespace viete::render {
 
 /// Sample points spread evenly over the original triangles: few enough to move in every frame, whatever the
 /// size of the surface, and enough for large triangles.
-class SpreadPoints {
-public:
-  struct Place {
-    std::array<std::uint32_t, 3> corners;
-    std::array<float, 3> shares;  ///< barycentric weights of the corners, sum 1
-  };
-
-  SpreadPoints() = default;
-  /// All triangle indices must be valid.
-  SpreadPoints(std::span<const Triangle> triangles, std::span<const Point> positions);
-
-  std::span<const Place> places() const { return places_; }
-
-private:
-  std::vector<Place> places_;
+struct SpreadPoint {
+  std::array<std::uint32_t, 3> corners;
+  std::array<float, 3> shares;  ///< barycentric weights of the corners, sum 1
 };
+/// All triangle indices must be valid.
+std::vector<SpreadPoint> spread_points(std::span<const Triangle> triangles, std::span<const Point> positions);
 
 /// Darkness of a grid of ground cells, in rows.
 struct GroundShadow {
@@ -76,7 +66,7 @@ private:
   VertexArray vertex_array_;
   Texture darkness_;
   BufferTexture squares_;
-  SpreadPoints spread_;
+  std::vector<SpreadPoint> spread_;
   std::size_t vertex_count_ = 0;
   std::vector<glm::vec3> points_, over_ground_;  // relative to origin_; on the ground, height last
   Point origin_{0, 0, 0};

@@ -17,8 +17,7 @@ static_assert(sizeof(SurfaceVertex) == 8 * sizeof(float));
 // Uploads mipmaps, filtered in linear light. Software rasterisers skip the finest filter, which is too slow.
 void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
   constexpr GLenum anisotropy = 0x84FE, most_anisotropy = 0x84FF;  // an extension everywhere, core in 4.6
-  gl.ActiveTexture(GL_TEXTURE4);
-  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  bind_texture(gl, 4, texture);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                 image.rgba.data());
@@ -118,15 +117,8 @@ void SurfaceLayer::upload_looks() {
 
 void SurfaceLayer::set_palette(std::span<const glm::vec3> colors) {
   if (colors.size() < 2) throw base::Error("palette", "has fewer than 2 colours");
-  gl_.ActiveTexture(GL_TEXTURE2);
-  gl_.BindTexture(GL_TEXTURE_2D, palette_.id());
-  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, static_cast<GLsizei>(colors.size()), 1, 0, GL_RGB, GL_FLOAT,
-                 colors.data());
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  set_texture(gl_, 2, palette_, static_cast<int>(colors.size()), 1, {GL_RGB8, GL_RGB, GL_FLOAT},
+              colors.data());
   palette_size_ = static_cast<float>(colors.size());
 }
 
@@ -175,20 +167,12 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
   return *program;
 }
 
-void SurfaceLayer::use(const Program& program, const View& view, const Theme& theme,
-                       const SurfaceStyle& style) const {
-  program.use();
-  set_view(program, view);
-  set_looks(program, view, theme, style);
-}
-
 void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
   if (!has_vertices_ || triangle_count_ == 0) return;
   indices_.bind(0);
   vertices_.bind(1);
   looks_.bind(3);
-  gl_.ActiveTexture(GL_TEXTURE2);
-  gl_.BindTexture(GL_TEXTURE_2D, palette_.id());
+  bind_texture(gl_, 2, palette_);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LESS);
   if (style.closed) gl_.Enable(GL_CULL_FACE);
@@ -214,9 +198,7 @@ void SurfaceLayer::draw_runs(const View& view, const Theme& theme, const Surface
     if (std::exchange(used, &program) != &program) use(program, view, theme, style);
     program.set("run_color", run.color);
     program.set("has_image", run.image >= 0 && has_texture_points_ ? 1 : 0);
-    gl_.ActiveTexture(GL_TEXTURE4);
-    gl_.BindTexture(GL_TEXTURE_2D,
-                    run.image >= 0 ? images_[static_cast<std::size_t>(run.image)].id() : palette_.id());
+    bind_texture(gl_, 4, run.image >= 0 ? images_[static_cast<std::size_t>(run.image)] : palette_);
     if (run.image >= 0) {
       const GLint wrap = run.repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
       gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
@@ -229,22 +211,19 @@ void SurfaceLayer::draw_runs(const View& view, const Theme& theme, const Surface
   for (const SurfaceRun& run : runs_) draw_run(run);
 }
 
-void SurfaceLayer::set_view(const Program& program, const View& view) const {
+void SurfaceLayer::use(const Program& program, const View& view, const Theme& theme,
+                       const SurfaceStyle& style) const {
+  program.use();
   program.set("indices", 0);
   program.set("vertices", 1);
   program.set("palette", 2);
   program.set("looks", 3);
-  program.set("eye_from_model", eye_matrix(view, origin_));
-  program.set("clip_from_eye", glm::mat4(view.projection));
+  set_camera(program, view, origin_);
   program.set("eye_ray", eye_ray(view));
-}
-
-void SurfaceLayer::set_looks(const Program& program, const View& view, const Theme& theme,
-                             const SurfaceStyle& style) const {
   program.set("model_color", theme.model);
   program.set("exposure", theme.exposure);
   program.set("wire", glm::vec4(theme.wire, style.wireframe));
-  program.set("wire_width", style.wire_width * view.scale);
+  program.set("wire_width", view.scale);
   program.set("occlusion_strength", style.occlusion);
   const float range = style.scalar_high - style.scalar_low;
   program.set("scalar_low", style.scalar_low);

@@ -44,7 +44,6 @@ struct SurfaceStyle {
   /// software rasteriser. Parts turned inside out by a deformation then appear transparent.
   bool closed = false;
   float wireframe = 0;    ///< opacity of triangle edges, 0: none; 0.3 is subtle. Fades on tiny triangles
-  float wire_width = 1;   ///< logical pixels
   float occlusion = 1;    ///< strength of the baked darkening, 0 to 1
   bool scalars = false;   ///< colour by set_scalars() through set_palette() instead of theme.model
   float scalar_low = 0;   ///< scalar of the first palette colour
@@ -93,9 +92,6 @@ private:
   const Program& program_for(const SurfaceStyle& style, bool flat = false) const;
   void use(const Program& program, const View& view, const Theme& theme, const SurfaceStyle& style) const;
   void draw_runs(const View& view, const Theme& theme, const SurfaceStyle& style) const;
-  void set_view(const Program& program, const View& view) const;
-  void set_looks(const Program& program, const View& view, const Theme& theme,
-                 const SurfaceStyle& style) const;
 
   const Gl& gl_;
   // One program per combination, so that unused features cost nothing: wireframe or not, vertex colours or

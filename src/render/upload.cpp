@@ -64,6 +64,11 @@ void require_indices(const char* what, std::span<const std::array<std::uint32_t,
 template void require_indices<2>(const char*, std::span<const std::array<std::uint32_t, 2>>, std::size_t);
 template void require_indices<3>(const char*, std::span<const std::array<std::uint32_t, 3>>, std::size_t);
 
+void set_camera(const Program& program, const View& view, const Point& origin) {
+  program.set("eye_from_model", eye_matrix(view, origin));
+  program.set("clip_from_eye", glm::mat4(view.projection));
+}
+
 BlendScope::BlendScope(const Gl& gl) : gl_(gl) {
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "render/gl.h"
+#include "render/program.h"
 #include "render/view.h"
 
 namespace viete::render {
@@ -33,6 +34,9 @@ extern template void require_indices<2>(const char*, std::span<const std::array<
                                         std::size_t);
 extern template void require_indices<3>(const char*, std::span<const std::array<std::uint32_t, 3>>,
                                         std::size_t);
+
+/// Sets the matrices of points stored relative to origin.
+void set_camera(const Program& program, const View& view, const Point& origin);
 
 /// GL state of translucent layers for the current scope: blending on, depth tested but not written.
 class BlendScope {

@@ -18,41 +18,41 @@ glm::vec4 eye_ray(const View& view) {
 }
 
 Theme dark_theme() {
-  Theme theme;
-  theme.background_top = rgb(0x262b33);
-  theme.background_bottom = rgb(0x15181d);
-  theme.grid = rgb(0x8a97a8);
-  theme.model = rgb(0xd2bfa8);
-  theme.held = rgb(0x4a6d9e);
-  theme.wire = rgb(0x2a2622);
-  theme.cage = rgb(0x3fb8af);
-  theme.selection = rgb(0xffb224);
-  theme.hover = rgb(0xffffff);
-  theme.finding = rgb(0xff5c8a);
-  theme.outline = rgb(0x101317);
-  theme.halo = {rgb(0x101317), 0.5F};
-  theme.shadow = {rgb(0x020305), 1.0F};
-  theme.exposure = 1.0F;
-  return theme;
+  return {
+      .background_top = rgb(0x262b33),
+      .background_bottom = rgb(0x15181d),
+      .grid = rgb(0x8a97a8),
+      .model = rgb(0xd2bfa8),
+      .held = rgb(0x4a6d9e),
+      .wire = rgb(0x2a2622),
+      .cage = rgb(0x3fb8af),
+      .selection = rgb(0xffb224),
+      .hover = rgb(0xffffff),
+      .finding = rgb(0xff5c8a),
+      .outline = rgb(0x101317),
+      .halo = {rgb(0x101317), 0.5F},
+      .shadow = {rgb(0x020305), 1.0F},
+      .exposure = 1.0F,
+  };
 }
 
 Theme light_theme() {
-  Theme theme;
-  theme.background_top = rgb(0xf4f5f7);
-  theme.background_bottom = rgb(0xdfe3e8);
-  theme.grid = rgb(0x7b8796);
-  theme.model = rgb(0xd4c5b0);
-  theme.held = rgb(0x5b7fb5);
-  theme.wire = rgb(0x2a2622);
-  theme.cage = rgb(0x12857d);
-  theme.selection = rgb(0xf59a00);
-  theme.hover = rgb(0x1d2733);
-  theme.finding = rgb(0xc4124f);
-  theme.outline = rgb(0x1d2733);
-  theme.halo = {rgb(0xffffff), 0.45F};
-  theme.shadow = {rgb(0x2c3646), 0.62F};
-  theme.exposure = 1.15F;
-  return theme;
+  return {
+      .background_top = rgb(0xf4f5f7),
+      .background_bottom = rgb(0xdfe3e8),
+      .grid = rgb(0x7b8796),
+      .model = rgb(0xd4c5b0),
+      .held = rgb(0x5b7fb5),
+      .wire = rgb(0x2a2622),
+      .cage = rgb(0x12857d),
+      .selection = rgb(0xf59a00),
+      .hover = rgb(0x1d2733),
+      .finding = rgb(0xc4124f),
+      .outline = rgb(0x1d2733),
+      .halo = {rgb(0xffffff), 0.45F},
+      .shadow = {rgb(0x2c3646), 0.62F},
+      .exposure = 1.15F,
+  };
 }
 
 }  // namespace viete::render

@@ -23,6 +23,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "base/vector.h"
 
@@ -74,5 +75,24 @@ struct Theme {
 
 Theme dark_theme();
 Theme light_theme();
+inline Theme theme(bool dark) {
+  return dark ? dark_theme() : light_theme();
+}
+
+// Colour maps, perceptually uniform and safe for colour-blind readers.
+
+/// Linear light of a display value.
+float linear_light(float display);
+
+/// For magnitudes on lit surfaces: blue over grey to yellow, with uniformly rising lightness, bright enough
+/// to show shading. `count` >= 2 colours as displayed.
+std::vector<glm::vec3> surface_palette(int count = 256);
+
+/// For signed values: blue over light grey to orange, with grey in the middle.
+std::vector<glm::vec3> diverging_palette(int count = 256);
+
+/// Interpolates colours uniformly in Oklab (B. Ottosson, 2020, "A perceptual color space for image
+/// processing"). keys: at least 2, as displayed.
+std::vector<glm::vec3> blend_palette(const std::vector<glm::vec3>& keys, int count);
 
 }  // namespace viete::render

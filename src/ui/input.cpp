@@ -19,7 +19,7 @@ bool matches(const scene::Shortcut& shortcut, const ImGuiIO& io) {
 
 std::optional<scene::Shortcut> pressed_shortcut() {
   const ImGuiIO& io = ImGui::GetIO();
-  for (const scene::Key key : scene::all_keys()) {
+  for (const auto& [key, name] : scene::all_keys()) {
     if (key_pressed(key)) return scene::Shortcut{key, io.KeyCtrl, io.KeyShift, io.KeyAlt};
   }
   return std::nullopt;

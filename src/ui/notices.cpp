@@ -95,13 +95,6 @@ void recovery_text(const Context& ui) {
   hint_at(recovery_files.front());
 }
 
-// The last thing shown before closing.
-void closing_notice(const Context& ui) {
-  const Window window("Farewell", {.at = middle_of_view(ui), .padding = {24, 16}}, sized_flags);
-  ImGui::TextUnformatted("Unsaved edits were saved for recovery; the next start offers to restore them.");
-  record(ui, "farewell");
-}
-
 }  // namespace
 
 float notice_room(const Context& ui) {
@@ -112,7 +105,6 @@ float notice_room(const Context& ui) {
 // A row below the menu bar, above the columns and the view.
 void notice_bar(const Context& ui) {
   auto& w = ui.workspace;
-  if (w.closing_notice) closing_notice(ui);
   if (!w.has_user) return;
   w.notice_height = 0;
   if (!w.offers_recovery || w.recovery_files.empty()) return;
@@ -304,11 +296,11 @@ std::string words_of(std::optional<double> left) {
 }
 
 // The task, its progress, and a Cancel button.
-void row(const Context& ui, const scene::WorkState& work, scene::TimeLeft& time_left, const char* stop) {
+void row(const Context& ui, const scene::WorkState& work, const char* stop) {
   constexpr float widest = 420, time_width = 96;
   const float width = std::min(widest, notice_room(ui) - 2 * ImGui::GetStyle().WindowPadding.x);
   const float right = ImGui::GetCursorScreenPos().x + width;
-  text_right(ui, right, words_of(time_left.of(work)), ui.colors.faint);
+  text_right(ui, right, words_of(base::time_left(work.done, work.seconds)), ui.colors.faint);
   ImGui::TextUnformatted(shortened(work.what, width - time_width).c_str());
   hint(work.what);
   progress_bar(ui, width, work.done);
@@ -328,9 +320,9 @@ float work_bar(const Context& ui, float bottom) {
                                                          : w.binding;
   if (!shows(work) && !shows(w.exporting)) return bottom;
   const Window window("Work", {.at = middle_at(ui, bottom - 16), .pivot = {0.5f, 1}}, card_flags);
-  if (shows(w.exporting)) row(ui, w.exporting, w.export_left, "stop_export");
+  if (shows(w.exporting)) row(ui, w.exporting, "stop_export");
   if (shows(w.exporting) && shows(work)) ImGui::Spacing();
-  if (shows(work)) row(ui, work, w.time_left, "stop_work");
+  if (shows(work)) row(ui, work, "stop_work");
   return ImGui::GetWindowPos().y + 28;
 }
 

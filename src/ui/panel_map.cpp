@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scene/document/brush.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 #include "ui/choice_picture.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
@@ -190,16 +190,13 @@ float map_legend(const Context& ui, float bottom) {
   if (ui.field_colors.even.empty()) return bottom;
   float top = bottom;
   for (std::size_t view = 0; view < w.split.count(); ++view) {
-    const bool first = view == 0;
-    const scene::SideView* side = first ? nullptr : &w.split.sides[view - 1];
-    const lab::Field field = first ? scene::shown_field(w) : scene::shown_field(w, *side);
+    const lab::Field field = scene::shown_field(w, view);
     if (field == lab::Field::none) continue;
     const scene::Pane pane = scene::pane_of(w.split, view);
     const glm::vec2 corner = w.viewport.origin + (pane.at + pane.size) * w.viewport.size;
     const Size& size = w.split.on() ? small : whole;
     if (pane.size.x * w.viewport.size.x < size.width + 32) continue;
-    legend(ui, vec(corner), first ? w.field : side->shown, field, first ? w.document.method : side->method,
-           size);
+    legend(ui, vec(corner), w.split.views[view].shown, field, scene::shown_way(w, view).method, size);
     if (corner.y > bottom - 1) top = bottom - size.height - 32;
   }
   return top;

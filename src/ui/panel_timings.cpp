@@ -215,7 +215,7 @@ void rest_of_frame(const Context& ui) {
   };
   std::array<Column, 5> columns{
       {{"upload", 0.17f}, {"panels", 0.36f}, {"draw", 0.53f}, {"total", 0.75f}, {"frames/s", 1}}};
-  if (const auto& frame = ui.workspace.stats.median()) {
+  if (const auto& frame = ui.workspace.split.views[0].stats.median()) {
     columns[0].value = base::few_digits(frame->upload);
     columns[1].value = base::few_digits(frame->panels);
     columns[2].value = base::few_digits(frame->draw);
@@ -243,8 +243,8 @@ void errors(const Context& ui) {
   const bool fits = ImGui::GetContentRegionAvail().x >
                     ImGui::CalcTextSize("exp 4e-16 \u00b7 frame 4e-6, single precision").x;
   std::string text = sample ? "exp " + rough_error(sample->worst_error) : "", frame;
-  if (w.fused_error > 0)
-    frame = "frame " + rough_error(w.fused_error) + (fits ? ", single precision" : ", single");
+  if (const double fused = w.split.views[0].fused_error; fused > 0)
+    frame = "frame " + rough_error(fused) + (fits ? ", single precision" : ", single");
   else if (scene::shows_links(w))
     frame = "frame in double precision";
   text += (text.empty() || frame.empty() ? "" : " \u00b7 ") + frame;

@@ -12,7 +12,7 @@ namespace viete::ui {
 
 namespace {
 
-void way_list(const Context& ui, const std::string& name, scene::SideView& side) {
+void way_list(const Context& ui, const std::string& name, scene::View& side) {
   const auto now = scene::way_of(side.scheme);
   if (!begin_list(ui, name, now ? scene::entry(*now).label.data() : "Custom", "")) return;
   for (const auto& entry : scene::all_ways())
@@ -41,7 +41,7 @@ void map_list(const Context& ui, const std::string& name, scene::SideView& side)
   ImGui::EndCombo();
 }
 
-void side_rows(const Context& ui, std::size_t number, scene::SideView& side) {
+void side_rows(const Context& ui, std::size_t number, scene::View& side) {
   constexpr float label = 74;
   const std::string name = "side/" + std::to_string(number);
   const auto row = [&](const char* words, auto list, const char* what) {
@@ -73,8 +73,7 @@ void panel_views(const Context& ui) {
   command_choice(ui, {"views_1", "views_2", "views_3", "views_4"}, split.count() - 1);
   if (!split.on()) return note(ui, "Split the view to compare deformers, methods and maps of one pose.");
   command_toggle(ui, "toggle_linked_cameras");
-  if (split.sides.size() == 1) command_toggle(ui, "toggle_wipe");
-  for (std::size_t i = 0; i < split.sides.size(); ++i) side_rows(ui, i + 1, split.sides[i]);
+  for (std::size_t view = 1; view < split.count(); ++view) side_rows(ui, view, split.views[view]);
 }
 
 }  // namespace viete::ui

@@ -63,12 +63,8 @@ void methods(const Context& ui) {
 }  // namespace
 
 void draw_panels(const Context& ui) {
-  const ImDrawList& background = *ImGui::GetBackgroundDrawList();
-  const DrawnBefore before{background.VtxBuffer.Size, background.IdxBuffer.Size,
-                           static_cast<int>(background._VtxCurrentIdx)};
   if (ui.workspace.tools) torn_overlay(ui), probe_overlay(ui), hand_overlay(ui), gizmo_overlay(ui);
   vertex_overlay(ui);
-  repeat_in_views(ui, before);
   axis_overlay(ui);
   split_overlay(ui);
   if (ui.workspace.tools) view_overlay(ui);

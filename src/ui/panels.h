@@ -44,12 +44,6 @@ void panel_views(const Context& ui);
 void panel_vertex(const Context& ui);    ///< the vertex inspector
 void vertex_overlay(const Context& ui);  ///< its terms, in the view
 void split_overlay(const Context& ui);
-/// Sizes of the background list at some moment.
-struct DrawnBefore {
-  int vertices, indices, first;
-};
-/// Copies everything drawn since then to the other views.
-void repeat_in_views(const Context& ui, const DrawnBefore& before);
 void panel_display(const Context& ui);
 void status_bar(const Context& ui);
 void file_panel(const Context& ui);

@@ -86,7 +86,7 @@ std::string fitting(std::string text, float width) {
 }
 
 std::string numbers_text(const scene::Workspace& w) {
-  const auto median = w.stats.median();
+  const auto median = w.split.views[0].stats.median();
   const std::string frame = median ? milliseconds(median->frame) + " a frame" : "";
   const std::string kernel = w.about.kernel.empty() ? "" : "kernel " + w.about.kernel;
   return frame + (frame.empty() || kernel.empty() ? "" : "   ") + kernel;

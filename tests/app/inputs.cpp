@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <optional>
 #include <string>
 
 #include "base/error.h"
@@ -29,12 +28,7 @@ Inputs parsed(Use use, const std::string& arguments) {
 
 // The error message; empty if the arguments are valid.
 std::string refusal(Use use, const std::string& arguments) {
-  try {
-    parsed(use, arguments);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return {};
+  return test::problem_of([&] { parsed(use, arguments); });
 }
 
 }  // namespace

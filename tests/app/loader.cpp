@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -15,10 +14,10 @@ using What = scene::OpenRequest::What;
 
 namespace {
 
-using Result = app::Loader::Job::Result;
+using Result = app::Loader::Result;
 
 Result loaded(app::Loader& loader, const scene::OpenRequest& request, const scene::Document& current = {}) {
-  loader.start(request, current);
+  app::start_loading(loader, request, current);
   auto result = loader.poll(true);
   REQUIRE(result);
   return *std::move(result);
@@ -33,19 +32,12 @@ scene::Document opened(app::Loader& loader, const scene::OpenRequest& request) {
 
 }  // namespace
 
-TEST_CASE("a_loader_that_was_given_nothing_is_idle") {
-  app::Loader loader;
-  CHECK_FALSE(loader.running());
-  CHECK_FALSE(loader.state().running);
-  CHECK_FALSE(loader.was_binding());
-  CHECK_FALSE(loader.poll(true));
-  loader.stop();
-}
-
 TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   const test::CubeFiles files;
   app::Loader loader;
-  loader.start({What::model, {files.model, files.cage}}, {});
+  CHECK_FALSE(loader.poll(true));
+  app::start_loading(loader, {What::model, {files.cage}}, {});
+  app::start_loading(loader, {What::model, {files.model, files.cage}}, {});  // replaces the first request
   CHECK(loader.running());
   CHECK(loader.state().running);
   const auto result = loader.poll(true);
@@ -55,7 +47,6 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   CHECK(document.model.path == files.model);
   CHECK(result->value->shading.surface == document.model.surface);
   CHECK(result->value->bound.binds(document));
-  CHECK(loader.was_binding());
   CHECK_FALSE(loader.running());
   CHECK_FALSE(loader.state().running);
   CHECK_FALSE(loader.poll(true));
@@ -68,7 +59,6 @@ TEST_CASE("only_changes_are_derived_again") {
   REQUIRE(model.value);
   CHECK(model.value->shading.surface);
   CHECK_FALSE(model.value->bound.binding);
-  CHECK_FALSE(loader.was_binding());
 
   const Result cage = loaded(loader, {What::cage, {files.cage}}, *model.value->opened.document);
   REQUIRE(cage.value);
@@ -113,18 +103,6 @@ TEST_CASE("files_that_cannot_be_opened_are_a_problem_that_names_them") {
   }
 }
 
-TEST_CASE("another_request_takes_the_place_of_the_first") {
-  const test::CubeFiles files;
-  app::Loader loader;
-  loader.start({What::model, {files.model, files.cage}}, {});
-  loader.start({What::model, {files.cage}}, {});
-  const auto result = loader.poll(true);
-  REQUIRE(result);
-  REQUIRE(result->value);
-  CHECK(result->value->opened.document->model.path == files.cage);
-  CHECK_FALSE(loader.poll(true));
-}
-
 TEST_CASE("cancelled_reading_shows_a_message") {
   const test::TemporaryFolder folder;
   std::string text;
@@ -135,7 +113,7 @@ TEST_CASE("cancelled_reading_shows_a_message") {
     REQUIRE(lines < 5'000'000);
     while (text.size() < 30 * lines) text += "v 0.123456789 1 2\nv 1 0 0.5\n";
     test::put_file(folder / "large.obj", text + "f 1 2 3\n");
-    loader.start({What::model, {folder / "large.obj"}}, {});
+    app::start_loading(loader, {What::model, {folder / "large.obj"}}, {});
     CHECK(loader.state().what == "Reading large.obj");
     loader.stop();
     const auto result = loader.poll(true);

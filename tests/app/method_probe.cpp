@@ -1,4 +1,4 @@
-#include "app/method_timer.h"
+#include "app/analysis.h"
 
 #include <doctest/doctest.h>
 
@@ -21,23 +21,13 @@ Matrices some_matrices(int count) {
   return matrices;
 }
 
-scene::MethodStats probed(const Matrices& matrices) {
-  app::MethodProbe probe;
-  REQUIRE(probe.ready());
-  probe.offer(matrices);
-  CHECK_FALSE(probe.ready());
-  const auto stats = probe.poll(true);
-  REQUIRE(stats);
-  CHECK_FALSE(probe.poll());
-  return *stats;
-}
-
 }  // namespace
 
 TEST_CASE("every_method_is_measured_by_its_own_errors") {
   const Matrices matrices = some_matrices(101);
   const auto stats = app::measure_methods(matrices);
   CHECK(stats.matrices == 101);
+  CHECK(app::measure_methods({}).matrices == 0);
   for (std::size_t m = 0; m < scene::compared_methods.size(); ++m) {
     std::vector<double> errors;
     for (const auto& s : matrices)
@@ -49,11 +39,6 @@ TEST_CASE("every_method_is_measured_by_its_own_errors") {
   }
 }
 
-TEST_CASE("no_matrices_give_no_measurement") {
-  CHECK(app::measure_methods({}).matrices == 0);
-  CHECK(probed({}).matrices == 0);
-}
-
 TEST_CASE("a_nan_result_makes_both_errors_nan") {
   Matrices matrices = some_matrices(3);
   matrices[1].xx = std::numeric_limits<double>::quiet_NaN();
@@ -61,23 +46,4 @@ TEST_CASE("a_nan_result_makes_both_errors_nan") {
     CHECK(std::isnan(sample.worst_error));
     CHECK(std::isnan(sample.median_error));
   }
-}
-
-TEST_CASE("a_probe_takes_all_of_few_matrices_and_an_even_sample_of_many") {
-  CHECK(probed(some_matrices(1)).matrices == 1);
-  CHECK(probed(some_matrices(app::probe_limit)).matrices == app::probe_limit);
-  for (const bool in_sample : {true, false}) {  // one of two neighbours near the end is in the sample
-    Matrices matrices = some_matrices(2 * app::probe_limit);
-    matrices[matrices.size() - (in_sample ? 2 : 1)].xx = std::numeric_limits<double>::quiet_NaN();
-    const auto stats = probed(matrices);
-    CHECK(stats.matrices == app::probe_limit);
-    CHECK(std::isnan(stats.samples[0].worst_error) == in_sample);
-  }
-}
-
-TEST_CASE("a_probe_that_was_offered_nothing_has_no_result") {
-  app::MethodProbe probe;
-  CHECK(probe.ready());
-  CHECK_FALSE(probe.has_result());
-  CHECK_FALSE(probe.poll());
 }

@@ -18,15 +18,6 @@ using app::Content;
 
 namespace fs = std::filesystem;
 
-TEST_CASE("a_new_file_and_an_empty_one_may_be_written") {
-  const test::TemporaryFolder files;
-  CHECK_NOTHROW(check_output({}, Content::json, {}, false));
-  CHECK_NOTHROW(check_output(files / "new.png", Content::picture, {}, false));
-  test::put_file(files / "empty.png", "");
-  CHECK_NOTHROW(check_output(files / "empty.png", Content::picture, {}, false));
-  CHECK_FALSE(fs::exists(files / "new.png"));
-}
-
 TEST_CASE("an_input_is_written_over_only_by_force_whatever_it_is_called") {
   const test::TemporaryFolder files;
   test::put_file(files / "a.obj", "v 0 0 0\n");
@@ -43,15 +34,40 @@ TEST_CASE("an_input_is_written_over_only_by_force_whatever_it_is_called") {
 
 TEST_CASE("a_result_takes_the_place_of_its_kind_only") {
   const test::TemporaryFolder files;
-  test::put_file(files / "picture.png", "\x89PNG\r\n\x1a\nrest");
+  const std::string pc2("POINTCACHE2\0\1\0\0\0\1\0\0\0\0\0\0\0\0\0\x80?\1\0\0\0", 32);
+  const struct {
+    const char* name;
+    std::string bytes;
+    Content content;
+    bool allowed;
+  } rows[] = {
+      {"a.png", "", Content::picture, true},
+      {"a.png", "\x89PNG\r\n\x1a\nrest", Content::picture, true},
+      {"a.png", "\x89PNG\r\n\x1a\nrest", Content::json, false},
+      {"a.png", "Dear all", Content::picture, false},
+      {"a.png", "Dear all", Content::svg, false},
+      {"a.svg", "<svg xmlns=''/>", Content::svg, true},
+      {"a.svg", "<?xml version='1.0'?>\n<svg/>", Content::svg, true},
+      {"a.svg", "<!-- a -->\n <svg/>", Content::svg, true},
+      {"a.viete", "Dear all", Content::session, false},
+      {"a.viete", R"({"format": "viete session", "version": 1, "model": "a.obj"})", Content::session, true},
+      {"a.mdd", std::string("\0\0\0\1\0\0\0\1", 8) + std::string(16, '\0'), Content::animation, true},
+      {"a.pc2", pc2 + std::string(12, '\0'), Content::animation, true}};
+  for (const auto& [name, bytes, content, allowed] : rows) {
+    CAPTURE(bytes);
+    test::put_file(files / name, bytes);
+    const std::string problem = test::problem_of([&] { check_output(files / name, content, {}, false); });
+    CHECK(problem.empty() == allowed);
+    CHECK_NOTHROW(check_output(files / name, content, {}, true));
+  }
+  CHECK_NOTHROW(check_output({}, Content::json, {}, false));
+  CHECK_NOTHROW(check_output(files / "new.png", Content::picture, {}, false));
+  CHECK_FALSE(fs::exists(files / "new.png"));
   test::put_file(files / "letter.png", "Dear all");
-  CHECK_NOTHROW(check_output(files / "picture.png", Content::picture, {}, false));
   CHECK_THROWS_WITH_AS(
       check_output(files / "letter.png", Content::picture, {}, false),
       doctest::Contains("letter.png: this file is text, not a PNG picture, and would be replaced"),
       base::Error);
-  CHECK_THROWS_AS(check_output(files / "picture.png", Content::json, {}, false), base::Error);
-  CHECK_NOTHROW(check_output(files / "letter.png", Content::picture, {}, true));
 }
 
 TEST_CASE("files_of_others_are_kept_whatever_their_name_is") {
@@ -112,18 +128,6 @@ TEST_CASE("a_surface_takes_the_place_of_one_in_the_same_format_only") {
   }
 }
 
-TEST_CASE("animations_take_the_place_of_their_kind") {
-  const test::TemporaryFolder files;
-  const std::pair<std::string, std::string> contents[] = {
-      {"mdd", std::string("\0\0\0\1\0\0\0\1", 8) + std::string(16, '\0')},
-      {"pc2",
-       std::string("POINTCACHE2\0\1\0\0\0\1\0\0\0\0\0\0\0\0\0\x80?\1\0\0\0", 32) + std::string(12, '\0')}};
-  for (const auto& [ending, bytes] : contents) {
-    test::put_file(files / ("a." + ending), bytes);
-    CHECK_NOTHROW(check_output(files / ("a." + ending), Content::animation, {}, scene::Force::none));
-  }
-}
-
 TEST_CASE("a_refusal_names_the_files_kind_and_another_name") {
   const test::TemporaryFolder files;
   test::put_file(files / "a.obj", "v 0 0 0\n");
@@ -158,13 +162,4 @@ TEST_CASE("a_numbered_result_never_overwrites_an_input") {
   }
   CHECK_NOTHROW(check_output(pattern, scene::FrameSteps{}, in_use, scene::Force::none));
   CHECK_THROWS_AS(check_output(files / "f_07.obj", {1, 10}, in_use, scene::Force::offered), base::Error);
-}
-
-TEST_CASE("a_session_takes_the_place_of_a_session_only") {
-  const test::TemporaryFolder files;
-  test::put_file(files / "letter.viete", "Dear all");
-  test::put_file(files / "old.viete", R"({"format": "viete session", "version": 1, "model": "a.obj"})");
-  CHECK_THROWS_WITH_AS(check_output(files / "letter.viete", Content::session, {}, false),
-                       doctest::Contains("this file is text, not a session"), base::Error);
-  CHECK_NOTHROW(check_output(files / "old.viete", Content::session, {}, false));
 }

@@ -15,12 +15,7 @@ using base::ChildProgram;
 namespace {
 
 std::string problem_of(const std::vector<std::string>& words) {
-  try {
-    ChildProgram(words, "install it").finish();
-  } catch (const base::Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::problem_of([&] { ChildProgram(words, "install it").finish(); });
 }
 
 }  // namespace

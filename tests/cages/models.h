@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "mesh/shapes.h"
-#include "support/longer.h"
+#include "support/skip.h"
 
 namespace viete::test {
 

@@ -5,7 +5,7 @@
 #include "mesh/formats/write.h"
 #include "mesh/gltf_judge.h"
 #include "mesh/shapes.h"
-#include "support/full_disk.h"
+#include "support/folder.h"
 #include "support/gltf.h"
 
 using namespace viete;

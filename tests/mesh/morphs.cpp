@@ -6,7 +6,7 @@
 #include "mesh/gltf_judge.h"
 #include "mesh/morph_keys.h"
 #include "mesh/shapes.h"
-#include "support/full_disk.h"
+#include "support/folder.h"
 #include "support/gltf.h"
 
 using namespace viete;

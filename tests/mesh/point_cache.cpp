@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "mesh/shapes.h"
 #include "support/folder.h"
-#include "support/full_disk.h"
 
 using namespace viete;
 using namespace viete::mesh;

@@ -49,7 +49,7 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   CHECK(d.workspace().view.field == lab::Field::exp_error);
   d.settle();
   const Shown exact = shown(d, empty);
-  const auto& map = d.workspace().field.stats;
+  const auto& map = d.workspace().split.views[0].shown.stats;
   CHECK(map.vertices == 50000);
   CHECK(map.method == sym3::Method::fast);
   CHECK(map.most < -14);
@@ -80,7 +80,7 @@ TEST_CASE("the_map_follows_a_drag_and_is_hidden_for_deformers_without_exponentia
   d.workspace().view.cage = true;
   d.workspace().view.field = lab::Field::exp_error;
   d.settle();
-  const auto before = d.workspace().field.stats.most;
+  const auto before = d.workspace().split.views[0].shown.stats.most;
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(150, 60));
   d.settle();
@@ -97,18 +97,19 @@ TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_th
   options.probe = true;
   Driver d(options);
   open_posed_dragon(d);
-  CHECK(d.until([&] { return d.workspace().fused_error > 0 && d.workspace().methods.matrices > 0; }));
+  CHECK(d.until(
+      [&] { return d.workspace().split.views[0].fused_error > 0 && d.workspace().methods.matrices > 0; }));
   CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
 
   d.click("toggle_same_path");
   CHECK(d.until([&] { return d.viewer().deformer()->ran() == EngineKind::staged; }));
   d.frame();
   CHECK(d.document().method == sym3::Method::fast);
-  CHECK(d.workspace().fused_error == 0);
+  CHECK(d.workspace().split.views[0].fused_error == 0);
   CHECK(d.viewer().deformer()->times()[deform::Link::blend] > 0);
 
   d.click("toggle_same_path");
   d.settle();
   CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
-  CHECK(d.until([&] { return d.workspace().fused_error > 0; }));
+  CHECK(d.until([&] { return d.workspace().split.views[0].fused_error > 0; }));
 }

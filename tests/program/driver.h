@@ -121,7 +121,7 @@ public:
     if (ctrl) key(left_ctrl, false);
   }
   void press_key(scene::Key k, bool ctrl = false, bool shift = false, bool alt = false) {
-    press_key(ui::key_code(k), ctrl, shift, alt);
+    press_key(static_cast<int>(k), ctrl, shift, alt);
   }
 
   void click(glm::vec2 at, int b = 0) {

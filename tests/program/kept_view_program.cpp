@@ -4,7 +4,7 @@
 #include "program/small_scene.h"
 #include "scene/hand/cursor_projection.h"
 #include "support/commands.h"
-#include "support/longer.h"
+#include "support/skip.h"
 #include "support/pictures.h"
 
 using namespace viete;

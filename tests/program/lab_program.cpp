@@ -9,7 +9,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 
@@ -43,7 +43,7 @@ double apart(Driver& d, const std::vector<mesh::Point>& a, const std::vector<mes
 
 // The distance of a view's vertices from the result in double.
 double error_of_side(Driver& d, std::size_t side) {
-  const auto& view = d.workspace().split.sides[side];
+  const auto& view = d.workspace().split.sides()[side];
   base::WorkerPool pool;
   const auto exact = deform::deform_exactly(*d.document().model.surface, d.document().cage, view.scheme,
                                             d.document().pose, view.method, pool)
@@ -79,7 +79,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
     std::string word(choice.word);
     std::ranges::replace(word, '-', '_');
     choose_map(d, word.c_str());
-    const auto& map = d.workspace().field;
+    const auto& map = d.workspace().split.views[0].shown;
     REQUIRE(map.values);
     CHECK(map.values->size() == d.document().model.surface->positions.size());
     CHECK(map.stats.field == d.workspace().view.field);
@@ -91,21 +91,21 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
   choose_map(d, "none");
   d.move({1, 1});
   d.settle();
-  CHECK(d.workspace().field.values == nullptr);
+  CHECK(d.workspace().split.views[0].shown.values == nullptr);
 }
 
 TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   Driver d;
   d.open_dragon();
   choose_map(d, "displacement");
-  CHECK(d.workspace().field.stats.most < 1e-6);
+  CHECK(d.workspace().split.views[0].shown.stats.most < 1e-6);
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.press_and_move(at, at + glm::vec2(120, 40));
-  const double dragged = d.workspace().field.stats.most;  // while the mouse is down
+  const double dragged = d.workspace().split.views[0].shown.stats.most;  // while the mouse is down
   CHECK(dragged > 0.01);
   d.button(0, false);
   d.settle();
-  const auto stats = d.workspace().field.stats;
+  const auto stats = d.workspace().split.views[0].shown.stats;
   d.click("hold_map_range");
   d.press_key('Z', true);
   d.settle();
@@ -114,7 +114,7 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   d.click("hold_map_range");
   d.press_key('Z', true, true);
   d.settle();
-  CHECK(d.workspace().field.stats.high == stats.high);
+  CHECK(d.workspace().split.views[0].shown.stats.high == stats.high);
   // The worst vertex is centered and near.
   d.click("frame_worst");
   d.settle();
@@ -127,19 +127,19 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
   Driver d;
   d.open_dragon("", test::bundled_dragon);
   choose_map(d, "influence");
-  CHECK(d.workspace().field.stats.most == 0);
+  CHECK(d.workspace().split.views[0].shown.stats.most == 0);
   d.press_key('A');
   d.settle();
-  CHECK(d.workspace().field.stats.least == doctest::Approx(1).epsilon(1e-3));
-  CHECK(d.workspace().field.stats.most == doctest::Approx(1).epsilon(1e-3));
+  CHECK(d.workspace().split.views[0].shown.stats.least == doctest::Approx(1).epsilon(1e-3));
+  CHECK(d.workspace().split.views[0].shown.stats.most == doctest::Approx(1).epsilon(1e-3));
   // Two pins that hold: at one the influence is 1, at the other 0.
   scene::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[100]);
   scene::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[40000]);
   d.settle();
-  const auto& values = *d.workspace().field.values;
+  const auto& values = *d.workspace().split.views[0].shown.values;
   CHECK(double(values[40000]) == doctest::Approx(1).epsilon(1e-3));
   CHECK(std::abs(values[100]) < 1e-3);
-  CHECK(d.workspace().field.stats.least > -0.5);
+  CHECK(d.workspace().split.views[0].shown.stats.least > -0.5);
 }
 
 TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
@@ -151,9 +151,9 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.click("views_4");
   d.settle();
   auto& split = d.workspace().split;
-  REQUIRE(split.sides.size() == 3);
+  REQUIRE(split.sides().size() == 3);
   std::set<std::string_view> ways;
-  for (const auto& side : split.sides) {
+  for (const auto& side : split.sides()) {
     CHECK(side.problem.empty());
     const auto way = deform::way_of(side.scheme);
     REQUIRE(way);
@@ -183,7 +183,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
   d.click("views_1");
   d.settle();
-  CHECK(split.sides.empty());
+  CHECK(split.sides().empty());
   CHECK(d.workspace().viewport.pane_size == glm::vec2(1, 1));
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   scene::find_command("pick_worst")->run(d.workspace());
   d.settle();
   const auto& view = d.workspace().vertex;
-  REQUIRE(view.vertex == d.workspace().field.stats.worst);
+  REQUIRE(view.vertex == d.workspace().split.views[0].shown.stats.worst);
   REQUIRE(view.has_logs);
   double sum = 0;
   for (const auto& term : view.terms) sum += term.weight;
@@ -272,7 +272,8 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   CHECK(volume == doctest::Approx(std::exp(last[0] + last[1] + last[2])).epsilon(1e-9));
   REQUIRE(view.ways.size() == 4);
   for (const auto& way : view.ways) CHECK(way.error < 1e-12);
-  CHECK(view.ways[3].error == doctest::Approx(std::pow(10, d.workspace().field.stats.most)).epsilon(0.2));
+  CHECK(view.ways[3].error ==
+        doctest::Approx(std::pow(10, d.workspace().split.views[0].shown.stats.most)).epsilon(0.2));
   CHECK(view.ways[3].route.starts_with("degree 21"));
   const auto before = d.picture();
   d.click("drop_vertex");
@@ -309,7 +310,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   REQUIRE(scene::set_weight(d.document(), d.workspace().playback.vectors, 0, 0.5));
   d.settle();
   scene::split_view(d.workspace(), 2);
-  auto& side = d.workspace().split.sides[0];
+  auto& side = d.workspace().split.sides()[0];
   side.scheme = d.document().scheme;
   side.other_blending = true;
   d.settle();
@@ -331,8 +332,8 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   d.workspace().view.field = Field::influence;
   d.document().selection = scene::Selection(scene::ElementKind::probe);
   d.settle();
-  CHECK(d.workspace().field.stats.most == 0);
-  CHECK(d.workspace().field.problem.empty());
+  CHECK(d.workspace().split.views[0].shown.stats.most == 0);
+  CHECK(d.workspace().split.views[0].shown.problem.empty());
   // A pin of a missing vertex cannot be reached from any triangle.
   scene::Document& document = d.document();
   mesh::Surface loose = *document.model.surface;
@@ -343,8 +344,8 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   scene::add_pin(document, d.workspace().posed, {0, 0, 0});
   document.changed_probes().all[0].pin = deform::Pin{static_cast<std::uint32_t>(loose.positions.size() - 1)};
   d.settle();
-  CHECK_FALSE(d.workspace().field.problem.empty());
-  CHECK(d.workspace().field.values == nullptr);
+  CHECK_FALSE(d.workspace().split.views[0].shown.problem.empty());
+  CHECK(d.workspace().split.views[0].shown.values == nullptr);
 }
 
 TEST_CASE("while_the_cage_itself_is_changed_all_views_stay_at_rest") {

@@ -41,13 +41,13 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     if (!sees_loading_bar(d)) continue;
     CHECK(d.workspace().loading.what == "Reading large.obj");
     CHECK(d.document().model.surface.get() == surface);
-    d.viewer().input().push(platform::InputEvent::key(ui::key_code(scene::Key::escape), true));
-    d.viewer().input().push(platform::InputEvent::key(ui::key_code(scene::Key::escape), false));
+    d.viewer().input().push(platform::InputEvent::key(static_cast<int>(scene::Key::escape), true));
+    d.viewer().input().push(platform::InputEvent::key(static_cast<int>(scene::Key::escape), false));
     REQUIRE(d.until([&] { return !d.viewer().loading(); }));
     if (d.document().model.surface.get() == surface) break;
   }
   CHECK(test::edit_count(d.document().history) == 1);
-  CHECK(d.workspace().messages.all().back().text.find("Cancelled reading") != std::string::npos);
+  CHECK(d.workspace().messages.all().back().text.find("Cancelled opening") != std::string::npos);
 
   double furthest = 0;
   for (int i = 0; i < 20 && furthest <= 0.1; ++i) {  // it may be read between two frames

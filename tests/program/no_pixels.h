@@ -12,8 +12,6 @@ namespace viete::test {
 /// Accepts all GL calls. Reading a pixel throws.
 class NoPixels final : public platform::OffscreenContext {
 public:
-  std::string name() const override { return "no pixels"; }
-  void make_current() override {}
   render::Proc get_proc_address(const char* name) const override {
     if (const render::Proc answer = answering(name)) return answer;
 #define X(function) \

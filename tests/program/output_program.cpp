@@ -71,7 +71,7 @@ TEST_CASE("dependencies_and_key_files_are_not_overwritten") {
         std::string("render other.obj m_05.obj -o skin_0003.png"), animate + "k.pc2 -o k.pc2",
         animate + "k.mdd -o ./k.mdd", animate + "k.glb -o link.glb", animate + "p_#.obj -o p_#.obj",
         animate + "p_1.obj -o p_#.obj --frames 5-20", animate + "p_#.obj -o p_#.obj --force",
-        animate + "p_#.obj -o m_##.obj", animate + "p_#.obj -o m_%02d.obj --force",
+        animate + "p_#.obj -o m_##.obj", animate + "p_#.obj -o m_##.obj --force",
         animate + "p_#.obj -o skin_####.png --size 64x48"}) {
     fs::copy_file(files / "cage.obj", files / "other.obj", fs::copy_options::overwrite_existing);
     const Outcome outcome = files.run(line);

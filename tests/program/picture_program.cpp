@@ -231,12 +231,12 @@ void put_numbers(Driver& d) {
                                {{0.01, 0.02, 20, 5.6, 1.2, 0, 0, 0, 0, 0, 0.1}},
                                {{0.01, 0.02, 0, 0, 0, 0.05, 0.2, 0, 0, 0, 0.1}}}},
                     .measured = true};
-  w.stats.clear();
-  w.stats.add({.links = {{0.01, 0.02, 0.03, 0.04, 0.05, 0.2, 0.1}},
-               .upload = 0.3,
-               .draw = 2,
-               .panels = 0.4,
-               .frame = 3.5});
+  w.split.views[0].stats.clear();
+  w.split.views[0].stats.add({.links = {{0.01, 0.02, 0.03, 0.04, 0.05, 0.2, 0.1}},
+                              .upload = 0.3,
+                              .draw = 2,
+                              .panels = 0.4,
+                              .frame = 3.5});
   d.frame(2);
 }
 

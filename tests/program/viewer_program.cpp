@@ -306,6 +306,6 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);
-    CHECK(d.until([&] { return d.workspace().fused_error == error; }));
+    CHECK(d.until([&] { return d.workspace().split.views[0].fused_error == error; }));
   }
 }

@@ -36,17 +36,14 @@ TEST_CASE("top_row_of_the_picture_comes_first") {
   CHECK(image.pixel(5, 10)[0] == 0);
 }
 
-TEST_CASE("samples_are_clamped_to_what_the_driver_has") {
+TEST_CASE("size_and_samples_can_change_up_to_what_the_driver_has") {
   test::Stage stage;
   stage.framebuffer.begin({64, 64}, 1000);
   CHECK(stage.framebuffer.samples() == (stage.gl.max_samples >= 2 ? stage.gl.max_samples : 0));
   stage.framebuffer.begin({64, 64}, 1);
   CHECK(stage.framebuffer.samples() == 0);
   CHECK_NOTHROW(render::check_gl(stage.gl, "samples"));
-}
-
-TEST_CASE("size_can_change_between_frames") {
-  test::Stage stage;
+  CHECK_THROWS_AS(stage.framebuffer.begin({1 << 20, 16}, 0), base::Error);
   for (const glm::ivec2 size :
        {glm::ivec2(1, 1), glm::ivec2(333, 77), glm::ivec2(64, 64), glm::ivec2(0, -5)}) {
     stage.view.size = size;
@@ -57,42 +54,23 @@ TEST_CASE("size_can_change_between_frames") {
   }
 }
 
-TEST_CASE("too_large_picture_is_rejected_and_the_next_one_works") {
-  test::Stage stage;
-  CHECK_THROWS_AS(stage.framebuffer.begin({1 << 20, 16}, 0), base::Error);
-  CHECK(stage.picture([&] { clear(stage.gl, 0, 0, 1, 1); }).pixel(0, 0)[2] == 255);
-}
-
-TEST_CASE("drawing_after_resolve_is_in_the_picture") {
-  test::Stage stage;
-  stage.framebuffer.begin(stage.view.size, 4);
-  clear(stage.gl, 1, 0, 0, 1);
-  stage.framebuffer.resolve();
-  stage.gl.Enable(GL_SCISSOR_TEST);
-  stage.gl.Scissor(0, 0, 10, 10);
-  clear(stage.gl, 0, 0, 1, 1);
-  stage.gl.Disable(GL_SCISSOR_TEST);
-  const render::Image image = stage.framebuffer.read();
-  CHECK(image.pixel(5, 195) == render::Rgba8{0, 0, 255, 255});
-  CHECK(image.pixel(5, 5) == render::Rgba8{255, 0, 0, 255});
-}
-
 TEST_CASE("begin_with_stretches_another_picture_without_changing_it") {
   test::Stage stage;
-  const render::Image small = stage.picture([&] {
-    clear(stage.gl, 0, 1, 0, 1);
+  const auto fill = [&](int width, int height, float red, float blue) {
     stage.gl.Enable(GL_SCISSOR_TEST);
-    stage.gl.Scissor(0, 0, 160, 200);
-    clear(stage.gl, 1, 0, 0, 1);
+    stage.gl.Scissor(0, 0, width, height);
+    clear(stage.gl, red, 0, blue, 1);
     stage.gl.Disable(GL_SCISSOR_TEST);
-  });
+  };
+  const auto draw = [&] {
+    clear(stage.gl, 0, 1, 0, 1);
+    fill(160, 200, 1, 0);
+  };
+  const render::Image small = stage.picture(draw, 4);
   render::Framebuffer whole(stage.gl);
   for (const int factor : {1, 2}) {
     whole.begin_with(stage.framebuffer, factor * stage.view.size);
-    stage.gl.Enable(GL_SCISSOR_TEST);
-    stage.gl.Scissor(0, 0, 10, 10);
-    clear(stage.gl, 0, 0, 1, 1);
-    stage.gl.Disable(GL_SCISSOR_TEST);
+    fill(10, 10, 0, 1);
     const render::Image image = whole.read();
     CHECK(image.width == factor * small.width);
     CHECK(image.height == factor * small.height);

@@ -1,16 +1,60 @@
 #include "render/mark_layers.h"
+
 #include "base/error.h"
-#include "shapes.h"
+#include "render/surface_layer.h"
+#include "support/stage.h"
 
 using namespace viete;
 using test::Point;
 
+namespace {
+
+const glm::dmat4 perspective = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+
+// The brightest value of a channel in a row or column of pixels.
+int brightest(const render::Image& image, glm::ivec2 from, glm::ivec2 step, int channel) {
+  int most = 0;
+  for (int i = 0; i < 20; ++i, from += step) most = std::max<int>(most, image.pixel(from.x, from.y)[channel]);
+  return most;
+}
+
+/// A wall at x >= 0, z = 1, drawn black so that only lines and discs are visible.
+struct Wall {
+  explicit Wall(const render::Gl& gl) : surface(gl) {
+    const std::vector<Point> corners{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}};
+    const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 2, 3}};
+    surface.set_triangles(triangles, 4);
+    surface.set_positions(corners, std::vector<Point>(4, Point{0, 0, 1}));
+  }
+  void draw(const render::View& view) const {
+    render::Theme black = render::dark_theme();
+    black.exposure = 0;
+    surface.draw(view, black, {});
+  }
+  render::SurfaceLayer surface;
+};
+
+void set_line(render::LineLayer& lines, const Point& a, const Point& b,
+              const glm::vec4& color = glm::vec4(1)) {
+  const std::vector<render::Segment> segments{{0, 1}};
+  lines.set_segments(segments, 2);
+  lines.set_positions(std::vector<Point>{a, b});
+  lines.set_color(color);
+}
+
+void set_disc(render::DiscLayer& discs, const Point& at, const render::Disc& disc) {
+  discs.set_discs(std::vector<render::Disc>{disc});
+  discs.set_positions(std::vector<Point>{at});
+}
+
+}  // namespace
+
 TEST_CASE("disc_shows_its_colour_where_its_point_projects") {
   test::Stage stage;
-  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  stage.view.projection = perspective;
   render::DiscLayer discs(stage.gl);
   const Point at{2.2, 1.1, -3};
-  test::set_disc(discs, at, {glm::vec4(0.2F, 0.8F, 1, 1), 5, false});
+  set_disc(discs, at, {glm::vec4(0.2F, 0.8F, 1, 1), 5, false});
   const render::Image image = stage.picture([&] { discs.draw(stage.view, {}); });
   const glm::ivec2 middle = stage.pixel_of(at);
   CHECK(image.pixel(middle.x, middle.y) == render::Rgba8{51, 204, 255, 255});
@@ -20,7 +64,7 @@ TEST_CASE("disc_shows_its_colour_where_its_point_projects") {
 TEST_CASE("disc_covers_a_circle_of_its_radius_at_any_scale") {
   test::Stage stage;
   render::DiscLayer discs(stage.gl);
-  test::set_disc(discs, {0.02, 0.03, 0}, {glm::vec4(1), 6, false});
+  set_disc(discs, {0.02, 0.03, 0}, {glm::vec4(1), 6, false});
   for (const float scale : {1.0F, 2.0F}) {
     stage.view.scale = scale;
     const double area = test::lit_area(stage.picture([&] { discs.draw(stage.view, {}); }));
@@ -28,63 +72,31 @@ TEST_CASE("disc_covers_a_circle_of_its_radius_at_any_scale") {
   }
 }
 
-TEST_CASE("ring_is_drawn_around_the_disc_with_a_gap") {
+TEST_CASE("ring_is_around_the_disc_with_a_gap_and_as_strong_if_the_disc_is_hidden") {
   test::Stage stage;
+  const Wall wall(stage.gl);
   render::DiscLayer discs(stage.gl);
-  test::set_disc(discs, {0.05, 0.05, 0}, {glm::vec4(1, 0, 0, 1), 5, true});
   render::DiscStyle style;
   style.ring = glm::vec3(0, 1, 0);
-  const render::Image image = stage.picture([&] { discs.draw(stage.view, style); });
-  int green = 0;
-  for (int x = 160; x < 180; ++x) green = std::max<int>(green, image.pixel(x, 100)[1]);
-  CHECK(green > 200);
-  CHECK(image.pixel(160, 100)[1] == 0);
+  for (const int x : {-5, 5}) {
+    set_disc(discs, {double(x), 0, -2}, {glm::vec4(1, 0, 0, 1), 6, true});
+    const render::Image image = stage.picture([&] {
+      wall.draw(stage.view);
+      discs.draw(stage.view, style);
+    });
+    const int middle = 160 + 10 * x;
+    CHECK((image.pixel(middle, 100)[0] < 128) == (x > 0));
+    CHECK(image.pixel(middle, 100)[1] == 0);
+    CHECK(brightest(image, {middle, 100}, {1, 0}, 1) > 200);
+  }
 }
 
-TEST_CASE("hidden_disc_is_fainter_than_a_visible_one") {
+TEST_CASE("a_disc_behind_the_eye_is_not_drawn_and_their_number_must_match") {
   test::Stage stage;
-  const test::Wall wall(stage.gl);
+  stage.view.projection = perspective;
   render::DiscLayer discs(stage.gl);
-  discs.set_discs(std::vector<render::Disc>(2, render::Disc{glm::vec4(1), 6, false}));
-  discs.set_positions(std::vector<Point>{{-5, 0, -2}, {5, 0, -2}});
-  const render::Image image = stage.picture([&] {
-    wall.draw(stage.view);
-    discs.draw(stage.view, {});
-  });
-  CHECK(image.pixel(110, 100)[0] == 255);
-  CHECK(image.pixel(210, 100)[0] > 40);
-  CHECK(image.pixel(210, 100)[0] < 128);
-}
-
-TEST_CASE("ring_is_as_strong_around_a_hidden_disc") {
-  test::Stage stage;
-  const test::Wall wall(stage.gl);
-  render::DiscLayer discs(stage.gl);
-  test::set_disc(discs, {5, 0, -2}, {glm::vec4(1, 0, 0, 1), 6, true});
-  render::DiscStyle style;
-  style.ring = glm::vec3(0, 1, 0);
-  const render::Image image = stage.picture([&] {
-    wall.draw(stage.view);
-    discs.draw(stage.view, style);
-  });
-  CHECK(image.pixel(210, 100)[0] < 128);
-  int green = 0;
-  for (int x = 210; x < 230; ++x) green = std::max<int>(green, image.pixel(x, 100)[1]);
-  CHECK(green > 200);
-}
-
-TEST_CASE("disc_behind_the_eye_is_not_drawn") {
-  test::Stage stage;
-  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
-  render::DiscLayer discs(stage.gl);
-  test::set_disc(discs, {0, 0, 15}, {});
+  set_disc(discs, {0, 0, 15}, {});
   CHECK(test::count_not_black(stage.picture([&] { discs.draw(stage.view, {}); })) == 0);
-}
-
-TEST_CASE("disc_and_position_counts_must_match") {
-  test::Stage stage;
-  render::DiscLayer discs(stage.gl);
-  discs.set_discs(std::vector<render::Disc>(2));
   discs.set_positions(std::vector<Point>(3));
   CHECK_THROWS_AS(discs.draw(stage.view, {}), base::Error);
 }
@@ -92,7 +104,7 @@ TEST_CASE("disc_and_position_counts_must_match") {
 TEST_CASE("line_has_the_asked_width_at_any_scale") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {-10, 0.03, 0}, {10, 0.03, 0});
+  set_line(lines, {-10, 0.03, 0}, {10, 0.03, 0});
   for (const float scale : {1.0F, 2.0F}) {
     stage.view.scale = scale;
     render::LineStyle style;
@@ -103,27 +115,34 @@ TEST_CASE("line_has_the_asked_width_at_any_scale") {
   }
 }
 
-TEST_CASE("hidden_part_of_a_line_is_fainter_than_the_visible_part") {
+TEST_CASE("hidden_parts_are_fainter_than_visible_ones") {
   test::Stage stage;
-  const test::Wall wall(stage.gl);
+  const Wall wall(stage.gl);
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {-12, 0, 0}, {12, 0, 0});
+  set_line(lines, {-12, 4, 0}, {12, 4, 0});
+  render::DiscLayer discs(stage.gl);
+  discs.set_discs(std::vector<render::Disc>(2, render::Disc{glm::vec4(1), 6, false}));
+  discs.set_positions(std::vector<Point>{{-5, 0, -2}, {5, 0, -2}});
   render::LineStyle style;
   style.width = 4;
   style.hidden_opacity = 0.25F;
   const render::Image image = stage.picture([&] {
     wall.draw(stage.view);
     lines.draw(stage.view, style);
+    discs.draw(stage.view, {});
   });
-  CHECK(image.pixel(100, 100)[0] == 255);
-  CHECK(image.pixel(220, 100)[0] == doctest::Approx(64).epsilon(0.05));
+  CHECK(image.pixel(100, 60)[0] == 255);
+  CHECK(image.pixel(220, 60)[0] == doctest::Approx(64).epsilon(0.05));
+  CHECK(image.pixel(110, 100)[0] == 255);
+  CHECK(image.pixel(210, 100)[0] > 40);
+  CHECK(image.pixel(210, 100)[0] < 128);
 }
 
 TEST_CASE("line_that_lies_on_a_surface_is_visible") {
   test::Stage stage;
-  const test::Wall wall(stage.gl);
+  const Wall wall(stage.gl);
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {2, -5, 1}, {12, 7, 1});
+  set_line(lines, {2, -5, 1}, {12, 7, 1});
   render::LineStyle style;
   style.width = 4;
   const render::Image image = stage.picture([&] {
@@ -136,28 +155,36 @@ TEST_CASE("line_that_lies_on_a_surface_is_visible") {
 
 TEST_CASE("line_through_the_near_plane_is_cut_there") {
   test::Stage stage;
-  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  stage.view.projection = perspective;
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
+  set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
   const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
   CHECK(image.pixel(160, 195)[0] > 0);  // reaches the lower border
   for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);
-  test::set_line(lines, {-1, -1, 20}, {1, 1, 40});  // entirely behind the eye
+  set_line(lines, {-1, -1, 20}, {1, 1, 40});  // entirely behind the eye
   CHECK(test::count_not_black(stage.picture([&] { lines.draw(stage.view, {}); })) == 0);
 }
 
-TEST_CASE("each_segment_has_its_own_colour") {
+TEST_CASE("segments_have_their_own_colours_or_interpolate_those_of_their_ends") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
   const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
   lines.set_segments(segments, 4);
   lines.set_positions(std::vector<Point>{{-10, 5, 0}, {10, 5, 0}, {-10, -5, 0}, {10, -5, 0}});
-  lines.set_colors(std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 1}});
+  const glm::vec4 red(1, 0, 0, 1), green(0, 1, 0, 1), blue(0, 0, 1, 1);
+  lines.set_colors(std::vector<glm::vec4>{red, green});
   render::LineStyle style;
   style.width = 4;
-  const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
-  CHECK(image.pixel(160, 50) == render::Rgba8{255, 0, 0, 255});
-  CHECK(image.pixel(160, 150) == render::Rgba8{0, 255, 0, 255});
+  const auto picture = [&] { return stage.picture([&] { lines.draw(stage.view, style); }); };
+  const render::Image each = picture();
+  CHECK(each.pixel(160, 50) == render::Rgba8{255, 0, 0, 255});
+  CHECK(each.pixel(160, 150) == render::Rgba8{0, 255, 0, 255});
+  lines.set_end_colors(std::vector<glm::vec4>{red, blue, green, green});
+  const render::Image ramp = picture();
+  CHECK(ramp.pixel(80, 50)[0] > ramp.pixel(120, 50)[0]);
+  CHECK(ramp.pixel(80, 50)[2] < ramp.pixel(120, 50)[2]);
+  CHECK(std::abs(ramp.pixel(160, 50)[0] - ramp.pixel(160, 50)[2]) < 6);
+  CHECK_THROWS(lines.set_end_colors(std::vector<glm::vec4>{red}));
 }
 
 TEST_CASE("halo_is_beside_its_line_and_under_other_lines") {
@@ -172,30 +199,10 @@ TEST_CASE("halo_is_beside_its_line_and_under_other_lines") {
   const render::Image plain = stage.picture([&] { lines.draw(stage.view, style); });
   style.halo = glm::vec4(0, 0, 1, 1);
   const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
-  const auto brightest = [](const render::Image& picture, int x, int component) {
-    int most = 0;
-    for (int y = 90; y < 110; ++y) most = std::max<int>(most, picture.pixel(x, y)[component]);
-    return most;
-  };
-  CHECK(brightest(plain, 130, 2) == 0);
-  CHECK(brightest(image, 130, 2) > 100);
-  for (int x = 130; x < 190; ++x) CHECK(brightest(image, x, 0) == brightest(plain, x, 0));
-}
-
-TEST_CASE("segment_interpolates_its_end_colours") {
-  test::Stage stage;
-  render::LineLayer lines(stage.gl);
-  const std::vector<render::Segment> segments{{0, 1}};
-  lines.set_segments(segments, 2);
-  lines.set_positions(std::vector<Point>{{-10, 0, 0}, {10, 0, 0}});
-  lines.set_end_colors(std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 0, 1, 1}});
-  render::LineStyle style;
-  style.width = 4;
-  const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
-  CHECK(image.pixel(80, 100)[0] > image.pixel(120, 100)[0]);
-  CHECK(image.pixel(80, 100)[2] < image.pixel(120, 100)[2]);
-  CHECK(std::abs(image.pixel(160, 100)[0] - image.pixel(160, 100)[2]) < 6);
-  CHECK_THROWS(lines.set_end_colors(std::vector<glm::vec4>{{1, 0, 0, 1}}));
+  CHECK(brightest(plain, {130, 90}, {0, 1}, 2) == 0);
+  CHECK(brightest(image, {130, 90}, {0, 1}, 2) > 100);
+  for (int x = 130; x < 190; ++x)
+    CHECK(brightest(image, {x, 90}, {0, 1}, 0) == brightest(plain, {x, 90}, {0, 1}, 0));
 }
 
 TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
@@ -204,7 +211,7 @@ TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
   faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
   faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises towards the viewer
   render::DiscLayer discs(stage.gl);
-  test::set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
+  set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
   render::FaceStyle untinted;
   untinted.opacity = untinted.rim = 0;
   const render::Image image = stage.picture([&] {
@@ -221,7 +228,7 @@ TEST_CASE("faces_tint_and_hide_lines_behind_them") {
   faces.set_triangles(triangles, 4);
   faces.set_positions(std::vector<Point>{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}});
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, {-12, 0, 0}, {12, 0, 0});
+  set_line(lines, {-12, 0, 0}, {12, 0, 0});
   render::FaceStyle style;
   style.opacity = 0.1F;
   render::LineStyle wide;
@@ -240,13 +247,13 @@ TEST_CASE("faces_tint_and_hide_lines_behind_them") {
 
 TEST_CASE("edges_of_faces_are_not_hidden_by_their_own_faces") {
   test::Stage stage;
-  stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
+  stage.view.projection = perspective;
   render::FaceLayer faces(stage.gl);
   const std::vector<Point> corners{{-4, -3, 2}, {4, -2, -3}, {0, 4, -1}};
   faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
   faces.set_positions(corners);
   render::LineLayer lines(stage.gl);
-  test::set_line(lines, corners[0], corners[1]);
+  set_line(lines, corners[0], corners[1]);
   render::LineStyle wide;
   wide.width = 3;
   render::FaceStyle untinted;

@@ -16,10 +16,8 @@ namespace {
 // A square of side 0.4 around (x, y) at a height.
 std::vector<glm::vec3> square(float x, float y, float height) {
   std::vector<glm::vec3> points;
-  for (int i = 0; i <= 80; ++i) {
-    for (int j = 0; j <= 80; ++j)
-      points.emplace_back(x - 0.2F + 0.005F * float(i), y - 0.2F + 0.005F * float(j), height);
-  }
+  for (int i = 0; i < 81 * 81; ++i)
+    points.emplace_back(x - 0.2F + 0.005F * float(i / 81), y - 0.2F + 0.005F * float(i % 81), height);
   return points;
 }
 
@@ -37,6 +35,7 @@ TEST_CASE("shadow_is_dark_below_contact_and_faint_below_height") {
   CHECK(at_height(0.1F) < at_height(0));
   CHECK(at_height(0.6F) < at_height(0.1F));
   CHECK(at_height(4) < 0.01);
+  CHECK(at_height(-0.3F) == 0);
 }
 
 TEST_CASE("shadow_lies_where_its_points_are_and_ends_softly_before_its_edges") {
@@ -47,10 +46,6 @@ TEST_CASE("shadow_lies_where_its_points_are_and_ends_softly_before_its_edges") {
   for (int x = 0; x < shadow.width; ++x) CHECK(shadow.darkness[x] == 0);
   for (int y = 0; y < shadow.height; ++y)
     CHECK(shadow.darkness[static_cast<std::size_t>(y + 1) * shadow.width - 1] == 0);
-}
-
-TEST_CASE("points_below_the_ground_cast_no_shadow") {
-  CHECK(darkness_at(render::ground_shadow(square(0, 0, -0.3F), 1), 0, 0) == 0);
 }
 
 TEST_CASE("squares_of_a_shadow_cover_all_that_is_dark") {
@@ -66,28 +61,20 @@ TEST_CASE("squares_of_a_shadow_cover_all_that_is_dark") {
   }
 }
 
-TEST_CASE("no_points_and_points_far_apart_make_a_shadow_of_bounded_size") {
-  CHECK(render::ground_shadow({}, 1).squares.empty());
-  const std::vector<glm::vec3> apart{{-1e20F, 0, 0}, {1e20F, 3, 0}};
-  const GroundShadow shadow = render::ground_shadow(apart, 1);
-  CHECK(shadow.width <= 256);
-  CHECK(shadow.height <= 256);
-}
-
 TEST_CASE("points_are_spread_over_triangles_by_their_areas") {
   const std::vector<render::Point> corners{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {9, 0, 0}, {10, 0, 0}, {9, 1, 0}};
   const std::vector<render::Triangle> triangles{{0, 1, 2}, {3, 4, 5}, {0, 0, 1}};
-  const render::SpreadPoints spread(triangles, corners);
+  const auto spread = render::spread_points(triangles, corners);
   std::size_t large = 0;
   glm::dvec2 mean(0);
-  for (const auto& place : spread.places()) {
+  for (const auto& place : spread) {
     CHECK(place.shares[0] + place.shares[1] + place.shares[2] == doctest::Approx(1));
     CHECK(*std::ranges::min_element(place.shares) > -1e-6F);
     if (place.corners[0] != 0) continue;
     ++large;
     mean += 3.0 * glm::dvec2(place.shares[1], place.shares[2]);
   }
-  const auto count = static_cast<double>(spread.places().size());
+  const auto count = static_cast<double>(spread.size());
   CHECK(count > 10000);
   CHECK(static_cast<double>(large) / count == doctest::Approx(0.9).epsilon(0.001));
   CHECK(mean.x / static_cast<double>(large) == doctest::Approx(1).epsilon(0.01));
@@ -95,6 +82,7 @@ TEST_CASE("points_are_spread_over_triangles_by_their_areas") {
 }
 
 TEST_CASE("points_beyond_the_grid_cast_no_shadow") {
+  CHECK(render::ground_shadow({}, 1).squares.empty());
   const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   for (const float far : {1e8F, 1e30F, 3e38F, -1e30F, inf, -inf, nan}) {
     CAPTURE(far);
@@ -110,10 +98,6 @@ TEST_CASE("points_beyond_the_grid_cast_no_shadow") {
 
 namespace {
 
-glm::dmat4 look_from(const glm::dvec3& eye, const glm::dvec3& up) {
-  return glm::lookAt(eye, glm::dvec3(0), up);
-}
-
 // A ball on the ground, in front of white.
 struct Standing {
   explicit Standing(int up) : shadow(stage.gl), backdrop(stage.gl) {
@@ -125,7 +109,7 @@ struct Standing {
     style.size = 4;
   }
   render::Image seen_from(const glm::dvec3& eye, const glm::dvec3& up) {
-    stage.view.view = look_from(eye, up);
+    stage.view.view = glm::lookAt(eye, glm::dvec3(0), up);
     render::Theme theme = render::light_theme();
     theme.background_top = theme.background_bottom = glm::vec3(1);
     return stage.picture([&] {
@@ -142,11 +126,7 @@ struct Standing {
 };
 
 int darkest(const render::Image& image) {
-  int least = 255;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) least = std::min<int>(least, image.pixel(x, y)[0]);
-  }
-  return least;
+  return *std::ranges::min_element(image.rgba);
 }
 
 }  // namespace
@@ -163,12 +143,6 @@ TEST_CASE("shadow_is_on_the_ground_below_the_model_whichever_axis_is_up") {
   }
 }
 
-TEST_CASE("shadow_is_invisible_from_below") {
-  Standing s(1);
-  CHECK(darkest(s.seen_from({0, 12, 12}, {0, 1, 0})) < 190);
-  CHECK(darkest(s.seen_from({0, -12, 12}, {0, 1, 0})) >= 254);
-}
-
 TEST_CASE("shadow_follows_the_model") {
   Standing s(1);
   const glm::dvec3 eye(0, 14, 10);
@@ -182,8 +156,10 @@ TEST_CASE("shadow_follows_the_model") {
   CHECK(image.pixel(before.x, before.y)[0] > 240);
 }
 
-TEST_CASE("mismatched_vertices_are_rejected_and_non_finite_ones_cast_no_shadow") {
+TEST_CASE("shadow_is_invisible_from_below_and_without_finite_vertices") {
   Standing s(1);
+  CHECK(darkest(s.seen_from({0, 12, 12}, {0, 1, 0})) < 190);
+  CHECK(darkest(s.seen_from({0, -12, 12}, {0, 1, 0})) >= 254);
   CHECK_THROWS_AS(s.shadow.set_positions(std::vector<render::Point>(3)), base::Error);
   std::vector<render::SurfaceVertex> lost(s.ball.positions.size());
   for (auto& v : lost) v.position[0] = v.position[1] = v.position[2] = std::nanf("");

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "render/palette.h"
+#include "render/view.h"
 #include "support/pictures.h"
 #include "support/stage.h"
 
@@ -28,39 +28,35 @@ struct Scene {
   render::Theme theme = render::dark_theme();
 };
 
-void move(std::vector<Point>& positions, double dx) {
-  for (Point& p : positions) p[0] += dx;
-}
-
 }  // namespace
 
-TEST_CASE("lit_ball_covers_its_projected_area") {
+TEST_CASE("lit_ball_covers_its_projected_area_multisampled_or_not") {
   Scene scene(test::ball(7));  // radius 70 pixels
-  const double area = static_cast<double>(test::count_not_black(scene.picture()));
-  CHECK(area == doctest::Approx(M_PI * 70 * 70).epsilon(0.01));
-}
-
-TEST_CASE("multisampled_and_plain_pictures_agree_on_area_and_light") {
-  Scene scene(test::ball(7));
   const render::Image plain = scene.picture(), sampled = scene.picture({}, 4);
+  CHECK(static_cast<double>(test::count_not_black(plain)) == doctest::Approx(M_PI * 70 * 70).epsilon(0.01));
   CHECK(test::lit_area(sampled) == doctest::Approx(test::lit_area(plain)).epsilon(0.01));
   CHECK(test::difference(plain, sampled, 8) < 0.02);
+  CHECK(test::difference(plain, scene.picture({.closed = true}), 1) < 0.001);
 }
 
-TEST_CASE("key_light_comes_from_the_upper_left") {
-  Scene scene(test::ball(7));
-  const render::Image image = scene.picture();
+TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
+  const render::Image image = Scene(test::ball(7)).picture();
   const int upper_left = test::brightness(image.pixel(160 - 30, 100 - 40));
   const int lower_right = test::brightness(image.pixel(160 + 40, 100 + 40));
   CHECK(upper_left > lower_right + 100);
   CHECK(lower_right > 40);  // no part is black
+  test::Ball inside_out = test::ball(7);
+  for (auto& t : inside_out.triangles) std::swap(t[1], t[2]);
+  for (auto& n : inside_out.normals) n = {-n[0], -n[1], -n[2]};
+  const int back = test::brightness(Scene(inside_out).picture().pixel(140, 80));
+  CHECK(back > test::brightness(image.pixel(140, 80)) / 2);
 }
 
 TEST_CASE("moved_positions_move_the_pixels") {
   test::Ball ball = test::ball(3);
   Scene scene(ball);
   const render::Image before = scene.picture();
-  move(ball.positions, 8);
+  for (Point& p : ball.positions) p[0] += 8;
   scene.surface.set_positions(ball.positions, ball.normals);
   const render::Image after = scene.picture();
   CHECK(test::brightness(before.pixel(160, 100)) > 0);
@@ -80,31 +76,11 @@ TEST_CASE("model_far_from_the_origin_looks_the_same") {
 
 TEST_CASE("wireframe_darkens_edges_only") {
   Scene scene(test::ball(9, {0, 0, 0}, 6));
-  render::SurfaceStyle wire;
-  wire.wireframe = 0.5F;
-  const render::Image plain = scene.picture(), wired = scene.picture(wire);
+  const render::Image plain = scene.picture(), wired = scene.picture({.wireframe = 0.5F});
   const double changed = test::difference(plain, wired, 8) * 320 * 200;
   CHECK(changed > 500);
   CHECK(changed < 0.3 * static_cast<double>(test::count_not_black(plain)));
   CHECK(test::lit_area(wired) < test::lit_area(plain));
-}
-
-TEST_CASE("back_of_an_open_surface_is_lit_too") {
-  Scene scene(test::ball(7));
-  test::Ball inside_out = test::ball(7);
-  for (auto& t : inside_out.triangles) std::swap(t[1], t[2]);
-  for (auto& n : inside_out.normals) n = {-n[0], -n[1], -n[2]};
-  Scene flipped(inside_out);
-  const int front = test::brightness(scene.picture().pixel(140, 80));
-  const int back = test::brightness(flipped.picture().pixel(140, 80));
-  CHECK(back > front / 2);
-}
-
-TEST_CASE("skipping_the_backs_of_a_closed_surface_changes_nothing") {
-  Scene scene(test::ball(7));
-  render::SurfaceStyle closed;
-  closed.closed = true;
-  CHECK(test::difference(scene.picture(), scene.picture(closed), 1) < 0.001);
 }
 
 TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belongs") {
@@ -133,9 +109,7 @@ TEST_CASE("occlusion_darkens") {
   scene.surface.set_occlusion(std::vector<float>(ball.positions.size(), 0.3F));
   scene.surface.set_positions(ball.positions, ball.normals);
   CHECK(test::lit_area(scene.picture()) < 0.9 * open);
-  render::SurfaceStyle unoccluded;
-  unoccluded.occlusion = 0;
-  CHECK(test::lit_area(scene.picture(unoccluded)) == doctest::Approx(open).epsilon(1e-6));
+  CHECK(test::lit_area(scene.picture({.occlusion = 0})) == doctest::Approx(open).epsilon(1e-6));
 }
 
 TEST_CASE("scalars_choose_the_palette_colour") {
@@ -146,17 +120,14 @@ TEST_CASE("scalars_choose_the_palette_colour") {
   scene.surface.set_scalars(values);
   scene.surface.set_palette(render::surface_palette());
   scene.surface.set_positions(ball.positions, ball.normals);
-  render::SurfaceStyle style;
-  style.scalars = true;
-  style.scalar_low = -5;
-  style.scalar_high = 5;
-  const render::Image image = scene.picture(style);
+  const render::Image image = scene.picture({.scalars = true, .scalar_low = -5, .scalar_high = 5});
   const render::Rgba8 left = image.pixel(130, 100), right = image.pixel(190, 100);
   CHECK(left[2] > left[0] + 30);    // blue
   CHECK(right[0] > right[2] + 30);  // yellow
 }
 
-TEST_CASE("non_finite_vertices_do_not_spread") {
+TEST_CASE("non_finite_vertices_do_not_spread_and_an_empty_surface_is_not_drawn") {
+  CHECK(test::count_not_black(Scene(test::Ball{}).picture()) == 0);
   test::Ball ball = test::ball(7);
   ball.positions[2000] = {std::numeric_limits<double>::quiet_NaN(), 0,
                           std::numeric_limits<double>::infinity()};
@@ -165,38 +136,27 @@ TEST_CASE("non_finite_vertices_do_not_spread") {
         doctest::Approx(M_PI * 4900).epsilon(0.02));
 }
 
-TEST_CASE("nothing_is_drawn_before_there_are_positions") {
-  test::Stage stage;
-  render::SurfaceLayer surface(stage.gl);
-  const auto draw = [&] { surface.draw(stage.view, render::dark_theme(), {}); };
-  CHECK(test::count_not_black(stage.picture(draw)) == 0);
-  surface.set_triangles({}, 0);
-  surface.set_positions({}, {});
-  CHECK(test::count_not_black(stage.picture(draw)) == 0);
-}
-
-TEST_CASE("surface_too_large_for_the_driver_is_refused") {
+TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
   test::Stage stage;
   stage.gl.max_texels = 8;
   render::SurfaceLayer surface(stage.gl);
   const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {1, 2, 3}};
   CHECK_THROWS_AS(surface.set_triangles(triangles, 4), base::Error);
   CHECK_NOTHROW(surface.set_triangles(std::span(triangles).first(2), 4));
-}
-
-TEST_CASE("wrong_sizes_and_indices_are_refused") {
-  test::Stage stage;
-  render::SurfaceLayer surface(stage.gl);
-  const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 1, 3}};
-  CHECK_THROWS_WITH_AS(surface.set_triangles(triangles, 3),
+  CHECK_THROWS_WITH_AS(surface.set_triangles(std::span(triangles).first(2), 3),
                        "surface triangles: element 1: refers to vertex 3, the mesh has 3", base::Error);
-  surface.set_triangles(triangles, 4);
   const std::vector<Point> three(3), four(4);
   CHECK_THROWS_AS(surface.set_positions(three, three), base::Error);
   CHECK_THROWS_AS(surface.set_positions(four, three), base::Error);
   CHECK_THROWS_AS(surface.set_occlusion(std::vector<float>(3)), base::Error);
   CHECK_THROWS_AS(surface.set_scalars(std::vector<float>(5)), base::Error);
   CHECK_THROWS_AS(surface.set_palette(std::vector<glm::vec3>(1)), base::Error);
+  render::SurfaceLooks looks;
+  looks.texture_points.resize(5);
+  CHECK_THROWS_AS(surface.set_looks(looks), base::Error);
+  looks.texture_points.clear();
+  looks.runs = {{.triangles = 3}};
+  CHECK_THROWS_AS(surface.set_looks(looks), base::Error);
 }
 
 namespace {
@@ -293,25 +253,10 @@ TEST_CASE("flat_runs_have_one_light_for_each_face") {
   CHECK(neighbours_differ(false) > 60);
 }
 
-TEST_CASE("mismatched_looks_are_rejected") {
-  Card card;
-  card.looks.texture_points.pop_back();
-  CHECK_THROWS_AS(card.surface.set_looks(card.looks), base::Error);
-  card.looks.texture_points.clear();
-  card.looks.runs[0].triangles = 3;
-  CHECK_THROWS_AS(card.surface.set_looks(card.looks), base::Error);
-}
-
 TEST_CASE("materials_differ_from_clay_and_from_each_other_and_zebra_has_stripes") {
   using render::Paint;
-  test::Stage stage;
-  const test::Ball ball = test::ball(5, {0, 0, 0});
-  render::SurfaceLayer surface(stage.gl);
-  surface.set_triangles(ball.triangles, ball.positions.size());
-  surface.set_positions(ball.positions, ball.normals);
-  const auto picture = [&](Paint paint) {
-    return stage.picture([&] { surface.draw(stage.view, render::dark_theme(), {.paint = paint}); });
-  };
+  Scene scene(test::ball(5));
+  const auto picture = [&](Paint paint) { return scene.picture({.paint = paint}); };
   const auto clay = picture(Paint::plain).pixel(160, 100),
              porcelain = picture(Paint::porcelain).pixel(160, 100),
              jade = picture(Paint::jade).pixel(160, 100);

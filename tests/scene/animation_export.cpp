@@ -15,7 +15,7 @@
 #include "mesh/formats/write.h"
 #include "scene/animated_cube.h"
 #include "scene/files/animated_model.h"
-#include "support/full_disk.h"
+#include "support/folder.h"
 #include "support/gltf.h"
 #include "support/text.h"
 

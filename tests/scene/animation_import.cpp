@@ -67,7 +67,7 @@ double farthest(const deform::Pose& a, const deform::Pose& b) {
 TEST_CASE("numbered_posed_cages_are_keys_at_their_numbers") {
   const CageMotion m;
   m.write_poses();
-  for (const char* name : {"p_#.obj", "p_%d.obj", "p_9.obj"}) {
+  for (const char* name : {"p_#.obj", "p_9.obj"}) {
     const auto keys = m.keys(m / name);
     REQUIRE(keys.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) {

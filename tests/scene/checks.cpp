@@ -237,7 +237,7 @@ TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{0});
   step_element(w, -1);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{1});
-  frame_finding(w, w.document.pose.positions);
+  frame_finding(w);
   CHECK(w.camera.destination().target.x > 0.2F);  // edge 5-7 is on the right
   toggle_finding(w, 0);
   CHECK(!w.checks.shown);

@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "base/error.h"
 #include "mesh/formats/write.h"
 #include "scene/cube.h"
 #include "scene/workspace/apply_opened.h"
 #include "support/folder.h"
+#include "support/text.h"
 
 namespace viete::test {
 
@@ -47,16 +47,6 @@ inline scene::Workspace opened(std::vector<std::filesystem::path> files) {
   scene::Workspace workspace;
   REQUIRE(scene::open_now(workspace, {scene::OpenRequest::What::model, std::move(files)}));
   return workspace;
-}
-
-// The error message of a step; empty: none.
-std::string problem_of(const auto& step) {
-  try {
-    step();
-  } catch (const base::Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace viete::test

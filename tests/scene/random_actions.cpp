@@ -17,7 +17,7 @@
 #include "scene/workspace/pointer.h"
 #include "support/commands.h"
 #include "support/edits.h"
-#include "support/longer.h"
+#include "support/skip.h"
 
 using namespace viete;
 using namespace viete::scene;

@@ -24,7 +24,7 @@
 #include "scene/workspace/apply_opened.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 #include "support/grips.h"
 #include "support/longer.h"
 #include "support/open.h"
@@ -81,8 +81,6 @@ Workspace worked(const test::CubeFiles& files) {
                 true};
   put_ways(w.split, {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, lab::Field::area, true},
                       {deform::scheme_of(deform::Way::arap)}},
-                     false,
-                     0.5,
                      {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
   return w;
 }

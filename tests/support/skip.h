@@ -1,6 +1,8 @@
-// Cases with special requirements: real meshes, a display, much memory.
+// Cases with special requirements (real meshes, a display, much memory), and cases that repeat the same
+// checks with more data: `ctest -L long`.
 #pragma once
 
+#include <cstdlib>
 #include <string>
 
 namespace viete::test {
@@ -12,5 +14,13 @@ inline constexpr const char* if_present = "if_present";
 /// Prints the reason; the case must then return. A test that passed with skipped cases exits with 77, which
 /// counts as a failure in the entries of all other cases.
 void skip(const std::string& why);
+
+/// TEST_CASE("name" * doctest::test_suite(longer)): such cases get an additional ctest entry with more
+/// rounds.
+inline constexpr const char* longer = "longer";
+
+inline int rounds(int usual, int in_a_long_run) {
+  return std::getenv("VIETE_LONG") ? in_a_long_run : usual;
+}
 
 }  // namespace viete::test

@@ -108,9 +108,8 @@ inline double lit_area(const render::Image& image) {
 
 inline std::size_t count_not_black(const render::Image& image) {
   std::size_t count = 0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) count += brightness(image.pixel(x, y)) > 0 ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    count += image.rgba[i] + image.rgba[i + 1] + image.rgba[i + 2] > 0 ? 1 : 0;
   return count;
 }
 

@@ -50,11 +50,8 @@ struct SideWay {
 
 struct SideWays {
   static constexpr std::size_t most = 3;
-  static constexpr double least_part = 0.05;
 
-  std::vector<SideWay> sides;  ///< empty: a single view; `most` at most
-  bool wipe = false;           ///< two views in one place, separated by a movable line
-  double line = 0.5;  ///< position of the line as a fraction of the width, least_part to 1 - least_part
+  std::vector<SideWay> sides;       ///< empty: a single view; `most` at most
   std::vector<CameraPose> cameras;  ///< one for each of `sides`; empty: all share the first view's camera
 
   friend bool operator==(const SideWays&, const SideWays&) = default;

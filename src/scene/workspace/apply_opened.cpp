@@ -52,9 +52,8 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.chosen_pose.reset();
   w.time_view = {};
   w.offer_cage = true;
-  w.stats.clear();
   w.methods = {};
-  w.field = {};
+  w.split.views[0] = {};
   w.vertex = {};
   forget_findings(w.checks);
   ++w.opened;

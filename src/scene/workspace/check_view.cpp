@@ -42,16 +42,18 @@ void step_element(Workspace& workspace, int step) {
   workspace.requests.frame_finding = true;
 }
 
-void frame_finding(Workspace& workspace, std::span<const mesh::Point> positions) {
+void frame_finding(Workspace& workspace) {
   const CheckState& checks = workspace.checks;
   if (!checks.shown) return;
   constexpr std::size_t enough = 20000;
   const Finding& finding = checks.findings[*checks.shown];
+  const Document& document = workspace.document;
+  const mesh::Surface& surface = surface_of(document, finding);
   std::vector<glm::vec3> points;
   for (const auto e : shown_elements(checks, enough)) {
-    for (const auto v : vertices_of(finding, surface_of(workspace.document, finding), e)) {
-      points.push_back(workspace.document.space.to_view(positions[v]));
-    }
+    for (const auto v : vertices_of(finding, surface, e))
+      points.push_back(document.space.to_view(
+          finding.subject == Subject::cage ? document.pose.positions[v] : workspace.posed.at(surface, v)));
   }
   widen(points);
   workspace.camera.frame(points, workspace.viewport, true);

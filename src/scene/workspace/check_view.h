@@ -1,8 +1,6 @@
 // Showing a finding of the checks in the view, and stepping through its elements.
 #pragma once
 
-#include <span>
-
 #include "scene/workspace/workspace.h"
 
 namespace viete::scene {
@@ -13,8 +11,7 @@ void toggle_finding(Workspace& workspace, std::size_t index);
 /// Shows only the next (1) or previous (-1) element of the shown finding; wraps around.
 void step_element(Workspace& workspace, int step);
 
-/// Frames the shown elements. `positions`: the displayed positions of the finding's surface, in the file's
-/// units.
-void frame_finding(Workspace& workspace, std::span<const mesh::Point> positions);
+/// Frames the shown elements, as drawn.
+void frame_finding(Workspace& workspace);
 
 }  // namespace viete::scene

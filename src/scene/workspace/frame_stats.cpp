@@ -1,6 +1,5 @@
 #include "scene/workspace/frame_stats.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/median.h"
@@ -11,32 +10,30 @@ namespace {
 
 constexpr double window_seconds = 0.5, refresh_seconds = 0.25;
 
-FrameTimes median_of(const std::deque<FrameTimes>& frames) {
-  const auto of = [&](auto value) {
+}  // namespace
+
+FrameTimes median_of(std::span<const FrameTimes> frames) {
+  const auto median = [&](auto value) {
     std::vector<double> values;
     for (const auto& frame : frames) values.push_back(value(frame));
     return base::median(std::move(values));
   };
   FrameTimes result = frames.back();
   for (std::size_t i = 0; i < deform::link_count; ++i)
-    result.links.ms[i] = of([i](const FrameTimes& f) { return f.links.ms[i]; });
-  result.upload = of([](const FrameTimes& f) { return f.upload; });
-  result.draw = of([](const FrameTimes& f) { return f.draw; });
-  result.panels = of([](const FrameTimes& f) { return f.panels; });
-  result.frame = of([](const FrameTimes& f) { return f.frame; });
+    result.links.ms[i] = median([i](const FrameTimes& f) { return f.links.ms[i]; });
+  for (const auto part : {&FrameTimes::upload, &FrameTimes::draw, &FrameTimes::panels, &FrameTimes::frame})
+    result.*part = median([part](const FrameTimes& f) { return f.*part; });
   return result;
 }
-
-}  // namespace
 
 void FrameStats::add(const FrameTimes& times) {
   const bool deformed = times.links.total() > 0, first = deformed != drawing_.empty();
   if (deformed) drawing_.clear();
   const bool another = deformed && !deforming_.empty() && deforming_.back().method != times.method;
   if (another) deforming_.clear();
-  std::deque<FrameTimes>& frames = deformed ? deforming_ : drawing_;
+  std::vector<FrameTimes>& frames = deformed ? deforming_ : drawing_;
   frames.push_back(times);
-  while (frames.front().when < times.when - window_seconds) frames.pop_front();
+  std::erase_if(frames, [&](const FrameTimes& frame) { return frame.when < times.when - window_seconds; });
   if (deforming_.empty() || (times.when < due_ && !first && !another)) return;
   due_ = times.when + refresh_seconds;
   median_ = median_of(frames);

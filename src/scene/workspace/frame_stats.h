@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstddef>
-#include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +32,9 @@ struct FrameTimes {
   double frame = 0;  ///< total, from input to the finished picture
 };
 
+/// Componentwise medians; the rest is of the last frame. There must be one.
+FrameTimes median_of(std::span<const FrameTimes> frames);
+
 /// Medians for the timing panel: over frames deformed with the newest frame's method, and over later frames
 /// that only drew the model, as when the camera moves.
 class FrameStats {
@@ -46,7 +49,7 @@ public:
   void clear() { *this = {}; }
 
 private:
-  std::deque<FrameTimes> deforming_, drawing_;
+  std::vector<FrameTimes> deforming_, drawing_;
   std::optional<FrameTimes> median_, deforming_median_;
   double due_ = 0;  ///< seconds on the same clock
 };

@@ -13,7 +13,7 @@
 #include "scene/files/output.h"
 #include "scene/files/session.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 
 namespace viete::scene {
 

@@ -5,28 +5,30 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace viete::scene {
 
-/// Named keys. The value of letters (uppercase), digits and . , - = / is their ASCII code.
+/// Key codes of all events, from the window on (GLFW's numbers). Letters (uppercase), digits and . , - = /
+/// have their ASCII code.
 enum class Key : int {
   none = 0,
+  space = 32,
   escape = 256,
-  home,
-  end,
+  enter,
+  tab,
+  backspace,
+  insert,
+  delete_key,
+  right,
+  left,
+  down,
+  up,
   page_up,
   page_down,
-  delete_key,
-  insert,
-  enter,
-  backspace,
-  space,
-  up,
-  down,
-  left,
-  right,
-  tab,
-  f1,
+  home,
+  end,
+  f1 = 290,
   f2,
   f3,
   f4,
@@ -38,7 +40,7 @@ enum class Key : int {
   f10,
   f11,
   f12,
-  pad0,
+  pad0 = 320,
   pad1,
   pad2,
   pad3,
@@ -49,8 +51,8 @@ enum class Key : int {
   pad8,
   pad9,
   pad_point,
+  pad_minus = 333,
   pad_plus,
-  pad_minus,
   pad_enter,
 };
 
@@ -65,8 +67,8 @@ struct Shortcut {
   friend bool operator==(const Shortcut&, const Shortcut&) = default;
 };
 
-/// Each key once.
-std::span<const Key> all_keys();
+/// Each key with its name, once.
+std::span<const std::pair<Key, std::string>> all_keys();
 
 /// "Ctrl+Shift+Z"; empty for Key::none.
 std::string text(const Shortcut& shortcut);

@@ -12,8 +12,6 @@ glm::ivec2 grid_of(std::size_t count) {
 }  // namespace
 
 Pane pane_of(const Split& split, std::size_t view) {
-  if (split.wipes())
-    return view == 0 ? Pane{{0, 0}, {split.line, 1}} : Pane{{split.line, 0}, {1 - split.line, 1}};
   const glm::ivec2 grid = grid_of(split.count());
   const int at = static_cast<int>(view);
   const glm::vec2 size = 1.0f / glm::vec2(grid);
@@ -22,15 +20,14 @@ Pane pane_of(const Split& split, std::size_t view) {
 
 Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view) {
   Viewport seen = whole;
-  const Pane pane = split.wipes() ? Pane{} : pane_of(split, view);
+  const Pane pane = pane_of(split, view);
   seen.pane = pane.at, seen.pane_size = pane.size;
   return seen;
 }
 
 void put_ways(Split& split, const SideWays& ways) {
-  split.sides.clear();
-  for (const SideWay& way : ways.sides) split.sides.push_back({way});
-  split.wipe = ways.wipe, split.line = static_cast<float>(ways.line);
+  split.views.resize(1);
+  for (const SideWay& way : ways.sides) split.views.push_back({way});
   split.active = 0;
   if (split.on()) split.linked = ways.cameras.empty();
   split.cameras = ways.cameras;

@@ -1,8 +1,9 @@
-// The split view: several views of one document with their own blend, method and colour map.
+// The views of one document, each with its own blend, method and colour map.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,40 +14,39 @@
 
 namespace viete::scene {
 
-/// An additional view.
-struct SideView : SideWay {
-  // Results of the last frame.
+/// A view, and the results of its last frame. The first view shows the document's settings, see shown_way().
+struct View : SideWay {
   FieldView shown{};
   FrameStats stats{};
-  double fused_error = 0;             ///< see Workspace::fused_error
+  /// Error of the fused frame, or of its initial guess for a stitched model, against double, in diagonals of
+  /// the cage; measured in the background; 0 if staged.
+  double fused_error = 0;
   std::optional<double> exp_error{};  ///< largest relative error of sampled matrices; nullopt: it uses none
   bool binding = false;
   std::string problem{};  ///< why it shows no model
 };
 
 struct Split {
-  static constexpr std::size_t most_sides = SideWays::most;
-  static constexpr auto least_part = static_cast<float>(SideWays::least_part);
+  static constexpr std::size_t most = SideWays::most + 1;
 
-  std::vector<SideView> sides;      ///< empty: a single view
-  bool wipe = false;                ///< two views in one place, separated by a movable line
-  float line = 0.5f;                ///< position as a fraction of the width, least_part to 1 - least_part
+  std::vector<View> views = std::vector<View>(1);
   bool linked = true;               ///< all views share one camera
-  std::size_t active = 0;           ///< the view with the gizmo and the current camera; 0 is the first one
+  std::size_t active = 0;           ///< the view with the gizmo and the current camera
   std::vector<CameraPose> cameras;  ///< cameras of inactive views, if not linked
 
-  std::size_t count() const { return sides.size() + 1; }
-  bool on() const { return !sides.empty(); }
-  bool wipes() const { return wipe && sides.size() == 1; }
+  std::size_t count() const { return views.size(); }
+  bool on() const { return count() > 1; }
+  /// All but the first.
+  std::span<View> sides() { return std::span(views).subspan(1); }
+  std::span<const View> sides() const { return std::span(views).subspan(1); }
 };
 
 /// Position and size of a view as fractions of the whole: offset from the top left.
 struct Pane {
   glm::vec2 at{0, 0}, size{1, 1};
 };
-/// The visible part: with a wipe, one side of the line.
 Pane pane_of(const Split& split, std::size_t view);
-/// The viewport of the view's camera: with a wipe, the whole.
+/// The viewport of the view's camera.
 Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view);
 /// The view at a position in the window.
 std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place);

@@ -8,7 +8,7 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/pointer.h"
-#include "scene/workspace/splitting.h"
+#include "scene/workspace/split.h"
 
 namespace viete::scene {
 
@@ -149,7 +149,7 @@ namespace {
 
 using lab::Field;
 
-constexpr Condition has_map{[](const Workspace& w) { return w.field.values != nullptr; },
+constexpr Condition has_map{[](const Workspace& w) { return w.split.views[0].shown.values != nullptr; },
                             "Choose a map first (Analysis, Map)."};
 
 constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
@@ -197,8 +197,8 @@ void add_map_commands(CommandTable& table) {
              },
              [](const Workspace& w) { return w.view.field == Field::exp_error; }});
   table.add("hold_map_range", "Lock range", "Keep the current colour range while the model changes.", has_map,
-            {[](Workspace& w) { w.field.holds_range = !w.field.holds_range; },
-             [](const Workspace& w) { return w.field.holds_range; }});
+            {[](Workspace& w) { w.split.views[0].shown.holds_range ^= true; },
+             [](const Workspace& w) { return w.split.views[0].shown.holds_range; }});
   table.add("frame_worst", "Frame largest value", "Zoom to the vertex with the largest value of the map.",
             has_map, frame_worst);
   table.add("pick_vertex", {"Inspect vertex", "Inspect"},
@@ -206,7 +206,7 @@ void add_map_commands(CommandTable& table) {
             {key('Y'), false, false, true}, has_model, pick_vertex);
   table.add("pick_worst", {"Inspect largest value", "Largest value"},
             "Open the vertex inspector for the vertex with the largest value of the map.", has_map,
-            [](Workspace& w) { show_sum_at(w, w.field.stats.worst); });
+            [](Workspace& w) { show_sum_at(w, w.split.views[0].shown.stats.worst); });
   table.add("drop_vertex", {"Close vertex inspector", "Close"}, "Close the vertex inspector.", has_vertex,
             [](Workspace& w) { w.vertex.vertex.reset(); });
 }
@@ -214,15 +214,13 @@ void add_map_commands(CommandTable& table) {
 namespace {
 
 constexpr Condition is_split{[](const Workspace& w) { return w.split.on(); }, "Split the view in two first."};
-constexpr Condition in_two{[](const Workspace& w) { return w.split.sides.size() == 1; },
-                           "Split the view in two first."};
 
 }  // namespace
 
 void add_split_commands(CommandTable& table) {
   table.heading("Views");
   constexpr const char* labels[] = {"One", "Two", "Three", "Four"};
-  for (std::size_t count = 1; count <= Split::most_sides + 1; ++count) {
+  for (std::size_t count = 1; count <= Split::most; ++count) {
     const bool one = count == 1;
     table.choice(
         "views_" + std::to_string(count), "Views", labels[count - 1],
@@ -232,13 +230,6 @@ void add_split_commands(CommandTable& table) {
           frame_all(w, true);
         });
   }
-  table.add("toggle_wipe", {"Wipe two views", "Wipe"},
-            "Show two views in one area, separated by a draggable line.", in_two,
-            {[](Workspace& w) {
-               w.split.wipe = !w.split.wipe;
-               frame_all(w, true);
-             },
-             [](const Workspace& w) { return w.split.wipes(); }});
   table.add("toggle_linked_cameras", {"Link cameras", "Linked cameras"},
             "Use one camera for all views, otherwise one each.", is_split,
             {[](Workspace& w) { w.split.linked = !w.split.linked; },

@@ -65,18 +65,20 @@ bool shows_links(const Workspace& w) {
          deform::EngineKind::staged;
 }
 
-lab::Field shown_field(const Workspace& w, lab::Field field, const deform::Scheme& scheme) {
-  const lab::Source source = lab::entry(field).source;
-  const bool exponential = w.document.has_cage() && scheme.exponential();
+SideWay shown_way(const Workspace& w, std::size_t view) {
+  if (view > 0) return w.split.views[view];
+  return {w.document.scheme, w.document.method, w.view.field};
+}
+
+lab::Field shown_field(const Workspace& w, std::size_t view) {
+  const SideWay way = shown_way(w, view);
+  const lab::Source source = lab::entry(way.field).source;
+  const bool exponential = w.document.has_cage() && way.scheme.exponential();
   const bool exists = source == lab::Source::surface || source == lab::Source::first
                           ? w.document.model.surface != nullptr
                       : source == lab::Source::matrices ? exponential
                                                         : w.document.is_movable();
-  return exists && !shows_mask(w) ? field : lab::Field::none;
-}
-
-lab::Field shown_field(const Workspace& w) {
-  return shown_field(w, w.view.field, w.document.scheme);
+  return exists && !shows_mask(w) ? way.field : lab::Field::none;
 }
 
 float offer_height(const Workspace& w) {
@@ -109,7 +111,7 @@ void frame_selection(Workspace& workspace, bool eased) {
 void frame_worst(Workspace& w) {
   constexpr double share = 0.06;  // fraction of the model's diagonal, on either side
   const auto& surface = *w.document.model.surface;
-  const std::size_t worst = w.field.stats.worst;
+  const std::size_t worst = w.split.views[0].shown.stats.worst;
   if (worst >= surface.positions.size()) return;
   const mesh::Point at = w.posed.vertices.empty() ? surface.positions[worst] : w.posed.at(surface, worst);
   const double half = share * w.document.model.bounds.diagonal();
@@ -133,26 +135,70 @@ void cancel_widget_edit(Workspace& w) {
   if (!w.making.open) take_back(w.document, std::move(before.document));
 }
 
-std::optional<double> TimeLeft::of(const WorkState& work) {
-  if (work.what != what_ ||
-      (!seen_.empty() && (work.seconds < seen_.back()[0] || work.done < seen_.back()[1])))
-    seen_.clear();
-  what_ = work.what;
-  constexpr double apart = 0.05;
-  if (seen_.empty() || work.seconds > seen_.back()[0] + apart) seen_.push_back({work.seconds, work.done});
-  if (work.seconds < 0.5 || work.done < 0.02) return std::nullopt;
-  const auto half =
-      std::ranges::lower_bound(seen_, 0.5 * work.seconds, {}, [](const auto& s) { return s[0]; });
-  const double seconds = work.seconds - (*half)[0], done = work.done - (*half)[1];
-  if (seconds < 0.2 || !(done > 0)) return work.seconds * (1 - work.done) / work.done;
-  return seconds * (1 - work.done) / done;
-}
-
 void take_report(Workspace& workspace, const deform::LogReport& report) {
   Document& document = workspace.document;
   document.pose.turns = report.turns;
   workspace.pose_notes = pose_notes(report, *document.cage, document.pose);
   workspace.pose_report = report;
+}
+
+namespace {
+
+// The first deformer that no view uses.
+deform::Scheme unused_scheme(const Workspace& w) {
+  const auto is_used = [&](const deform::Scheme& scheme) {
+    for (std::size_t view = 0; view < w.split.count(); ++view)
+      if (shown_way(w, view).scheme == scheme) return true;
+    return false;
+  };
+  for (const deform::WayEntry& entry : deform::all_ways()) {
+    const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme);
+    if (!is_used(scheme)) return scheme;
+  }
+  return w.document.scheme;
+}
+
+}  // namespace
+
+void split_view(Workspace& w, std::size_t count) {
+  Split& split = w.split;
+  count = std::clamp<std::size_t>(count, 1, Split::most);
+  enter_view(w, 0);
+  split.views.resize(std::min(count, split.count()));
+  while (split.count() < count) split.views.push_back({{unused_scheme(w), w.document.method, w.view.field}});
+  split.cameras.assign(split.count(), w.camera.pose());
+  w.viewport = viewport_of(split, w.viewport, 0);
+}
+
+void enter_view(Workspace& w, std::size_t view) {
+  Split& split = w.split;
+  if (view == split.active || view >= split.count()) return;
+  split.cameras.resize(split.count(), w.camera.pose());
+  if (!split.linked) {
+    split.cameras[split.active] = w.camera.pose();
+    w.camera.set_pose(split.cameras[view]);
+  }
+  split.active = view;
+  w.viewport = viewport_of(split, w.viewport, view);
+}
+
+CameraPose camera_of(const Workspace& w, std::size_t view) {
+  const Split& split = w.split;
+  const bool own = !split.linked && view != split.active && view < split.cameras.size();
+  return own ? split.cameras[view] : w.camera.pose();
+}
+
+CameraPose last_camera_of(const Workspace& w, std::size_t view) {
+  return w.split.linked || view == w.split.active ? w.camera.destination() : camera_of(w, view);
+}
+
+SideWays ways_of(const Workspace& w) {
+  const Split& split = w.split;
+  SideWays ways;
+  for (const View& side : split.sides()) ways.sides.push_back(side);
+  if (!split.linked)
+    for (std::size_t view = 1; view < split.count(); ++view) ways.cameras.push_back(last_camera_of(w, view));
+  return ways;
 }
 
 }  // namespace viete::scene

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/background.h"
 #include "deform/maps.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_making.h"
@@ -112,25 +113,7 @@ struct Requests {
   std::optional<Answer> answer;  ///< to the open question
 };
 
-/// Progress of background work that the user waits for.
-struct WorkState {
-  bool running = false;
-  std::string what;    ///< "Reading dragon.ply", "Binding 50,000 vertices to 148 faces, 72 MB"
-  double done = 0;     ///< in [0, 1]
-  double seconds = 0;  ///< since this part began
-  double age = 0;      ///< since the whole began
-};
-
-/// Estimates the remaining time from the speed in the latter half of the elapsed time, ignoring a slow start.
-class TimeLeft {
-public:
-  /// Seconds; nullopt while there is too little data. Call repeatedly while the work runs.
-  std::optional<double> of(const WorkState& work);
-
-private:
-  std::string what_;
-  std::vector<std::array<double, 2>> seen_;  // seconds, and progress then
-};
+using base::WorkState;
 
 /// The state saved in the user's files: edits since then are unsaved.
 struct Saved {
@@ -206,20 +189,14 @@ struct Workspace {
   Brush brush;       ///< used by Tool::paint
   PosedModel posed;  ///< the model as drawn
   Requests requests;
-  FrameStats stats;
   MethodStats methods;
   MethodTimes method_times;
-  FieldView field;
   VertexView vertex;
   Split split;
-  double fused_error =
-      0;  ///< error of the fused frame, or of its initial guess for a stitched model, against double, in
-          ///< diagonals of the cage; measured in the background; 0 if staged
   WorkState loading;  ///< opening files: reading, then binding
   WorkState binding;  ///< rebinding the open document with other weights
   WorkState exporting;
   WorkState making_cage;
-  TimeLeft time_left, export_left;  ///< displayed estimates: of the current task, of an export
   CageMaking making;
   bool offer_cage = true;  ///< offer ways to get a cage while the model has none
   CheckState checks;
@@ -240,12 +217,11 @@ struct Workspace {
   FileBrowser browser;
   Palette palette;
   KeyList key_list;
-  bool show_messages = false;   ///< show the message list
-  bool has_user = true;         ///< a user can see messages; false for pictures rendered by a command
-  bool tools = true;            ///< draw gizmo, selection, hover and handles; false in pictures
-  bool full_screen = false;     ///< the window is to fill the screen
-  bool ask_keys = false;        ///< the first start asks for the keymap
-  bool closing_notice = false;  ///< the window is closing and edits are backed up
+  bool show_messages = false;  ///< show the message list
+  bool has_user = true;        ///< a user can see messages; false for pictures rendered by a command
+  bool tools = true;           ///< draw gizmo, selection, hover and handles; false in pictures
+  bool full_screen = false;    ///< the window is to fill the screen
+  bool ask_keys = false;       ///< the first start asks for the keymap
   std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;
   std::optional<BeforeWidgetEdit> before_widget_edit;  ///< since the mouse press
@@ -283,10 +259,21 @@ inline bool shows_selectable(const Workspace& w) {
   return w.view.cage && (probes ? !w.document.probes.empty() : w.document.has_cage());
 }
 
-/// The field shown as colours; none if the chosen one is not available.
-lab::Field shown_field(const Workspace& workspace);
-/// The same for a view with this `field` and scheme.
-lab::Field shown_field(const Workspace& workspace, lab::Field field, const deform::Scheme& scheme);
+/// The settings of a view: the first one follows the document.
+SideWay shown_way(const Workspace& workspace, std::size_t view);
+/// The field shown as colours in a view; none if the chosen one is not available.
+lab::Field shown_field(const Workspace& workspace, std::size_t view = 0);
+
+/// Sets the number of views, 1 to 4. New ones use deformers that are not shown yet.
+void split_view(Workspace& workspace, std::size_t count);
+/// Activates that view and its camera.
+void enter_view(Workspace& workspace, std::size_t view);
+/// The camera of a view.
+CameraPose camera_of(const Workspace& workspace, std::size_t view);
+/// The same at the end of a running animation.
+CameraPose last_camera_of(const Workspace& workspace, std::size_t view);
+/// The split as stored in a session.
+SideWays ways_of(const Workspace& workspace);
 
 /// Starts a cancellable edit on mouse press; cancel_widget_edit() restores the state before it.
 void begin_widget_edit(Workspace& workspace);

@@ -1,0 +1,254 @@
+// The models of the views: bound in the background, deformed each frame, faster during a drag.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/bound.h"
+#include "app/file_desk.h"
+#include "base/background.h"
+#include "base/worker_pool.h"
+#include "deform/deformer.h"
+#include "deform/probe.h"
+#include "mesh/adjacency.h"
+#include "scene/document/document.h"
+#include "scene/workspace/workspace.h"
+#include "sym3/rotation.h"
+
+namespace viete::app {
+
+/// True if a drag changes the cage's rest shape: the model stays at rest.
+inline bool changes_rest(const scene::Workspace& w) {
+  const auto& drag = w.interaction.drag;
+  return drag && w.document.kept_pose && !drag->vertices().empty();
+}
+
+class DragFollower {
+public:
+  using Drag = std::optional<scene::TransformDrag>;
+
+  /// Call before a frame. True if a drag has ended or changed its vertices: the next frame must be complete.
+  bool before(deform::Deformer& deformer, const Drag& drag) {
+    if (!dragging_ || (drag && drag->softened() == softened_)) return false;
+    deformer.end_drag();
+    dragging_ = false;
+    return true;
+  }
+  /// Call after a frame: partial frames can only follow a complete one.
+  void after(deform::Deformer& deformer, const Drag& drag) {
+    if (drag && !dragging_ && deformer.ran() && !drag->vertices().empty())
+      deformer.begin_drag(drag->vertices());
+    dragging_ = drag.has_value();
+    softened_ = drag ? drag->softened() : 0;
+  }
+
+private:
+  bool dragging_ = false;
+  int softened_ = 0;  // soft-selection count of the current drag
+};
+
+/// A snapshot of a frame's input, for background work.
+struct FrameInput {
+  Bound bound;
+  deform::Scheme scheme;
+  sym3::Method method = sym3::Method::fast;
+  bool all_staged = false;  ///< the staged engine for all methods
+  deform::Pose pose;
+  deform::Mask mask;
+  deform::Probes probes;
+  deform::SharedShape shape;
+};
+
+/// Call from one thread. A pool passed to it must outlive the deformer.
+class ViewModel {
+public:
+  bool binding() const { return binder_.running(); }
+  bool has_result() const { return binder_.has_result(); }
+  /// The deformer of the open document, or null.
+  const deform::Deformer* deformer() const { return deformer_.get(); }
+  const Bound& bound() const { return bound_; }
+  /// True once the model has been deformed with its deformer.
+  bool ran() const { return deformer_ && deformer_->ran(); }
+  /// The input of a frame with this method; there must be a deformer.
+  FrameInput input(const scene::Document& document, sym3::Method method) const {
+    return {bound_,
+            deformer_->scheme(),
+            method,
+            deformer_->all_staged(),
+            document.has_cage() ? document.pose : deform::rest_pose(*bound_.cage),
+            deformer_->mask(),
+            document.probes,
+            document.shape};
+  }
+  /// The number of deformed frames, to identify a measured one.
+  unsigned long frames() const { return frames_; }
+  /// True if there is a new frame since the last call.
+  bool take_news() { return std::exchange(news_, false); }
+
+protected:
+  // Everything that determines the binding.
+  struct Need {
+    deform::Scheme scheme;
+    sym3::Method method = sym3::Method::fast;
+    bool staged = false;  // the staged engine for all methods
+    friend bool operator==(const Need&, const Need&) = default;
+  };
+  void bind_for(const Need& need, std::shared_ptr<const mesh::Surface> model,
+                std::shared_ptr<const deform::Cage> cage, const Bound& known, std::string name = "") {
+    // Every method except `fast` uses the staged weights.
+    const sym3::Method method = need.staged ? sym3::Method::diag : need.method;
+    binder_.start(
+        [=, scheme = need.scheme](base::Progress& progress) {
+          return app::bind(model, cage, scheme, method, known, progress);
+        },
+        std::move(name));
+  }
+  void make_deformer(const deform::Scheme& scheme, bool staged, base::WorkerPool& pool) {
+    deformer_ = std::make_unique<deform::Deformer>(bound_.cage, bound_.binding, scheme, pool,
+                                                   bound_.stitches(scheme) ? bound_.stitching : nullptr);
+    deformer_->set_all_staged(staged);
+    drag_ = {};
+  }
+  void run(const scene::Document& document, const deform::Pose& pose, const deform::SharedShape& shape,
+           sym3::Method method) {
+    if (deformer_->mask() != document.mask) deformer_->set_mask(document.mask);
+    deformer_->set_probes(document.probes);
+    deformer_->set_shape(shape);
+    deformer_->deform(document.has_cage() ? pose : deform::rest_pose(*bound_.cage), method);
+    ++frames_;
+    news_ = true;
+  }
+
+  base::BackgroundJob<Bound> binder_;
+  Bound bound_;  // input of the deformer; empty without one
+  std::unique_ptr<deform::Deformer> deformer_;
+  DragFollower drag_;
+
+private:
+  unsigned long frames_ = 0;
+  bool news_ = false;
+};
+
+/// Follows the document's revisions: rebinds in the background for changed surfaces or weights while the old
+/// binding stays in use; pose, blend and method only need a new frame. Call from one thread.
+class LiveModel : public ViewModel {
+public:
+  explicit LiveModel(FileDesk& files) : files_(files) {}
+  ~LiveModel() { deformer_.reset(); }
+
+  /// Changes since the last call.
+  struct Changed {
+    bool document = false, cage = false;
+  };
+  /// Call once per frame before deform(): installs a finished binding and starts a new one if needed. `made`
+  /// is the binding of a newly made cage; it is ignored if it belongs to another cage.
+  Changed follow(scene::Workspace& workspace, Bound made = {});
+  /// Waits for the needed binding.
+  void finish_binding(scene::Workspace& workspace);
+  /// Cancels a running binding and reverts the setting that required it.
+  void stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity);
+
+  /// Deforms the model if pose, blend or method changed since the last frame, or a drag has ended. Returns
+  /// true if it did. The first frame after a binding is a warm-up: it fills caches, has no meaningful timing,
+  /// and is repeated.
+  bool deform(scene::Workspace& workspace, scene::FrameTimes& times);
+
+  /// True if follow() or deform() would do something now.
+  bool is_due(const scene::Document& document) const;
+  /// True if the last frame was a warm-up.
+  bool prepared() const { return prepared_; }
+
+  /// Replaces the binding by one of the same weights that supports more methods, for later use.
+  void share(const std::shared_ptr<const deform::Binding>& binding);
+  /// True if the last frame computed exponentials.
+  bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }
+  /// A vertex of the model as drawn, in the file's units.
+  mesh::Point vertex(const scene::Document& document, std::size_t index) const;
+
+private:
+  void follow_surfaces(scene::Workspace& workspace, Bound bound);
+  void start_binding(const scene::Document& document);
+  void take_binding(scene::Workspace& workspace, bool wait);
+  void install(scene::Workspace& workspace, Bound bound);
+  std::shared_ptr<const deform::Cage> cage_of(const scene::Document& document);
+  static deform::Scheme scheme_of(const scene::Document& document);
+  void take_carried(scene::Document& document);
+  scene::Carried carried_pin(const scene::Document& document, const deform::Probe& probe);
+  sym3::Mat3<double> map_at(const scene::Document& document, std::uint32_t vertex) const;
+  void follow_blend(const deform::Scheme& scheme);
+  void renew_deformer(const deform::Scheme& scheme);
+  bool deforms(const scene::Document& document) const;
+
+  FileDesk& files_;
+  base::WorkerPool pool_;
+  std::shared_ptr<const deform::Cage> no_cage_;  // substitute for a missing cage; null until needed
+
+  // Revisions of the last result; nullopt: derive again.
+  scene::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;
+  struct Derived {
+    scene::Revision pose, method;
+    deform::Mask mask;
+    friend bool operator==(const Derived&, const Derived&) = default;
+  };
+  static Derived derived_of(const scene::Document& document) {
+    return {document.revisions().pose, document.revisions().method, document.mask};
+  }
+  std::optional<Derived> derived_;
+  mesh::Adjacency around_;                   // triangles at each vertex; empty until a pin needs it
+  bool same_path_ = false;                   // the staged engine for all methods
+  std::optional<scene::Revision> given_up_;  // pose at which the first binding was cancelled
+  bool unprepared_ = false, prepared_ = false;
+};
+
+/// The model of an additional view. Shares the first view's binding if possible.
+class SideModel : public ViewModel {
+public:
+  /// Call after a frame of the first view. Returns true if this view has a new frame too.
+  bool follow(scene::View& view, scene::Workspace& workspace, const LiveModel& first, base::WorkerPool& pool,
+              bool wait = false);
+  /// True if follow() would do something now.
+  bool is_due(const scene::View& view, const scene::Workspace& workspace, const LiveModel& first) const;
+  void forget();
+
+private:
+  // Everything that determines a frame.
+  struct Made {
+    Need need;
+    scene::Revision pose = 0;
+    deform::Mask mask;
+    bool other_blending = false;
+    friend bool operator==(const Made&, const Made&) = default;
+  };
+  static Made made_of(const scene::View& view, const scene::Workspace& workspace);
+  bool serves(const Need& need) const;
+
+  std::optional<Made> made_;     // last frame
+  Need asked_;                   // the running binding
+  std::optional<Need> refused_;  // the last binding that failed
+};
+
+class SideViews {
+public:
+  /// See SideModel. Returns true if any view has a new frame.
+  bool follow(scene::Workspace& workspace, const LiveModel& first, bool wait = false);
+  void finish(scene::Workspace& workspace, const LiveModel& first);
+  void forget();
+  bool is_due(const scene::Workspace& workspace, const LiveModel& first) const;
+  bool binding(const scene::Workspace& workspace) const;
+  SideModel& operator[](std::size_t side) { return models_[side]; }
+  const SideModel& operator[](std::size_t side) const { return models_[side]; }
+  /// Measures the frames' errors a few times a second and stores them in the workspace. Returns true on a
+  /// change.
+  bool measure(scene::Workspace& workspace);
+
+private:
+  std::unique_ptr<base::WorkerPool> pool_;  // exists while there are side views
+  std::array<SideModel, scene::Split::most - 1> models_;
+  std::array<unsigned long, scene::Split::most - 1> measured_{};  // index of the measured frame
+  double measured_at_ = -1;                                       // wall seconds
+};
+
+}  // namespace viete::app
