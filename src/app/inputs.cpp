@@ -30,22 +30,14 @@ void add_files(CLI::App& app, Inputs& inputs) {
   add_file_option(app, "--pose", inputs.pose, "Posed cage (same vertices, same order)");
 }
 
-void add_amount_option(CLI::App& app, const std::string& name, const std::string& what,
-                       std::optional<double>& amount) {
-  add_percent_option(app, name, amount, deform::amount_from_percent, 200,
-                     "Scale the cage's " + what + ", 0 to 200")
-      ->default_str("100");
-}
-
-void add_scheme_options(CLI::App& app, Inputs& inputs) {
-  deform::PartialChoice& choice = inputs.settings.choice;
-  auto* way = add_way_option(app, inputs.settings.way);
-  add_choice_options(app, choice);
+void add_scheme_options(CLI::App& app, scene::RequestedSettings& settings) {
+  auto* way =
+      add_choice(app, "--deformer", "Deformer, see 'viete help deformers'", deform::all_ways(), settings.way);
+  way->default_str("smooth");
+  add_choice_options(app, settings.choice);
   for (const char* other : {"--weights", "--blend"}) way->excludes(app.get_option(other));
-  add_radius_option(app, inputs.settings.radius);
-  add_amount_option(app, "--turn", "rotation", inputs.settings.turn);
-  add_amount_option(app, "--stretch", "stretch", inputs.settings.stretch);
-  add_stitching_options(app, inputs.settings);
+  for (const char* name : {"radius", "turn", "stretch"}) add_number_option(app, name, settings);
+  add_stitching_options(app, settings);
 }
 
 }  // namespace
@@ -53,7 +45,7 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
 void add_input_options(CLI::App& app, Inputs& inputs) {
   add_files(app, inputs);
   add_method_option(app, [&inputs](sym3::Method method) { inputs.settings.method = method; });
-  add_scheme_options(app, inputs);
+  add_scheme_options(app, inputs.settings);
 }
 
 void check_usage(const Inputs& inputs) {

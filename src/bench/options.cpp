@@ -193,11 +193,12 @@ void add_modes_bench(CLI::App& command, Action& action) {
       ->default_str("the dragon's poses");
   add_method_option(command, [&settings](sym3::Method method) { settings.method = method; });
   add_choice_options(command, settings.choice);
-  add_radius_option(command, settings.radius);
-  auto asked = std::make_shared<scene::RequestedSettings>();
+  auto asked = std::make_shared<deform::AskedScheme>();
+  add_number_option(command, "radius", *asked);
   add_stitching_options(command, *asked);
   add_rounds_option(command, settings.rounds, "11");
   const auto check = [&options, asked] {
+    options.settings.radius = asked->radius;
     options.settings.iterations = asked->iterations.value_or(0);
     if ((asked->pins || asked->hold) && !asked->iterations)
       throw CLI::ValidationError(asked->pins ? "--pins" : "--hold", "needs --stitched");

@@ -29,20 +29,27 @@ using Point3 = std::array<double, 3>;
 /// fraction, 0 to 1. An exception that it throws cancels the work and is passed on to the caller.
 using Watch = std::function<void(double done)>;
 
+/// The other content of a file: materials, texture coordinates, groups, comments.
+struct FileContent;
+
 /// A polygon mesh. Corners of a face run counter-clockwise as seen from outside.
 struct Mesh {
   std::vector<Point3> vertices;
   std::vector<std::uint32_t> corners;  ///< vertex indices from 0, one face after the other
   std::vector<std::uint32_t>
       starts;  ///< face f has corners [starts[f], starts[f + 1]); starts has face_count() + 1 entries
+  std::shared_ptr<const FileContent>
+      file{};  ///< set by read_mesh(); write_mesh() keeps it for the same faces
 
   std::size_t face_count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };
 
 /// Reads or writes OBJ, PLY, OFF, STL or glTF, chosen by the file extension. Writing is atomic. STL and glTF
-/// keep neither the vertex order nor polygons. notes, if not null, receives warnings, one line each.
+/// keep neither the vertex order nor polygons. notes, if not null, receives warnings, one line each, when
+/// writing about content that the format does not support.
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
-void write_mesh(const std::filesystem::path& file, const Mesh& mesh);
+void write_mesh(const std::filesystem::path& file, const Mesh& mesh,
+                std::vector<std::string>* notes = nullptr);
 
 /// Parameters of make_cage(). Values out of range are errors.
 struct CageWish {
@@ -58,8 +65,8 @@ struct CageWish {
 /// A closed cage around the model, without self-intersections.
 Mesh make_cage(const Mesh& model, const CageWish& wish = {}, const Watch& watch = {});
 
-/// How the cage moves the model, with the names used by `viete deform`. Empty members take the value of the
-/// deformer `way`.
+/// How the cage moves the model: names and numbers of `viete help deformers`, numbers as fractions. Empty
+/// members take the value of the deformer `way`.
 struct Blending {
   std::string way = "smooth";               ///< "smooth", "paper", "mean-value", "rigid", "arap", "local"
   std::string weights{}, blend{};           ///< override those of `way`; empty: not overridden
@@ -68,17 +75,6 @@ struct Blending {
   std::optional<int> stitched{};            ///< iterations of the stitched solver, 1 to 20
   std::optional<double> pins{}, hold{};     ///< pin radius in cage sizes, hold weight; both 0 to 1
   std::string method = "fast";              ///< matrix functions: "diag", "sd", "improved_sd" or "fast"
-};
-
-/// A frame that moves, rotates and stretches the points near it: y = place + exp(turn) exp(stretch) (x -
-/// place) + move.
-struct Probe {
-  Point3 place{};                   ///< rest position
-  double radius = 1;                ///< reach, above 0 and up to 1e60
-  std::string falloff = "smooth";   ///< "smooth", "round", "linear", "sharp", "even", "endless"
-  Point3 turn{};                    ///< rotation vector, in radians
-  std::array<double, 6> stretch{};  ///< logarithm of the stretch, upper triangle by rows: xx xy xz yy yz zz
-  Point3 move{};                    ///< translation
 };
 
 /// A model bound to a cage. Not thread-safe; several deformers are independent. fork() waits until deform()
@@ -115,8 +111,6 @@ public:
   void set_mask(std::span<const float> shares);
   /// Replaces the shape that the cage deforms, three numbers a vertex; empty: the model at rest.
   void set_shape(std::span<const double> positions);
-  /// Sets the probes, which act after the cage.
-  void set_probes(const std::vector<Probe>& probes);
 
 private:
   struct Impl;
@@ -134,9 +128,6 @@ public:
   ShapeSpace& operator=(ShapeSpace&&) noexcept;
 
   std::size_t shape_count() const;
-  /// The logarithm of each triangle's map in a shape: six numbers of the stretch (xx xy xz yy yz zz) and a
-  /// rotation vector, relative to the global rotation of the shape.
-  std::vector<std::array<double, 9>> vector(std::size_t shape) const;
   /// The weighted sum of the shapes: all weights 0 is the rest shape, (1, 0, ...) the first shape.
   std::vector<Point3> mix(std::span<const double> weights) const;
   /// Interpolates along the sequence of shapes: 0 is the first, 1 the second, 0.5 halfway. straight: moves
@@ -163,7 +154,6 @@ public:
   PoseSpace& operator=(PoseSpace&&) noexcept;
 
   std::size_t pose_count() const;
-  std::vector<std::array<double, 9>> vector(std::size_t pose) const;
   std::vector<Point3> mix(std::span<const double> weights) const;
   std::vector<Point3> between(double at, bool straight = false) const;
 

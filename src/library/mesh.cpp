@@ -120,14 +120,26 @@ Mesh mesh_of(const mesh::Surface& surface) {
 
 }  // namespace library
 
+struct FileContent : mesh::ReadResult {};
+
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes) {
-  mesh::ReadResult read = mesh::read(file);
-  if (notes) *notes = std::move(read.warnings);
-  return library::mesh_of(read.surface);
+  const auto content = std::make_shared<FileContent>(FileContent{mesh::read(file)});
+  if (notes) *notes = content->warnings;
+  Mesh mesh = library::mesh_of(content->surface);
+  mesh.file = content;
+  return mesh;
 }
 
-void write_mesh(const std::filesystem::path& file, const Mesh& mesh) {
-  mesh::write(file, library::surface_of(mesh, "the mesh"));
+void write_mesh(const std::filesystem::path& file, const Mesh& mesh, std::vector<std::string>* notes) {
+  const mesh::Surface surface = library::surface_of(mesh, "the mesh");
+  const FileContent* const content = mesh.file.get();
+  const bool same = content && content->surface.positions.size() == mesh.vertices.size() &&
+                    content->surface.corners == mesh.corners &&
+                    content->surface.polygon_starts == mesh.starts;
+  if (!same) return mesh::write(file, surface);
+  auto losses = mesh::write(file, {content->surface, surface.positions, {}, content->attributes.get()},
+                            content->original.get(), {});
+  if (notes) *notes = std::move(losses);
 }
 
 Mesh make_cage(const Mesh& model, const CageWish& asked, const Watch& watch) {

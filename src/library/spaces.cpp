@@ -37,11 +37,6 @@ void check_moment(double at, std::size_t count) {
                       "0 is the first shape, " + std::to_string(count - 1) + " the last");
 }
 
-void check_number(std::size_t number, std::size_t count) {
-  if (number >= count)
-    throw base::Error("shapes", "there is no shape " + std::to_string(number), "indices start at 0");
-}
-
 void check_weights(std::span<const double> weights, std::size_t count) {
   if (weights.size() != count)
     throw base::Error(
@@ -119,11 +114,6 @@ ShapeSpace& ShapeSpace::operator=(ShapeSpace&&) noexcept = default;
 
 std::size_t ShapeSpace::shape_count() const {
   return impl_->shapes.size();
-}
-
-std::vector<std::array<double, 9>> ShapeSpace::vector(std::size_t shape) const {
-  check_number(shape, impl_->vectors.size());
-  return impl_->vectors[shape].logs;
 }
 
 std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
@@ -217,11 +207,6 @@ PoseSpace& PoseSpace::operator=(PoseSpace&&) noexcept = default;
 
 std::size_t PoseSpace::pose_count() const {
   return impl_->poses.size();
-}
-
-std::vector<std::array<double, 9>> PoseSpace::vector(std::size_t pose) const {
-  check_number(pose, impl_->vectors.size());
-  return impl_->vectors[pose].logs;
 }
 
 std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {

@@ -36,13 +36,8 @@ inline void check_range(const char* what, double value, double low, double high)
   throw base::Error(what, plain(value) + " is out of range", "choose " + range);
 }
 
-/// Replaces command-line options by parameter names: "--mean-value" becomes mean_value.
-std::string without_dashes(const std::string& sentence);
-
-/// Lists names with their descriptions, for docstrings: "\n  'smooth': Spreads ...".
-std::string ways_text();
-std::string choices_text();
-std::string falloffs_text();
+/// The settings of Blending with their values, for docstrings: "\nway: ...\n  'smooth': ...".
+std::string settings_text();
 
 /// 0 for all processors.
 inline int checked_threads(int threads) {

@@ -153,7 +153,7 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_and_keep_every_bit_beyond")
     // A radius that reaches everything gives no shares, and a mask multiplies existing ones.
     f.set_mask(everywhere(f.staged.model, 0.5f));
     f.deform(f.staged.pose(shared_twist));
-    scheme.weighting.radius = largest_radius;
+    scheme.weighting.radius = number("radius").largest;
     CHECK(SharedFrames(scheme).staged.binding->shares.empty());
   }
 }

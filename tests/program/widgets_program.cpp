@@ -166,7 +166,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   type("turn", "33");
   CHECK(scheme.amounts.turn == doctest::Approx(0.33));
   type("stretch", "1000");
-  CHECK(scheme.amounts.stretch == scene::largest_amount);
+  CHECK(scheme.amounts.stretch == deform::number("stretch").largest);
   type("pose_weight/0", "12.5");
   CHECK(d.document().library.poses[0].weight == doctest::Approx(0.125));
   type("pose_weight/0", "999", false);

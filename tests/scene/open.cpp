@@ -276,7 +276,7 @@ TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
     put_settings(document, {{.choice = {.weights = deform::Weights::mean_value}, .turn = 1}});
     FAIL("points took a turn");
   } catch (const base::Error& error) {
-    CHECK(error.place() == "--turn");
+    CHECK(error.place() == "turn");
   }
   CHECK(document.scheme.amounts == deform::Amounts{0.5, 0});
 }
@@ -403,8 +403,9 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
       CHECK(opened.document->cage->surface.triangles == plain.triangles);
       CHECK(opened.document->cage->closed);
       CHECK(opened.document->cage_file.path.empty());
-      CHECK(test::mentions(opened.warnings.at(0),
-                           std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
+      CHECK(test::mentions(
+          opened.warnings.at(0),
+          std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
     }
   }
   CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, Fins::removed}, {})

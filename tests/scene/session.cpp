@@ -190,14 +190,14 @@ TEST_CASE("a_damaged_part_of_a_session_is_skipped_with_a_warning") {
   } cases[] = {
       {"method", "\"best\"", "a.viete: method: \"best\" is not known; fast instead (choices: diag"},
       {"method", "7", "a.viete: method: found a number where a text belongs; fast instead"},
-      {"radius", "0.01", "a.viete: radius: a radius must be 0.1 to 1000 percent"},
-      {"turn", "201", "a.viete: turn: an amount must be 0 to 200 percent; 100 percent instead"},
-      {"stretch", "-1", "a.viete: stretch: an amount must be 0 to 200 percent; 100 percent instead"},
+      {"radius", "0.01", "a.viete: radius: it must be 0.1 % to 1000 %; 25 % instead"},
+      {"turn", "201", "a.viete: turn: it must be 0 % to 200 %; 100 % instead"},
+      {"stretch", "-1", "a.viete: stretch: it must be 0 % to 200 %; 100 % instead"},
       {"stitched", "0", "a.viete: stitched: iterations must be 1 to 20; not stitched instead"},
       {"stitched", "21", "a.viete: stitched: iterations must be 1 to 20"},
       {"stitched", "true", "a.viete: stitched: found"},
-      {"pins", "101", "a.viete: pins: it must be 0 to 100 percent; 0 instead"},
-      {"hold", "-1", "a.viete: hold: it must be 0 to 100 percent; 0 instead"},
+      {"pins", "101", "a.viete: pins: it must be 0 % to 100 %; 0 % instead"},
+      {"hold", "-1", "a.viete: hold: it must be 0 % to 100 %; 0 % instead"},
       {"radius", "-1e999", "a.viete: radius"},
       {"radius", "\"far\"", "a.viete: radius: found a text where a number belongs"},
       {"camera", "[]",
@@ -366,9 +366,8 @@ TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
   }
   const struct {
     const char *key, *value, *warning;
-  } wrong[] = {
-      {"radius", "0", "radius: a radius must be 0.1 to 1000 percent of the cage's size; 25 percent instead"},
-      {"radius", "1001", "radius: a radius must be 0.1"}};
+  } wrong[] = {{"radius", "0", "radius: it must be 0.1 % to 1000 %; 25 % instead"},
+               {"radius", "1001", "radius: it must be 0.1 %"}};
   for (const auto& w : wrong) {
     test::put_file(files / "a.viete", with(w.key, w.value));
     const Session session = read_session(files / "a.viete");

@@ -149,29 +149,6 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
 
 namespace {
 
-// Rounded to the number the user typed: 29 instead of 28.999999999999996.
-double percent(double amount) {
-  return std::round(1e8 * amount) / 1e6;
-}
-
-double radius_of(const JsonReader& json) {
-  const auto radius = deform::radius_from_percent(json.number());
-  if (!radius) json.fail("a radius must be 0.1 to 1000 percent of the cage's size");
-  return *radius;
-}
-
-double amount_of(const JsonReader& json) {
-  const auto amount = deform::amount_from_percent(json.number());
-  if (!amount) json.fail("an amount must be 0 to 200 percent");
-  return *amount;
-}
-
-double share_of(const JsonReader& json) {
-  const auto share = deform::share_from_percent(json.number());
-  if (!share) json.fail("it must be 0 to 100 percent");
-  return *share;
-}
-
 int iterations_of(const JsonReader& json, deform::Scheme scheme) {
   const std::uint32_t number = json.index();
   if (number < 1 || number > deform::most_iterations)
@@ -184,17 +161,12 @@ int iterations_of(const JsonReader& json, deform::Scheme scheme) {
 }  // namespace
 
 ordered_json scheme_json(const deform::Scheme& scheme) {
-  const deform::Weighting& weighting = scheme.weighting;
   ordered_json json;
   json["weights"] = deform::entry(scheme.weighting.weights).name;
   json["blend"] = deform::entry(scheme.blend).name;
-  if (weighting.radius != deform::Weighting{}.radius) json["radius"] = percent(weighting.radius);
-  const deform::Amounts& amounts = scheme.amounts;
-  if (amounts.turn != 1) json["turn"] = percent(amounts.turn);
-  if (amounts.stretch != 1) json["stretch"] = percent(amounts.stretch);
   if (scheme.stitched()) json["stitched"] = scheme.iterations;
-  if (scheme.holding.radius > 0) json["pins"] = percent(scheme.holding.radius);
-  if (scheme.holding.weight > 0) json["hold"] = percent(scheme.holding.weight);
+  for (const deform::NumberEntry& number : deform::all_numbers())
+    if (number.percent(scheme) != number.percent({})) json[number.name.data()] = number.percent(scheme);
   return json;
 }
 
@@ -235,15 +207,18 @@ deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warni
         "as published instead", warnings);
   }
   deform::Scheme result = scheme.value_or(deform::Scheme{});
-  deform::Weighting& weighting = result.weighting;
-  take_part(json, "radius", weighting.radius, radius_of, "25 percent instead", warnings);
-  take_part(json, "turn", result.amounts.turn, amount_of, "100 percent instead", warnings);
-  take_part(json, "stretch", result.amounts.stretch, amount_of, "100 percent instead", warnings);
   take_part(
       json, "stitched", result.iterations, [&](const auto& v) { return iterations_of(v, result); },
       "not stitched instead", warnings);
-  take_part(json, "pins", result.holding.radius, share_of, "0 instead", warnings);
-  take_part(json, "hold", result.holding.weight, share_of, "0 instead", warnings);
+  for (const deform::NumberEntry& number : deform::all_numbers()) {
+    const std::string problem = "it must be " + deform::text_of_percent(number.least) + " to " +
+                                deform::text_of_percent(number.largest),
+                      instead = deform::text_of_percent(number.of(result)) + " instead";
+    const auto read = [&](const auto& v) {
+      return v.number(100 * number.least, 100 * number.largest, problem.c_str()) / 100;
+    };
+    take_part(json, number.name.data(), number.of(result), read, instead.c_str(), warnings);
+  }
   return result;
 }
 
