@@ -99,9 +99,8 @@ struct Deformer::Impl {
         notes(cage->warnings) {}
 
   deform::Pose pose(std::span<const double> numbers, const std::vector<Point3>* turns) const {
-    deform::Pose pose{library::points_of(numbers, cage->surface.positions.size(), "the pose of the cage"),
-                      {}};
-    library::check_deformable(pose.positions, 0, "the pose of the cage");
+    deform::Pose pose{
+        library::deformable_points(numbers, cage->surface.positions.size(), "the pose of the cage"), {}};
     check_turns(turns);
     if (turns) pose.turns = library::inside(*turns);
     return pose;
@@ -241,11 +240,9 @@ void Deformer::set_mask(std::span<const float> shares) {
 void Deformer::set_shape(std::span<const double> positions) {
   const base::ForkDelay delay;
   deform::SharedShape shape;
-  if (!positions.empty()) {
-    auto points = library::points_of(positions, vertex_count(), "the shape");
-    library::check_deformable(points, 0, "the shape");
-    shape = std::make_shared<const std::vector<mesh::Point>>(std::move(points));
-  }
+  if (!positions.empty())
+    shape = std::make_shared<const std::vector<mesh::Point>>(
+        library::deformable_points(positions, vertex_count(), "the shape"));
   impl_->shape = std::move(shape);
   if (impl_->live_) impl_->live_->set_shape(impl_->shape);
 }

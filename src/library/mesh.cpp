@@ -43,20 +43,6 @@ void check_faces(const Mesh& mesh, const char* what) {
              "vertex indices start at 0");
 }
 
-}  // namespace
-
-std::vector<mesh::Point> inside(std::span<const Point3> points) {
-  std::vector<mesh::Point> all(points.size());
-  for (std::size_t v = 0; v < all.size(); ++v) all[v] = {points[v][0], points[v][1], points[v][2]};
-  return all;
-}
-
-std::vector<Point3> outside(std::span<const mesh::Point> points) {
-  std::vector<Point3> all(points.size());
-  for (std::size_t v = 0; v < all.size(); ++v) all[v] = {points[v][0], points[v][1], points[v][2]};
-  return all;
-}
-
 void check_points(std::span<const mesh::Point> points, std::size_t vertices, const char* what) {
   if (points.size() != vertices)
     refuse(
@@ -70,20 +56,41 @@ void check_points(std::span<const mesh::Point> points, std::size_t vertices, con
                "use finite coordinates");
 }
 
+// Requires an extent of `least` to most_deformable, or a single point, and coordinates within that.
+void check_deformable(std::span<const mesh::Point> points, double least, const char* what) {
+  const mesh::Bounds box = mesh::bounds(points);
+  const double extent = mesh::largest_abs(box.high - box.low);
+  const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
+  if (farthest > most_deformable)
+    refuse(what, "it has a coordinate of size " + plain(farthest), "scale it so that it stays within 1e60");
+  if (extent > 0 && extent < least)
+    refuse(what, "it is " + plain(extent) + " in size", "scale it to 1e-60 or more");
+}
+
+}  // namespace
+
+std::vector<mesh::Point> inside(std::span<const Point3> points) {
+  return {points.begin(), points.end()};
+}
+
+std::vector<Point3> outside(std::span<const mesh::Point> points) {
+  return {points.begin(), points.end()};
+}
+
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice) {
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!mesh::is_place(points[v], std::numeric_limits<double>::max()))
       refuse(what, "vertex " + std::to_string(v) + " would have a coordinate that is not finite", advice);
 }
 
-std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what) {
+std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std::size_t vertices,
+                                           const char* what) {
   if (numbers.size() % 3 != 0)
     refuse(what, "it has " + std::to_string(numbers.size()) + " numbers", "pass three per vertex");
   std::vector<mesh::Point> points(numbers.size() / 3);
   for (std::size_t v = 0; v < points.size(); ++v)
     points[v] = {numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]};
-  check_points(points, vertices, what);
-  return points;
+  return deformable(std::move(points), vertices, what);
 }
 
 mesh::Surface surface_of(const Mesh& mesh, const char* what) {
@@ -98,14 +105,10 @@ mesh::Surface surface_of(const Mesh& mesh, const char* what) {
   return surface;
 }
 
-void check_deformable(std::span<const mesh::Point> points, double least, const char* what) {
-  const mesh::Bounds box = mesh::bounds(points);
-  const double extent = mesh::largest_abs(box.high - box.low);
-  const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
-  if (farthest > most_deformable)
-    refuse(what, "it has a coordinate of size " + plain(farthest), "scale it so that it stays within 1e60");
-  if (extent > 0 && extent < least)
-    refuse(what, "it is " + plain(extent) + " in size", "scale it to 1e-60 or more");
+std::vector<mesh::Point> deformable(std::vector<mesh::Point> points, std::size_t vertices, const char* what) {
+  check_points(points, vertices, what);
+  check_deformable(points, 0, what);
+  return points;
 }
 
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what) {

@@ -18,15 +18,14 @@ std::vector<Point3> outside(std::span<const mesh::Point> points);
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
 /// Limit of coordinates of deformable surfaces, as in `viete deform`.
 inline constexpr double most_deformable = 1e60;
-/// Throws base::Error unless the extent is `least` (0 for poses and shapes) to most_deformable, or a single
-/// point, and all coordinates are within most_deformable.
-void check_deformable(std::span<const mesh::Point> points, double least, const char* what);
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 
-/// Groups three numbers per vertex into points. Throws base::Error as above.
-std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what);
-void check_points(std::span<const mesh::Point> points, std::size_t vertices, const char* what);
+/// Throws base::Error unless these are so many finite points, as for check_deformable().
+std::vector<mesh::Point> deformable(std::vector<mesh::Point> points, std::size_t vertices, const char* what);
+/// The same for three numbers per vertex.
+std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std::size_t vertices,
+                                           const char* what);
 /// Checks results. Throws base::Error with `advice`.
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice);
 
