@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "app/command_line.h"
 #include "app/help.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
@@ -12,7 +13,6 @@
 #include "base/text.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/triangle.h"
-#include "scene/files/animation_export.h"
 
 namespace viete::app {
 
@@ -46,6 +46,13 @@ void add_input_options(CLI::App& app, Inputs& inputs) {
   add_files(app, inputs);
   add_method_option(app, [&inputs](sym3::Method method) { inputs.settings.method = method; });
   add_scheme_options(app, inputs.settings);
+}
+
+CLI::Option* add_output_options(CLI::App& app, Output& output, const std::string& text) {
+  auto* file = add_file_option(app, "-o,--output", output.file, text)->required();
+  if (output.content != Content::picture) add_digits_option(app, output.digits);
+  add_force_option(app, output.force);
+  return file;
 }
 
 void check_usage(const Inputs& inputs) {
@@ -112,8 +119,8 @@ void print_notes(const std::vector<std::string>& notes) {
   for (const auto& note : notes) std::fprintf(stderr, "viete: note: %s\n", base::printable(note).c_str());
 }
 
-void print_summary(const fs::path& file, const std::string& summary) {
-  std::printf("%s: %s\n", base::printable(file.string()).c_str(), base::printable(summary).c_str());
+void print_summary(const Output& output, const std::string& summary) {
+  std::printf("%s: %s\n", base::printable(output.file.string()).c_str(), base::printable(summary).c_str());
 }
 
 namespace {
@@ -163,6 +170,23 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
   return all;
 }
 
+scene::Export export_to(const Output& output, const scene::Opened& opened) {
+  scene::Export what = scene::export_of(*opened.document, output.file);
+  what.digits = output.digits;
+  if (opened.session && opened.session->camera) what.up = opened.session->camera->up;
+  return what;
+}
+
+int write_frames(const Output& output, const scene::AnimationExport& what) {
+  const scene::AnimationReport report = [&] {
+    TerminalProgress work(output.task());
+    return scene::write_animation(what, &work.progress());
+  }();
+  print_notes(report.notes);
+  print_summary(output, report.summary);
+  return exit_ok;
+}
+
 std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
                                      base::Progress* progress) {
   if (!scene::in_range({{}, {}, what.shape}))
@@ -171,11 +195,11 @@ std::vector<std::string> write_shape(const scene::Export& what, const std::strin
   return scene::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
 }
 
-int run_cancellable(const std::filesystem::path& output, const std::function<int()>& write) {
+int run_cancellable(const Output& output, const std::function<int()>& write, const char* advice) {
   try {
     return write();
   } catch (const base::Cancelled&) {
-    throw base::Error(output.string(), "stopped", "no file was changed");
+    throw base::Error(output.file.string(), "stopped", advice);
   }
 }
 
