@@ -13,9 +13,7 @@
 #include "deform/deformer.h"
 #include "deform/exact.h"
 #include "deform/scheme.h"
-#include "library/surfaces.h"
-#include "library/watched.h"
-#include "library/words.h"
+#include "library/arguments.h"
 #include "mesh/normals.h"
 #include "scene/files/export.h"
 

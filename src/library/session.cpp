@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/process.h"
 #include "base/worker_pool.h"
-#include "library/surfaces.h"
+#include "library/arguments.h"
 #include "scene/files/animated_model.h"
 #include "scene/files/open.h"
 

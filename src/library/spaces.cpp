@@ -8,9 +8,7 @@
 #include "base/process.h"
 #include "base/worker_pool.h"
 #include "deform/example_posing.h"
-#include "library/surfaces.h"
-#include "library/watched.h"
-#include "library/words.h"
+#include "library/arguments.h"
 #include "scene/document/animation.h"
 #include "scene/document/shape_mix.h"
 

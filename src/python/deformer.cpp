@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "library/words.h"
+#include "library/arguments.h"
 #include "python/meshes.h"
 
 namespace viete::python {

@@ -1,6 +1,4 @@
 // The program in a shell: subcommands, outputs, errors, exit codes.
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -14,7 +12,6 @@
 #include "render/image.h"
 #include "scene/cube.h"
 #include "scene/posed_cube.h"
-#include "support/gltf.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -319,68 +316,4 @@ TEST_CASE("errors_name_file_and_reason_and_exit_with_1") {
   f.refused(deform + "other.obj", 1, "other.obj: the pose has 3 vertices, the cage has 76");
   f.refused("render " + in_cage + " -o /nowhere/out.png", 1, "/nowhere/out.png");
   for (const char* name : {"out.png", "out.ply"}) CHECK_FALSE(fs::exists(f / name));
-}
-
-namespace {
-
-// The contents of a GLB according to an independent reader.
-struct Judged {
-  std::string image;
-  std::vector<float> positions, texture;
-};
-
-std::vector<float> judged_floats(const tinygltf::Model& model, const char* attribute) {
-  const int index = model.meshes.at(0).primitives.at(0).attributes.at(attribute);
-  const auto& accessor = model.accessors.at(static_cast<std::size_t>(index));
-  const auto& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));
-  const auto* from = model.buffers.at(0).data.data() + view.byteOffset + accessor.byteOffset;
-  std::vector<float> values(view.byteLength / sizeof(float));
-  std::memcpy(values.data(), from, view.byteLength);
-  return values;
-}
-
-Judged judged(const fs::path& file) {
-  Judged found;
-  tinygltf::TinyGLTF loader;
-  tinygltf::Model model;
-  std::string problem, warning;
-  loader.SetImageLoader(
-      [](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
-         void* to) {
-        static_cast<Judged*>(to)->image.assign(reinterpret_cast<const char*>(bytes),
-                                               static_cast<std::size_t>(size));
-        return true;
-      },
-      &found);
-  REQUIRE_MESSAGE(loader.LoadBinaryFromFile(&model, &problem, &warning, file.string()), problem);
-  const auto& material =
-      model.materials.at(static_cast<std::size_t>(model.meshes.at(0).primitives.at(0).material));
-  CHECK(material.pbrMetallicRoughness.baseColorTexture.index == 0);
-  found.positions = judged_floats(model, "POSITION");
-  found.texture = judged_floats(model, "TEXCOORD_0");
-  return found;
-}
-
-}  // namespace
-
-TEST_CASE("a_deformed_textured_glb_opens_in_another_reader_with_its_texture_in_place") {
-  const WorkFolder f;
-  put_file(f / "a.glb", patch().glb());
-  std::string rest, pose;
-  for (int i = 0; i < 8; ++i) {
-    const int x = i & 1 ? 3 : -1, y = i & 2 ? 2 : -1, z = i & 4 ? 1 : -1;
-    rest += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
-    pose += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z + x) + "\n";
-  }
-  const std::string faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
-  put_file(f / "cage.obj", rest + faces);
-  put_file(f / "pose.obj", pose + faces);
-  f.done("deform a.glb cage.obj --pose pose.obj -o b.glb");
-  const Judged before = judged(f / "a.glb"), after = judged(f / "b.glb");
-  CHECK(after.image == before.image);
-  CHECK(after.image.substr(1, 3) == "PNG");
-  CHECK(after.texture == before.texture);
-  CHECK(after.positions != before.positions);
-  f.done("deform a.glb cage.obj --pose cage.obj -o rest.glb");
-  CHECK(file_bytes(f / "rest.glb") == patch().glb());
 }

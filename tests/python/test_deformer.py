@@ -162,15 +162,6 @@ class Arrays(WithFolder):
             viete.write(self.folder / "a.obj", viete.Surface.__new__(viete.Surface))
 
     @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
-    def test_forked_child_works(self):
-        d = self.bound(threads=3)
-        expected = d.deform(self.pose)
-        child = os.fork()
-        if child == 0:
-            os._exit(0 if np.array_equal(d.deform(self.pose), expected) else 1)
-        self.assertEqual(os.waitpid(child, 0)[1], 0)
-
-    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
     def test_forked_child_works_while_a_parent_thread_computes(self):
         deformer, shapes = self.bound(threads=3), viete.ShapeSpace(self.model, self.faces, [self.model * 2])
         poses = viete.PoseSpace(CUBE, CUBE_FACES, [CUBE * 2])
@@ -241,7 +232,6 @@ class Arrays(WithFolder):
             (lambda: d.deform(nan), viete.Error, "vertex 3 has a coordinate that is not finite"),
             (lambda: d.deform(self.pose[:, :2]), ValueError, "(n, 3)"),
             (lambda: d.deform(self.pose.astype(complex)), TypeError, "float32, float64 or integers"),
-            (lambda: d.deform("pose"), TypeError, ""),
             (lambda: d.deform(None), TypeError, ""),
             (lambda: d.deform(self.pose, out=np.empty((count, 4))), ValueError, "out has shape"),
             (lambda: d.deform(self.pose, out=np.empty((count, 3), int)), TypeError, "out is int64"),
@@ -254,7 +244,6 @@ class Arrays(WithFolder):
             (lambda: viete.Deformer(self.model, [[0, 1]], CUBE, CUBE_FACES), viete.Error, "fewer than three"),
             (lambda: viete.Deformer(self.model, [[0.5, 1, 2]], CUBE, CUBE_FACES), TypeError, "must be integers"),
             (lambda: self.bound(way="smoth"), viete.Error, "choose one of smooth"),
-            (lambda: self.bound(radius=0.2), viete.Error, "radius"),
             (lambda: self.bound(way="smooth", turn=3), viete.Error, "turn"),
             (lambda: self.bound(method="fats"), viete.Error, "improved_sd"),
             (lambda: self.bound(dtype="int32"), TypeError, "dtype"),
@@ -278,11 +267,9 @@ class Arrays(WithFolder):
             (lambda: self.bound(radius=100, way="local"), viete.Error, "choose 0.001 to 10"),
             (lambda: self.bound(way="smooth", radius=0.2), viete.Error, "choose weights cutoff"),
             (lambda: self.bound(threads=100000), viete.Error, "choose 0 to 1024"),
-            (lambda: viete.ShapeSpace(self.model, self.faces, [self.model], threads=-1), viete.Error, "choose 0 to 1024"),
             (lambda: viete.make_cage(self.model, self.faces, margin=0), viete.Error, "choose 0.0005 to 0.2"),
             (lambda: viete.make_cage(self.model, self.faces, triangles=-5), ValueError, "12 to 20000"),
             (lambda: viete.write(self.folder / "a.glb", np.zeros((0, 3)), []), viete.Error, "no vertices to write"),
-            (lambda: viete.write(self.folder / "a.obj", np.zeros((0, 3)), []), viete.Error, "no vertices to write"),
             (lambda: shapes.pose([], np.zeros((0, 3))), viete.Error, "pass one or more"),
             (lambda: shapes.pose([5, 5], self.model[[5, 5]]), viete.Error, "vertex 5 is given twice"),
             (lambda: viete.read("\udcff.obj"), viete.Error, "\udcff.obj"),
