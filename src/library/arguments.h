@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/background.h"
@@ -55,6 +56,11 @@ auto named(std::span<const Entry> table, const std::string& name, const char* wh
 inline void check_range(const char* what, double value, double low, double high) {
   if (value >= low && value <= high) return;
   throw base::Error(what, plain(value) + " is out of range", "choose " + plain(low) + " to " + plain(high));
+}
+
+template <class Impl, class... Arguments>
+Hidden<Impl> hidden(Arguments&&... arguments) {
+  return {new Impl(std::forward<Arguments>(arguments)...), [](Impl* impl) { delete impl; }};
 }
 
 /// The settings of Blending with their values, for docstrings: "\nway: ...\n  'smooth': ...".

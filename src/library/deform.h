@@ -25,6 +25,10 @@ namespace viete {
 
 using Point3 = std::array<double, 3>;
 
+/// The members of a class, which can be moved and not copied.
+template <class Impl>
+using Hidden = std::unique_ptr<Impl, void (*)(Impl*)>;
+
 /// Progress callback of long work: called several times a second, in the calling thread, with the finished
 /// fraction, 0 to 1. An exception that it throws cancels the work and is passed on to the caller.
 using Watch = std::function<void(double done)>;
@@ -83,16 +87,12 @@ class Deformer {
 public:
   /// Checks and copies its arguments. threads: the maximum number; 0 for one per processor.
   Deformer(const Mesh& model, const Mesh& cage, const Blending& blending = {}, int threads = 0);
-  ~Deformer();
-  Deformer(Deformer&&) noexcept;
-  Deformer& operator=(Deformer&&) noexcept;
 
   /// Binds for poses in float or in double; otherwise the first deform() of each kind binds. Takes up to some
   /// seconds; memory is proportional to vertices times cage triangles.
   void bind(bool in_float, const Watch& watch = {});
 
   std::size_t vertex_count() const;
-  std::size_t cage_vertex_count() const;
   /// Warnings about the cage and the binding, one line each.
   const std::vector<std::string>& notes() const;
 
@@ -114,7 +114,7 @@ public:
 
 private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Hidden<Impl> impl_;
 };
 
 /// Shapes of one mesh, blended in log space: halfway to 180 degrees is 90 degrees. Not thread-safe.
@@ -123,11 +123,7 @@ public:
   /// shapes: vertex positions, in order of motion: each rotation continues from the shape before.
   ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads = 0,
              const Watch& watch = {});
-  ~ShapeSpace();
-  ShapeSpace(ShapeSpace&&) noexcept;
-  ShapeSpace& operator=(ShapeSpace&&) noexcept;
 
-  std::size_t shape_count() const;
   /// The weighted sum of the shapes: all weights 0 is the rest shape, (1, 0, ...) the first shape.
   std::vector<Point3> mix(std::span<const double> weights) const;
   /// Interpolates along the sequence of shapes: 0 is the first, 1 the second, 0.5 halfway. straight: moves
@@ -142,37 +138,28 @@ public:
 
 private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Hidden<Impl> impl_;
 };
 
 /// Poses of a cage in log space, as ShapeSpace. The cage's parts keep count of full rotations.
 class PoseSpace {
 public:
   PoseSpace(const Mesh& cage, std::span<const std::vector<Point3>> poses);
-  ~PoseSpace();
-  PoseSpace(PoseSpace&&) noexcept;
-  PoseSpace& operator=(PoseSpace&&) noexcept;
 
-  std::size_t pose_count() const;
   std::vector<Point3> mix(std::span<const double> weights) const;
   std::vector<Point3> between(double at, bool straight = false) const;
 
 private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Hidden<Impl> impl_;
 };
 
 /// A session saved by the window: the posed model, and the model at frames of the timeline. Not thread-safe.
 class Session {
 public:
   explicit Session(const std::filesystem::path& file);
-  ~Session();
-  Session(Session&&) noexcept;
-  Session& operator=(Session&&) noexcept;
 
-  Mesh model() const;                ///< at rest
-  Mesh cage() const;                 ///< at rest; empty without a cage
-  std::vector<Point3> pose() const;  ///< the cage's vertex positions
+  Mesh model() const;  ///< at rest
   /// The first and the last frame; both are 1 without keys.
   std::array<int, 2> range() const;
   const std::vector<std::string>& notes() const;
@@ -181,7 +168,7 @@ public:
 
 private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Hidden<Impl> impl_;
 };
 
 }  // namespace viete

@@ -145,10 +145,7 @@ struct Deformer::Impl {
 };
 
 Deformer::Deformer(const Mesh& model, const Mesh& cage, const Blending& blending, int threads)
-    : impl_(std::make_unique<Impl>(model, cage, blending, threads)) {}
-Deformer::~Deformer() = default;
-Deformer::Deformer(Deformer&&) noexcept = default;
-Deformer& Deformer::operator=(Deformer&&) noexcept = default;
+    : impl_(library::hidden<Impl>(model, cage, blending, threads)) {}
 
 void Deformer::bind(bool in_float, const Watch& watch) {
   library::watched(watch, [&](base::Progress* progress) {
@@ -161,9 +158,6 @@ void Deformer::bind(bool in_float, const Watch& watch) {
 
 std::size_t Deformer::vertex_count() const {
   return impl_->model.positions.size();
-}
-std::size_t Deformer::cage_vertex_count() const {
-  return impl_->cage->surface.positions.size();
 }
 const std::vector<std::string>& Deformer::notes() const {
   return impl_->notes;

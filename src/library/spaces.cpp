@@ -93,15 +93,8 @@ struct ShapeSpace::Impl : Sequence {
 ShapeSpace::ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads,
                        const Watch& watch)
     : impl_(library::watched(watch, [&](base::Progress* progress) {
-        return std::make_unique<Impl>(rest, shapes, threads, progress);
+        return library::hidden<Impl>(rest, shapes, threads, progress);
       })) {}
-ShapeSpace::~ShapeSpace() = default;
-ShapeSpace::ShapeSpace(ShapeSpace&&) noexcept = default;
-ShapeSpace& ShapeSpace::operator=(ShapeSpace&&) noexcept = default;
-
-std::size_t ShapeSpace::shape_count() const {
-  return impl_->poses.size();
-}
 
 std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
   const base::ForkDelay delay;
@@ -167,14 +160,7 @@ struct PoseSpace::Impl : Sequence {
 };
 
 PoseSpace::PoseSpace(const Mesh& cage, std::span<const std::vector<Point3>> poses)
-    : impl_(std::make_unique<Impl>(cage, poses)) {}
-PoseSpace::~PoseSpace() = default;
-PoseSpace::PoseSpace(PoseSpace&&) noexcept = default;
-PoseSpace& PoseSpace::operator=(PoseSpace&&) noexcept = default;
-
-std::size_t PoseSpace::pose_count() const {
-  return impl_->poses.size();
-}
+    : impl_(library::hidden<Impl>(cage, poses)) {}
 
 std::vector<Point3> PoseSpace::mix(std::span<const double> weights) const {
   const base::ForkDelay delay;

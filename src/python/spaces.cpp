@@ -108,13 +108,6 @@ void define_spaces(py::module_& m) {
       .def_property_readonly(
           "faces", [](Sessions& s) { return faces_of(s.object.model()); }, "Faces of the model.")
       .def_property_readonly(
-          "cage_vertices", [](Sessions& s) { return array_of(s.object.cage().vertices); },
-          "Vertices of the rest cage, (k, 3).")
-      .def_property_readonly(
-          "cage_faces", [](Sessions& s) { return faces_of(s.object.cage()); }, "Faces of the cage.")
-      .def_property_readonly(
-          "pose", [](Sessions& s) { return array_of(s.object.pose()); }, "The cage's posed vertices, (k, 3).")
-      .def_property_readonly(
           "notes", [](Sessions& s) { return s.object.notes(); },
           "Warnings about the session, one line each.");
 }
