@@ -195,15 +195,6 @@ TEST_CASE("deform_says_what_a_method_loses_and_only_where_it_does") {
   CHECK_FALSE(mentions(deform(pose, "sd"), "method"));
 }
 
-TEST_CASE("render_writes_a_picture_of_the_asked_size") {
-  const WorkFolder f;
-  f.done("render " + in_cage + " -o out.png --size 320x200 --scale 2");
-  const auto image = test::read_png(f / "out.png");
-  CHECK(image.width == 640);
-  CHECK(image.height == 400);
-  CHECK(image.pixel(5, 5) != image.pixel(320, 200));
-}
-
 TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_asked_for") {
   const WorkFolder f;
   const auto picture = [&](const std::string& options) {
@@ -211,7 +202,10 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
            options);
     return read_png(f / "out.png");
   };
-  const auto plain = picture("");
+  const auto plain = picture(""), large = picture("--scale 2");
+  CHECK(large.width == 1280);
+  CHECK(large.height == 640);
+  CHECK(large.pixel(5, 5) != large.pixel(640, 320));
   CHECK(difference(plain, picture("--map turn"), 12) > 0.02);
   CHECK(difference(plain, picture("--compare smooth,rigid"), 12) > 0.05);
   CHECK(difference(picture("--compare diag,fast"), picture("--compare diag,sd,fast"), 12) > 0.05);
