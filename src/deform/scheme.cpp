@@ -171,29 +171,26 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
 
 namespace {
 
-constexpr auto has_maps = [](const Scheme& s) { return s.has_maps(); };
-constexpr auto is_stitched = [](const Scheme& s) { return s.stitched(); };
-
-constexpr std::string_view no_maps = "this deformer does not use rotation or stretch of the cage",
-                           choose_maps = "omit it, or choose another deformer or blend",
-                           not_stitched = "it needs a stitched model",
-                           stitch = "omit it, or stitch the model";
+using Need = NumberEntry::Need;
+constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
+                          "these weights have no radius", "omit it, or choose weights cutoff"},
+    has_maps{[](const Scheme&s) { return s.has_maps(); },
+             "this deformer does not use rotation or stretch of the cage",
+             "omit it, or choose another deformer or blend"},
+    is_stitched{[](const Scheme&s) { return s.stitched(); }, "it needs a stitched model",
+                "omit it, or stitch the model"};
 
 constexpr std::array numbers_table = {
     NumberEntry{{"radius", "Radius", "Distance where weights end, in percent of the cage's size"},
                 [](Scheme& s) -> double& { return s.weighting.radius; },
                 &AskedScheme::radius,
-                [](const Scheme& s) { return s.weighting.partial(); },
-                "these weights have no radius",
-                "omit it, or choose weights cutoff",
+                has_radius,
                 0.001,
                 10},
     NumberEntry{{"turn", "Rotation", "Scale the blended rotation: 0 % ignores it, 100 % is normal"},
                 [](Scheme& s) -> double& { return s.amounts.turn; },
                 &AskedScheme::turn,
                 has_maps,
-                no_maps,
-                choose_maps,
                 0,
                 2},
     NumberEntry{{"stretch", "Stretch",
@@ -201,23 +198,17 @@ constexpr std::array numbers_table = {
                 [](Scheme& s) -> double& { return s.amounts.stretch; },
                 &AskedScheme::stretch,
                 has_maps,
-                no_maps,
-                choose_maps,
                 0,
                 2},
     NumberEntry{{"pins", "Pins",
                  "Stitching: attach vertices within this distance of the cage, in percent of its size"},
                 [](Scheme& s) -> double& { return s.holding.radius; },
                 &AskedScheme::pins,
-                is_stitched,
-                not_stitched,
-                stitch},
+                is_stitched},
     NumberEntry{{"hold", "Hold", "Stitching: pull each vertex to its unstitched position"},
                 [](Scheme& s) -> double& { return s.holding.weight; },
                 &AskedScheme::hold,
-                is_stitched,
-                not_stitched,
-                stitch},
+                is_stitched},
 };
 
 }  // namespace
@@ -247,8 +238,9 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   for (const NumberEntry& number : numbers_table) {
     const std::optional<double>& value = asked.*number.asked;
     if (!value) continue;
-    if (!number.used(scheme))
-      throw base::Error(std::string(number.name), std::string(number.unused), std::string(number.advice));
+    if (!number.need.met(scheme))
+      throw base::Error(std::string(number.name), std::string(number.need.problem),
+                        std::string(number.need.advice));
     number.of(scheme) = *value;
   }
   if (const auto reason = conflict(scheme))

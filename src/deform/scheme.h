@@ -200,13 +200,16 @@ struct AskedScheme {
 
 /// A setting that is a fraction. People see and type it in percent, libraries as it is.
 struct NumberEntry : ChoiceEntry {
+  /// The condition for a scheme to use it, and the error otherwise.
+  struct Need {
+    bool (*met)(const Scheme& scheme);
+    std::string_view problem, advice;
+  };
   double& (*of)(Scheme& scheme);
   std::optional<double> AskedScheme::*asked;
-  bool (*used)(const Scheme& scheme);
-  std::string_view unused, advice;  ///< the error for a scheme that does not use it
+  Need need;
   double least = 0, largest = 1;
 
-  bool fits(double fraction) const { return fraction >= least && fraction <= largest; }  // not NaN
   /// Percent, rounded to the number a user typed: 29 instead of 28.999999999999996.
   double percent(Scheme scheme) const;
 };

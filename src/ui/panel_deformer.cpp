@@ -73,7 +73,7 @@ void number_slider(const Context& ui, const char* name, std::span<const double> 
   scene::Document& document = ui.workspace.document;
   scene::Scheme scheme = document.scheme;
   const auto& number = scene::number(name);
-  const bool used = number.used(scheme);
+  const bool used = number.need.met(scheme);
   double& value = number.of(scheme);
   const double shown = used ? value : 1;
   const auto above = std::ranges::lower_bound(stops, shown);
@@ -90,7 +90,7 @@ void number_slider(const Context& ui, const char* name, std::span<const double> 
   };
   const Slid slid = slider(ui, name, 100 * shown, 100 * number.least, 100 * number.largest, draw, used);
   ImGui::EndDisabled();
-  hint((used ? std::string(number.sentence) : "Not available: " + std::string(number.unused)) + '.');
+  hint((used ? std::string(number.sentence) : "Not available: " + std::string(number.need.problem)) + '.');
   ImGui::BeginDisabled(!used);
   value_beside(right, scene::text_of_percent(shown));
   ImGui::EndDisabled();
