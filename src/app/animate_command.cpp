@@ -29,13 +29,12 @@ struct FrameRange {
 
 struct AnimateOptions {
   Inputs inputs{Use::animation};
-  std::filesystem::path output;
+  Output output{Content::animation};
   std::optional<FrameRange> frames;
   std::optional<double> rate;
   int step = 1;
   double tolerance = 1e-4, most_megabytes = 1000;
-  bool no_normals = false, straight = false, turntable = false, force = false;
-  mesh::Digits digits;
+  bool no_normals = false, straight = false, turntable = false;
   std::filesystem::path keys;
   PictureOptions picture;
 };
@@ -74,10 +73,10 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
 
 // Called with the named files before anything is opened, and again with all files read.
 void check_output(const AnimateOptions& options, FilesInUse files, const scene::FrameSteps& frames = {}) {
-  const std::string extension = mesh::extension_of(options.output);
-  const bool numbered = base::NumberedName::is_pattern(options.output);
+  const std::string extension = mesh::extension_of(options.output.file);
+  const bool numbered = base::NumberedName::is_pattern(options.output.file);
   if (!numbered && !scene::is_animation_format(extension)) return;
-  check_output(options.output, frames, files, force_of(options.force));
+  check_output(options.output.file, frames, files, force_of(options.output.force));
 }
 
 // The opened document with the requested frames.
@@ -105,14 +104,14 @@ scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scen
 }
 
 scene::AnimationExport export_of(const AnimateOptions& options, const scene::Opened& opened) {
-  scene::AnimationExport what = scene::animation_export_of(*opened.document, options.output);
+  scene::AnimationExport what = scene::animation_export_of(*opened.document, options.output.file);
   if (opened.session && opened.session->camera) what.model.up = opened.session->camera->up;
-  what.model.digits = options.digits;
+  what.model.digits = options.output.digits;
   what.step = options.step;
   what.tolerance = options.tolerance;
   what.normals = !options.no_normals;
   what.most_bytes = 1e6 * options.most_megabytes;
-  what.force = force_of(options.force);
+  what.force = force_of(options.output.force);
   what.to_allow_more = "allow more megabytes (--largest)";
   return what;
 }
@@ -122,35 +121,30 @@ int write_models(const AnimateOptions& options) {
   print_notes(opened.warnings);
   const scene::AnimationExport what = export_of(options, opened);
   scene::check_animation_export(what);
-  const scene::AnimationReport report = [&] {
-    TerminalProgress work("Writing " + options.output.filename().string());
-    return scene::write_animation(what, &work.progress());
-  }();
-  print_notes(report.notes);
-  print_summary(options.output, report.summary);
-  return exit_ok;
+  return write_frames(options.output, what);
 }
 
 PictureRun picture_run(const AnimateOptions& options, const scene::Timeline& timeline) {
-  PictureRun run{options.output, {}, timeline.rate, options.step, options.turntable, force_of(options.force)};
+  PictureRun run{options.output.file,           {}, timeline.rate, options.step, options.turntable,
+                 force_of(options.output.force)};
   for (int frame = timeline.first; frame <= timeline.last; frame += options.step) run.frames.push_back(frame);
   return run;
 }
 
 int write_pictures(const AnimateOptions& options) {
-  if (!base::NumberedName::is_pattern(options.output))
-    throw base::Error(options.output.string(), "a picture shows a single frame",
+  if (!base::NumberedName::is_pattern(options.output.file))
+    throw base::Error(options.output.file.string(), "a picture shows a single frame",
                       "write numbered pictures: frame_####.png");
   scene::Opened opened = opened_for(options, scene::check_drawable);
   if (opened.document->timeline.empty() && !options.turntable)
     throw base::Error(options.inputs.model.string(), "the timeline has no keys, so nothing moves",
                       "set keys on the timeline and save the session, or add --turntable");
-  base::check_replaceable(base::NumberedName(options.output).file(1));
+  base::check_replaceable(base::NumberedName(options.output.file).file(1));
   PictureOptions picture = options.picture;
   picture.viewer.probe = picture.panels;
   picture.panels_of_session = false;
   const PictureRun run = picture_run(options, opened.document->timeline);
-  auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.filename().string());
+  auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.file.filename().string());
   const auto offscreen = viewer_of(picture, std::move(opened));
   const std::vector<std::string> notes = write_pictures(*offscreen, run, work->progress());
   work.reset();  // removes the progress line before output
@@ -161,14 +155,10 @@ int write_pictures(const AnimateOptions& options) {
 }
 
 int animate(const AnimateOptions& options) {
-  try {
-    FilesInUse named = files_read(options.inputs);
-    named.add(options.keys, scene::the_keys);
-    check_output(options, std::move(named));
-    return mesh::extension_of(options.output) == "png" ? write_pictures(options) : write_models(options);
-  } catch (const base::Cancelled&) {
-    throw base::Error(options.output.string(), "stopped", "files written so far are complete");
-  }
+  FilesInUse named = files_read(options.inputs);
+  named.add(options.keys, scene::the_keys);
+  check_output(options, std::move(named));
+  return mesh::extension_of(options.output.file) == "png" ? write_pictures(options) : write_models(options);
 }
 
 }  // namespace
@@ -177,10 +167,9 @@ void add_animate_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("animate", "Export the animation of a session");
   auto o = std::make_shared<AnimateOptions>();
   add_input_options(*command, o->inputs);
-  add_file_option(
-      *command, "-o,--output", o->output,
-      "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)")
-      ->required();
+  add_output_options(
+      *command, o->output,
+      "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)");
   add_file_option(*command, "--keys", o->keys, "Keys: numbered cages, point cache or animated glTF");
   add_frames_option(*command, o->frames);
   auto* step = command->add_option("--step", o->step, "Frame step");
@@ -196,8 +185,6 @@ void add_animate_command(CLI::App& app, Action& action) {
   in_range(largest, 1, 1e6)->default_str("1000");
   command->add_flag("--straight", o->straight, "Interpolate vertices linearly between keys");
   command->add_flag("--turntable", o->turntable, "Pictures: orbit the camera once around the model");
-  add_digits_option(*command, o->digits);
-  add_force_option(*command, o->force);
   add_picture_options(*command, o->picture);
   add_examples(*command,
                {"animate scene.viete -o motion.glb", "animate scene.viete --turntable -o frame_####.png"});
@@ -205,7 +192,10 @@ void add_animate_command(CLI::App& app, Action& action) {
     check_usage(o->inputs);
     if (!o->inputs.session() && o->keys.empty() && !o->turntable) throw CLI::RequiredError("--keys");
     take_given(*command, o->picture);
-    action = [o] { return animate(*o); };
+    action = [o] {
+      return run_cancellable(
+          o->output, [&] { return animate(*o); }, "files written so far are complete");
+    };
   });
 }
 

@@ -27,12 +27,12 @@ constexpr int most_frames = 100'000;
 
 struct BetweenOptions {
   std::vector<std::filesystem::path> files;
-  std::filesystem::path rest, output;  // rest empty: the first of the files
+  std::filesystem::path rest;  // empty: the first of the files
+  Output output;
   std::optional<double> at;
   int frames = 25;
   double rate = 24;
-  bool straight = false, linear = false, loop = false, force = false;
-  mesh::Digits digits;
+  bool straight = false, linear = false, loop = false;
 };
 
 // In a sequence the first file is the model, and the others are its shapes.
@@ -54,14 +54,14 @@ struct Way {
   std::vector<scene::SharedShape> shapes;
 };
 
-Way open_way(const BetweenOptions& options, Content content, const scene::FrameSteps* frames) {
+Way open_way(const BetweenOptions& options, const scene::FrameSteps* frames = nullptr) {
   const bool first_is_rest = options.rest.empty();
   if (first_is_rest && mesh::point_cache_format(options.files.front()))
     throw base::Error(options.files.front().string(), "a point cache has no faces",
                       "give its model with --rest");
   const auto& model = first_is_rest ? options.files.front() : options.rest;
   const auto shapes = std::span(options.files).subspan(first_is_rest ? 1 : 0);
-  Way way{open_shapes(model, shapes, {options.output, content, options.force}, frames), {}};
+  Way way{open_shapes(model, shapes, options.output, frames), {}};
   if (first_is_rest) way.shapes.push_back(nullptr);
   for (const auto& of_file : way.opened.of_files)
     for (const scene::NamedShape& shape : of_file) way.shapes.push_back(shape.shape);
@@ -91,7 +91,7 @@ scene::Timeline timeline_of(const BetweenOptions& options, const Way& way, int f
 }
 
 int write_moment(const BetweenOptions& options) {
-  const Way way = open_way(options, Content::surface, nullptr);
+  const Way way = open_way(options);
   const auto last = static_cast<int>(way.shapes.size()) - 1;
   if (*options.at > last)
     throw base::Error("",
@@ -99,9 +99,8 @@ int write_moment(const BetweenOptions& options) {
                           std::to_string(last),
                       "0 is the first shape, 1 the second, 1.5 halfway from there to the third");
   const scene::Document& document = *way.opened.model.document;
-  scene::Export what = scene::export_of(document, options.output);
-  what.digits = options.digits;
-  std::optional<TerminalProgress> work("Writing " + options.output.filename().string());
+  scene::Export what = export_to(options.output, way.opened.model);
+  std::optional<TerminalProgress> work(options.output.task());
   scene::VectorCache vectors;
   vectors.follow_model(document.model.surface);
   const scene::Animation animation(timeline_of(options, way, 0, last), vectors);
@@ -113,36 +112,27 @@ int write_moment(const BetweenOptions& options) {
   return exit_ok;
 }
 
-int write_frames(const BetweenOptions& options) {
+int write_motion(const BetweenOptions& options) {
   const scene::FrameSteps steps{1, options.frames, 1};
-  const Way way = open_way(options, Content::animation, &steps);
+  const Way way = open_way(options, &steps);
   if (static_cast<std::size_t>(options.frames) < way.shapes.size())
-    throw base::Error(options.output.string(),
+    throw base::Error(options.output.file.string(),
                       std::to_string(options.frames) + " frames are fewer than the shapes",
                       "ask for " + std::to_string(way.shapes.size()) + " or more");
-  scene::AnimationExport what = scene::animation_export_of(*way.opened.model.document, options.output);
+  scene::AnimationExport what = scene::animation_export_of(*way.opened.model.document, options.output.file);
   what.timeline = timeline_of(options, way, 1, options.frames);
   what.last = options.frames;
   what.rate = options.rate;
-  what.model.digits = options.digits;
-  what.force = force_of(options.force);
-  const scene::AnimationReport report = [&] {
-    TerminalProgress work("Writing " + options.output.filename().string());
-    return scene::write_animation(what, &work.progress());
-  }();
-  print_notes(report.notes);
-  print_summary(options.output, report.summary);
-  return exit_ok;
+  what.model.digits = options.output.digits;
+  what.force = force_of(options.output.force);
+  return write_frames(options.output, what);
 }
 
 int between(BetweenOptions options) {
   spread_sequence(options.files);
-  try {
-    return options.at ? write_moment(options) : write_frames(options);
-  } catch (const base::Cancelled&) {
-    throw base::Error(options.output.string(), "stopped",
-                      options.at ? "no file was changed" : "files written so far are complete");
-  }
+  if (options.at) return run_cancellable(options.output, [&] { return write_moment(options); });
+  return run_cancellable(
+      options.output, [&] { return write_motion(options); }, "files written so far are complete");
 }
 
 }  // namespace
@@ -155,10 +145,9 @@ void add_between_command(CLI::App& app, Action& action) {
                    "Model and other shapes with the same faces: meshes, numbered meshes (pose_##.obj), point "
                    "caches or glTF morph targets")
       ->required();
-  add_file_option(
-      *command, "-o,--output", o->output,
-      "File to write: numbered meshes (out_###.obj), .pc2, .mdd, .glb or .gltf; with --at a mesh file")
-      ->required();
+  add_output_options(
+      *command, o->output,
+      "File to write: numbered meshes (out_###.obj), .pc2, .mdd, .glb or .gltf; with --at a mesh file");
   auto* frames = command->add_option("--frames", o->frames, "Number of frames");
   whole_in_range(frames, 2, most_frames)->default_str("25");
   auto* at = command->add_option_function<double>(
@@ -171,8 +160,6 @@ void add_between_command(CLI::App& app, Action& action) {
   command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");
   in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)->default_str("24");
-  add_digits_option(*command, o->digits);
-  add_force_option(*command, o->force);
   add_examples(*command, {"between rest.obj smile.obj --frames 25 -o motion.pc2",
                           "between rest.obj smile.obj --at 0.5 -o half.obj"});
   command->callback([o, &action] { action = [o] { return between(*o); }; });

@@ -25,9 +25,9 @@ namespace viete::app {
 namespace {
 
 struct CageOptions {
-  std::filesystem::path model, output;
+  std::filesystem::path model;
+  Output output;
   cages::Wish wish;
-  bool force = false;
 };
 
 // Parses "2x3x2".
@@ -82,12 +82,12 @@ void refuse_unused_options(const CLI::App& command, const cages::Wish& wish) {
 int make_cage(const CageOptions& options) {
   FilesInUse read;
   read.add(options.model, scene::the_model);
-  check_output(options.output, Content::surface, read, options.force);
+  check_output(options.output.file, Content::surface, read, options.output.force);
   const mesh::ReadResult model = mesh::read(options.model);
   scene::add_surface(read, options.model, model.original.get(), model.attributes.get(), scene::the_model);
-  check_output(options.output, Content::surface, read, options.force);
+  check_output(options.output.file, Content::surface, read, options.output.force);
   print_notes(model.warnings);
-  auto work = std::make_unique<TerminalProgress>("Making " + options.output.filename().string());
+  auto work = std::make_unique<TerminalProgress>("Making " + options.output.file.filename().string());
   base::WorkerPool pool;
   base::Stopwatch watch;
   cages::Made made;
@@ -95,15 +95,13 @@ int make_cage(const CageOptions& options) {
     made = cages::make(model.surface, options.wish, pool, &work->progress());
   } catch (const base::Error& error) {
     throw base::Error(options.model.string(), error.problem(), error.advice());
-  } catch (const base::Cancelled&) {
-    throw base::Error(options.output.string(), "stopped", "no file was changed");
   }
   work.reset();  // removes the progress line before output
   const double seconds = 1e-3 * watch.lap_ms();
-  const mesh::Format& format = mesh::surface_format(options.output);
-  if (format.holds_morphs) check_rounded(options.output, made.surface, model.surface, pool);
+  const mesh::Format& format = mesh::surface_format(options.output.file);
+  if (format.holds_morphs) check_rounded(options.output.file, made.surface, model.surface, pool);
   print_notes(made.notes);
-  mesh::write(options.output, made.surface, {"cage of " + options.model.filename().string()});
+  mesh::write(options.output.file, made.surface, {"cage of " + options.model.filename().string()});
   print(made, format.keeps_order, seconds);
   return exit_ok;
 }
@@ -115,9 +113,10 @@ void add_cage_command(CLI::App& app, Action& action) {
   auto o = std::make_shared<CageOptions>();
   cages::Wish& wish = o->wish;
   command->add_option("MODEL", o->model, mesh::a_mesh())->required();
-  add_file_option(*command, "-o,--output", o->output, "Mesh file to write; the extension sets the format")
+  add_file_option(*command, "-o,--output", o->output.file,
+                  "Mesh file to write; the extension sets the format")
       ->required();
-  add_force_option(*command, o->force);
+  add_force_option(*command, o->output.force);
   add_choice(*command, "--kind", "Kind: automatic or box", cages::all_kinds(), wish.kind)
       ->default_str(std::string(cages::all_kinds().front().name));
   auto* triangles = command->add_option("--triangles", wish.triangles, "Number of triangles");
@@ -147,7 +146,7 @@ void add_cage_command(CLI::App& app, Action& action) {
                {"cage model.obj -o cage.obj", "cage model.obj --triangles 500 --quads -o cage.obj"});
   command->callback([o, command, &action] {
     refuse_unused_options(*command, o->wish);
-    action = [o] { return make_cage(*o); };
+    action = [o] { return run_cancellable(o->output, [&] { return make_cage(*o); }); };
   });
 }
 

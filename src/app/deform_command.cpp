@@ -25,9 +25,9 @@ namespace {
 
 struct DeformOptions {
   Inputs inputs{Use::file};
-  std::filesystem::path output, mask;
-  mesh::Digits digits;
-  bool force = false, stream = false;
+  Output output;
+  std::filesystem::path mask;
+  bool stream = false;
 };
 
 // Reads whitespace-separated numbers in vertex order.
@@ -72,13 +72,10 @@ int stream(const DeformOptions& options) {
 
 int deform_file(const DeformOptions& options) {
   const scene::Opened opened =
-      open(options.inputs, scene::check_deformable, {options.output, Content::surface, options.force},
-           {options.mask, scene::the_mask});
+      open(options.inputs, scene::check_deformable, options.output, {options.mask, scene::the_mask});
   print_notes(opened.warnings);
-  scene::Export what = scene::export_of(*opened.document, options.output);
-  what.digits = options.digits;
+  scene::Export what = export_to(options.output, opened);
   take_mask(options, what);
-  if (opened.session && opened.session->camera) what.up = opened.session->camera->up;
   print_notes(scene::write_deformed(what));
   return exit_ok;
 }
@@ -89,21 +86,18 @@ void add_deform_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("deform", "Deform a mesh by a posed cage and write the result");
   auto o = std::make_shared<DeformOptions>();
   add_input_options(*command, o->inputs);
-  auto* output = add_file_option(*command, "-o,--output", o->output,
-                                 "Mesh file to write; the extension sets the format");
+  auto* output = add_output_options(*command, o->output)->required(false);
   add_file_option(*command, "--mask", o->mask, "File with one weight from 0 (rest) to 1 per vertex");
   auto* stream_option = command->add_flag("--stream", o->stream,
                                           "Read poses from standard input (3 float64 per cage vertex) and "
                                           "write positions to standard output (3 float32 per model vertex)");
   stream_option->excludes(output);
   if (auto* pose = command->get_option_no_throw("--pose")) stream_option->excludes(pose);
-  add_digits_option(*command, o->digits);
-  add_force_option(*command, o->force);
   add_examples(*command, {"deform model.obj cage.obj --pose pose.obj -o deformed.obj",
                           "deform scene.viete --deformer arap -o deformed.ply"});
   command->callback([o, &action] {
     if (o->stream) o->inputs.use = Use::animation;  // poses come from the stream
-    if (!o->stream && o->output.empty()) throw CLI::RequiredError("--output");
+    if (!o->stream && o->output.file.empty()) throw CLI::RequiredError("--output");
     check_usage(o->inputs);
     action = [o] { return o->stream ? stream(*o) : deform_file(*o); };
   });

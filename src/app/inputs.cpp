@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "app/command_line.h"
 #include "app/help.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
@@ -12,7 +13,6 @@
 #include "base/text.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/triangle.h"
-#include "scene/files/animation_export.h"
 
 namespace viete::app {
 
@@ -30,22 +30,14 @@ void add_files(CLI::App& app, Inputs& inputs) {
   add_file_option(app, "--pose", inputs.pose, "Posed cage (same vertices, same order)");
 }
 
-void add_amount_option(CLI::App& app, const std::string& name, const std::string& what,
-                       std::optional<double>& amount) {
-  add_percent_option(app, name, amount, deform::amount_from_percent, 200,
-                     "Scale the cage's " + what + ", 0 to 200")
-      ->default_str("100");
-}
-
-void add_scheme_options(CLI::App& app, Inputs& inputs) {
-  deform::PartialChoice& choice = inputs.settings.choice;
-  auto* way = add_way_option(app, inputs.settings.way);
-  add_choice_options(app, choice);
+void add_scheme_options(CLI::App& app, scene::RequestedSettings& settings) {
+  auto* way =
+      add_choice(app, "--deformer", "Deformer, see 'viete help deformers'", deform::all_ways(), settings.way);
+  way->default_str("smooth");
+  add_choice_options(app, settings.choice);
   for (const char* other : {"--weights", "--blend"}) way->excludes(app.get_option(other));
-  add_radius_option(app, inputs.settings.radius);
-  add_amount_option(app, "--turn", "rotation", inputs.settings.turn);
-  add_amount_option(app, "--stretch", "stretch", inputs.settings.stretch);
-  add_stitching_options(app, inputs.settings);
+  for (const char* name : {"radius", "turn", "stretch"}) add_number_option(app, name, settings);
+  add_stitching_options(app, settings);
 }
 
 }  // namespace
@@ -53,7 +45,14 @@ void add_scheme_options(CLI::App& app, Inputs& inputs) {
 void add_input_options(CLI::App& app, Inputs& inputs) {
   add_files(app, inputs);
   add_method_option(app, [&inputs](sym3::Method method) { inputs.settings.method = method; });
-  add_scheme_options(app, inputs);
+  add_scheme_options(app, inputs.settings);
+}
+
+CLI::Option* add_output_options(CLI::App& app, Output& output, const std::string& text) {
+  auto* file = add_file_option(app, "-o,--output", output.file, text)->required();
+  if (output.content != Content::picture) add_digits_option(app, output.digits);
+  add_force_option(app, output.force);
+  return file;
 }
 
 void check_usage(const Inputs& inputs) {
@@ -120,8 +119,8 @@ void print_notes(const std::vector<std::string>& notes) {
   for (const auto& note : notes) std::fprintf(stderr, "viete: note: %s\n", base::printable(note).c_str());
 }
 
-void print_summary(const fs::path& file, const std::string& summary) {
-  std::printf("%s: %s\n", base::printable(file.string()).c_str(), base::printable(summary).c_str());
+void print_summary(const Output& output, const std::string& summary) {
+  std::printf("%s: %s\n", base::printable(output.file.string()).c_str(), base::printable(summary).c_str());
 }
 
 namespace {
@@ -171,6 +170,23 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
   return all;
 }
 
+scene::Export export_to(const Output& output, const scene::Opened& opened) {
+  scene::Export what = scene::export_of(*opened.document, output.file);
+  what.digits = output.digits;
+  if (opened.session && opened.session->camera) what.up = opened.session->camera->up;
+  return what;
+}
+
+int write_frames(const Output& output, const scene::AnimationExport& what) {
+  const scene::AnimationReport report = [&] {
+    TerminalProgress work(output.task());
+    return scene::write_animation(what, &work.progress());
+  }();
+  print_notes(report.notes);
+  print_summary(output, report.summary);
+  return exit_ok;
+}
+
 std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
                                      base::Progress* progress) {
   if (!scene::in_range({{}, {}, what.shape}))
@@ -179,11 +195,11 @@ std::vector<std::string> write_shape(const scene::Export& what, const std::strin
   return scene::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
 }
 
-int run_cancellable(const std::filesystem::path& output, const std::function<int()>& write) {
+int run_cancellable(const Output& output, const std::function<int()>& write, const char* advice) {
   try {
     return write();
   } catch (const base::Cancelled&) {
-    throw base::Error(output.string(), "stopped", "no file was changed");
+    throw base::Error(output.file.string(), "stopped", advice);
   }
 }
 

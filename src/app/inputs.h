@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "deform/shape_space.h"
+#include "scene/files/animation_export.h"
 #include "scene/files/export.h"
 #include "scene/files/open.h"
 #include "scene/files/output.h"
@@ -19,16 +20,21 @@ using scene::check_output, scene::Content, scene::FilesInUse;
 
 /// The output of a command.
 struct Output {
-  std::filesystem::path file;
-  Content content;
+  Content content = Content::surface;
+  std::filesystem::path file{};
+  mesh::Digits digits{};
   bool force = false;
+
+  /// For its progress: "Writing out.obj".
+  std::string task() const { return "Writing " + file.filename().string(); }
 };
 
 }  // namespace viete::app
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace viete::app {
 
@@ -56,6 +62,11 @@ struct Inputs {
 /// constraints. The target must outlive parsing.
 void add_input_options(CLI::App& app, Inputs& inputs);
 
+/// Adds -o FILE, required, and --force; for meshes also --digits.
+CLI::Option* add_output_options(
+    CLI::App& app, Output& output,
+    const std::string& text = "Mesh file to write; the extension sets the format");
+
 /// Call after parsing. Throws CLI::ParseError if an input is missing or given in addition to a session that
 /// names it, and base::Error for settings that cannot be combined.
 void check_usage(const Inputs& inputs);
@@ -75,7 +86,7 @@ FilesInUse files_read(const Inputs& inputs);
 /// Prints to stderr, one line each.
 void print_notes(const std::vector<std::string>& notes);
 /// Prints the summary of written frames to stdout, one line.
-void print_summary(const std::filesystem::path& file, const std::string& summary);
+void print_summary(const Output& output, const std::string& summary);
 
 struct OpenedShapes {
   scene::Opened model;                                   ///< contains a document
@@ -88,12 +99,19 @@ struct OpenedShapes {
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
                          const Output& output, const scene::FrameSteps* frames = nullptr);
 
+/// The document's model and its deformation, for this output.
+scene::Export export_to(const Output& output, const scene::Opened& opened);
+
+/// Writes the frames; prints notes and a summary.
+int write_frames(const Output& output, const scene::AnimationExport& what);
+
 /// Writes the model in its shape; errors call it by `name`: "the mix". Throws base::Error if the shape is too
 /// large to draw or not finite. Returns notes.
 std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
                                      base::Progress* progress);
 
-/// Runs `write`; converts a cancellation by Ctrl+C to a message and an exit code.
-int run_cancellable(const std::filesystem::path& output, const std::function<int()>& write);
+/// Runs `write`; converts a cancellation by Ctrl+C to an error with this advice.
+int run_cancellable(const Output& output, const std::function<int()>& write,
+                    const char* advice = "no file was changed");
 
 }  // namespace viete::app

@@ -28,10 +28,10 @@ struct Share {
 };
 
 struct MixOptions {
-  std::filesystem::path rest, output;
+  std::filesystem::path rest;
+  Output output;
   std::vector<Share> shares;
-  bool straight = false, force = false;
-  mesh::Digits digits;
+  bool straight = false;
 };
 
 // Parses "smile.obj=0.5".
@@ -78,15 +78,13 @@ scene::SharedShape shape_of(const Share& share, const std::vector<scene::NamedSh
 std::vector<std::string> write_mix(MixOptions options) {
   std::vector<std::filesystem::path> files;
   for (Share& share : options.shares) split_name(share), files.push_back(share.file);
-  const OpenedShapes opened =
-      open_shapes(options.rest, files, {options.output, Content::surface, options.force});
+  const OpenedShapes opened = open_shapes(options.rest, files, options.output);
   std::vector<scene::ShapeTerm> terms;
   for (std::size_t i = 0; i < files.size(); ++i)
     terms.push_back({shape_of(options.shares[i], opened.of_files[i]), options.shares[i].weight});
-  scene::Export what = scene::export_of(*opened.model.document, options.output);
-  what.digits = options.digits;
+  scene::Export what = export_to(options.output, opened.model);
   std::vector<std::string> notes;
-  TerminalProgress work("Writing " + options.output.filename().string());
+  TerminalProgress work(options.output.task());
   base::WorkerPool pool;
   const deform::ShapeSpace space(*what.model, pool, &work.progress());
   what.shape = scene::mixed(space, terms, options.straight, pool, &notes);
@@ -118,11 +116,8 @@ void add_mix_command(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->option_text("FILE=WEIGHT ...")
       ->required();
-  add_file_option(*command, "-o,--output", o->output, "Mesh file to write; the extension sets the format")
-      ->required();
   command->add_flag("--straight", o->straight, "Combine vertex positions instead of maps");
-  add_digits_option(*command, o->digits);
-  add_force_option(*command, o->force);
+  add_output_options(*command, o->output);
   add_examples(*command, {"mix rest.obj --shape smile.obj=0.5 -o mixed.obj",
                           "mix rest.obj --shape face.glb:smile=1 --shape sad.obj=-0.2 -o mix.ply"});
   command->callback([o, &action] { action = [o] { return mix(*o); }; });

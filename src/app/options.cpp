@@ -86,11 +86,6 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
   one_of(option, words)->default_str("fast");
 }
 
-CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way) {
-  return add_choice(app, "--deformer", "Deformer, see 'viete help deformers'", deform::all_ways(), way)
-      ->default_str("smooth");
-}
-
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
   add_choice(app, "--weights", "Weights, see 'viete help deformers'", deform::all_weights(), choice.weights);
   add_choice(app, "--blend", "Blend of maps, see 'viete help deformers'", deform::all_blends(), choice.blend);
@@ -117,26 +112,18 @@ std::string deformers_help() {
   return text;
 }
 
-void add_radius_option(CLI::App& app, std::optional<double>& asked) {
-  auto* radius = app.add_option_function<double>(
-      "--radius", [&asked](double percent) { asked = deform::radius_from_percent(percent); },
-      "Radius of cutoff weights in percent of the cage's size");
-  in_range(radius, 100 * deform::least_radius, 100 * deform::largest_radius)
+void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked) {
+  const deform::NumberEntry& number = deform::number(name);
+  const auto take = [&](double percent) { asked.*number.asked = percent / 100; };
+  auto* option =
+      app.add_option_function<double>("--" + std::string(name), take, std::string(number.sentence));
+  in_range(option, 100 * number.least, 100 * number.largest)
       ->option_text("PERCENT")
-      ->default_str("25");
-}
-
-CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::optional<double>& value,
-                                std::optional<double> (*read)(double), int most, const std::string& text) {
-  const auto take = [=, &value](double percent) {
-    value = read(percent);
-    if (!value) throw CLI::ValidationError(name, "needs a number from 0 to " + std::to_string(most));
-  };
-  return app.add_option_function<double>(name, take, text)->option_text("PERCENT");
+      ->default_str(number_text(number.percent({})));
 }
 
 // The second option takes precedence.
-void add_stitching_options(CLI::App& app, scene::RequestedSettings& asked) {
+void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
@@ -144,12 +131,8 @@ void add_stitching_options(CLI::App& app, scene::RequestedSettings& asked) {
   auto* number = app.add_option_function<int>(
       "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: number of solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
-  add_percent_option(app, "--pins", asked.pins, deform::share_from_percent, 100,
-                     "Stitching: distance of attached vertices")
-      ->default_str("0");
-  add_percent_option(app, "--hold", asked.hold, deform::share_from_percent, 100,
-                     "Stitching: pull to the unstitched shape")
-      ->default_str("0");
+  add_number_option(app, "pins", asked);
+  add_number_option(app, "hold", asked);
 }
 
 void add_digits_option(CLI::App& app, mesh::Digits& digits) {

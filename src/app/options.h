@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "deform/scheme.h"
 #include "mesh/formats/text_writer.h"
-#include "scene/document/settings.h"
 #include "scene/files/output.h"
 #include "sym3/exp.h"
 
@@ -40,9 +40,6 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::strin
   return one_of(app.add_option_function<std::string>(name, take, text), words);
 }
 
-/// Accepts a number from 0 to `most` that `read` converts.
-CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::optional<double>& value,
-                                std::optional<double> (*read)(double), int most, const std::string& text);
 /// --force, for commands that write files, see check_output().
 void add_force_option(CLI::App& app, bool& force);
 /// The option's value; errors offer it, except in a child process of the window.
@@ -50,19 +47,16 @@ scene::Force force_of(bool given);
 
 /// --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
+/// A number of the deformer: --radius PERCENT.
+void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked);
 /// --stitched with --iterations NUMBER, --pins and --hold PERCENT.
-void add_stitching_options(CLI::App& app, scene::RequestedSettings& asked);
-
-CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way);
+void add_stitching_options(CLI::App& app, deform::AskedScheme& asked);
 
 /// --weights and --blend, with the names in the tables.
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice);
 
 /// The choices of these options, of --method, --map and of probes, with a sentence each.
 std::string deformers_help();
-
-/// --radius PERCENT.
-void add_radius_option(CLI::App& app, std::optional<double>& asked);
 
 /// --digits NUMBER|all, for coordinates in text files.
 void add_digits_option(CLI::App& app, mesh::Digits& digits);

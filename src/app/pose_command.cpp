@@ -24,7 +24,6 @@ namespace viete::app {
 namespace {
 
 constexpr int most_steps = 200;
-constexpr double usual_firmness = 1;
 
 struct Pin {
   std::uint32_t vertex;
@@ -33,13 +32,12 @@ struct Pin {
 };
 
 struct PoseOptions {
-  std::filesystem::path rest, output;
+  std::filesystem::path rest;
+  Output output;
   std::vector<std::filesystem::path> examples;
   std::vector<Pin> pins;
   deform::PosingSettings settings;
-  double firmness = usual_firmness;
-  bool force = false;
-  mesh::Digits digits;
+  double firmness = 1;
 };
 
 // Parses "1234=0.1,2,-3".
@@ -125,23 +123,19 @@ Posed posed(const PoseOptions& options, const mesh::Surface& model,
 }
 
 void say(const PoseOptions& options, const Posed& result, std::span<const scene::NamedShape> examples) {
-  std::printf("%s: %s", base::printable(options.output.string()).c_str(),
-              base::counted(std::size_t(result.steps), "step").c_str());
-  std::printf(", pins off by %s %% of the diagonal at most\n",
-              base::few_digits(100 * result.farthest).c_str());
+  print_summary(options.output, base::counted(std::size_t(result.steps), "step") + ", pins off by " +
+                                    base::few_digits(100 * result.farthest) + " % of the diagonal at most");
   for (std::size_t e = 0; e < examples.size(); ++e)
     std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
 }
 
 int write_pose(const PoseOptions& options) {
-  const OpenedShapes opened =
-      open_shapes(options.rest, options.examples, {options.output, Content::surface, options.force});
-  scene::Export what = scene::export_of(*opened.model.document, options.output);
+  const OpenedShapes opened = open_shapes(options.rest, options.examples, options.output);
+  scene::Export what = export_to(options.output, opened.model);
   check_pins(options, *what.model);
-  what.digits = options.digits;
   std::vector<scene::NamedShape> examples;
   for (const auto& of_file : opened.of_files) examples.insert(examples.end(), of_file.begin(), of_file.end());
-  std::optional<TerminalProgress> work("Writing " + options.output.filename().string());
+  std::optional<TerminalProgress> work(options.output.task());
   const Posed result = posed(options, *what.model, examples, work->progress());
   what.shape = std::make_shared<const std::vector<mesh::Point>>(result.positions);
   std::vector<std::string> notes = write_shape(what, "the pose", &work->progress());
@@ -151,10 +145,6 @@ int write_pose(const PoseOptions& options) {
   print_notes(notes);
   say(options, result, examples);
   return exit_ok;
-}
-
-int pose(const PoseOptions& options) {
-  return run_cancellable(options.output, [&] { return write_pose(options); });
 }
 
 }  // namespace
@@ -178,16 +168,13 @@ void add_pose_command(CLI::App& app, Action& action) {
   auto* restraint =
       command->add_option("--restraint", o->settings.restraint, "Regularisation of the example weights");
   in_range(restraint, 0, 1e3)->default_str("0.001");
-  add_file_option(*command, "-o,--output", o->output, "Mesh file to write; the extension sets the format")
-      ->required();
-  add_digits_option(*command, o->digits);
-  add_force_option(*command, o->force);
+  add_output_options(*command, o->output);
   add_examples(*command, {"pose rest.obj --pin 0=0,0,0 --pin 1234=0.1,2,-3 -o posed.obj",
                           "pose rest.obj --examples pose_##.obj --pin 1234=0.1,2,-3 -o posed.obj"});
   command->callback([o, freedom, &action] {
     if (o->pins.empty()) throw CLI::RequiredError("--pin");
     if (o->examples.empty() && freedom->count() == 0) o->settings.freedom = 1;
-    action = [o] { return pose(*o); };
+    action = [o] { return run_cancellable(o->output, [&] { return write_pose(*o); }); };
   });
 }
 

@@ -18,21 +18,20 @@ namespace {
 
 struct RenderOptions {
   Inputs inputs{Use::picture};
-  std::filesystem::path output;
+  Output output{Content::picture};
   PictureOptions picture;
-  bool force = false;
 };
 
 int render(const RenderOptions& options) {
-  if (mesh::extension_of(options.output) != "png")
-    throw base::Error(options.output.string(), "pictures can only be written as PNG",
+  if (mesh::extension_of(options.output.file) != "png")
+    throw base::Error(options.output.file.string(), "pictures can only be written as PNG",
                       "use the extension .png");
-  const auto offscreen = viewer_of(options.picture, open(options.inputs, scene::check_drawable,
-                                                         {options.output, Content::picture, options.force}));
+  const auto offscreen =
+      viewer_of(options.picture, open(options.inputs, scene::check_drawable, options.output));
   offscreen->settle();
   Viewer& viewer = offscreen->viewer();
   print_messages(viewer.workspace());
-  render::write_png(options.output, viewer.picture());
+  render::write_png(options.output.file, viewer.picture());
   return exit_ok;
 }
 
@@ -42,8 +41,7 @@ void add_render_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("render", "Render a picture without a window");
   auto o = std::make_shared<RenderOptions>();
   add_input_options(*command, o->inputs);
-  add_file_option(*command, "-o,--output", o->output, "PNG file to write")->required();
-  add_force_option(*command, o->force);
+  add_output_options(*command, o->output, "PNG file to write");
   add_picture_options(*command, o->picture);
   command->add_flag("--transparent", o->picture.viewer.transparent, "Transparent background");
   add_examples(*command, {"render model.obj cage.obj --pose pose.obj -o picture.png",

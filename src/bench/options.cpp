@@ -139,14 +139,15 @@ void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t>
 void add_modes_bench(CLI::App& command, Action& action) {
   auto bench = add_model_bench(command, 11, "the dragon's cage");
   auto settings = std::make_shared<ModeSettings>();
-  auto asked = std::make_shared<scene::RequestedSettings>();
+  auto asked = std::make_shared<deform::AskedScheme>();
   command.add_option("POSE", bench->options.poses, "Posed cages (same vertices, same order)")
       ->default_str("the dragon's poses");
   add_method_option(command, [settings](sym3::Method method) { settings->method = method; });
   add_choice_options(command, settings->choice);
-  add_radius_option(command, settings->radius);
+  add_number_option(command, "radius", *asked);
   add_stitching_options(command, *asked);
   command.callback([=, &action] {
+    settings->radius = asked->radius;
     settings->iterations = asked->iterations.value_or(0);
     if ((asked->pins || asked->hold) && !asked->iterations)
       throw CLI::ValidationError(asked->pins ? "--pins" : "--hold", "needs --stitched");

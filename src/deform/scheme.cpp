@@ -99,66 +99,32 @@ std::string text(const Scheme& s) {
          (s.stitched() ? ", stitched" : "");
 }
 
-std::string text_of_percent(double fraction) {
-  char text[32];
-  const double percent = std::round(1e8 * fraction) / 1e6;  // as typed
-  return std::string(text, std::to_chars(text, text + sizeof text, percent).ptr) + " %";
-}
-
-std::optional<double> amount_from_percent(double percent) {
-  if (!(percent >= 0 && percent <= 100 * largest_amount)) return std::nullopt;
-  return percent / 100;
-}
-
-std::optional<double> radius_from_percent(double percent) {
-  if (!(percent >= 100 * least_radius && percent <= 100 * largest_radius)) return std::nullopt;
-  return percent / 100;
-}
-
-std::optional<double> share_from_percent(double percent) {
-  if (!(percent >= 0 && percent <= 100)) return std::nullopt;
-  return percent / 100;
-}
-
 namespace {
-
-constexpr Scheme scheme(Elements elements, Weights weights, Blend blend, int iterations = 0) {
-  Scheme s;
-  s.weighting.elements = elements;
-  s.weighting.weights = weights;
-  s.blend = blend;
-  s.iterations = iterations;
-  return s;
-}
 
 constexpr std::array ways_table = {
     WayEntry{
         {"smooth", "Smooth", "weights along the surface, maps blended in log space: best for most models"},
         Way::smooth,
-        scheme(Elements::face, Weights::biharmonic, Blend::srl)},
+        Scheme{.weighting = {Elements::face, Weights::biharmonic}}},
     WayEntry{
         {"paper", "As published", "the paper's method: inverse-distance weights, maps blended in log space"},
         Way::paper,
-        scheme(Elements::face, Weights::inverse, Blend::srl)},
+        Scheme{}},
     WayEntry{{"mean-value", "Mean value",
               "mean value coordinates: exact for affine poses, loses volume where parts rotate"},
              Way::mean_value,
-             scheme(Elements::point, Weights::mean_value, Blend::linear)},
+             Scheme{.weighting = {Elements::point, Weights::mean_value}, .blend = Blend::linear}},
     WayEntry{{"rigid", "Rigid", "rigid least squares: rotates without stretching, keeps sizes of details"},
              Way::rigid,
-             scheme(Elements::point, Weights::biharmonic, Blend::mls_rigid)},
+             Scheme{.weighting = {Elements::point, Weights::biharmonic}, .blend = Blend::mls_rigid}},
     WayEntry{{"arap", "As rigid as possible",
               "global as-rigid-as-possible solve: preserves details best, slower frames"},
              Way::arap,
-             scheme(Elements::face, Weights::biharmonic, Blend::srl, 1)},
+             Scheme{.weighting = {Elements::face, Weights::biharmonic}, .iterations = 1}},
     WayEntry{{"local", "Local", "weights end at a radius: vertices out of reach stay at rest"},
              Way::local,
-             scheme(Elements::face, Weights::cut_off, Blend::srl)},
+             Scheme{.weighting = {Elements::face, Weights::cut_off}}},
 };
-
-bool same_choices(const Scheme& a, const Scheme& b) {
-  return a.weighting.weights == b.weighting.weights && a.blend == b.blend;
-}
 
 }  // namespace
 
@@ -177,7 +143,8 @@ Scheme scheme_of(Way way, const Scheme& now) {
 
 std::optional<Way> way_of(const Scheme& s) {
   const auto is_it = [&](const WayEntry& way) {
-    return same_choices(s, way.scheme) && s.stitched() == way.scheme.stitched();
+    return s.weighting.weights == way.scheme.weighting.weights && s.blend == way.scheme.blend &&
+           s.stitched() == way.scheme.stitched();
   };
   const auto found = std::ranges::find_if(ways_table, is_it);
   return found == ways_table.end() ? std::nullopt : std::optional(found->value);
@@ -202,29 +169,82 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   return s;
 }
 
+namespace {
+
+using Need = NumberEntry::Need;
+constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
+                          "these weights have no radius", "omit it, or choose weights cutoff"},
+    has_maps{[](const Scheme&s) { return s.has_maps(); },
+             "this deformer does not use rotation or stretch of the cage",
+             "omit it, or choose another deformer or blend"},
+    is_stitched{[](const Scheme&s) { return s.stitched(); }, "it needs a stitched model",
+                "omit it, or stitch the model"};
+
+constexpr std::array numbers_table = {
+    NumberEntry{{"radius", "Radius", "Distance where weights end, in percent of the cage's size"},
+                [](Scheme& s) -> double& { return s.weighting.radius; },
+                &AskedScheme::radius,
+                has_radius,
+                0.001,
+                10},
+    NumberEntry{{"turn", "Rotation", "Scale the blended rotation: 0 % ignores it, 100 % is normal"},
+                [](Scheme& s) -> double& { return s.amounts.turn; },
+                &AskedScheme::turn,
+                has_maps,
+                0,
+                2},
+    NumberEntry{{"stretch", "Stretch",
+                 "Scale the logarithm of the blended stretch: 0 % keeps the thickness, 100 % is normal"},
+                [](Scheme& s) -> double& { return s.amounts.stretch; },
+                &AskedScheme::stretch,
+                has_maps,
+                0,
+                2},
+    NumberEntry{{"pins", "Pins",
+                 "Stitching: attach vertices within this distance of the cage, in percent of its size"},
+                [](Scheme& s) -> double& { return s.holding.radius; },
+                &AskedScheme::pins,
+                is_stitched},
+    NumberEntry{{"hold", "Hold", "Stitching: pull each vertex to its unstitched position"},
+                [](Scheme& s) -> double& { return s.holding.weight; },
+                &AskedScheme::hold,
+                is_stitched},
+};
+
+}  // namespace
+
+std::span<const NumberEntry> all_numbers() {
+  return numbers_table;
+}
+const NumberEntry& number(std::string_view name) {
+  return *std::ranges::find(numbers_table, name, &NumberEntry::name);
+}
+
+double NumberEntry::percent(Scheme scheme) const {
+  return std::round(1e8 * of(scheme)) / 1e6;
+}
+std::string text_of_percent(double fraction) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, std::round(1e8 * fraction) / 1e6).ptr) +
+         " %";
+}
+
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   Scheme scheme = asked.way ? scheme_of(*asked.way, now) : now;
   PartialChoice choice = asked.choice;
   if (asked.radius && !chosen && !asked.way && !choice.weights) choice.weights = Weights::cut_off;
   if (choice.any()) scheme = complete(choice, scheme);
-  scheme.weighting.radius = asked.radius.value_or(scheme.weighting.radius);
-  if (asked.radius && !scheme.weighting.partial())
-    throw base::Error("--radius", "these weights have no radius", "omit it, or choose --weights cutoff");
-  if ((asked.turn || asked.stretch) && !scheme.has_maps()) {
-    throw base::Error(asked.turn ? "--turn" : "--stretch",
-                      "this deformer does not use rotation or stretch of the cage",
-                      "omit it, or choose another deformer or blend");
-  }
-  scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);
-  scheme.amounts.stretch = asked.stretch.value_or(scheme.amounts.stretch);
   if (asked.iterations) scheme.iterations = *asked.iterations;
-  scheme.holding.radius = asked.pins.value_or(scheme.holding.radius);
-  scheme.holding.weight = asked.hold.value_or(scheme.holding.weight);
-  if ((asked.pins || asked.hold) && !scheme.stitched())
-    throw base::Error(asked.pins ? "--pins" : "--hold", "this option needs a stitched model",
-                      "omit it, or add --stitched");
+  for (const NumberEntry& number : numbers_table) {
+    const std::optional<double>& value = asked.*number.asked;
+    if (!value) continue;
+    if (!number.need.met(scheme))
+      throw base::Error(std::string(number.name), std::string(number.need.problem),
+                        std::string(number.need.advice));
+    number.of(scheme) = *value;
+  }
   if (const auto reason = conflict(scheme))
-    throw base::Error("--stitched", std::string(*reason), "omit it, or choose another deformer or blend");
+    throw base::Error("stitched", std::string(*reason), "omit it, or choose another deformer or blend");
   return scheme;
 }
 

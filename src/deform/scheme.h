@@ -64,9 +64,6 @@ auto find_by_name(std::span<const Entry> table, std::string_view name)
   return std::nullopt;
 }
 
-/// In sizes of the cage.
-inline constexpr double least_radius = 0.001, largest_radius = 10;
-
 /// More iterations change almost nothing.
 inline constexpr int most_iterations = 20;
 
@@ -74,8 +71,7 @@ inline constexpr int most_iterations = 20;
 struct Weighting {
   Elements elements = Elements::face;
   Weights weights = Weights::inverse;
-  /// Radius of cut-off weights, in sizes of the cage: least_radius to largest_radius.
-  double radius = 0.25;
+  double radius = 0.25;  ///< of cut-off weights, in sizes of the cage
 
   double used_radius() const { return partial() ? radius : 0; }
   /// True if weights end at the radius. The weights of a vertex may then sum to less than 1; the rest of its
@@ -97,16 +93,14 @@ struct Amounts {
   bool whole() const { return turn == 1 && stretch == 1; }
   friend bool operator==(const Amounts&, const Amounts&) = default;
 };
-inline constexpr double largest_amount = 2;
 
 /// Additional constraints of a stitched model, see StitchingSettings.
 struct Holding {
-  double radius = 0;  ///< in sizes of the cage, 0 to largest_pin_radius
-  double weight = 0;  ///< pull of every vertex towards its blended position, 0 to 1
+  double radius = 0;  ///< in sizes of the cage
+  double weight = 0;  ///< pull of every vertex towards its blended position
 
   friend bool operator==(const Holding&, const Holding&) = default;
 };
-inline constexpr double largest_pin_radius = 1;
 
 /// Member defaults are the published scheme; the program's default is default_scheme().
 struct Scheme {
@@ -153,15 +147,6 @@ std::vector<Scheme> valid_schemes();
 /// "inverse, srl": as the command line names them.
 std::string text(const Scheme& scheme);
 
-/// A fraction as "25 %".
-std::string text_of_percent(double fraction);
-/// Percent, 0 to 200, as a fraction.
-std::optional<double> amount_from_percent(double percent);
-/// Percent of the cage's size, as a fraction; nothing if outside the range of radii.
-std::optional<double> radius_from_percent(double percent);
-/// Percent, 0 to 100, as a fraction.
-std::optional<double> share_from_percent(double percent);
-
 enum class Way { smooth, paper, mean_value, rigid, arap, local };
 
 struct WayEntry : ChoiceEntry {
@@ -206,16 +191,36 @@ Scheme chosen(Choice choice, const Scheme& now) {
 struct AskedScheme {
   std::optional<Way> way{};  ///< the base; the other fields modify it
   PartialChoice choice{};
-  std::optional<double> radius{};           ///< for cut-off weights
-  std::optional<double> turn{}, stretch{};  ///< see Amounts
-  std::optional<int> iterations{};          ///< for stitching
-  std::optional<double> pins{}, hold{};     ///< see Holding
+  std::optional<double> radius{}, turn{}, stretch{};  ///< see all_numbers()
+  std::optional<int> iterations{};                    ///< for stitching
+  std::optional<double> pins{}, hold{};               ///< see all_numbers()
 
   bool any() const { return way || choice.any() || radius || turn || stretch || iterations || pins || hold; }
 };
 
+/// A setting that is a fraction. People see and type it in percent, libraries as it is.
+struct NumberEntry : ChoiceEntry {
+  /// The condition for a scheme to use it, and the error otherwise.
+  struct Need {
+    bool (*met)(const Scheme& scheme);
+    std::string_view problem, advice;
+  };
+  double& (*of)(Scheme& scheme);
+  std::optional<double> AskedScheme::*asked;
+  Need need;
+  double least = 0, largest = 1;
+
+  /// Percent, rounded to the number a user typed: 29 instead of 28.999999999999996.
+  double percent(Scheme scheme) const;
+};
+/// A fraction as "25 %".
+std::string text_of_percent(double fraction);
+/// "radius", "turn", "stretch", "pins" and "hold".
+std::span<const NumberEntry> all_numbers();
+const NumberEntry& number(std::string_view name);
+
 /// Open choices keep their value of `now` if compatible with the others. Throws base::Error for incompatible
-/// choices, a radius for weights without one, or amounts or stitching for elements that only translate.
+/// choices, for numbers that the scheme does not use, and for stitching of elements that only translate.
 ///
 /// A radius selects cut-off weights, unless other weights were chosen explicitly: by name here, or earlier
 /// (`chosen`), for example in a session.

@@ -25,9 +25,16 @@ namespace viete {
 
 using Point3 = std::array<double, 3>;
 
+/// The members of a class, which can be moved and not copied.
+template <class Impl>
+using Hidden = std::unique_ptr<Impl, void (*)(Impl*)>;
+
 /// Progress callback of long work: called several times a second, in the calling thread, with the finished
 /// fraction, 0 to 1. An exception that it throws cancels the work and is passed on to the caller.
 using Watch = std::function<void(double done)>;
+
+/// The other content of a file: materials, texture coordinates, groups, comments.
+struct FileContent;
 
 /// A polygon mesh. Corners of a face run counter-clockwise as seen from outside.
 struct Mesh {
@@ -35,14 +42,18 @@ struct Mesh {
   std::vector<std::uint32_t> corners;  ///< vertex indices from 0, one face after the other
   std::vector<std::uint32_t>
       starts;  ///< face f has corners [starts[f], starts[f + 1]); starts has face_count() + 1 entries
+  std::shared_ptr<const FileContent>
+      file{};  ///< set by read_mesh(); write_mesh() keeps it for the same faces
 
   std::size_t face_count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };
 
 /// Reads or writes OBJ, PLY, OFF, STL or glTF, chosen by the file extension. Writing is atomic. STL and glTF
-/// keep neither the vertex order nor polygons. notes, if not null, receives warnings, one line each.
+/// keep neither the vertex order nor polygons. notes, if not null, receives warnings, one line each, when
+/// writing about content that the format does not support.
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
-void write_mesh(const std::filesystem::path& file, const Mesh& mesh);
+void write_mesh(const std::filesystem::path& file, const Mesh& mesh,
+                std::vector<std::string>* notes = nullptr);
 
 /// Parameters of make_cage(). Values out of range are errors.
 struct CageWish {
@@ -58,8 +69,8 @@ struct CageWish {
 /// A closed cage around the model, without self-intersections.
 Mesh make_cage(const Mesh& model, const CageWish& wish = {}, const Watch& watch = {});
 
-/// How the cage moves the model, with the names used by `viete deform`. Empty members take the value of the
-/// deformer `way`.
+/// How the cage moves the model: names and numbers of `viete help deformers`, numbers as fractions. Empty
+/// members take the value of the deformer `way`.
 struct Blending {
   std::string way = "smooth";               ///< "smooth", "paper", "mean-value", "rigid", "arap", "local"
   std::string weights{}, blend{};           ///< override those of `way`; empty: not overridden
@@ -70,33 +81,18 @@ struct Blending {
   std::string method = "fast";              ///< matrix functions: "diag", "sd", "improved_sd" or "fast"
 };
 
-/// A frame that moves, rotates and stretches the points near it: y = place + exp(turn) exp(stretch) (x -
-/// place) + move.
-struct Probe {
-  Point3 place{};                   ///< rest position
-  double radius = 1;                ///< reach, above 0 and up to 1e60
-  std::string falloff = "smooth";   ///< "smooth", "round", "linear", "sharp", "even", "endless"
-  Point3 turn{};                    ///< rotation vector, in radians
-  std::array<double, 6> stretch{};  ///< logarithm of the stretch, upper triangle by rows: xx xy xz yy yz zz
-  Point3 move{};                    ///< translation
-};
-
 /// A model bound to a cage. Not thread-safe; several deformers are independent. fork() waits until deform()
 /// calls of other threads end; the child process works with one thread.
 class Deformer {
 public:
   /// Checks and copies its arguments. threads: the maximum number; 0 for one per processor.
   Deformer(const Mesh& model, const Mesh& cage, const Blending& blending = {}, int threads = 0);
-  ~Deformer();
-  Deformer(Deformer&&) noexcept;
-  Deformer& operator=(Deformer&&) noexcept;
 
   /// Binds for poses in float or in double; otherwise the first deform() of each kind binds. Takes up to some
   /// seconds; memory is proportional to vertices times cage triangles.
   void bind(bool in_float, const Watch& watch = {});
 
   std::size_t vertex_count() const;
-  std::size_t cage_vertex_count() const;
   /// Warnings about the cage and the binding, one line each.
   const std::vector<std::string>& notes() const;
 
@@ -115,12 +111,10 @@ public:
   void set_mask(std::span<const float> shares);
   /// Replaces the shape that the cage deforms, three numbers a vertex; empty: the model at rest.
   void set_shape(std::span<const double> positions);
-  /// Sets the probes, which act after the cage.
-  void set_probes(const std::vector<Probe>& probes);
 
 private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Hidden<Impl> impl_;
 };
 
 /// Shapes of one mesh, blended in log space: halfway to 180 degrees is 90 degrees. Not thread-safe.
@@ -129,14 +123,7 @@ public:
   /// shapes: vertex positions, in order of motion: each rotation continues from the shape before.
   ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads = 0,
              const Watch& watch = {});
-  ~ShapeSpace();
-  ShapeSpace(ShapeSpace&&) noexcept;
-  ShapeSpace& operator=(ShapeSpace&&) noexcept;
 
-  std::size_t shape_count() const;
-  /// The logarithm of each triangle's map in a shape: six numbers of the stretch (xx xy xz yy yz zz) and a
-  /// rotation vector, relative to the global rotation of the shape.
-  std::vector<std::array<double, 9>> vector(std::size_t shape) const;
   /// The weighted sum of the shapes: all weights 0 is the rest shape, (1, 0, ...) the first shape.
   std::vector<Point3> mix(std::span<const double> weights) const;
   /// Interpolates along the sequence of shapes: 0 is the first, 1 the second, 0.5 halfway. straight: moves
@@ -151,38 +138,28 @@ public:
 
 private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Hidden<Impl> impl_;
 };
 
 /// Poses of a cage in log space, as ShapeSpace. The cage's parts keep count of full rotations.
 class PoseSpace {
 public:
   PoseSpace(const Mesh& cage, std::span<const std::vector<Point3>> poses);
-  ~PoseSpace();
-  PoseSpace(PoseSpace&&) noexcept;
-  PoseSpace& operator=(PoseSpace&&) noexcept;
 
-  std::size_t pose_count() const;
-  std::vector<std::array<double, 9>> vector(std::size_t pose) const;
   std::vector<Point3> mix(std::span<const double> weights) const;
   std::vector<Point3> between(double at, bool straight = false) const;
 
 private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Hidden<Impl> impl_;
 };
 
 /// A session saved by the window: the posed model, and the model at frames of the timeline. Not thread-safe.
 class Session {
 public:
   explicit Session(const std::filesystem::path& file);
-  ~Session();
-  Session(Session&&) noexcept;
-  Session& operator=(Session&&) noexcept;
 
-  Mesh model() const;                ///< at rest
-  Mesh cage() const;                 ///< at rest; empty without a cage
-  std::vector<Point3> pose() const;  ///< the cage's vertex positions
+  Mesh model() const;  ///< at rest
   /// The first and the last frame; both are 1 without keys.
   std::array<int, 2> range() const;
   const std::vector<std::string>& notes() const;
@@ -191,7 +168,7 @@ public:
 
 private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Hidden<Impl> impl_;
 };
 
 }  // namespace viete

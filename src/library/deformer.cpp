@@ -13,9 +13,7 @@
 #include "deform/deformer.h"
 #include "deform/exact.h"
 #include "deform/scheme.h"
-#include "library/surfaces.h"
-#include "library/watched.h"
-#include "library/words.h"
+#include "library/arguments.h"
 #include "mesh/normals.h"
 #include "scene/files/export.h"
 
@@ -29,49 +27,24 @@ void take(std::span<const Entry> table, const std::string& name, const char* wha
   if (!name.empty()) value = library::named(table, name, what);
 }
 
-void check(const char* what, std::optional<double> value, double low, double high) {
-  if (value) library::check_range(what, *value, low, high);
-}
-
 deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   deform::AskedScheme asked;
   // Points have no surface along which weights could spread.
   if (has_triangles || b.way != Blending{}.way) take(deform::all_ways(), b.way, "way", asked.way);
   take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
   take(deform::all_blends(), b.blend, "blend", asked.choice.blend);
-  check("radius", b.radius, deform::least_radius, deform::largest_radius);
-  check("turn", b.turn, 0, deform::largest_amount), check("stretch", b.stretch, 0, deform::largest_amount);
-  check("stitched", b.stitched, 1, deform::most_iterations);
-  check("pins", b.pins, 0, deform::largest_pin_radius), check("hold", b.hold, 0, 1);
   asked.radius = b.radius, asked.turn = b.turn, asked.stretch = b.stretch, asked.iterations = b.stitched;
   asked.pins = b.pins, asked.hold = b.hold;
-  try {
-    return deform::scheme_of(asked, deform::default_scheme(has_triangles));
-  } catch (const base::Error& error) {  // its message names command-line options
-    using library::without_dashes;
-    throw base::Error(without_dashes(error.place()), without_dashes(error.problem()),
-                      without_dashes(error.advice()));
-  }
+  for (const deform::NumberEntry& number : deform::all_numbers())
+    if (const auto& value = asked.*number.asked)
+      library::check_range(number.name.data(), *value, number.least, number.largest);
+  if (b.stitched) library::check_range("stitched", *b.stitched, 1, deform::most_iterations);
+  return deform::scheme_of(asked, deform::default_scheme(has_triangles));
 }
 
 sym3::Method method_of(const std::string& name) {
   if (const auto method = sym3::method_from_name(name)) return *method;
   throw base::Error("method", "unknown name " + name, "choose diag, sd, improved_sd or fast");
-}
-
-mesh::Vec3 vector_of(const Point3& p) {
-  return {p[0], p[1], p[2]};
-}
-
-void check_finite(const Probe& probe) {
-  const auto check = [](const char* what, std::span<const double> numbers) {
-    for (const double x : numbers)
-      if (!(std::abs(x) <= library::most_deformable))
-        throw base::Error("a probe", "its " + std::string(what) + " is not finite, or beyond 1e60",
-                          "use finite numbers up to 1e60");
-  };
-  check("place", probe.place), check("turn", probe.turn), check("stretch", probe.stretch);
-  check("move", probe.move);
 }
 
 void check_turns(const std::vector<Point3>* turns) {
@@ -94,6 +67,25 @@ void check_size(std::span<T> numbers, std::size_t vertices, const char* what) {
 
 }  // namespace
 
+std::string library::settings_text() {
+  std::string text;
+  const auto list = [&](const std::string& title, const auto& table) {
+    text += "\n" + title;
+    for (const auto& entry : table)
+      text += "\n  '" + std::string(entry.name) + "': " + std::string(entry.sentence);
+  };
+  list("way: how the cage moves the model.", deform::all_ways());
+  list("weights: override those of the way. Not all blends are possible.", deform::all_weights());
+  list("blend: overrides that of the way.", deform::all_blends());
+  text += "\nstitched: number of iterations, 1 to " + std::to_string(deform::most_iterations) +
+          ", that solve for vertices whose triangles follow the maps.";
+  for (const deform::NumberEntry& number : deform::all_numbers())
+    text += "\n" + std::string(number.name) + ": " + std::string(number.sentence) + "; as a fraction, " +
+            plain(number.least) + " to " + plain(number.largest) + ".";
+  list("method: how the matrix exponential of each vertex is computed.", sym3::methods());
+  return text;
+}
+
 struct Deformer::Impl {
   Impl(const Mesh& m, const Mesh& c, const Blending& blending, int threads)
       : model(library::deformable_surface_of(m, "the model")),
@@ -105,9 +97,8 @@ struct Deformer::Impl {
         notes(cage->warnings) {}
 
   deform::Pose pose(std::span<const double> numbers, const std::vector<Point3>* turns) const {
-    deform::Pose pose{library::points_of(numbers, cage->surface.positions.size(), "the pose of the cage"),
-                      {}};
-    library::check_deformable(pose.positions, 0, "the pose of the cage");
+    deform::Pose pose{
+        library::deformable_points(numbers, cage->surface.positions.size(), "the pose of the cage"), {}};
     check_turns(turns);
     if (turns) pose.turns = library::inside(*turns);
     return pose;
@@ -136,7 +127,7 @@ struct Deformer::Impl {
       stitching = std::make_shared<const deform::Stitching>(
           deform::stitch(model, *cage, pool, scheme.holding, progress));
     live_ = std::make_unique<deform::Deformer>(cage, std::move(binding), scheme, pool, std::move(stitching));
-    live_->set_mask(mask), live_->set_shape(shape), live_->set_probes(probes);
+    live_->set_mask(mask), live_->set_shape(shape);
     return *live_;
   }
 
@@ -149,16 +140,12 @@ struct Deformer::Impl {
   std::optional<mesh::Adjacency> around;  // triangles of each vertex
   deform::Mask mask;
   deform::SharedShape shape;
-  deform::Probes probes;
   std::unique_ptr<deform::ExactDeformer> exact_;  // created on first use
   std::unique_ptr<deform::Deformer> live_;
 };
 
 Deformer::Deformer(const Mesh& model, const Mesh& cage, const Blending& blending, int threads)
-    : impl_(std::make_unique<Impl>(model, cage, blending, threads)) {}
-Deformer::~Deformer() = default;
-Deformer::Deformer(Deformer&&) noexcept = default;
-Deformer& Deformer::operator=(Deformer&&) noexcept = default;
+    : impl_(library::hidden<Impl>(model, cage, blending, threads)) {}
 
 void Deformer::bind(bool in_float, const Watch& watch) {
   library::watched(watch, [&](base::Progress* progress) {
@@ -172,9 +159,6 @@ void Deformer::bind(bool in_float, const Watch& watch) {
 std::size_t Deformer::vertex_count() const {
   return impl_->model.positions.size();
 }
-std::size_t Deformer::cage_vertex_count() const {
-  return impl_->cage->surface.positions.size();
-}
 const std::vector<std::string>& Deformer::notes() const {
   return impl_->notes;
 }
@@ -185,10 +169,10 @@ void Deformer::deform(std::span<const double> cage, std::span<double> positions,
   check_size(positions, vertex_count(), "positions");
   if (!normals.empty()) check_size(normals, vertex_count(), "normals");
   const deform::Pose pose = impl_->pose(cage, turns);
-  deform::ExactModel deformed = impl_->exact().deform(pose, impl_->probes, impl_->shape);
+  deform::ExactModel deformed = impl_->exact().deform(pose, {}, impl_->shape);
   const auto& shape = impl_->shape ? *impl_->shape : impl_->model.positions;
-  scene::keep_at_rest(*impl_->cage, pose, impl_->probes, shape, deformed.positions);
-  library::check_finite(deformed.positions, "positions", "use a pose nearer to rest, or smaller probes");
+  scene::keep_at_rest(*impl_->cage, pose, {}, shape, deformed.positions);
+  library::check_finite(deformed.positions, "positions", "use a pose nearer to rest");
   Impl::keep_turns(deformed.report, turns);
   for (std::size_t v = 0; v < deformed.positions.size(); ++v)
     std::ranges::copy(deformed.positions[v], positions.begin() + static_cast<std::ptrdiff_t>(3 * v));
@@ -248,31 +232,11 @@ void Deformer::set_mask(std::span<const float> shares) {
 void Deformer::set_shape(std::span<const double> positions) {
   const base::ForkDelay delay;
   deform::SharedShape shape;
-  if (!positions.empty()) {
-    auto points = library::points_of(positions, vertex_count(), "the shape");
-    library::check_deformable(points, 0, "the shape");
-    shape = std::make_shared<const std::vector<mesh::Point>>(std::move(points));
-  }
+  if (!positions.empty())
+    shape = std::make_shared<const std::vector<mesh::Point>>(
+        library::deformable_points(positions, vertex_count(), "the shape"));
   impl_->shape = std::move(shape);
   if (impl_->live_) impl_->live_->set_shape(impl_->shape);
-}
-
-void Deformer::set_probes(const std::vector<Probe>& probes) {
-  const base::ForkDelay delay;
-  deform::Probes all;
-  for (const Probe& p : probes) {
-    check_finite(p);
-    if (!(p.radius > 0 && p.radius <= library::most_deformable))
-      throw base::Error("a probe", "its radius is out of range", "choose a radius above 0, up to 1e60");
-    const deform::Influence influence{library::named(deform::all_falloffs(), p.falloff, "falloff"), p.radius};
-    deform::Probe probe{
-        .place = vector_of(p.place), .turn = influence, .stretch = influence, .move = influence};
-    const auto& s = p.stretch;
-    probe.pose = {vector_of(p.turn), {s[0], s[1], s[2], s[3], s[4], s[5]}, vector_of(p.move)};
-    all.all.push_back(probe);
-  }
-  impl_->probes = std::move(all);
-  if (impl_->live_) impl_->live_->set_probes(impl_->probes);
 }
 
 }  // namespace viete

@@ -8,9 +8,7 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "cages/make.h"
-#include "library/surfaces.h"
-#include "library/watched.h"
-#include "library/words.h"
+#include "library/arguments.h"
 #include "mesh/formats/printed.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
@@ -43,20 +41,6 @@ void check_faces(const Mesh& mesh, const char* what) {
              "vertex indices start at 0");
 }
 
-}  // namespace
-
-std::vector<mesh::Point> inside(std::span<const Point3> points) {
-  std::vector<mesh::Point> all(points.size());
-  for (std::size_t v = 0; v < all.size(); ++v) all[v] = {points[v][0], points[v][1], points[v][2]};
-  return all;
-}
-
-std::vector<Point3> outside(std::span<const mesh::Point> points) {
-  std::vector<Point3> all(points.size());
-  for (std::size_t v = 0; v < all.size(); ++v) all[v] = {points[v][0], points[v][1], points[v][2]};
-  return all;
-}
-
 void check_points(std::span<const mesh::Point> points, std::size_t vertices, const char* what) {
   if (points.size() != vertices)
     refuse(
@@ -70,20 +54,41 @@ void check_points(std::span<const mesh::Point> points, std::size_t vertices, con
                "use finite coordinates");
 }
 
+// Requires an extent of `least` to most_deformable, or a single point, and coordinates within that.
+void check_deformable(std::span<const mesh::Point> points, double least, const char* what) {
+  const mesh::Bounds box = mesh::bounds(points);
+  const double extent = mesh::largest_abs(box.high - box.low);
+  const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
+  if (farthest > most_deformable)
+    refuse(what, "it has a coordinate of size " + plain(farthest), "scale it so that it stays within 1e60");
+  if (extent > 0 && extent < least)
+    refuse(what, "it is " + plain(extent) + " in size", "scale it to 1e-60 or more");
+}
+
+}  // namespace
+
+std::vector<mesh::Point> inside(std::span<const Point3> points) {
+  return {points.begin(), points.end()};
+}
+
+std::vector<Point3> outside(std::span<const mesh::Point> points) {
+  return {points.begin(), points.end()};
+}
+
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice) {
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!mesh::is_place(points[v], std::numeric_limits<double>::max()))
       refuse(what, "vertex " + std::to_string(v) + " would have a coordinate that is not finite", advice);
 }
 
-std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what) {
+std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std::size_t vertices,
+                                           const char* what) {
   if (numbers.size() % 3 != 0)
     refuse(what, "it has " + std::to_string(numbers.size()) + " numbers", "pass three per vertex");
   std::vector<mesh::Point> points(numbers.size() / 3);
   for (std::size_t v = 0; v < points.size(); ++v)
     points[v] = {numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]};
-  check_points(points, vertices, what);
-  return points;
+  return deformable(std::move(points), vertices, what);
 }
 
 mesh::Surface surface_of(const Mesh& mesh, const char* what) {
@@ -98,14 +103,10 @@ mesh::Surface surface_of(const Mesh& mesh, const char* what) {
   return surface;
 }
 
-void check_deformable(std::span<const mesh::Point> points, double least, const char* what) {
-  const mesh::Bounds box = mesh::bounds(points);
-  const double extent = mesh::largest_abs(box.high - box.low);
-  const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
-  if (farthest > most_deformable)
-    refuse(what, "it has a coordinate of size " + plain(farthest), "scale it so that it stays within 1e60");
-  if (extent > 0 && extent < least)
-    refuse(what, "it is " + plain(extent) + " in size", "scale it to 1e-60 or more");
+std::vector<mesh::Point> deformable(std::vector<mesh::Point> points, std::size_t vertices, const char* what) {
+  check_points(points, vertices, what);
+  check_deformable(points, 0, what);
+  return points;
 }
 
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what) {
@@ -120,14 +121,26 @@ Mesh mesh_of(const mesh::Surface& surface) {
 
 }  // namespace library
 
+struct FileContent : mesh::ReadResult {};
+
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes) {
-  mesh::ReadResult read = mesh::read(file);
-  if (notes) *notes = std::move(read.warnings);
-  return library::mesh_of(read.surface);
+  const auto content = std::make_shared<FileContent>(FileContent{mesh::read(file)});
+  if (notes) *notes = content->warnings;
+  Mesh mesh = library::mesh_of(content->surface);
+  mesh.file = content;
+  return mesh;
 }
 
-void write_mesh(const std::filesystem::path& file, const Mesh& mesh) {
-  mesh::write(file, library::surface_of(mesh, "the mesh"));
+void write_mesh(const std::filesystem::path& file, const Mesh& mesh, std::vector<std::string>* notes) {
+  const mesh::Surface surface = library::surface_of(mesh, "the mesh");
+  const FileContent* const content = mesh.file.get();
+  const bool same = content && content->surface.positions.size() == mesh.vertices.size() &&
+                    content->surface.corners == mesh.corners &&
+                    content->surface.polygon_starts == mesh.starts;
+  if (!same) return mesh::write(file, surface);
+  auto losses = mesh::write(file, {content->surface, surface.positions, {}, content->attributes.get()},
+                            content->original.get(), {});
+  if (notes) *notes = std::move(losses);
 }
 
 Mesh make_cage(const Mesh& model, const CageWish& asked, const Watch& watch) {

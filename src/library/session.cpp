@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/process.h"
 #include "base/worker_pool.h"
-#include "library/surfaces.h"
+#include "library/arguments.h"
 #include "scene/files/animated_model.h"
 #include "scene/files/open.h"
 
@@ -46,22 +46,10 @@ struct Session::Impl {
   std::optional<scene::AnimatedModel> animated;
 };
 
-Session::Session(const std::filesystem::path& file) : impl_(std::make_unique<Impl>(file)) {}
-Session::~Session() = default;
-Session::Session(Session&&) noexcept = default;
-Session& Session::operator=(Session&&) noexcept = default;
+Session::Session(const std::filesystem::path& file) : impl_(library::hidden<Impl>(file)) {}
 
 Mesh Session::model() const {
   return library::mesh_of(*impl_->what.model);
-}
-
-Mesh Session::cage() const {
-  return impl_->opened.document->has_cage() ? library::mesh_of(impl_->what.cage->surface) : Mesh{};
-}
-
-std::vector<Point3> Session::pose() const {
-  return impl_->opened.document->has_cage() ? library::outside(impl_->what.pose.positions)
-                                            : std::vector<Point3>{};
 }
 
 std::array<int, 2> Session::range() const {

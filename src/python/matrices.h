@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sym3/view.h"
 
@@ -27,10 +28,8 @@ struct Shape {
 [[noreturn]] void wrong(const char* function, const std::string& what);
 std::string shape_text(const py::array& a);
 
-/// For symmetric matrices in either form. Raises ValueError that names the function for other shapes.
+/// Raises ValueError that names the function for other shapes.
 Shape symmetric_shape(const char* function, const py::array& a);
-/// For general matrices, (..., 3, 3) only.
-Shape general_shape(const char* function, const py::array& a);
 
 /// True for float32; false for float64, and for integers and booleans, which are computed as float64. Raises
 /// TypeError for other types.
@@ -41,23 +40,13 @@ std::optional<py::array> array_like(const py::handle& a);
 /// The same, but raises TypeError if it is not array-like.
 py::array as_array(const char* function, const py::object& a);
 
-/// Converts to a contiguous double array. Raises TypeError for non-numbers, including None, and ValueError
-/// for non-finite numbers.
-py::array_t<double, py::array::c_style | py::array::forcecast> finite_numbers(const char* function,
-                                                                              const char* what,
-                                                                              const py::object& a);
-
-/// Finite weights, (..., k), divided by their sum over the last axis without overflow. Raises ValueError if
-/// they sum to 0.
-py::array_t<double, py::array::c_style | py::array::forcecast> shares(const char* function,
-                                                                      const py::object& weights);
-
 /// True if the arrays share memory.
 bool overlap(const py::array& a, const py::array& b);
 
-/// The result array: `out`, or a new array if it is None. Raises TypeError or ValueError unless `out` is a
-/// writable contiguous array of the shape and type of `in`, and either `in` itself or without shared memory.
+/// The result array: `out`, or a new array if it is None. Raises TypeError or ValueError unless `out`, called
+/// `what`, is a writable contiguous array of this shape and type.
 template <class T>
-py::array_t<T> output(const char* function, const py::object& out, const Contiguous<T>& in);
+py::array_t<T> output(const char* function, const char* what, const py::object& out,
+                      const std::vector<py::ssize_t>& shape);
 
 }  // namespace viete::python

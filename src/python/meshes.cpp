@@ -85,8 +85,9 @@ Mesh mesh_of(const char* what, const py::object& vertices, const py::object& fac
   return mesh;
 }
 
-py::object faces_of(const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& starts) {
-  const std::size_t count = starts.empty() ? 0 : starts.size() - 1;
+py::object faces_of(const Mesh& mesh) {
+  const auto& [corners, starts] = std::tie(mesh.corners, mesh.starts);
+  const std::size_t count = mesh.face_count();
   const std::size_t k = count > 0 ? starts[1] - starts[0] : 3;
   bool even = true;
   for (std::size_t f = 0; f < count; ++f) even &= starts[f + 1] - starts[f] == k;

@@ -1,4 +1,4 @@
-// Conversion between numpy arrays and meshes.
+// Conversion between numpy arrays and meshes, and objects that several threads may use.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,12 +8,20 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "library/deform.h"
 #include "python/matrices.h"
 
 namespace viete::python {
+
+/// Defines Error and everything below.
+void define_deformation(py::module_& m);
+/// Defines Surface, read, write, make_cage.
+void define_files(py::module_& m);
+/// Defines ShapeSpace, PoseSpace, Session.
+void define_spaces(py::module_& m);
 
 using Points = std::vector<Point3>;
 
@@ -26,24 +34,30 @@ py::array_t<double> array_of(const Points& points);
 
 /// faces: an array (m, k), or sequences of different lengths.
 Mesh mesh_of(const char* function, const py::object& vertices, const py::object& faces);
-/// An array (m, k) if all faces have k corners, otherwise a list.
-py::object faces_of(const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& starts);
+/// The faces as an array (m, k) if all have k corners, otherwise as a list.
+py::object faces_of(const Mesh& mesh);
 
 /// A Watch that raises KeyboardInterrupt after Ctrl-C.
 void heed_signals(double done);
 
-/// Serialises the calls on one object.
-class CallLock {
+/// An object whose calls run one after another, without the GIL.
+template <class T>
+class Guarded {
 public:
-  /// Call mutex() while holding the GIL, and lock it after releasing the GIL. A forked child gets a new
-  /// mutex, because a thread of the parent may own the old one.
-  std::mutex& mutex() {
-    if (process_ != getpid()) {
+  T object;
+
+  explicit Guarded(T&& made) : object(std::move(made)) {}
+  template <class Act>
+  auto with(const Act& act) {
+    if (process_ != getpid()) {  // a forked child: a thread of the parent may own the mutex
       process_ = getpid();
       static_cast<void>(mutex_.release());
       mutex_ = std::make_unique<std::mutex>();
     }
-    return *mutex_;
+    std::mutex& mutex = *mutex_;
+    const py::gil_scoped_release release;
+    const std::lock_guard lock(mutex);
+    return act(object);
   }
 
 private:
@@ -51,16 +65,17 @@ private:
   std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
 };
 
-/// A type caster that rejects objects whose __init__() was not called, for pybind11::detail::type_caster.
+}  // namespace viete::python
+
+/// Rejects objects whose __init__() was not called.
 template <class T>
-struct Initialised : py::detail::type_caster_base<T> {
-  bool load(py::handle from, bool convert) {
-    if (!py::detail::type_caster_base<T>::load(from, convert)) return false;
-    auto* object = reinterpret_cast<py::detail::instance*>(from.ptr());
+struct pybind11::detail::type_caster<viete::python::Guarded<T>>
+    : pybind11::detail::type_caster_base<viete::python::Guarded<T>> {
+  bool load(handle from, bool convert) {
+    if (!type_caster_base<viete::python::Guarded<T>>::load(from, convert)) return false;
+    auto* object = reinterpret_cast<instance*>(from.ptr());
     if (object && !from.is_none() && !object->get_value_and_holder().holder_constructed())
-      throw py::type_error("viete: __init__() of this object was not called");
+      throw type_error("viete: __init__() of this object was not called");
     return true;
   }
 };
-
-}  // namespace viete::python

@@ -67,91 +67,37 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   ImGui::EndCombo();
 }
 
-struct Number {
-  double value, least, most;
-};
-
-// A slider with discrete stops and its value, which can be typed as a number.
-Slid stops(const Context& ui, const char* name, const char* label, int& stop, int last, bool used,
-           const Number& number, const std::string& value, const std::string& hint_text) {
+// A slider that stops at these fractions; other values can be typed, in percent.
+void number_slider(const Context& ui, const char* name, std::span<const double> stops) {
+  scene::Document& document = ui.workspace.document;
+  scene::Scheme scheme = document.scheme;
+  const auto& number = scene::number(name);
+  const bool used = number.need.met(scheme);
+  double& value = number.of(scheme);
+  const double shown = used ? value : 1;
+  const auto above = std::ranges::lower_bound(stops, shown);
+  int stop = static_cast<int>(std::min(above, stops.end() - 1) - stops.begin());
   ImGui::BeginDisabled(!used);
-  row_label(label, chooser_label);
+  row_label(number.label.data(), chooser_label);
   constexpr float value_width = 84;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(-value_width);
   const std::string id = std::string("##") + name;
   const auto draw = [&] {
-    return ImGui::SliderInt(id.c_str(), &stop, 0, last, "", ImGuiSliderFlags_NoInput);
+    return ImGui::SliderInt(id.c_str(), &stop, 0, static_cast<int>(stops.size()) - 1, "",
+                            ImGuiSliderFlags_NoInput);
   };
-  const Slid slid = slider(ui, name, number.value, number.least, number.most, draw, used);
+  const Slid slid = slider(ui, name, 100 * shown, 100 * number.least, 100 * number.largest, draw, used);
   ImGui::EndDisabled();
-  hint(hint_text);
+  hint((used ? std::string(number.sentence) : "Not available: " + std::string(number.need.problem)) + '.');
   ImGui::BeginDisabled(!used);
-  value_beside(right, value);
+  value_beside(right, scene::text_of_percent(shown));
   ImGui::EndDisabled();
-  return slid;
-}
-
-// A slider of these shares: returns the one moved to, or typed in percent.
-std::optional<double> share_slider(const Context& ui, const char* name, const char* label, double share,
-                                   std::span<const double> all, const char* hint_text) {
-  const auto above = std::ranges::lower_bound(all, share);
-  int stop = static_cast<int>(std::min(above, all.end() - 1) - all.begin());
-  const Slid slid =
-      stops(ui, name, label, stop, static_cast<int>(all.size()) - 1, true,
-            {100 * share, 100 * all.front(), 100 * all.back()}, scene::text_of_percent(share), hint_text);
-  if (slid.typed) return std::clamp(0.01 * *slid.typed, all.front(), all.back());
-  return slid.moved ? std::optional(all[static_cast<std::size_t>(stop)]) : std::nullopt;
-}
-
-void radius_slider(const Context& ui) {
-  constexpr std::array radii = {0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
-  scene::Document& document = ui.workspace.document;
-  const auto radius = share_slider(
-      ui, "radius", "Radius", document.scheme.weighting.radius, radii,
-      "Distance where weights become zero, in percent of the cage's size. Vertices beyond it stay at rest.");
-  if (radius) scene::set_radius(document, *radius);
-}
-
-bool amount_slider(const Context& ui, const char* name, const char* label, double& amount, bool used,
-                   const std::string& what) {
-  constexpr double step = 0.05;
-  const double shown = used ? amount : 1;
-  int stop = static_cast<int>(std::lround(shown / step));
-  const std::string percent = std::to_string(std::lround(100 * shown)) + " %";
-  const Slid slid = stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)),
-                          used, {100 * shown, 0, 100 * scene::largest_amount}, percent,
-                          used ? what : "Not available: this deformer does not use rotation or stretch.");
-  if (slid.moved) amount = std::round(100 * step * stop) / 100;
-  if (slid.typed) amount = 0.01 * *slid.typed;
-  return slid.moved || slid.typed;
-}
-
-void amount_sliders(const Context& ui) {
-  scene::Document& document = ui.workspace.document;
-  const bool used = document.scheme.has_maps();
-  scene::Amounts amounts = document.scheme.amounts;
-  const bool turned =
-      amount_slider(ui, "turn", "Rotation", amounts.turn, used,
-                    "Scales the blended rotation. 0 % ignores the cage's rotation; 100 % is normal.");
-  const bool stretched = amount_slider(
-      ui, "stretch", "Stretch", amounts.stretch, used,
-      "Scales the logarithm of the blended stretch. 0 % keeps the thickness of the model; 100 % is normal.");
-  if (turned || stretched) scene::set_amounts(document, amounts);
-}
-
-void holding(const Context& ui) {
-  constexpr std::array radii = {0.0, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2};
-  constexpr std::array weights = {0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
-  scene::Document& document = ui.workspace.document;
-  scene::Holding shown = document.scheme.holding;
-  const auto pins = share_slider(ui, "pins", "Pins", shown.radius, radii,
-                                 "Attach vertices within this distance of the cage, in percent of its size. "
-                                 "0 %: only the nearest triangle of each element.");
-  const auto held = share_slider(ui, "hold", "Hold", shown.weight, weights,
-                                 "How strongly each vertex is drawn to its unstitched position.");
-  shown = {pins.value_or(shown.radius), held.value_or(shown.weight)};
-  if (pins || held) scene::set_holding(document, shown);
+  if (!slid.moved && !slid.typed) return;
+  value = slid.typed ? 0.01 * *slid.typed : stops[static_cast<std::size_t>(stop)];
+  scene::set_radius(document, scheme.weighting.radius);
+  scene::set_amounts(document, scheme.amounts);
+  scene::set_holding(document, scheme.holding);
 }
 
 void stitching(const Context& ui) {
@@ -177,7 +123,8 @@ void stitching(const Context& ui) {
   hint(
       "Number of solves per frame. Each further solve refits the triangles' rotations, which spreads bends "
       "more evenly.");
-  holding(ui);
+  number_slider(ui, "pins", std::array{0.0, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2});
+  number_slider(ui, "hold", std::array{0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0});
 }
 
 }  // namespace
@@ -194,8 +141,11 @@ void panel_deformer(const Context& ui) {
   const scene::Scheme& scheme = ui.workspace.document.scheme;
   heading(ui, "Deformer");
   chooser(ui, "way", "", scene::all_ways(), scene::way_of(scheme));
-  if (scheme.weighting.partial()) radius_slider(ui);
-  amount_sliders(ui);
+  constexpr std::array radii{0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
+  if (scheme.weighting.partial()) number_slider(ui, "radius", radii);
+  std::array<double, 41> amounts;
+  for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] = 5 * static_cast<double>(i) / 100;
+  for (const char* name : {"turn", "stretch"}) number_slider(ui, name, amounts);
 }
 
 }  // namespace viete::ui

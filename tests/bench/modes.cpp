@@ -128,13 +128,13 @@ ModeComparison compare(const mesh::Surface& model, const ModeSettings& settings 
 }  // namespace
 
 TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
-  const ModeSettings settings{.rounds = 1, .radius = deform::largest_radius};
+  const ModeSettings settings{.rounds = 1, .radius = deform::number("radius").largest};
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
   CHECK(compared.without_area == 0);
   CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // and Way::arap
   for (deform::Scheme scheme : deform::valid_schemes()) {
-    scheme.weighting.radius = deform::largest_radius;
+    scheme.weighting.radius = deform::number("radius").largest;
     const auto found =
         std::ranges::find_if(compared.modes, [&](const Mode& m) { return m.scheme == scheme; });
     REQUIRE_MESSAGE(found != compared.modes.end(), deform::text(scheme));

@@ -123,7 +123,7 @@ def an_armature_moves_the_cage_over_frames():
     assert np.abs(seen[0] - seen[2]).max() > 0.2 and np.abs(seen[1] - seen[2]).max() > 0.05
 
 
-def bakes_to_cache_mesh_and_keys():
+def bakes_to_cache_and_keys():
     ball, cage = new_scene()
     key = bend(cage)
     for frame, value in ((1, 0), (13, 1), (25, 0.2)):
@@ -141,13 +141,7 @@ def bakes_to_cache_mesh_and_keys():
     assert (count, points) == (25, len(ball.data.vertices)) and len(data) == 8 + 4 * 25 + 12 * 25 * points
     cached = np.frombuffer(data, ">f4", offset=8 + 4 * 25).reshape(25, -1, 3)
     assert np.abs(cached - np.array(frames)).max() < 1e-5
-    bpy.context.scene.frame_set(13)
-    bpy.ops.viete.bake_mesh()
-    copy = bpy.data.objects[ball.name + " posed"]
     places = np.empty((points, 3), np.float32)
-    copy.data.vertices.foreach_get("co", places.ravel())
-    assert np.abs(places - frames[12]).max() < 1e-5
-    select(ball)
     ball.viete.tolerance = 0.2
     bpy.ops.viete.bake_keys()
     assert not ball.viete.bound and follow.KEY not in ball.data.shape_keys.key_blocks
@@ -410,7 +404,7 @@ def edits_are_fast():
           % (len(cage.data.polygons), len(ball.data.vertices), nothing, again, theirs, ours, 1e3 * np.median(times)))
 
 
-TESTS = (it_follows_shape_keys_and_edits, moving_both_objects_deforms_nothing, an_armature_moves_the_cage_over_frames, bakes_to_cache_mesh_and_keys,
+TESTS = (it_follows_shape_keys_and_edits, moving_both_objects_deforms_nothing, an_armature_moves_the_cage_over_frames, bakes_to_cache_and_keys,
          baked_frames_are_those_of_the_program, blend_file_keeps_the_binding, several_objects_share_a_cage_with_masks, binding_depends_on_faces,
          undo_restores_the_deformation, problems_are_reported, works_with_the_program, edits_are_fast)
 failed = 0

@@ -57,18 +57,23 @@ ended_with() { [ "$code" -eq "$1" ]; }
 
 script="$scratch/check out/third_party/setup.sh"
 
+# gives CODE TEXT ARGS...: the script ends with this code and says this.
+gives() {
+  wanted=$1 text=$2
+  shift 2
+  run "$script" "$@"
+  expect "$* exits with $wanted" ended_with "$wanted"
+  expect "$* says $text" says "$text"
+}
+
 fresh
-run "$script" --help
-expect 'help exits with 0' ended_with 0
-expect 'help shows the usage' says '^usage'
+gives 0 '^usage' --help
 run "$script" frobnicate
 expect 'an unknown command exits with 2' ended_with 2
 expect 'an unknown command builds nothing' no called '^cmake'
 
 fresh
-run "$script" run model.obj 'a cage.obj'
-expect 'run starts the program' ended_with 0
-expect 'run keeps the working folder' says "^$scratch/elsewhere$"
+gives 0 "^$scratch/elsewhere$" run model.obj 'a cage.obj' # the working folder is kept
 expect 'run passes arguments on' says '^model.obj a cage.obj$'
 expect 'run builds only the program' called '--target viete'
 expect 'run builds no tests' called 'VIETE_BUILD_TESTS=OFF'
@@ -101,26 +106,18 @@ expect 'test excludes long tests by default' called 'ctest .*-j [0-9]* -LE long'
 
 fresh
 stand_in cmake 'echo "no compiler"; exit 1'
-run "$script" build
-expect 'a failed configuration exits with 1' ended_with 1
-expect 'a failed configuration shows its output' says 'no compiler'
+gives 1 'no compiler' build
 expect 'a failed configuration leaves only the build folder' [ "$(cd "$scratch/check out" && echo *)" = 'build third_party' ]
 
 fresh
 stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) echo "[1/9] a"; echo "a.cpp:1: error: no"; exit 1 ;; esac'
-run "$script" run
-expect 'a failed build exits with 1' ended_with 1
-expect 'a failed build shows compiler messages' says 'a.cpp:1: error: no'
+gives 1 'a.cpp:1: error: no' run
 
 fresh
 stand_in dpkg-query 'case "$*" in *fonts-inter*) ;; *) echo installed ;; esac'
-run "$script" build
-expect 'without sudo a missing optional package is no error' ended_with 0
-expect 'the missing optional package is reported' says 'not needed: fonts-inter'
+gives 0 'not needed: fonts-inter' build
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
-run "$script" build
-expect 'without sudo a missing required package is an error' ended_with 1
-expect 'the advice runs only deps as root' says "su -c '$script deps program'"
+gives 1 "su -c '$script deps program'" build
 
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
@@ -130,9 +127,7 @@ stand_in apt-get 'case "$*" in
   "-s "*) echo "Need to get 7 MB of archives." ;;
   *install*) echo "dlstatus:1:50.0:x"; echo "pmstatus:one:100.0:x" ;;
 esac'
-run "$script" build
-expect 'apt locks are waited for' ended_with 0
-expect 'waiting is reported' says 'waiting for another package manager'
+gives 0 'waiting for another package manager' build
 expect 'packages are installed after waiting' called 'apt-get.* -y install .*libglm-dev'
 expect 'the download size is shown' says 'Need to get 7 MB'
 expect 'installation progress is shown' says 'installing 100 %'
@@ -141,17 +136,13 @@ fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
 stand_in sudo 'exec "$@"'
 stand_in apt-get 'case "$*" in *install*) echo "E: no space"; exit 100 ;; esac'
-run "$script" build
-expect 'a failed installation exits with 1' ended_with 1
-expect 'a failed installation shows the output of apt-get' says 'E: no space'
+gives 1 'E: no space' build
 expect 'a failed installation builds nothing' no called '^cmake'
 
 fresh
 stand_in dpkg-query 'case "$*" in *fonts-inter*) ;; *) echo installed ;; esac'
 stand_in sudo 'echo "somebody is not in the sudoers file"; exit 1'
-run "$script" build
-expect 'refused sudo does not prevent a build' ended_with 0
-expect 'packages left out are reported' says 'not needed: fonts-inter'
+gives 0 'not needed: fonts-inter' build
 : >"$calls"
 run "$script" build
 expect 'sudo is tried only once' no called '^sudo'
@@ -176,9 +167,7 @@ expect 'exactly one call installs' \
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
 stand_in sudo 'echo "somebody is not in the sudoers file"; exit 1'
-run "$script" build
-expect 'refused sudo is an error with missing required packages' ended_with 1
-expect 'missing required packages are reported' says 'missing: libglm-dev'
+gives 1 'missing: libglm-dev' build
 expect 'refused sudo gives the advice for root' says "sudo has refused.*su -c '$script deps program'"
 
 fresh
@@ -212,16 +201,12 @@ sh -c 'while :; do :; done # setup' &
 busy=$!
 ln -s $busy "$scratch/check out/.cache/setup.lock"
 stand_in sleep "kill $busy"
-run "$script" build
-expect 'who waits for another run says for which' says "process $busy"
-expect 'and goes on when that has ended' ended_with 0
+gives 0 "process $busy" build
 
 fresh
 stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) : >"$2/viete_1_amd64.deb" ;; esac'
-run "$script" package
-expect 'packages are made' ended_with 0
-expect 'of a build for any machine' called 'cmake -S .*build-package.*VIETE_KERNELS=all'
-expect 'and it is said where they are' says 'made .*build-package/viete_1_amd64.deb'
+gives 0 'created .*build-package/viete_1_amd64.deb' package
+expect 'packages are built for any machine' called 'cmake -S .*build-package.*VIETE_KERNELS=all'
 
 [ $failures -eq 0 ] && echo "setup.sh: all is as it should be"
 exit $failures

@@ -21,7 +21,7 @@ inline Weighting cut_off(double radius) {
 /// All schemes in which every vertex follows the cage; cut-off weights with a radius that reaches everywhere.
 inline std::vector<Scheme> whole_schemes() {
   auto schemes = valid_schemes();
-  for (Scheme& s : schemes) s.weighting.radius = largest_radius;
+  for (Scheme& s : schemes) s.weighting.radius = number("radius").largest;
   return schemes;
 }
 

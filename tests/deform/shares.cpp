@@ -120,7 +120,7 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_without_a_jump_and_keep_eve
     // A radius that reaches everything gives no shares, and a mask multiplies existing ones.
     f.set_mask(everywhere(0.5f));
     f.deform(f.staged.pose(shared_twist));
-    scheme.weighting.radius = 10;
+    scheme.weighting.radius = number("radius").largest;
     CHECK(shared_frames(scheme).staged.binding->shares.empty());
   }
 }

@@ -46,6 +46,20 @@ const Weighting weightings[] = {faces,
                                 {Elements::face, Weights::cut_off, 0.6},
                                 {Elements::point, Weights::cut_off, 0.1}};
 
+// Calls use(point's number, its weights, its share, whether it has none) for points weighed eight at a time.
+template <class Use>
+void for_points(const Weigher& weigher, std::span<const viete::mesh::Point> points, const Use& use) {
+  std::vector<double> scratch(weigher.scratch_size()), weights(weigher.handles());
+  for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
+    Weigher::LaneShares shares;
+    const unsigned lost = weigher.weigh(points.subspan(i).first<bind_lanes>(), scratch, shares);
+    for (std::size_t l = 0; l < bind_lanes; ++l) {
+      for (std::size_t j = 0; j < weights.size(); ++j) weights[j] = scratch[j * bind_lanes + l];
+      use(i + l, weights, shares[l], bool(lost >> l & 1));
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
@@ -59,23 +73,15 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
     CAPTURE(entry(weighting.weights).name);
     for (const auto& kernel : viete::sym3::kernels()) {
       const Weigher weigher(cage, weighting, kernel);
-      std::vector<double> many(weigher.scratch_size()), one(weigher.handles());
+      std::vector<double> one(weigher.handles());
       double worst = 0;
-      for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
-        std::array<viete::mesh::Point, bind_lanes> eight;
-        std::copy_n(points.begin() + std::ptrdiff_t(i), bind_lanes, eight.begin());
-        Weigher::LaneShares shares;
-        weigher.weigh(eight, many, shares);
-        for (std::size_t l = 0; l < bind_lanes; ++l) {
-          weights_of_one(cage, weighting, eight[l], one);
-          if (weighting.partial()) {
-            const double total = cut_off_weights(cage, eight[l], weighting, one);
-            CHECK(shares[l] == doctest::Approx(share_of_motion(total)).epsilon(1e-12));
-          }
-          for (std::size_t j = 0; j < one.size(); ++j)
-            worst = std::max(worst, std::abs(many[j * bind_lanes + l] - one[j]));
-        }
-      }
+      for_points(weigher, points, [&](std::size_t i, const auto& weights, double share, bool) {
+        weights_of_one(cage, weighting, points[i], one);
+        for (std::size_t j = 0; j < one.size(); ++j) worst = std::max(worst, std::abs(weights[j] - one[j]));
+        if (!weighting.partial()) return;
+        const double total = cut_off_weights(cage, points[i], weighting, one);
+        CHECK(share == doctest::Approx(share_of_motion(total)).epsilon(1e-12));
+      });
       CAPTURE(kernel.name);
       CHECK(worst < 1e-6);  // at 1e-9 from an element a distance has seven digits
     }
@@ -89,22 +95,18 @@ TEST_CASE("mean_values_of_eight_points_are_those_of_one_and_reproduce_the_points
     for (const auto& kernel : viete::sym3::kernels()) {
       CAPTURE(kernel.name);
       const Weigher weigher(cage, mean_values, kernel);
-      std::vector<double> scratch(weigher.scratch_size()), one(weigher.handles());
+      std::vector<double> one(weigher.handles());
       double worst = 0, missed = 0;
-      for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
-        const auto eight = std::span(points).subspan(i).first<bind_lanes>();
-        Weigher::LaneShares shares;
-        CHECK(weigher.weigh(eight, scratch, shares) == 0);
-        for (std::size_t l = 0; l < bind_lanes; ++l) {
-          mean_value_weights(cage, eight[l], one);
-          Vec3 blended{0, 0, 0};
-          for (std::size_t j = 0; j < one.size(); ++j) {
-            worst = std::max(worst, std::abs(scratch[j * bind_lanes + l] - one[j]));
-            blended = blended + scratch[j * bind_lanes + l] * cage.surface.positions[j];
-          }
-          missed = std::max(missed, norm(blended - eight[l]));
+      for_points(weigher, points, [&](std::size_t i, const auto& weights, double, bool lost) {
+        CHECK_FALSE(lost);
+        mean_value_weights(cage, points[i], one);
+        Vec3 blended{0, 0, 0};
+        for (std::size_t j = 0; j < one.size(); ++j) {
+          worst = std::max(worst, std::abs(weights[j] - one[j]));
+          blended = blended + weights[j] * cage.surface.positions[j];
         }
-      }
+        missed = std::max(missed, norm(blended - points[i]));
+      });
       CHECK(worst < 1e-7);  // the least certain point lies 1e-9 from a plane
       CHECK(missed < 1e-13 * cage.diagonal);
     }
@@ -149,26 +151,19 @@ TEST_CASE("float_tiles_equal_weights_in_double_at_any_points") {
         std::vector<Vec3> sums(points.size());
         std::vector<float> shares(points.size());
         const auto failed = weigher.weigh_tiles(points, rows.data(), sums, shares);
-        std::vector<double> scratch(weigher.scratch_size());
         double worst = 0, off = 0;
-        for (std::size_t i = 0; i < points.size(); i += bind_lanes) {
-          Weigher::LaneShares exact;
-          const unsigned lost =
-              weigher.weigh(std::span(points).subspan(i).first<bind_lanes>(), scratch, exact);
-          for (std::size_t l = 0; l < bind_lanes; ++l) {
-            const std::size_t s = i + l;
-            CHECK(failed[s] == bool(lost >> l & 1));
-            CHECK(std::abs(shares[s] - exact[l]) < 1e-5);
-            Vec3 sum{0, 0, 0};
-            for (std::size_t j = 0; j < weigher.handles(); ++j) {
-              const double share = weighting.partial() ? exact[l] : 1;  // near 0 weights lose digits
-              const double w = rows[s / 16 * 16 * weigher.handles() + j * 16 + s % 16];
-              worst = std::max(worst, share * std::abs(w - scratch[j * bind_lanes + l]));
-              sum = sum + w * weigher.handle_positions()[j];
-            }
-            off = std::max(off, norm(sum - sums[s]));
+        for_points(weigher, points, [&](std::size_t i, const auto& weights, double exact, bool lost) {
+          CHECK(failed[i] == lost);
+          CHECK(std::abs(shares[i] - exact) < 1e-5);
+          const double share = weighting.partial() ? exact : 1;  // near 0 weights lose digits
+          Vec3 sum{0, 0, 0};
+          for (std::size_t j = 0; j < weights.size(); ++j) {
+            const double w = rows[i / 16 * 16 * weights.size() + j * 16 + i % 16];
+            worst = std::max(worst, share * std::abs(w - weights[j]));
+            sum = sum + w * weigher.handle_positions()[j];
           }
-        }
+          off = std::max(off, norm(sum - sums[i]));
+        });
         CHECK(worst < (by_distance ? 2e-6 : 2e-5));
         CHECK(off < 1e-13 * cage.diagonal);
       }

@@ -1,8 +1,4 @@
 // viete animate: exported frames are complete whenever the program ends, and can be continued.
-#include <tiny_gltf.h>
-
-#include <cmath>
-#include <cstring>
 #include <set>
 
 #include "base/numbered_files.h"
@@ -120,64 +116,6 @@ TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   CHECK(file_bytes(files / "g_05.obj") != file_bytes(files / "h_05.obj"));
 }
 
-TEST_CASE("morph_targets_are_what_another_reader_of_gltf_sees_too") {
-  const AnimatedFiles files;
-  REQUIRE(files.animate("-o a.glb").code == 0);
-  REQUIRE(files.animate("-o f_##.ply").code == 0);
-  tinygltf::TinyGLTF loader;
-  tinygltf::Model model;
-  std::string problem, warning;
-  REQUIRE_MESSAGE(loader.LoadBinaryFromFile(&model, &problem, &warning, (files / "a.glb").string()), problem);
-  CHECK(warning == "");
-  const auto copy = [&](int view, std::size_t offset, void* to, std::size_t bytes) {
-    const auto& v = model.bufferViews.at(static_cast<std::size_t>(view));
-    REQUIRE(offset + bytes <= v.byteLength);
-    std::memcpy(to, model.buffers.at(0).data.data() + v.byteOffset + offset, bytes);
-  };
-  const auto floats = [&](int number) {
-    const auto& a = model.accessors.at(static_cast<std::size_t>(number));
-    const auto parts = std::size_t(tinygltf::GetNumComponentsInType(std::uint32_t(a.type)));
-    std::vector<float> all(a.count * parts);
-    if (a.bufferView >= 0) copy(a.bufferView, a.byteOffset, all.data(), 4 * all.size());
-    if (!a.sparse.isSparse) return all;
-    const auto count = static_cast<std::size_t>(a.sparse.count);
-    REQUIRE(a.sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
-    std::vector<std::uint16_t> where(count);
-    std::vector<float> values(count * parts);
-    copy(a.sparse.indices.bufferView, 0, where.data(), 2 * count);
-    copy(a.sparse.values.bufferView, 0, values.data(), 4 * values.size());
-    for (std::size_t k = 0; k < values.size(); ++k) all.at(where[k / parts] * parts + k % parts) = values[k];
-    return all;
-  };
-  const auto& sampler = model.animations.at(0).samplers.at(0);
-  CHECK(model.animations.at(0).channels.at(0).target_path == "weights");
-  CHECK(sampler.interpolation == "LINEAR");
-  const auto times = floats(sampler.input), weights = floats(sampler.output);
-  const auto& primitive = model.meshes.at(0).primitives.at(0);
-  const std::size_t targets = primitive.targets.size();
-  REQUIRE(weights.size() == times.size() * targets);
-  CHECK(times.front() == 0);
-  CHECK(times.back() == doctest::Approx(16 / 24.0));
-  auto shown = floats(primitive.attributes.at("POSITION"));
-  const auto rest = shown;
-  for (std::size_t t = 0; t < targets; ++t) {
-    const auto delta = floats(primitive.targets[t].at("POSITION"));
-    for (std::size_t i = 0; i < shown.size(); ++i)
-      shown[i] += weights[weights.size() - targets + t] * delta[i];
-  }
-  const auto last = mesh::read(files / "f_17.ply").surface.positions;
-  const auto& model_rest = files.document.model.surface->positions;
-  for (std::size_t v = 0; 3 * v < rest.size(); ++v) {
-    const auto near = [&](const mesh::Point& p, const std::vector<float>& all) {
-      return std::hypot(p[0] - all[3 * v], p[1] - all[3 * v + 1], p[2] - all[3 * v + 2]) < 1e-5;
-    };
-    std::size_t own = 0;
-    while (own < last.size() && !near(model_rest[own], rest)) ++own;
-    REQUIRE(own < last.size());
-    CHECK(near(last[own], shown));
-  }
-}
-
 TEST_CASE("an_animation_that_was_killed_has_whole_frames") {
   const AnimatedDragon d;
   for (const char* signal : {"KILL", "INT"}) {
@@ -195,7 +133,7 @@ TEST_CASE("an_animation_that_was_killed_has_whole_frames") {
   }
 }
 
-TEST_CASE("frames_that_are_there_are_not_replaced_unasked") {
+TEST_CASE("frames_that_are_there_are_not_replaced_unasked_and_those_of_an_earlier_run_are_noted") {
   const AnimatedFiles files;
   REQUIRE(files.animate("-o f_##.obj").code == 0);
   put_file(files / "f_07.obj", "mine");

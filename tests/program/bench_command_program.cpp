@@ -15,43 +15,30 @@ using namespace viete;
 using namespace viete::test;
 
 TEST_CASE("small_benchmarks_run_and_write_json") {
-  const TemporaryFolder scratch;
-  for (const char* what : {"exp", "eigen", "frame", "sym3"}) {
-    const fs::path json = scratch.path() / (std::string(what) + ".json");
-    const auto outcome = run(std::string("bench ") + what + " --count 2000 --json " + quoted(json));
-    CHECK_MESSAGE(outcome.code == 0, outcome.text);
-    CHECK(mentions(outcome, what == std::string("frame") ? "one vertex dragged" : "copy"));
-    CHECK(fs::file_size(json) > 100);
+  const WorkFolder f;
+  const std::pair<std::string, std::vector<const char*>> cases[] = {
+      {"sym3 --count 2000", {"copy"}},
+      {"frame --count 2000", {"one vertex dragged"}},
+      {"bind --faces 8 --rounds 1", {"50,000 vertices, 8 cage triangles", "plain loops", ">= 45"}}};
+  for (const auto& [words, said] : cases) {
+    const auto outcome = f.done("bench " + words + " --json a.json");
+    for (const char* part : said) CHECK_MESSAGE(mentions(outcome, part), outcome.text);
+    CHECK(fs::file_size(f / "a.json") > 100);
   }
-}
-
-TEST_CASE("a_small_benchmark_of_binding_says_whether_its_bars_are_met") {
-  const TemporaryFolder scratch;
-  const fs::path json = scratch.path() / "bind.json";
-  const auto outcome = run("bench bind --faces 8 --rounds 1 --json " + quoted(json));
-  CHECK_MESSAGE(outcome.code == 0, outcome.text);
-  CHECK(mentions(outcome, "50,000 vertices, 8 cage triangles"));
-  CHECK(mentions(outcome, "plain loops"));
-  CHECK(mentions(outcome, ">= 45"));
-  CHECK(fs::file_size(json) > 100);
 }
 
 TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named") {
-  const TemporaryFolder scratch;
-  const fs::path json = scratch / "frame.json";
-  const std::string files = quoted(dragon) + " " + quoted(cage);
+  const WorkFolder f;
   for (const std::string what : {"frame --count 500 ", "bind "}) {
-    const auto outcome = run("bench " + what + "--rounds 1 " + files + " --json " + quoted(json));
-    CHECK_MESSAGE(outcome.code == 0, outcome.text);
-    CHECK(mentions(outcome, "148 cage triangles"));  // its own
-    std::ifstream in(json);
-    CHECK(nlohmann::json::parse(in)["bars"].empty());  // bars are only written for generated cages
+    CHECK(mentions(f.done("bench " + what + "--rounds 1 " + in_cage + " --json a.json"),
+                   "148 cage triangles"));                                   // its own
+    CHECK(nlohmann::json::parse(file_bytes(f / "a.json"))["bars"].empty());  // only for generated cages
   }
-  const auto made = run("bench frame --rounds 1 --count 500 --faces 8,10 " + quoted(dragon));
+  const auto made = f.done("bench frame --rounds 1 --count 500 --faces 8,10 " + quoted(dragon));
   CHECK_MESSAGE(mentions(made, "500 vertices, 8 cage triangles"), made.text);
-  CHECK(run("bench frame --faces 8 " + files).code == 2);
-  CHECK(mentions(run("bench bind --json " + quoted(cage) + " " + files), "is an input file"));
-  CHECK(mentions(run("bench bind none.obj " + quoted(cage)), "none.obj"));
+  f.refused("bench frame --faces 8 " + in_cage, 2, "excludes");
+  f.refused("bench bind --json " + quoted(cage) + " " + in_cage, 1, "is an input file");
+  f.refused("bench bind none.obj " + quoted(cage), 1, "none.obj");
 }
 
 TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
@@ -73,8 +60,7 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
     const bool names_processor = line.starts_with("modes: ");  // the processor's name may be long
     CHECK_MESSAGE((names_processor || line.size() <= 130), line);
   }
-  std::ifstream in(json);
-  const auto results = nlohmann::json::parse(in)["results"];
+  const auto results = nlohmann::json::parse(file_bytes(json))["results"];
   for (const deform::Scheme& scheme : deform::valid_schemes()) CHECK(mentions(outcome, deform::text(scheme)));
   CHECK(results.size() == deform::valid_schemes().size() + 1);  // and Way::arap
   for (const std::size_t i : {0, 1, 2, 3, 4, 5})
@@ -97,19 +83,12 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
 }
 
 TEST_CASE("missing_or_unfit_inputs_are_reported_before_modes_are_compared") {
-  const TemporaryFolder scratch;
-  const std::string model = quoted(dragon), in_cage = model + " " + quoted(cage);
-  const auto no_cage = run("bench modes " + model), no_pose = run("bench modes " + in_cage);
-  CHECK(no_cage.code == 2);
-  CHECK(mentions(no_cage, "CAGE is required"));
-  CHECK(no_pose.code == 2);
-  CHECK(mentions(no_pose, "POSE is required"));
-  CHECK(run("bench modes " + in_cage + " none.obj").code == 1);
-  const auto other = run("bench modes " + in_cage + " " + model);  // has another number of vertices
-  CHECK(other.code == 1);
-  CHECK(mentions(other, "dragon.ply"));
-  const auto replaced = run("bench modes " + in_cage + " " + quoted(pose) + " --json " + quoted(pose));
-  CHECK(mentions(replaced, "is an input file"));
+  const WorkFolder f;
+  f.refused("bench modes " + quoted(dragon), 2, "CAGE is required");
+  f.refused("bench modes " + in_cage, 2, "POSE is required");
+  f.refused("bench modes " + in_cage + " none.obj", 1, "none.obj");
+  f.refused("bench modes " + in_cage + " " + quoted(dragon), 1, "dragon.ply");  // another number of vertices
+  f.refused("bench modes " + in_cage + " " + quoted(pose) + " --json " + quoted(pose), 1, "is an input file");
 }
 
 TEST_CASE("a_program_without_benchmarks_explains_how_to_install_them") {
@@ -130,8 +109,7 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
     for (const char* part :
          {"\n  zero ", "\n  gap ", "\n  spread ", "\n  scale ", "NaN 100\u00a0%", "Pade", "Direct"})
       CHECK(mentions(outcome, part));
-    std::ifstream in(json);
-    const auto tables = nlohmann::json::parse(in)["tables"];
+    const auto tables = nlohmann::json::parse(file_bytes(json))["tables"];
     REQUIRE(tables.size() == 5);
     const double u = *precision ? 0x1p-24 : 0x1p-53;
     for (const auto& table : tables) {

@@ -23,7 +23,7 @@ namespace {
 using Points = std::vector<mesh::Point>;
 
 // A cube at rest and its shapes a.obj, b.obj, also numbered as s_1 to s_3.
-struct ShapeFiles : TemporaryFolder {
+struct ShapeFiles : WorkFolder {
   mesh::Surface cube = CubeFiles::subdivided_cube();
 
   ShapeFiles() {
@@ -37,17 +37,6 @@ struct ShapeFiles : TemporaryFolder {
   }
   void write(const std::string& name, const Points& points) const { mesh::write(*this / name, cube, points); }
   Points read(const std::string& name) const { return mesh::read(*this / name).surface.positions; }
-  Outcome viete(const std::string& words) const { return run(words, "cd " + quoted(path()) + " &&"); }
-  Outcome done(const std::string& words) const {
-    const Outcome outcome = viete(words);
-    CHECK_MESSAGE(outcome.code == 0, words << "\n" << outcome.text);
-    return outcome;
-  }
-  void refused(const std::string& words, int code, const std::string& text) const {
-    const Outcome outcome = viete(words);
-    CHECK_MESSAGE(outcome.code == code, words << "\n" << outcome.text);
-    CHECK_MESSAGE(mentions(outcome, text), words << "\n" << outcome.text);
-  }
 };
 
 }  // namespace
@@ -61,13 +50,6 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
   for (const auto& p : f.read("m.ply")) CHECK(std::hypot(p[0], p[1]) < 1e-6);
   f.done("between rest.obj a.obj --rest half.obj -o m.ply --at 0.25");
   CHECK(distance(f.read("m.ply"), f.shape(25)) < 1e-6);
-}
-
-TEST_CASE("between_notes_old_files_outside_its_numbers") {
-  const ShapeFiles f;
-  CHECK_FALSE(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 3"), "existed"));
-  CHECK(
-      mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 2 --force"), "f_3.ply already existed"));
 }
 
 TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
@@ -130,29 +112,6 @@ TEST_CASE("attributes_of_the_model_are_kept_between_shapes") {
   CHECK(test::mentions(file_bytes(f / "m.obj"), end));
 }
 
-TEST_CASE("between_replaces_no_numbered_file_unasked") {
-  const ShapeFiles f;
-  put_file(f / "f_07.obj", "mine");
-  f.refused("between rest.obj b.obj -o 'f_##.obj' --frames 9", 1, "f_07.obj: this file already exists");
-  CHECK(file_bytes(f / "f_07.obj") == "mine");
-  f.done("between rest.obj b.obj -o 'f_##.obj' --frames 9 --force");
-  CHECK(file_bytes(f / "f_07.obj") != "mine");
-}
-
-TEST_CASE("cancelled_between_leaves_complete_files") {
-  const TemporaryFolder folder;
-  const std::string at_home = "cd " + quoted(folder.path()) + " && ";
-  REQUIRE(
-      run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) + " -o a.ply", at_home)
-          .code == 0);
-  const std::string line = "between " + quoted(dragon) + " a.ply -o 'f_##.ply' --frames 30";
-  const Outcome ended = ended_by("INT", folder.path(), line, "f_03.ply", "f_*");
-  CHECK_MESSAGE(mentions(ended, "f_##.ply: stopped; files written so far are complete"), ended.text);
-  const base::NumberedName name(folder / "f_##.ply");
-  CHECK(name.find().size() < 30);
-  for (const auto& file : name.find()) CHECK(mesh::read(file.path).surface.positions.size() == 3000);
-}
-
 TEST_CASE("shapes_are_mixed_by_weights_below_0_and_beyond_1") {
   const ShapeFiles f;
   f.done("mix rest.obj --shape a.obj=-0.5 -o m.ply");
@@ -181,7 +140,8 @@ TEST_CASE("a_shape_of_a_file_that_holds_several_is_named_behind_a_colon") {
   CHECK(distance(f.read("m.ply"), frown) < 1e-6);
   f.refused("mix rest.obj --shape face.glb=1 -o m.ply", 1,
             "face.glb: it contains several shapes; append one of these names after a colon: smile, a:b=c");
-  f.refused("mix rest.obj --shape face.glb:grin=1 -o m.ply", 1, "it contains no shape named grin; append one");
+  f.refused("mix rest.obj --shape face.glb:grin=1 -o m.ply", 1,
+            "it contains no shape named grin; append one");
   f.done("between rest.obj a.obj -o c.pc2 --frames 20");
   f.done("mix rest.obj --shape 'c.pc2:frame 20=1' -o m.ply");
   CHECK(distance(f.read("m.ply"), f.shape(100)) < 1e-6);
@@ -195,29 +155,29 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
   put_file(f / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
   put_file(f / "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   put_file(f / "s.viete", R"({"format": "viete session", "version": 1, "model": "rest.obj"})");
-  f.refused("between rest.obj other.obj -o m.ply --at 1", 1, "other.obj: the number of vertices is 8");
-  f.refused("between rest.obj broken.obj -o m.ply --at 1", 1, "broken.obj:2: coordinate \"nan\"");
-  f.refused("between broken.obj rest.obj -o m.ply --at 1", 1, "broken.obj:2: coordinate \"nan\"");
-  f.refused("between rest.obj none.obj -o m.ply --at 1", 1, "none.obj: there is no such file");
-  f.refused("between rest.obj 'none_#.obj' -o m.ply --at 1", 1, "no file matches this name");
-  f.refused("between 'none_#.obj' -o m.ply --at 1", 1, "no file matches this name");
-  f.refused("between points.obj points.obj -o m.ply --at 1", 1,
-            "points.obj: all faces of this model have zero area");
-  f.refused("mix flat.obj --shape flat.obj=1 -o m.ply", 1,
-            "flat.obj: all faces of this model have zero area");
-  f.refused("between c.pc2 -o m.ply --at 1", 1, "c.pc2: a point cache has no faces; give its model");
-  f.refused("between s.viete a.obj -o m.ply --at 1", 1, "s.viete: this is a session");
-  f.refused("mix s.viete --shape a.obj=1 -o m.ply", 1, "s.viete: this is a session");
-  f.refused("between rest.obj -o m.ply --at 1", 1, "a single shape cannot be interpolated");
-  f.refused("between rest.obj a.obj -o rest.obj --at 1", 1, "an input file (the model)");
-  f.refused("between rest.obj a.obj -o a.obj --at 1", 1, "an input file (a shape)");
-  f.refused("mix rest.obj --shape a.obj=1 -o a.obj", 1, "an input file (a shape)");
-  f.refused("between rest.obj 's_#.obj' -o 's_#.obj' --force", 1, "s_1.obj: this is an input file");
-  f.refused("between rest.obj a.obj -o m.obj", 1, "this format stores a single frame; write numbered");
-  f.refused("between rest.obj a.obj -o m.png", 1, "unknown extension .png");
-  f.refused("between rest.obj a.obj -o m.pc2 --at 1", 1, "unknown extension .pc2");
-  f.refused("between rest.obj a.obj b.obj -o m.pc2 --frames 2", 1, "2 frames are fewer than the shapes");
-  f.refused("between rest.obj a.obj -o m.ply --at 1.5", 1, "is beyond the last shape, which is at 1");
+  const std::pair<const char*, const char*> cases[] = {
+      {"between rest.obj other.obj -o m.ply --at 1", "other.obj: the number of vertices is 8"},
+      {"between rest.obj broken.obj -o m.ply --at 1", "broken.obj:2: coordinate \"nan\""},
+      {"between broken.obj rest.obj -o m.ply --at 1", "broken.obj:2: coordinate \"nan\""},
+      {"between rest.obj none.obj -o m.ply --at 1", "none.obj: there is no such file"},
+      {"between rest.obj 'none_#.obj' -o m.ply --at 1", "no file matches this name"},
+      {"between 'none_#.obj' -o m.ply --at 1", "no file matches this name"},
+      {"between points.obj points.obj -o m.ply --at 1", "points.obj: all faces of this model have zero area"},
+      {"mix flat.obj --shape flat.obj=1 -o m.ply", "flat.obj: all faces of this model have zero area"},
+      {"between c.pc2 -o m.ply --at 1", "c.pc2: a point cache has no faces; give its model"},
+      {"between s.viete a.obj -o m.ply --at 1", "s.viete: this is a session"},
+      {"mix s.viete --shape a.obj=1 -o m.ply", "s.viete: this is a session"},
+      {"between rest.obj -o m.ply --at 1", "a single shape cannot be interpolated"},
+      {"between rest.obj a.obj -o rest.obj --at 1", "an input file (the model)"},
+      {"between rest.obj a.obj -o a.obj --at 1", "an input file (a shape)"},
+      {"mix rest.obj --shape a.obj=1 -o a.obj", "an input file (a shape)"},
+      {"between rest.obj 's_#.obj' -o 's_#.obj' --force", "s_1.obj: this is an input file"},
+      {"between rest.obj a.obj -o m.obj", "this format stores a single frame; write numbered"},
+      {"between rest.obj a.obj -o m.png", "unknown extension .png"},
+      {"between rest.obj a.obj -o m.pc2 --at 1", "unknown extension .pc2"},
+      {"between rest.obj a.obj b.obj -o m.pc2 --frames 2", "2 frames are fewer than the shapes"},
+      {"between rest.obj a.obj -o m.ply --at 1.5", "is beyond the last shape, which is at 1"}};
+  for (const auto& [words, said] : cases) f.refused(words, 1, said);
   Points large = f.cube.positions;
   for (auto& p : large) p = 1e12 * p;
   f.write("large.obj", large);
@@ -260,15 +220,20 @@ TEST_CASE("pose_finds_the_example_that_its_pins_are_of") {
 
 TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
   const ShapeFiles f;
-  f.refused("pose rest.obj -o p.obj", 2, "--pin");
-  f.refused("pose rest.obj --pin 0=1,2 -o p.obj", 2, "VERTEX=x,y,z");
-  f.refused("pose rest.obj --pin 0=1,2,nan -o p.obj", 2, "VERTEX=x,y,z");
-  f.refused("pose rest.obj --pin -1=1,2,3 -o p.obj", 2, "");
-  f.refused("pose rest.obj --pin 1=1,2,3 --freedom 2 -o p.obj", 2, "--freedom");
-  f.refused("pose rest.obj --pin 999=1,2,3 -o p.obj", 1, "vertex 999");
-  f.refused("pose rest.obj --pin 1=1,2,3 --pull 1=3,2,1 -o p.obj", 1, "pinned twice");
+  const struct {
+    const char* pins;
+    int code;
+    const char* said;
+  } cases[] = {{"", 2, "--pin"},
+               {"--pin 0=1,2", 2, "VERTEX=x,y,z"},
+               {"--pin 0=1,2,nan", 2, "VERTEX=x,y,z"},
+               {"--pin -1=1,2,3", 2, ""},
+               {"--pin 1=1,2,3 --freedom 2", 2, "--freedom"},
+               {"--pin 999=1,2,3", 1, "vertex 999"},
+               {"--pin 1=1,2,3 --pull 1=3,2,1", 1, "pinned twice"},
+               {"--pin 1=1e60,2,3 --pin 2=0,0,0", 1, "too large to be drawn"}};
+  for (const auto& c : cases) f.refused(std::string("pose rest.obj -o p.obj ") + c.pins, c.code, c.said);
   f.refused("pose rest.obj --pin 1=1,2,3 -o rest.obj", 1, "rest.obj");
-  f.refused("pose rest.obj --pin 1=1e60,2,3 --pin 2=0,0,0 -o p.obj", 1, "too large to be drawn");
   CHECK(!fs::exists(f / "p.obj"));
 }
 

@@ -74,5 +74,22 @@ inline bool mentions(const Outcome& outcome, const std::string& text) {
 /// The bundled model with 3,000 vertices.
 const fs::path dragon = source_dir() / "tests" / "program" / "dragon.ply",
                cage = assets_dir() / "dragon" / "cage.obj", pose = assets_dir() / "dragon" / "pose_alert.obj";
+const std::string in_cage = quoted(dragon) + " " + quoted(cage),
+                  posed = "deform " + in_cage + " --pose " + quoted(pose);
+
+/// A folder in which the program runs.
+struct WorkFolder : TemporaryFolder {
+  Outcome viete(const std::string& words) const { return run(words, "cd " + quoted(path()) + " &&"); }
+  Outcome done(const std::string& words) const {
+    const Outcome outcome = viete(words);
+    CHECK_MESSAGE(outcome.code == 0, words << '\n' << outcome.text);
+    return outcome;
+  }
+  void refused(const std::string& words, int code, const std::string& text) const {
+    const Outcome outcome = viete(words);
+    CHECK_MESSAGE(outcome.code == code, words << '\n' << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, text), words << '\n' << outcome.text);
+  }
+};
 
 }  // namespace viete::test

@@ -14,16 +14,13 @@ using namespace viete::test;
 namespace {
 
 // A small model, its cage, a pose and a session of them.
-struct SmallFiles : TemporaryFolder {
+struct SmallFiles : WorkFolder {
   SmallFiles() {
     mesh::write(*this / "model.obj", cube(1));
     mesh::write(*this / "cage.obj", cube(1.5));
     mesh::write(*this / "pose.obj", cube(2));
     put_file(*this / "s.viete",
              R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
-  }
-  Outcome run(const std::string& arguments) const {
-    return test::run(arguments, "cd " + quoted(path()) + " &&");
   }
 };
 
@@ -41,12 +38,10 @@ TEST_CASE("inputs_are_not_overwritten_under_any_name") {
        {deform + "model.obj", deform + "cage.obj", deform + "./pose.obj", deform + "link.obj",
         deform + quoted(files / "cage.obj"), std::string("deform s.viete -o cage.obj"),
         std::string("render model.obj -o link.png")}) {
-    const Outcome outcome = files.run(line);
-    CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "is an input file"), line << '\n' << outcome.text);
+    files.refused(line, 1, "is an input file");
     for (std::size_t i = 0; i < before.size(); ++i) CHECK(file_bytes(files / names[i]) == before[i]);
   }
-  CHECK(files.run(deform + "pose.obj --force").code == 0);
+  files.done(deform + "pose.obj --force");
   CHECK(file_bytes(files / "pose.obj") != before[2]);
 }
 
@@ -61,7 +56,7 @@ TEST_CASE("dependencies_and_key_files_are_not_overwritten") {
     fs::copy_file(files / from, files / (std::string("p_") + number + ".obj"));
   const std::string animate = "animate m_05.obj cage.obj --keys ";
   for (const char* keys : {"k.pc2", "k.mdd", "k.glb"})
-    REQUIRE(files.run("animate cage.obj cage.obj --keys p_#.obj -o " + std::string(keys)).code == 0);
+    files.done("animate cage.obj cage.obj --keys p_#.obj -o " + std::string(keys));
   fs::create_symlink("k.glb", files / "link.glb");
   std::map<std::string, std::string> before;
   for (const auto& entry : fs::directory_iterator(files.path()))
@@ -74,14 +69,12 @@ TEST_CASE("dependencies_and_key_files_are_not_overwritten") {
         animate + "p_#.obj -o m_##.obj", animate + "p_#.obj -o m_##.obj --force",
         animate + "p_#.obj -o skin_####.png --size 64x48"}) {
     fs::copy_file(files / "cage.obj", files / "other.obj", fs::copy_options::overwrite_existing);
-    const Outcome outcome = files.run(line);
-    CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "is an input file ("), line << '\n' << outcome.text);
+    files.refused(line, 1, "is an input file (");
     for (const auto& [name, bytes] : before)
       CHECK_MESSAGE(file_bytes(files / name) == bytes, line << " changed " << name);
   }
-  CHECK(files.run("render m_05.obj --size 64x48 -o other.png").code == 0);
-  CHECK(files.run(animate + "p_#.obj -o m_##.obj --frames 1-4").code == 0);
+  files.done("render m_05.obj --size 64x48 -o other.png");
+  files.done(animate + "p_#.obj -o m_##.obj --frames 1-4");
 }
 
 TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
@@ -91,20 +84,15 @@ TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
        {render + "a.png", std::string("bench exp --json a.txt"), std::string("bench exp --json s.viete")}) {
     put_file(files / "a.txt", "precious");
     put_file(files / "a.png", "precious");
-    const Outcome outcome = files.run(line);
-    CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "and would be replaced; choose another name"), line << '\n'
-                                                                                        << outcome.text);
+    files.refused(line, 1, "and would be replaced; choose another name");
     CHECK(file_bytes(files / "a.txt") == "precious");
     CHECK(file_bytes(files / "a.png") == "precious");
   }
   for (const std::string& line :
-       {render + "a.png --force", render + "a.png", std::string("bench exp --count 64 --json b.json")}) {
-    const Outcome outcome = files.run(line);
-    CHECK_MESSAGE(outcome.code == 0, line << '\n' << outcome.text);
-  }
+       {render + "a.png --force", render + "a.png", std::string("bench exp --count 64 --json b.json")})
+    files.done(line);
   put_file(files / "empty", "");
-  CHECK(files.run("bench exp --count 64 --json empty").code == 0);
+  files.done("bench exp --count 64 --json empty");
 }
 
 TEST_CASE("outputs_are_checked_before_the_work") {
@@ -120,18 +108,15 @@ TEST_CASE("outputs_are_checked_before_the_work") {
         {"render none.obj -o a.jpg", "a.jpg: pictures can only be written as PNG"},
         {"bench exp --json none/a", "none/a: cannot be written"},
         {"bench frame --json none/a", "none/a: cannot be written"},
-        {"bench bind --json none/a", "none/a: cannot be written"}}) {
-    const Outcome outcome = files.run(line);
-    CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, reason), line << '\n' << outcome.text);
-  }
+        {"bench bind --json none/a", "none/a: cannot be written"}})
+    files.refused(line, 1, reason);
 }
 
 TEST_CASE("extensions_are_taken_in_capitals_too") {
   const SmallFiles files;
-  CHECK(files.run("render model.obj --size 64x64 -o A.PNG").code == 0);
+  files.done("render model.obj --size 64x64 -o A.PNG");
   CHECK(test::read_png(files / "A.PNG").width == 64);
-  CHECK(files.run("deform model.obj cage.obj --pose pose.obj -o A.OBJ").code == 0);
+  files.done("deform model.obj cage.obj --pose pose.obj -o A.OBJ");
   fs::rename(files / "s.viete", files / "S.VIETE");
-  CHECK(files.run("render S.VIETE --size 64x64 -o b.png").code == 0);
+  files.done("render S.VIETE --size 64x64 -o b.png");
 }

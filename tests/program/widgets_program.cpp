@@ -142,7 +142,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     bool twice = true;
   } cases[] = {
       {"", "turn", "33", [&] { return scheme.amounts.turn; }, 0.33},
-      {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, scene::largest_amount},
+      {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
       {"", "pose_weight/0", "12.5", [&] { return pose_weight; }, 0.125},
       {"", "pose_weight/0", "999", [&] { return pose_weight; }, scene::PoseLibrary::largest_weight, false},
       {"", "soft_radius", "0.5", [&] { return w.handling.soft.radius; }, 0.5 / diagonal},

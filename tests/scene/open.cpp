@@ -279,7 +279,7 @@ TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
     put_settings(document, {{.choice = {.weights = deform::Weights::mean_value}, .turn = 1}});
     FAIL("points took a turn");
   } catch (const base::Error& error) {
-    CHECK(error.place() == "--turn");
+    CHECK(error.place() == "turn");
   }
   CHECK(document.scheme.amounts == deform::Amounts{0.5, 0});
 }

@@ -1,4 +1,4 @@
-"""Bakes the deformation of an object to shape keys, a point cache or a mesh."""
+"""Bakes the deformation of an object to shape keys or a point cache."""
 import os
 import struct
 
@@ -96,23 +96,4 @@ class VIETE_OT_bake_mdd(OnMesh):
         self.report({"INFO"}, "Saved %d frames to %s" % (len(frames), self.filepath))
 
 
-class VIETE_OT_bake_mesh(OnMesh):
-    """Create a new object from the current deformed mesh"""
-
-    bl_idname, bl_label = "viete.bake_mesh", "Bake to mesh"
-
-    def act(self, context, obj):
-        if not obj.viete.bound:
-            raise engine.Error("Bind the object first")
-        vertices = follow.deformed(obj, context.evaluated_depsgraph_get())
-        copy = obj.copy()
-        copy.data = obj.data.copy()
-        copy.name = obj.name + " posed"
-        copy.shape_key_clear()
-        copy.viete.bound, copy.viete.cage = False, None
-        copy.data.vertices.foreach_set("co", vertices.ravel())
-        copy.data.update()
-        (obj.users_collection[0] if obj.users_collection else context.collection).objects.link(copy)
-
-
-classes = (VIETE_OT_bake_keys, VIETE_OT_bake_mdd, VIETE_OT_bake_mesh)
+classes = (VIETE_OT_bake_keys, VIETE_OT_bake_mdd)

@@ -41,7 +41,6 @@ class VIETE_PT_cage(bpy.types.Panel):
         box.prop(settings, "tolerance")
         box.operator("viete.bake_keys")
         box.operator("viete.bake_mdd")
-        box.operator("viete.bake_mesh")
 
 
 classes = (VIETE_PT_cage,)

@@ -9,7 +9,7 @@ space = viete.ShapeSpace(dragon.vertices, dragon.faces, [dragon.vertices, coiled
 
 
 def lengths(vertices):
-    corners = vertices[dragon.triangles]
+    corners = vertices[dragon.faces]
     return np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
 
 

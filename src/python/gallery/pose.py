@@ -10,7 +10,7 @@ viete.write("alert.ply", dragon, vertices=alert)
 
 
 def volume(vertices):
-    a, b, c = (vertices[dragon.triangles[:, i]] for i in range(3))
+    a, b, c = (vertices[corners] for corners in np.asarray(dragon.faces).T)
     return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
 
 

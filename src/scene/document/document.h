@@ -29,8 +29,8 @@ namespace viete::scene {
 using deform::all_blends, deform::all_ways, deform::all_weights, deform::chosen, deform::complete,
     deform::entry, deform::only, deform::way_of;
 using deform::all_falloffs, deform::all_probe_mixes, deform::linear_part;
-using deform::Amounts, deform::Blend, deform::Holding, deform::largest_amount, deform::largest_pin_radius,
-    deform::most_iterations, deform::Scheme, deform::text_of_percent, deform::Weighting;
+using deform::Amounts, deform::Blend, deform::Holding, deform::most_iterations, deform::number,
+    deform::Scheme, deform::text_of_percent, deform::Weighting;
 using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
 

@@ -24,9 +24,8 @@ void select_kind(Document& document, ElementKind kind);
 /// Sets the deformer. Undoable; consecutive changes of the radius are one edit, and so are those of the
 /// amounts.
 void set_scheme(Document& document, const deform::Scheme& scheme);
-/// deform::least_radius to largest_radius. Stored even if the current weights do not use it.
+/// Stored even if the current weights do not use it.
 void set_radius(Document& document, double radius);
-/// Each 0 to deform::largest_amount.
 void set_amounts(Document& document, const deform::Amounts& amounts);
 /// Iterations of the stitched solve, 1 to deform::most_iterations, or 0: not stitched. Undoable; consecutive
 /// changes are one edit. Requires elements that turn and stretch, or 0.
