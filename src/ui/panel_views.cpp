@@ -21,7 +21,7 @@ void way_list(const Context& ui, const std::string& name, scene::View& side) {
   ImGui::EndCombo();
 }
 
-void method_list(const Context& ui, const std::string& name, scene::SideView& side) {
+void method_list(const Context& ui, const std::string& name, scene::View& side) {
   if (!begin_list(ui, name, method_label(side.method).c_str(), "")) return;
   for (const auto& entry : sym3::methods())
     if (std::ranges::count(scene::compared_methods, entry.method) &&
@@ -31,7 +31,7 @@ void method_list(const Context& ui, const std::string& name, scene::SideView& si
   ImGui::EndCombo();
 }
 
-void map_list(const Context& ui, const std::string& name, scene::SideView& side) {
+void map_list(const Context& ui, const std::string& name, scene::View& side) {
   if (!begin_list(ui, name, base::entry_of(side.field).label.data(), "")) return;
   for (const base::Choice& choice : choices(side.field)) {
     const auto field = *base::value_of_word<lab::Field>(choice.word);

@@ -306,7 +306,6 @@ TEST_CASE("a_damaged_session_is_refused_with_its_file_and_key") {
       {R"("view": {"grid": 1})", "a.viete: view.grid: found a number where true or false belongs"},
       {"\"cameras\": [{" + camera + "}]", "a.viete: cameras: their number differs"},
       {R"("views": [{}, {}, {}, {}])", "a.viete: views: there are more than 3"},
-      {R"("wipe": 1)", "a.viete: wipe: "},
       {R"("hand": {"pivot": "nose"})", "a.viete: hand.pivot: "},
       {R"("window": [1, 1])", "a.viete: window: this is not a valid window size"},
       {R"("window": [8192, 8192])", "a.viete: window: this is not a valid window size"},

@@ -105,12 +105,10 @@ static void code(const JsonField& f, deform::Scheme& scheme) {
       f.in().at("blend").fail(error.problem());
     }
   }
-  f.unless(deform::Weighting{}.radius, "radius", scheme.weighting.radius, percent(1e-3, 10));
-  f.unless(1, "turn", scheme.amounts.turn, percent(0, deform::largest_amount));
-  f.unless(1, "stretch", scheme.amounts.stretch, percent(0, deform::largest_amount));
   f.unless(0, "stitched", scheme.iterations, Limits{1, deform::most_iterations});
-  f.unless(0, "pins", scheme.holding.radius, percent(0, deform::largest_pin_radius));
-  f.unless(0, "hold", scheme.holding.weight, percent(0, 1));
+  deform::Scheme usual;
+  for (const deform::NumberEntry& number : deform::all_numbers())
+    f.unless(number.of(usual), number.name.data(), number.of(scheme), percent(number.least, number.largest));
   if (!f.reads()) return;
   if (const auto reason = deform::conflict(scheme)) f.in().at("stitched").fail(std::string(*reason));
 }
@@ -128,13 +126,9 @@ static void code(const JsonField& f, SideWay& side) {
   f.unless(false, "other_lines", side.other_blending);
 }
 
-// The position of the line between two views is missing if they are side by side; the cameras if they are
-// linked.
+// No cameras: they are linked.
 static void code(const JsonField& f, SideWays& sides) {
   f.unless({}, "views", sides.sides, SideWays::most);
-  std::optional<double> line = sides.wipe ? std::optional(sides.line) : std::nullopt;
-  f.unless(std::nullopt, "wipe", line, Limits{SideWays::least_part, 1 - SideWays::least_part});
-  if (line) sides.wipe = true, sides.line = *line;
   f.unless({}, "cameras", sides.cameras, SideWays::most);
   if (f.reads() && !sides.cameras.empty() && sides.cameras.size() != sides.sides.size())
     f.in().at("cameras").fail("their number differs from the number of additional views");
