@@ -3,7 +3,7 @@
 
 #include "scene/document/cage_making.h"
 #include "scene/workspace/check_view.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -8,8 +8,9 @@
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_commands.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
+#include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -30,15 +31,41 @@ struct PoseWish {
   std::optional<std::pair<std::size_t, std::size_t>> moved;
 };
 
+ImU32 darkened(ImU32 color, float tone) {
+  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
+  return ImGui::ColorConvertFloat4ToU32({tone * c.x, tone * c.y, tone * c.z, c.w});
+}
+
+// Relative to a corner of the current window.
+void draw_shape(const Context& ui, ImVec2 corner, const scene::PictureShape& shape) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  std::vector<ImVec2> points;
+  for (const glm::vec2& p : shape.points) points.push_back({corner.x + p.x, corner.y + p.y});
+  const auto count = static_cast<int>(points.size());
+  const ImU32 color = darkened(ui.colors.model, shape.tone);
+  if (shape.triangles.empty()) {
+    list.AddConvexPolyFilled(points.data(), count, color);
+  } else {
+    list.PrimReserve(static_cast<int>(3 * shape.triangles.size()), count);
+    for (const mesh::Triangle& t : shape.triangles)
+      for (const auto i : t) list.PrimWriteIdx(static_cast<ImDrawIdx>(list._VtxCurrentIdx + i));
+    for (const ImVec2& p : points) list.PrimWriteVtx(p, ImGui::GetFontTexUvWhitePixel(), color);
+  }
+  if (shape.ink == scene::Ink::lit) return;
+  const ImU32 edge = faded(darkened(ui.colors.model, 0.5f), 0.45f);
+  list.AddPolyline(points.data(), count, edge, ImDrawFlags_Closed, 1);
+}
+
 void draw_pose(const Context& ui, const scene::NamedPose& named, ImVec2 low, bool chosen, bool hovered) {
   scene::Workspace& w = ui.workspace;
   const ImVec2 high{low.x + pose_picture_size.x, low.y + pose_picture_size.y};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, hovered ? ui.colors.card_hover : ui.colors.card, 4);
   list.PushClipRect(low, high, true);
-  PicturePainter painter(ui, low);
+  list._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;
   for (const auto& shape : w.pose_pictures.of(w.document, named.pose, w.camera.pose().up))
-    painter.draw(shape);
+    draw_shape(ui, low, shape);
+  list._FringeScale = 1;
   list.PopClipRect();
   if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
 }

@@ -8,7 +8,7 @@
 #include "scene/hand/placing.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/pointer.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

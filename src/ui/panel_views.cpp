@@ -3,7 +3,7 @@
 #include <string>
 
 #include "scene/workspace/playing.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

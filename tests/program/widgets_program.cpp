@@ -98,8 +98,7 @@ struct Held : Driver {
   }
   std::set<std::string> names() {
     std::set<std::string> all;
-    for (const auto& [name, rect] : viewer().recorder().all())
-      if (name != "choice_picture") all.insert(name);  // shown under the mouse
+    for (const auto& [name, rect] : viewer().recorder().all()) all.insert(name);
     return all;
   }
 };

@@ -146,8 +146,8 @@ private:
     drag(left_button, once_in(2) ? near_vertex() : anywhere(), anywhere());
     if (once_in(2)) test::run_command(w, "stop_selecting");
     static const char* const ways[] = {"select_more",     "select_less",      "select_loop",
-                                       "select_similar",  "hide_selected",    "show_hidden",
-                                       "side_x_positive", "invert_selection", "select_ring"};
+                                         "hide_selected",    "show_hidden",
+                                       "invert_selection"};
     test::run_command(w, ways[below(9)]);
   }
   void use_sets() {

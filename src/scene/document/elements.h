@@ -36,9 +36,4 @@ std::string element_name(ElementKind kind);
 /// "an edge", "3 faces".
 std::string counted(ElementKind kind, std::size_t count);
 
-/// Adds the edge rings of the selected edges; for vertices, of the edges between them. Two triangles that
-/// form a good quad (cages/extraction.h) count as one quad, so that rings run through triangulated quad cages.
-/// Faces and probes are unchanged. O(n log n).
-Selection ringed(const deform::Cage& cage, const Selection& selection);
-
 }  // namespace viete::scene

@@ -47,22 +47,6 @@ Flags touched_by(const deform::Cage& cage, const Selection& selection) {
   return touched;
 }
 
-Vec3 unit(const Vec3& v) {
-  const double length = mesh::norm(v);
-  return length > 0 ? (1 / length) * v : v;
-}
-
-// The area vector: along the normal, twice the area.
-Vec3 area_of(const deform::Cage& cage, std::span<const mesh::Point> positions, std::uint32_t face) {
-  const auto corners = element_vertices(cage, ElementKind::face, face);
-  Vec3 sum{0, 0, 0};
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    const mesh::Point& a = positions[corners[0]];
-    sum = sum + mesh::cross(positions[corners[i - 1]] - a, positions[corners[i]] - a);
-  }
-  return sum;
-}
-
 // Edges and faces at vertices, and faces at edges.
 class Neighbourhood {
 public:
@@ -101,12 +85,10 @@ public:
     return std::ranges::any_of(faces_along(e),
                                [&](auto f) { return std::ranges::count(sides_[f], other) > 0; });
   }
-  Vec3 middle(std::uint32_t e) const {
-    const auto& p = cage_.surface.positions;
-    return 0.5 * (p[cage_.edges[e][0]] + p[cage_.edges[e][1]]);
-  }
   Vec3 way(std::uint32_t from, std::uint32_t to) const {
-    return unit(cage_.surface.positions[to] - cage_.surface.positions[from]);
+    const Vec3 way = cage_.surface.positions[to] - cage_.surface.positions[from];
+    const double length = mesh::norm(way);
+    return length > 0 ? (1 / length) * way : way;
   }
 
 private:
@@ -177,82 +159,6 @@ Flags edge_loops(const deform::Cage& cage, const Neighbourhood& around, const Nu
   return all;
 }
 
-// The side by which a strip leaves the face, after entering by `from` in this direction.
-std::uint32_t way_out(const Neighbourhood& around, std::uint32_t face, std::uint32_t from,
-                      const Vec3& along) {
-  const Numbers& sides = around.sides(face);
-  if (sides.size() == 4) return sides[(std::ranges::find(sides, from) - sides.begin() + 2) % 4];
-  std::uint32_t best = none;
-  double farthest = 0;
-  for (const auto side : sides) {
-    const double far = mesh::dot(along, around.middle(side) - around.middle(from));
-    if (side != from && far > farthest) farthest = far, best = side;
-  }
-  return best;
-}
-
-// Follows a strip into `face` across `from`. The direction is that of the last two steps, since strips of
-// triangles alternate left and right.
-void run_across(const Neighbourhood& around, std::uint32_t face, std::uint32_t from, Vec3 along, Flags& taken,
-                Flags& crossed) {
-  Vec3 before = around.middle(from) - along;
-  for (;;) {
-    const std::uint32_t out = way_out(around, face, from, along);
-    if (out == none || around.faces_along(out).size() != 2) return;
-    const auto faces = around.faces_along(out);
-    face = faces[0] == face ? faces[1] : faces[0];
-    if (taken[face]) return;
-    taken[face] = crossed[out] = 1;
-    along = unit(around.middle(out) - before);
-    before = around.middle(from);
-    from = out;
-  }
-}
-
-Flags face_loops(const deform::Cage& cage, const Neighbourhood& around, const Selection& faces) {
-  Flags all(cage.surface.polygon_count(), 0), crossed(cage.edges.size(), 0);
-  for (std::uint32_t e = 0; e < cage.edges.size(); ++e) {
-    const auto along = around.faces_along(e);
-    if (crossed[e] || along.size() != 2 || !faces.contains(along[0]) || !faces.contains(along[1])) continue;
-    Flags taken(all.size(), 0);
-    taken[along[0]] = taken[along[1]] = 1;
-    const Vec3 way = unit(mesh::Vec3(deform::polygon_center(cage.surface, along[1], cage.surface.positions)) -
-                          deform::polygon_center(cage.surface, along[0], cage.surface.positions));
-    run_across(around, along[1], e, way, taken, crossed);
-    run_across(around, along[0], e, -1 * way, taken, crossed);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] |= taken[i];
-  }
-  return all;
-}
-
-bool alike(double a, double b) {
-  return std::abs(a - b) <= 0.1 * std::max(a, b);
-}
-
-// The measure of each element: the number of edges for vertices.
-std::vector<double> sizes_of(const deform::Cage& cage, std::span<const mesh::Point> positions,
-                             ElementKind kind) {
-  std::vector<double> sizes(element_count(cage, kind), 0);
-  if (kind == ElementKind::vertex) {
-    for (const auto& edge : cage.edges) {
-      for (const auto v : edge) sizes[v] += 1;
-    }
-    return sizes;
-  }
-  for (std::uint32_t i = 0; i < sizes.size(); ++i)
-    sizes[i] = kind == ElementKind::face
-                   ? mesh::norm(area_of(cage, positions, i))
-                   : mesh::norm(positions[cage.edges[i][1]] - positions[cage.edges[i][0]]);
-  return sizes;
-}
-
-// Unique values: a thousand selected elements have few different sizes.
-std::vector<double> distinct(std::vector<double> values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
-
 }  // namespace
 
 Selection grown(const deform::Cage& cage, const Selection& selection) {
@@ -276,62 +182,13 @@ Selection shrunk(const deform::Cage& cage, const Selection& selection) {
 
 Selection looped(const deform::Cage& cage, const Selection& selection) {
   const auto kind = selection.kind();
-  if (kind == ElementKind::probe) return selection;
-  const Neighbourhood around(cage);
-  Selection all = selection;
-  if (kind == ElementKind::face) {
-    const Flags taken = face_loops(cage, around, selection);
-    all.apply(those_of(cage, kind, [&](auto f) { return taken[f] != 0; }).indices(), SelectMode::add);
-    return all;
-  }
-  const Flags taken = edge_loops(cage, around, converted(cage, selection, ElementKind::edge).indices());
+  if (kind != ElementKind::vertex && kind != ElementKind::edge) return selection;
+  const Numbers seeds = converted(cage, selection, ElementKind::edge).indices();
+  const Flags taken = edge_loops(cage, Neighbourhood(cage), seeds);
   const Selection edges = those_of(cage, ElementKind::edge, [&](auto e) { return taken[e] != 0; });
+  Selection all = selection;
   all.apply(kind == ElementKind::edge ? edges.indices() : selected_vertices(cage, edges), SelectMode::add);
   return all;
-}
-
-Selection similar(const deform::Cage& cage, std::span<const mesh::Point> positions,
-                  const Selection& selection) {
-  const auto kind = selection.kind();
-  if (kind == ElementKind::probe) return selection;
-  const auto sizes = sizes_of(cage, positions, kind);
-  std::vector<double> wanted;
-  for (const auto i : selection.indices()) wanted.push_back(sizes[i]);
-  wanted = distinct(std::move(wanted));
-  return those_of(cage, kind, [&](auto i) {
-    return std::ranges::any_of(wanted, [&](double size) {
-      return kind == ElementKind::vertex ? size == sizes[i] : alike(size, sizes[i]);
-    });
-  });
-}
-
-Selection facing(const deform::Cage& cage, std::span<const mesh::Point> positions,
-                 const Selection& selection) {
-  constexpr double cosine = 0.9659258;  // 15 degrees
-  const auto kind = selection.kind();
-  if (kind != ElementKind::edge && kind != ElementKind::face) return selection;
-  std::vector<Vec3> ways(element_count(cage, kind));
-  for (std::uint32_t i = 0; i < ways.size(); ++i)
-    ways[i] = unit(kind == ElementKind::face ? area_of(cage, positions, i)
-                                             : positions[cage.edges[i][1]] - positions[cage.edges[i][0]]);
-  return those_of(cage, kind, [&](auto i) {
-    return selection.contains(i) || std::ranges::any_of(selection.indices(), [&](auto s) {
-             const double along = mesh::dot(ways[s], ways[i]);
-             return (kind == ElementKind::edge ? std::abs(along) : along) >= cosine;
-           });
-  });
-}
-
-Selection on_side(const deform::Cage& cage, ElementKind kind, int axis, bool positive, double middle) {
-  const double slack = 1e-6 * cage.diagonal;
-  const auto beyond = [&](std::uint32_t v) {
-    const double x = cage.surface.positions[v][static_cast<std::size_t>(axis)] - middle;
-    return positive ? x : -x;
-  };
-  return those_of(cage, kind, [&](auto i) {
-    return any_vertex(cage, kind, i, [&](auto v) { return beyond(v) > slack; }) &&
-           !any_vertex(cage, kind, i, [&](auto v) { return beyond(v) < -slack; });
-  });
 }
 
 }  // namespace viete::scene

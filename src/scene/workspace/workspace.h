@@ -28,7 +28,6 @@
 #include "scene/hand/picking.h"
 #include "scene/hand/transform.h"
 #include "scene/hand/transform_drag.h"
-#include "scene/pictures/choice_picture.h"
 #include "scene/pictures/pose_picture.h"
 #include "scene/workspace/check_state.h"
 #include "scene/workspace/file_browser.h"
@@ -252,7 +251,6 @@ struct Workspace {
   std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;
   std::optional<BeforeWidgetEdit> before_widget_edit;  ///< since the mouse press
-  ChoicePictures choice_pictures;
   About about;
 };
 

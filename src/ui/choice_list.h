@@ -1,53 +1,13 @@
-// Lists of commands that choose a value, with tooltips and pictures.
+// Lists of commands that choose a value, with tooltips.
 #pragma once
 
 #include <string>
 
-#include "scene/pictures/choice_picture.h"
-#include "scene/pictures/picture_view.h"
 #include "scene/workspace/choice_commands.h"
 #include "ui/context.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
-
-/// Draws into the current window, relative to a corner.
-class PicturePainter {
-public:
-  PicturePainter(const Context& ui, ImVec2 corner);
-  ~PicturePainter();
-  PicturePainter(const PicturePainter&) = delete;
-  PicturePainter& operator=(const PicturePainter&) = delete;
-
-  void draw(const scene::PictureShape& shape);
-
-private:
-  using Shape = scene::PictureShape;
-
-  std::vector<ImVec2> placed(const Shape& shape) const;
-  void line(const Shape& shape, ImU32 color, float width, ImDrawFlags flags = 0);
-  void fill(const Shape& shape, ImU32 color);
-  void lit(const Shape& shape);
-  ImU32 color_of(float weight) const;
-  void weighed(const Shape& shape);
-  void triangles(const Shape& shape, const std::vector<ImU32>& colors);
-
-  const Context& ui_;
-  ImDrawList& list_;
-  ImVec2 corner_;
-};
-
-/// Placed next to the window or list of the last item, so that no other entry is covered.
-void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const std::string& sentence,
-                  const std::string& more = "");
-
-/// For the last item while it is hovered; only then the picture is created.
-template <class Choice>
-void choice_hint(const Context& ui, Choice choice, const std::string& more = "") {
-  if (wants_hint())
-    picture_hint(ui, ui.workspace.choice_pictures.of(choice), std::string(scene::entry(choice).sentence),
-                 more);
-}
 
 struct ChoiceListWords {
   const char* prefix = "";  ///< of the entries' widget names, for tests
