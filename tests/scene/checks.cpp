@@ -172,6 +172,28 @@ TEST_CASE("model_vertices_outside_the_cage_are_named") {
   CHECK(matters(found[0]));
 }
 
+TEST_CASE("a_cage_that_fits_when_rotated_is_reported_as_such") {
+  mesh::Surface model = test::cube(1);
+  for (auto& p : model.positions) p = {p[0], 2 * p[1], 4 * p[2]};
+  mesh::Surface larger = model, turned = model, elsewhere = model;
+  for (auto& p : larger.positions) p = 1.1 * p;
+  for (auto& p : turned.positions) p = {1.1 * p[2], 1.1 * p[0], 1.1 * p[1]};
+  for (auto& p : elsewhere.positions) p[0] += 10;
+  const OpenedSurface opened_model = generated_surface(model, "model");
+  const auto outside = [&](const mesh::Surface& cage) -> std::optional<Finding> {
+    CheckState checks;
+    take_findings(checks, check(opened_model, generated_surface(cage, "cage")));
+    const auto at = outside_finding(checks);
+    return at ? std::optional(checks.findings[*at]) : std::nullopt;
+  };
+  CHECK_FALSE(outside(larger));
+  REQUIRE(outside(turned));
+  CHECK(outside(turned)->turned);
+  CHECK(meaning(*outside(turned)).ends_with("Rotated, the cage fits clearly better."));
+  REQUIRE(outside(elsewhere));
+  CHECK_FALSE(outside(elsewhere)->turned);
+}
+
 TEST_CASE("faces_are_polygons_and_not_their_triangles") {
   mesh::Surface s;  // a pentagon with a degenerate triangle, after a quad
   s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1.5, 1, 0}};

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "base/text.h"
+#include "cages/enclose.h"
 #include "mesh/defects.h"
 #include "mesh/repair.h"
 #include "mesh/winding_number.h"
+#include "scene/document/cage_editing.h"
 
 namespace viete::scene {
 
@@ -155,14 +157,30 @@ std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Su
   return Finding{Defect::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
 }
 
+namespace {
+
+// Called only if so many vertices are outside that the cage may have another orientation.
+bool fits_turned(const OpenedSurface& model, const OpenedSurface& cage, const Finding& outside,
+                 base::Progress* progress) {
+  constexpr std::size_t matters = 10;  // one vertex in this many
+  if (matters * outside.size() < model.surface->positions.size()) return false;
+  if (!(model.bounds.diagonal() > 0 && cage.bounds.diagonal() > 0)) return false;
+  return cages::best_fit(*cage.surface, *model.surface, fit_margin, progress).degrees > 0;
+}
+
+}  // namespace
+
 std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage, base::Progress* progress) {
   std::vector<Finding> found;
   if (cage.surface) {
     if (progress) progress->section(0, 0.1);
     append(found, check_cage(*cage.surface, progress));
-    if (progress) progress->section(0.1, 0.9);
-    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress))
+    if (progress) progress->section(0.1, 0.8);
+    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress)) {
+      if (progress) progress->section(0.8, 0.9);
+      outside->turned = fits_turned(model, cage, *outside, progress);
       found.push_back(*std::move(outside));
+    }
   }
   if (progress) progress->section(0.9, 1);
   append(found, check_model(*model.surface, model.summary));
@@ -227,7 +245,9 @@ const char* model_meaning(Defect defect) {
 }  // namespace
 
 std::string meaning(const Finding& finding) {
-  return finding.subject == Subject::cage ? cage_meaning(finding.defect) : model_meaning(finding.defect);
+  if (finding.subject == Subject::cage) return cage_meaning(finding.defect);
+  return std::string(model_meaning(finding.defect)) +
+         (finding.turned ? " Rotated, the cage fits clearly better." : "");
 }
 
 bool matters(const Finding& finding) {
