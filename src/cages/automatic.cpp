@@ -27,11 +27,7 @@ struct Topology {
 };
 
 Topology topology_of(const Shell& shell) {
-  mesh::UnionFind parts(shell.positions.size());
-  for (const auto& t : shell.triangles) {
-    parts.join(t[0], t[1]);
-    parts.join(t[1], t[2]);
-  }
+  mesh::UnionFind parts = mesh::parts_by_triangles(shell.positions.size(), shell.triangles);
   Topology found;
   for (std::uint32_t v = 0; v < shell.positions.size(); ++v) found.parts += parts.find(v) == v ? 1 : 0;
   // V = E - F + 2 components - 2 handles, 2 E = 3 F; components that touch count as less than one.
@@ -260,11 +256,7 @@ private:
   // Records the components outside of the cage, each given by one vertex.
   void note_passed_over(const std::vector<std::uint32_t>& outside) {
     if (outside.empty()) return;
-    mesh::UnionFind parts(model_.positions.size());
-    for (const auto& t : model_.triangles) {
-      parts.join(t[0], t[1]);
-      parts.join(t[1], t[2]);
-    }
+    mesh::UnionFind parts = mesh::parts_by_triangles(model_.positions.size(), model_.triangles);
     std::vector<std::uint8_t> is_outside(model_.positions.size(), 0);
     for (const auto v : outside) is_outside[parts.find(v)] = 1;
     for (std::uint32_t v = 0; v < is_outside.size(); ++v) {

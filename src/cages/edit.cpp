@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -339,72 +338,6 @@ Edited subdivide(const Surface& surface) {
   return cage.finish({});
 }
 
-namespace {
-
-// Pieces of a polygon cut by a plane: chains of corners that start and end on the plane.
-std::vector<Polygon> chains_of(const Polygon& p, const std::function<bool(std::uint32_t)>& above) {
-  std::vector<Polygon> chains;
-  const std::size_t n = p.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (above(p[i]) || !above(p[(i + 1) % n])) continue;
-    Polygon chain = {p[i]};
-    for (std::size_t k = (i + 1) % n; above(chain.emplace_back(p[k])); k = (k + 1) % n) {
-    }
-    chains.push_back(std::move(chain));
-  }
-  return chains;
-}
-
-// Joins the chains to polygons. Inside and outside alternate along the cutting line: the intervals between
-// the first and second point, the third and fourth, and so on are inside.
-std::vector<Polygon> pieces_of(const Polygon& p, const std::function<bool(std::uint32_t)>& above,
-                               const Polygons& cage) {
-  const std::vector<Polygon> chains = chains_of(p, above);
-  if (chains.size() < 2) return {p};
-  struct Place {
-    std::size_t chain;
-    bool is_end;
-    double along;
-  };
-  const Point origin = cage.at(chains.front().front());
-  Vec3 line{};
-  for (const Polygon& chain : chains) {
-    for (const auto v : {chain.front(), chain.back()}) {
-      if (const Vec3 to = cage.at(v) - origin; mesh::norm(to) > mesh::norm(line)) line = to;
-    }
-  }
-  std::vector<Place> places;
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    places.push_back({c, false, mesh::dot(line, cage.at(chains[c].front()) - origin)});
-    places.push_back({c, true, mesh::dot(line, cage.at(chains[c].back()) - origin)});
-  }
-  std::ranges::stable_sort(places, {}, &Place::along);
-  std::vector<std::size_t> next(chains.size());  // the chain that continues this one
-  for (std::size_t k = 0; k < places.size(); k += 2) {
-    const bool tied = k + 2 < places.size() && places[k + 1].along == places[k + 2].along;
-    if (tied && places[k].is_end == places[k + 1].is_end) std::swap(places[k + 1], places[k + 2]);
-    if (places[k].is_end == places[k + 1].is_end) return {p};  // too bent to have a cutting line
-    const auto [begin, end] =
-        places[k].is_end ? std::pair(places[k + 1], places[k]) : std::pair(places[k], places[k + 1]);
-    next[end.chain] = begin.chain;
-  }
-  std::vector<Polygon> pieces;
-  std::vector<char> used(chains.size());
-  for (std::size_t first = 0; first < chains.size(); ++first) {
-    Polygon piece;
-    for (std::size_t c = first; !std::exchange(used[c], 1); c = next[c]) {
-      for (const auto v : chains[c]) {
-        if (piece.empty() || piece.back() != v) piece.push_back(v);
-      }
-    }
-    if (piece.size() > 1 && piece.front() == piece.back()) piece.pop_back();
-    if (!piece.empty()) pieces.push_back(std::move(piece));
-  }
-  return pieces;
-}
-
-}  // namespace
-
 Edited mirrored(const Surface& surface, const Plane& plane) {
   Polygons cage(surface);
   const double near =
@@ -432,15 +365,23 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
     return place->second;
   };
   std::vector<Polygon> half;
-  for (const Polygon& p : cage.all) {
-    if (std::ranges::none_of(p, above)) continue;
-    Polygon kept;
+  const auto keep_above = [&](const Polygon& p) {
+    if (std::ranges::none_of(p, above)) return;
+    Polygon& kept = half.emplace_back();
     for (std::size_t i = 0; i < p.size(); ++i) {
       const std::uint32_t a = p[i], b = p[(i + 1) % p.size()];
       if (!below(a) && (comes_out_above(p, i, 1) || comes_out_above(p, i, p.size() - 1))) kept.push_back(a);
       if ((above(a) && below(b)) || (below(a) && above(b))) kept.push_back(cut(a, b));
     }
-    std::ranges::move(pieces_of(kept, above, cage), std::back_inserter(half));
+  };
+  for (const Polygon& p : cage.all) {
+    std::size_t rises = 0;  // more than one: the part above may be in several pieces
+    for (std::size_t i = 0; i < p.size(); ++i) rises += !above(p[i]) && above(p[(i + 1) % p.size()]);
+    if (rises < 2) {
+      keep_above(p);
+    } else {
+      std::ranges::for_each(triangles_of(cage, p), keep_above);
+    }
   }
   std::map<std::uint32_t, std::uint32_t> images;
   const auto image = [&](std::uint32_t v) {

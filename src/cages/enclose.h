@@ -1,22 +1,19 @@
-// Fits a cage to its model by orientation, size and place, and moves it outward where the model sticks out.
+// Fits a cage to its model by size and place, and moves it outward where the model sticks out.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "base/progress.h"
 #include "mesh/surface.h"
 
 namespace viete::cages {
 
-/// A cage fitted to its model by a similarity transform.
+/// A cage fitted to its model.
 struct Fitted {
-  std::vector<mesh::Point> positions;                                      ///< the cage's vertices, fitted
-  std::array<mesh::Vec3, 3> linear = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< rotation and scale, by rows
-  double degrees = 0;                                                      ///< rotation angle
+  std::vector<mesh::Point> positions;  ///< the cage's vertices, fitted
+  double scale = 1;
 };
 
 /// Translates and scales uniformly so that the cage's box contains the model's box plus `margin` of the
@@ -43,16 +40,5 @@ struct SnappedOutside {
 /// extent and triangles.
 SnappedOutside snap_outside(const mesh::Surface& cage, std::span<const std::uint32_t> vertices,
                             const mesh::Surface& model, double margin);
-
-/// Rotates the cage so that samples of both surfaces are as close as possible to the other surface, then fits
-/// it to the model's box, see fitted_to_box(). Keeps the orientation if that is nearly as good. Never
-/// mirrors. Both must have an extent, and the cage must have triangles.
-///
-/// Runs iterated closest points in both directions from the current orientation and the 24 alignments of the
-/// axes of inertia. Sources: Besl and McKay 1992, A method for registration of 3-D shapes; Umeyama 1991,
-/// Least-squares estimation of transformation parameters between two point patterns. progress may be null;
-/// throws base::Cancelled. Thread-safe; deterministic.
-Fitted best_fit(const mesh::Surface& cage, const mesh::Surface& model, double margin,
-                base::Progress* progress = nullptr);
 
 }  // namespace viete::cages

@@ -51,36 +51,13 @@ namespace {
 
 std::vector<std::uint32_t> one_vertex_a_part(std::size_t vertices,
                                              std::span<const mesh::Triangle> triangles) {
-  mesh::UnionFind parts(vertices);
-  for (const auto& t : triangles) {
-    parts.join(t[0], t[1]);
-    parts.join(t[1], t[2]);
-  }
+  mesh::UnionFind parts = mesh::parts_by_triangles(vertices, triangles);
   std::vector<std::uint8_t> taken(vertices, 0);
   std::vector<std::uint32_t> firsts;
   for (const auto& t : triangles) {
     if (!std::exchange(taken[parts.find(t[0])], std::uint8_t{1})) firsts.push_back(t[0]);
   }
   return firsts;
-}
-
-// Points that a quick test does not place inside the cage. The exact test is linear in the cage's triangles,
-// and a triangle soup has as many components as triangles.
-std::vector<std::uint32_t> in_doubt(const mesh::Surface& cage, std::span<const mesh::Point> positions,
-                                    const std::vector<std::uint32_t>& vertices, base::WorkerPool& pool) {
-  constexpr double certain = 0.75;  // the quick test is accurate to a few hundredths
-  if (cage.triangles.empty()) return vertices;
-  const mesh::TriangleTree tree(cage.positions, cage.triangles);
-  std::vector<char> doubt(vertices.size(), 0);
-  pool.for_blocks(vertices.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      doubt[i] = !(std::abs(tree.winding_number(positions[vertices[i]])) > certain);
-  });
-  std::vector<std::uint32_t> some;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (doubt[i]) some.push_back(vertices[i]);
-  }
-  return some;
 }
 
 }  // namespace
@@ -101,7 +78,7 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
                                 cage.positions[corners[2]]};
     if (mesh::has_plane(here) && tree.is_near(here)) found.cutting.push_back(t);
   }
-  const auto firsts = in_doubt(cage, positions, one_vertex_a_part(positions.size(), triangles), pool);
+  const auto firsts = one_vertex_a_part(positions.size(), triangles);
   std::vector<mesh::Point> places(firsts.size());
   std::ranges::transform(firsts, places.begin(), [&](std::uint32_t v) { return positions[v]; });
   for (const auto i : mesh::points_outside(cage, places, &pool)) found.outside.push_back(firsts[i]);

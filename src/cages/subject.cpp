@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <set>
 #include <vector>
 
 #include "mesh/summary.h"
@@ -226,7 +226,7 @@ Frame own_frame(const mesh::Surface& model) {
   return frame;
 }
 
-FramedModel shape_in(const Frame& frame, const mesh::Surface& surface) {
+FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
   FramedModel model{surface.positions, surface.triangles, {}, false};
   for (Point& p : model.positions) p = frame.into(p);
   if (model.triangles.empty()) {
@@ -235,37 +235,14 @@ FramedModel shape_in(const Frame& frame, const mesh::Surface& surface) {
   std::vector<std::uint32_t> used;
   for (const auto& t : model.triangles) used.insert(used.end(), t.begin(), t.end());
   model.box = mesh::bounds(model.positions, used);
-  return model;
-}
-
-namespace {
-
-// Keeps the first of triangles with equal corners and orientation, which polygons that revisit corners
-// produce.
-void drop_copies(std::vector<mesh::Triangle>& triangles) {
-  const auto from_lowest = [&](std::uint32_t i) {
-    mesh::Triangle t = triangles[i];
+  // Polygons that revisit corners produce equal triangles.
+  std::set<mesh::Triangle> seen;
+  const std::size_t copies = std::erase_if(model.triangles, [&](mesh::Triangle t) {
     std::ranges::rotate(t, std::ranges::min_element(t));
-    return t;
-  };
-  std::vector<std::uint32_t> order(triangles.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, {}, from_lowest);
-  std::vector<char> is_copy(triangles.size(), 0);
-  for (std::size_t i = 1; i < order.size(); ++i)
-    is_copy[order[i]] = from_lowest(order[i]) == from_lowest(order[i - 1]);
-  std::size_t t = 0;
-  std::erase_if(triangles, [&](const mesh::Triangle&) { return is_copy[t++] != 0; });
-}
-
-}  // namespace
-
-FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
-  FramedModel model = shape_in(frame, surface);
-  const std::size_t all = model.triangles.size();
-  drop_copies(model.triangles);
-  const mesh::Summary summary = mesh::summarize(
-      model.triangles.size() == all ? surface : mesh::from_triangles(surface.positions, model.triangles));
+    return !seen.insert(t).second;
+  });
+  const mesh::Summary summary =
+      mesh::summarize(copies == 0 ? surface : mesh::from_triangles(surface.positions, model.triangles));
   model.closed = summary.closed() && summary.manifold() && summary.oriented();
   return model;
 }

@@ -58,8 +58,6 @@ struct FramedModel {
 };
 
 FramedModel model_in(const Frame& frame, const mesh::Surface& surface);
-/// Leaves `closed` unset, which takes longest to compute.
-FramedModel shape_in(const Frame& frame, const mesh::Surface& surface);
 
 /// Data that depend on the model and mirror only; computed once. Thread-safe after construction.
 struct Subject {

@@ -150,11 +150,8 @@ void turn_parts(Surface& joined, const std::vector<std::vector<std::uint32_t>>& 
   for (Part& part : closed) {
     const Point at = joined.positions[part.surface.triangles.front()[0]];
     int around = 0;
-    for (const Part& other : closed) {
-      double number = 0;
-      if (&other != &part) winding_numbers(other.surface, {&at, 1}, {&number, 1});
-      around += std::abs(number) > 0.5;
-    }
+    for (const Part& other : closed)
+      around += &other != &part && std::abs(winding_number(other.surface, at)) > 0.5;
     part.as_it_should_be = part.outward == (around % 2 == 0);
   }
   const auto right = [](const Part& part) { return part.as_it_should_be; };

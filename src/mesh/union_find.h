@@ -4,7 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <vector>
+
+#include "mesh/surface.h"
 
 namespace viete::mesh {
 
@@ -35,5 +38,12 @@ public:
 private:
   std::vector<std::uint32_t> parent_;
 };
+
+/// The components of vertices by shared triangles.
+inline UnionFind parts_by_triangles(std::size_t vertices, std::span<const Triangle> triangles) {
+  UnionFind parts(vertices);
+  for (const auto& [a, b, c] : triangles) parts.join(a, b), parts.join(b, c);
+  return parts;
+}
 
 }  // namespace viete::mesh

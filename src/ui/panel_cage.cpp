@@ -46,7 +46,7 @@ void editing(const Context& ui) {
   command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
   command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
   command_row(ui, {"mirror_cage", "snap_outside", "enclose_model"});
-  command_row(ui, {"fit_cage", "fit_cage_turned"});
+  command_row(ui, {"fit_cage"});
 }
 
 }  // namespace
@@ -224,10 +224,7 @@ void ways_to_a_cage(const Context& ui) {
 }
 
 void ways_around_it(const Context& ui, const scene::Finding& finding) {
-  words(ui, scene::title(finding),
-        finding.turned ? "The cage must enclose the model. Rotated, the cage fits clearly better."
-                       : "The cage must enclose the model.");
-  if (finding.turned) command_row(ui, {"fit_cage", "fit_cage_turned"});
+  words(ui, scene::title(finding), "The cage must enclose the model.");
   command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
 }
 

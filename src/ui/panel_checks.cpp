@@ -126,13 +126,9 @@ void fit_buttons(const Context& ui) {
     note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
     return command_row(ui, {"show_outside"});
   }
-  note(ui,
-       outside + "Enclose moves the cage outward there; Fit moves and scales the whole cage" +
-           (found.turned ? ". Rotated, the cage fits clearly better." : "."),
+  note(ui, outside + "Enclose moves the cage outward there; Fit moves and scales the whole cage.",
        ui.colors.warn);
-  if (!found.turned) return command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
-  command_row(ui, {"show_outside", "enclose_model"});
-  command_row(ui, {"fit_cage", "fit_cage_turned"});
+  command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
 }
 
 }  // namespace

@@ -87,13 +87,10 @@ inline std::vector<std::string> complaints(const cages::Made& made, const mesh::
   if (keeps_margin && least < wish.margin * (1 - 1e-6) &&
       !some_note_holds(made, "the margin could not be kept"))
     all.push_back("margin " + std::to_string(100 * least) + " %, nothing said");
-  const auto pieces = pieces_of(model);
-  std::vector<mesh::Point> firsts;
-  for (const auto& piece : pieces) firsts.push_back(model.positions[piece[0]]);
-  std::vector<double> numbers(firsts.size());
-  mesh::winding_numbers(cage, firsts, numbers);
-  if (std::ranges::any_of(numbers, [](double n) { return std::abs(n - 1) > 1e-3; }))
-    all.push_back("not all of the model inside");
+  const auto is_inside = [&](const mesh::Triangle& piece) {
+    return std::abs(mesh::winding_number(cage, model.positions[piece[0]]) - 1) < 1e-3;
+  };
+  if (!std::ranges::all_of(pieces_of(model), is_inside)) all.push_back("not all of the model inside");
   const mesh::Summary of_model = mesh::summarize(model);
   const bool solid = of_model.closed() && of_model.parts == 1 && mesh::topology(model, of_model) &&
                      mesh::self_intersecting_triangles(model).empty();

@@ -29,12 +29,6 @@ double by_arc_tangents(const Surface& s, const Point& p) {
   return static_cast<double>(sum / (2 * std::acos(Real{-1})));
 }
 
-double winding_number(const Surface& s, const Point& p) {
-  double number = 0;
-  winding_numbers(s, {&p, 1}, {&number, 1});
-  return number;
-}
-
 }  // namespace
 
 TEST_CASE("a_closed_surface_winds_once_around_the_inside_and_not_around_the_outside") {
@@ -54,24 +48,15 @@ TEST_CASE("winding_numbers_agree_with_a_sum_of_arc_tangents") {
   for (Triangle& t : inside_out.triangles) std::swap(t[1], t[2]);
   for (const Surface& s : {test::sphere(3), test::torus(20, 10), open, twice, inside_out}) {
     const auto points = test::Random(7).vectors(203, 3);
-    std::vector<double> numbers(points.size());
-    winding_numbers(s, points, numbers);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      CHECK(std::abs(numbers[i] - by_arc_tangents(s, points[i])) < 1e-12);
-      CHECK(numbers[i] == winding_number(s, points[i]));
+    base::WorkerPool pool(3);
+    const auto outside = points_outside(s, points);
+    CHECK(outside == points_outside(s, points, &pool));
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const double number = by_arc_tangents(s, points[i]);
+      CHECK(std::abs(winding_number(s, points[i]) - number) < 1e-12);
+      CHECK(std::ranges::binary_search(outside, i) == std::abs(number) < 0.5);
     }
   }
-}
-
-TEST_CASE("winding_numbers_are_the_same_for_any_number_of_threads") {
-  const Surface s = test::torus(20, 10);
-  const auto points = test::Random(7).vectors(3000, 3);
-  std::vector<double> alone(points.size()), shared(points.size());
-  winding_numbers(s, points, alone);
-  base::WorkerPool pool(3);
-  winding_numbers(s, points, shared, &pool);
-  CHECK(alone == shared);
-  CHECK(points_outside(s, points) == points_outside(s, points, &pool));
 }
 
 TEST_CASE("points_outside_are_those_beyond_the_cage") {
@@ -106,5 +91,4 @@ TEST_CASE("every_point_is_outside_of_an_empty_cage") {
   CHECK(points_outside(test::cube(), {}).empty());
   const std::vector<Point> points = {{0, 0, 0}, {1, 2, 3}};
   CHECK(points_outside(Surface{}, points).size() == 2);
-  CHECK(winding_number(Surface{}, {0, 0, 0}) == 0);
 }

@@ -32,7 +32,7 @@ inline const std::map<std::string, Room>& rooms() {
       {"python", {{"base", "sym3", "mesh", "mesh/formats", "library"}, {"pybind11"}, {}}},
       {"mesh", {{"base"}, {}, {"openmesh"}}},
       {"mesh/formats", {{"base", "mesh"}, {"json"}, {}}},
-      {"cages", {{"base", "mesh"}, {"openmesh"}, {"eigen"}}},
+      {"cages", {{"base", "mesh"}, {"openmesh"}, {}}},
       {"deform/sparse", {{"base", "sym3", "mesh"}, {}, {"eigen", "highway"}}},
       {"deform", {{"base", "sym3", "mesh", "mesh/formats", "deform/sparse"}, {}, {"eigen", "highway"}}},
       {"lab", {{"base", "sym3", "mesh"}, {}, {}}},

@@ -35,17 +35,7 @@ mesh::Vec3 across(const mesh::Vec3& way, const cages::Plane& plane) {
 // The transform of displacements from rest to pose; those of mirrored vertices are mirrored first.
 struct Follow {
   cages::Plane plane{};
-  std::array<mesh::Vec3, 3> linear = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // rows
-
-  mesh::Vec3 operator()(const mesh::Vec3& way) const {
-    return {mesh::dot(linear[0], way), mesh::dot(linear[1], way), mesh::dot(linear[2], way)};
-  }
-  // Transforms the axis of a rotation vector and keeps its angle.
-  mesh::Vec3 turn(const mesh::Vec3& rotation) const {
-    const mesh::Vec3 now = (*this)(rotation);
-    const double length = mesh::norm(now);
-    return length > 0 ? (mesh::norm(rotation) / length) * now : rotation;
-  }
+  double scale = 1;
 };
 
 // Keeps whole turns of the parts if their number is unchanged.
@@ -53,14 +43,13 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
                      const deform::Cage& after, const Follow& follow) {
   deform::Pose now;
   if (before.roots.size() == after.roots.size()) now.turns = pose.turns;
-  for (mesh::Vec3& turn : now.turns) turn = follow.turn(turn);
   for (std::size_t v = 0; v < edited.origins.size(); ++v) {
     const cages::Origin& origin = edited.origins[v];
     mesh::Vec3 way{0, 0, 0};
     const double share = 1 / static_cast<double>(origin.of.size());
     for (const auto o : origin.of) way = way + share * (pose.positions[o] - before.surface.positions[o]);
     if (origin.mirrored) way = across(way, follow.plane);
-    now.positions.push_back(edited.surface.positions[v] + follow(way));
+    now.positions.push_back(edited.surface.positions[v] + follow.scale * way);
   }
   return now;
 }
@@ -215,31 +204,12 @@ void mirror_cage(Document& document) {
   put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror the cage", {plane});
 }
 
-namespace {
-
-const mesh::Surface& model_to_fit(const Document& document) {
+void fit_cage(Document& document) {
   require(document.model.bounds.diagonal() > 0, "the model is a single point, so no cage can be fitted",
           "move the cage yourself");
-  return *document.model.surface;
-}
-
-void put_fitted(Document& document, cages::Fitted fitted, const char* label) {
-  const Follow follow{{}, fitted.linear};
-  put_edited(document, with_positions(document.cage->surface, std::move(fitted.positions)), label, follow);
-}
-
-}  // namespace
-
-void fit_cage(Document& document) {
-  put_fitted(document, cages::fitted_to_box(document.cage->surface, model_to_fit(document), fit_margin),
-             "fit the cage");
-}
-
-double fit_cage_turned(Document& document) {
-  cages::Fitted fitted = cages::best_fit(document.cage->surface, model_to_fit(document), fit_margin);
-  const double degrees = fitted.degrees;
-  put_fitted(document, std::move(fitted), degrees > 0 ? "fit the cage with rotation" : "fit the cage");
-  return degrees;
+  const mesh::Surface& cage = document.cage->surface;
+  cages::Fitted fitted = cages::fitted_to_box(cage, *document.model.surface, fit_margin);
+  put_edited(document, with_positions(cage, std::move(fitted.positions)), "fit the cage", {{}, fitted.scale});
 }
 
 SnapResult snap_selected(Document& document) {

@@ -29,8 +29,6 @@ void subdivide_cage(Document& document);
 void mirror_cage(Document& document);
 /// Moves and scales the cage, and its pose, to the model's box.
 void fit_cage(Document& document);
-/// As fit_cage(), and also rotates the cage if that fits better. Returns the rotation in degrees.
-double fit_cage_turned(Document& document);
 /// Moves the cage outward where it does not contain model vertices. Returns how many remain outside.
 std::size_t enclose_model(Document& document);
 

@@ -8,11 +8,9 @@
 #include <utility>
 
 #include "base/text.h"
-#include "cages/enclose.h"
 #include "mesh/defects.h"
 #include "mesh/repair.h"
 #include "mesh/winding_number.h"
-#include "scene/document/cage_editing.h"
 
 namespace viete::scene {
 
@@ -139,48 +137,22 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
   return found;
 }
 
-// In portions, so that it can be cancelled.
 std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,
                                        base::Progress* progress) {
   const mesh::Surface around = mesh::consistently_oriented(mesh::welded(cage));
-  const std::span<const mesh::Point> points = model.positions;
-  const std::size_t portion =
-      std::max<std::size_t>(64, 2'000'000 / std::max<std::size_t>(cage.triangles.size(), 1));
-  Elements outside;
-  for (std::size_t begin = 0; begin < points.size(); begin += portion) {
-    if (progress) progress->report(static_cast<double>(begin) / static_cast<double>(points.size()));
-    const auto part = points.subspan(begin, std::min(portion, points.size() - begin));
-    for (const auto i : mesh::points_outside(around, part))
-      outside.push_back(static_cast<std::uint32_t>(begin + i));
-  }
+  Elements outside = mesh::points_outside(around, model.positions, nullptr, progress);
   if (outside.empty()) return std::nullopt;
   return Finding{Defect::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
 }
-
-namespace {
-
-// Called only if so many vertices are outside that the cage may have another orientation.
-bool fits_turned(const OpenedSurface& model, const OpenedSurface& cage, const Finding& outside,
-                 base::Progress* progress) {
-  constexpr std::size_t matters = 10;  // one vertex in this many
-  if (matters * outside.size() < model.surface->positions.size()) return false;
-  if (!(model.bounds.diagonal() > 0 && cage.bounds.diagonal() > 0)) return false;
-  return cages::best_fit(*cage.surface, *model.surface, fit_margin, progress).degrees > 0;
-}
-
-}  // namespace
 
 std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage, base::Progress* progress) {
   std::vector<Finding> found;
   if (cage.surface) {
     if (progress) progress->section(0, 0.1);
     append(found, check_cage(*cage.surface, progress));
-    if (progress) progress->section(0.1, 0.8);
-    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress)) {
-      if (progress) progress->section(0.8, 0.9);
-      outside->turned = fits_turned(model, cage, *outside, progress);
+    if (progress) progress->section(0.1, 0.9);
+    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress))
       found.push_back(*std::move(outside));
-    }
   }
   if (progress) progress->section(0.9, 1);
   append(found, check_model(*model.surface, model.summary));
@@ -246,8 +218,7 @@ const char* model_meaning(Defect defect) {
 
 std::string meaning(const Finding& finding) {
   if (finding.subject == Subject::cage) return cage_meaning(finding.defect);
-  return std::string(model_meaning(finding.defect)) +
-         (finding.turned ? " Rotated, the cage fits clearly better." : "");
+  return model_meaning(finding.defect);
 }
 
 bool matters(const Finding& finding) {

@@ -39,7 +39,6 @@ struct Finding {
   ElementKind kind = ElementKind::vertex;  ///< element type: an edge is two vertices, a face a polygon
   std::vector<std::uint32_t> elements;     ///< vertices or faces, ascending
   std::vector<mesh::Edge> edges;           ///< or edges, ascending
-  bool turned = false;                     ///< vertices_outside: the cage fits clearly better when rotated
 
   std::size_t size() const { return kind == ElementKind::edge ? edges.size() : elements.size(); }
 };

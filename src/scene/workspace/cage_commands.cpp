@@ -1,5 +1,4 @@
 // Commands for the cage and the deformer.
-#include <cmath>
 #include <string>
 #include <type_traits>
 
@@ -37,16 +36,6 @@ void enclose_and_say(Workspace& w) {
   w.messages.warn(counted(ElementKind::vertex, left) +
                       " of the model still outside the cage; move the cage outward there or make a new cage",
                   of_cage);
-}
-
-void fit_turned_and_say(Workspace& w) {
-  const double degrees = fit_cage_turned(w.document);
-  if (degrees > 0)
-    return w.messages.info("Rotated the cage by " +
-                               base::with_thousands(static_cast<std::size_t>(std::lround(degrees))) +
-                               " degrees.",
-                           of_cage);
-  w.messages.info("Fitted the cage without rotation; no rotation fits clearly better.", of_cage);
 }
 
 void snap_and_say(Workspace& w) {
@@ -131,9 +120,6 @@ void add_cage_commands(CommandTable& table) {
             can_edit_cage, change_cage<mirror_cage>);
   table.add("fit_cage", {"Fit cage to model", "Fit"}, "Move and scale the cage to fit the model.",
             can_edit_cage, change_cage<fit_cage>);
-  table.add("fit_cage_turned", {"Fit cage with rotation", "Fit, rotated"},
-            "Rotate, move and scale the cage to fit the model.", can_edit_cage,
-            change_cage<fit_turned_and_say>);
   table.add("snap_outside", {"Snap outside the model", "Snap outside"},
             "Move selected vertices that are inside or touch the model to the nearest place outside.",
             has_cage_selected, change_cage<snap_and_say>);

@@ -17,7 +17,7 @@ void show_badge(CheckState& checks) {
   for (const Finding& finding : checks.findings) {
     const FoundKind kind = kind_of(finding);
     if (!matters(finding) || std::ranges::find(checks.dismissed, kind) != checks.dismissed.end()) continue;
-    checks.badge = {kind, title(finding), finding.turned};
+    checks.badge = {kind, title(finding)};
     return;
   }
 }
@@ -46,8 +46,7 @@ void dismiss_badge(CheckState& checks) {
 }
 
 std::string_view remedy(const CheckBadge& badge) {
-  if (badge.kind.defect != Defect::vertices_outside) return "";
-  return badge.turned ? "fit_cage_turned" : "enclose_model";
+  return badge.kind.defect == Defect::vertices_outside ? "enclose_model" : "";
 }
 
 std::optional<std::size_t> find_finding(const CheckState& checks, const FoundKind& kind) {

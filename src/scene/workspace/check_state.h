@@ -23,7 +23,6 @@ struct FoundKind {
 struct CheckBadge {
   FoundKind kind;
   std::string title;
-  bool turned = false;  ///< see Finding::turned
 };
 
 /// The findings about the open document, and the one shown.
