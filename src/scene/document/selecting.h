@@ -1,4 +1,5 @@
-// Operations on selections: grow, shrink, loops. They work on any cage, including open and non-manifold ones, and leave selected probes unchanged.
+// Operations on selections: grow, shrink, loops. They work on any cage, including open and non-manifold ones,
+// and leave selected probes unchanged.
 #pragma once
 
 #include <span>

@@ -150,8 +150,8 @@ void add_select_commands(CommandTable& table) {
   table.add("select_less", {"Shrink selection", "Shrink"}, "Shrink the selection by one ring.",
             {Key::down, true}, without_drag<has_selection_of_cage>, change_selection<shrunk>);
   table.add("select_loop", {"Select loop", "Loop"},
-            "Select the loop through an edge or two neighbouring vertices.",
-            {key('L'), false, true}, without_drag<has_selection_of_cage>, select_loop);
+            "Select the loop through an edge or two neighbouring vertices.", {key('L'), false, true},
+            without_drag<has_selection_of_cage>, select_loop);
   table.add("hide_selected", {"Hide selected", "Hide"},
             "Hide the selection. Hidden elements stay unchanged until shown again.", {key('H'), false, true},
             without_drag<has_selection_of_cage>, change_groups<hide_selected>);
