@@ -41,8 +41,6 @@ Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Docu
     loaded.opened = scene::open_files(request, current, &progress);
   } catch (const scene::SessionFileError& error) {
     loaded.question = scene::ask_to_locate(error.key, error.problem());
-  } catch (const scene::FinError& error) {
-    loaded.question = scene::ask_to_remove_fins(error.place() + ": " + error.problem());
   }
   if (loaded.question) return loaded.request = request, loaded;
   const scene::Opened& opened = loaded.opened;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/triangulation.h"
 #include "mesh/winding_number.h"
@@ -48,24 +47,6 @@ std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& ou
   return ways;
 }
 
-// The nearest point at this distance outside of the model; p itself if it is already there.
-Point way_out(const Point& p, const Surface& model, const mesh::TriangleTree& tree, double distance) {
-  constexpr double enough = 0.999;  // reached up to rounding
-  const mesh::Triangle& t = model.triangles[tree.nearest(p).triangle];
-  const Point &a = model.positions[t[0]], &b = model.positions[t[1]], &c = model.positions[t[2]];
-  const mesh::Closest closest = mesh::closest_on_triangle(p, a, b, c);
-  const bool within = std::abs(tree.winding_number(p)) > 0.5;
-  const double gap = std::sqrt(closest.squared_distance);
-  if (!within && gap >= enough * distance) return p;
-  const Vec3& share = closest.barycentric;
-  const Point border = share[0] * a + share[1] * b + share[2] * c;
-  Vec3 way = within ? border - p : p - border;
-  // On the surface the direction is undefined; uses its normal.
-  if (gap < 1e-6 * distance) way = mesh::cross(b - a, c - a);
-  const double length = mesh::norm(way);
-  return length > 0 ? border + (distance / length) * way : p;
-}
-
 }  // namespace
 
 Fitted fitted_to_box(const Surface& cage, const Surface& model, double margin) {
@@ -102,29 +83,6 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
     mesh::triangulate(moved);
     asked = std::move(points);
   }
-}
-
-SnappedOutside snap_outside(const Surface& cage, std::span<const std::uint32_t> vertices,
-                            const Surface& model, double margin) {
-  constexpr int most_rounds = 20;
-  const double distance = margin * mesh::used_bounds(model).diagonal();
-  const mesh::TriangleTree tree(model.positions, model.triangles);
-  SnappedOutside snapped{cage.positions};
-  for (const auto v : vertices) {
-    Point p = cage.positions[v], before;
-    int round = 0;
-    do {
-      before = p;
-      p = way_out(before, model, tree, distance);
-    } while (p != before && ++round < most_rounds);
-    if (p != before) {
-      ++snapped.left;
-    } else if (p != cage.positions[v]) {
-      snapped.positions[v] = p;
-      ++snapped.moved;
-    }
-  }
-  return snapped;
 }
 
 }  // namespace viete::cages

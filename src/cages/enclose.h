@@ -29,16 +29,4 @@ struct Enclosing {
 /// the model's diagonal. Triangles near the model that do not cut it stay. Requires a closed cage.
 Enclosing enclose(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
-struct SnappedOutside {
-  std::vector<mesh::Point> positions;  ///< the cage's vertices, moved
-  std::size_t moved = 0, left = 0;     ///< vertices moved out; vertices still inside or too near
-};
-
-/// Moves the given vertices that are inside the model, or nearer than `margin` of its diagonal, out by the
-/// shortest way plus the margin, repeatedly if that leads into another part. Other vertices, and those
-/// without a way out, stay. For an open model winding numbers decide what is inside. The model must have an
-/// extent and triangles.
-SnappedOutside snap_outside(const mesh::Surface& cage, std::span<const std::uint32_t> vertices,
-                            const mesh::Surface& model, double margin);
-
 }  // namespace viete::cages

@@ -45,8 +45,7 @@ void editing(const Context& ui) {
   if (!ui.workspace.document.kept_pose) return;
   command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
   command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
-  command_row(ui, {"mirror_cage", "snap_outside", "enclose_model"});
-  command_row(ui, {"fit_cage"});
+  command_row(ui, {"mirror_cage", "fit_cage", "enclose_model"});
 }
 
 }  // namespace

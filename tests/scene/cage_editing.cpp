@@ -207,30 +207,6 @@ TEST_CASE("to_a_model_that_is_a_point_no_cage_is_fitted") {
   CHECK(document.cage->surface.positions == test::cube(1).positions);
 }
 
-TEST_CASE("selected_vertices_within_the_model_snap_out_of_it_and_stay_selected") {
-  Document document = edited_cube();
-  document.pose.positions[7] = {0.7, 0.2, 0.1};
-  document.pose.positions[6] = {0, 0.4, 0.8};
-  document.history.record("move", state_of(document));
-  REQUIRE(commit_cage_edit(document));
-  const auto before = document.cage->surface.positions;
-  select(document, ElementKind::vertex, {3, 7});
-  const SnapResult snapped = snap_selected(document);
-  CHECK(snapped.moved == 1);
-  CHECK(snapped.left == 0);
-  const auto& now = document.cage->surface.positions;
-  CHECK(now[7][0] > 1);
-  CHECK(now[7][0] < 1.05);
-  CHECK(now[7][1] == doctest::Approx(0.2));
-  for (const std::size_t other : {0, 3, 6}) CHECK(now[other] == before[other]);
-  CHECK(document.selection.indices() == std::vector<std::uint32_t>{3, 7});
-  const auto edits = test::edit_count(document.history);
-  CHECK(snap_selected(document).moved == 0);
-  CHECK(test::edit_count(document.history) == edits);  // no edit
-  undo(document);
-  CHECK(document.cage->surface.positions == before);
-}
-
 TEST_CASE("an_invalid_cage_changes_nothing") {
   Document document = edited_cube();
   const auto cage = document.cage;

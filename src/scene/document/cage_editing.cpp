@@ -212,20 +212,6 @@ void fit_cage(Document& document) {
   put_edited(document, with_positions(cage, std::move(fitted.positions)), "fit the cage", {{}, fitted.scale});
 }
 
-SnapResult snap_selected(Document& document) {
-  const mesh::Surface& cage = document.cage->surface;
-  const auto vertices = selected_vertices(*document.cage, document.selection);
-  require(!document.model.surface->triangles.empty(), "the model has no faces and therefore no inside",
-          "move the cage yourself");
-  auto snapped = cages::snap_outside(cage, vertices, *document.model.surface, snug_margin);
-  const Selection selection = document.selection;
-  if (snapped.moved > 0) {
-    put_edited(document, with_positions(cage, std::move(snapped.positions)), "snap outside");
-    document.selection = selection;
-  }
-  return {snapped.moved, snapped.left};
-}
-
 std::size_t enclose_model(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   require(document.cage->closed, "the cage is open and therefore has no inside", "close its holes first");

@@ -32,11 +32,4 @@ void fit_cage(Document& document);
 /// Moves the cage outward where it does not contain model vertices. Returns how many remain outside.
 std::size_t enclose_model(Document& document);
 
-/// Vertices moved outside, and vertices left inside because no short path leads out.
-struct SnapResult {
-  std::size_t moved = 0, left = 0;
-};
-/// Moves selected cage vertices that are inside or almost inside the model out of it.
-SnapResult snap_selected(Document& document);
-
 }  // namespace viete::scene

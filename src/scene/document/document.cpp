@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <utility>
 
 #include "base/error.h"
-#include "base/text.h"
-#include "cages/edit.h"
-#include "deform/branches.h"
 #include "deform/maps.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_cursor.h"
-#include "mesh/repair.h"
 #include "mesh/surface.h"
-#include "mesh/triangle.h"
-#include "mesh/union_find.h"
 #include "scene/document/range.h"
 
 namespace viete::scene {
@@ -111,88 +104,11 @@ void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
 }
 
-namespace {
-
-// Triangles of one polygon, and those that share an edge of exactly two triangles, form a patch.
-mesh::UnionFind patches_of(const mesh::Surface& surface, const mesh::HalfEdges& table) {
-  mesh::UnionFind patches(surface.triangles.size());
-  for (std::uint32_t t = 1; t < surface.triangles.size(); ++t)
-    if (surface.triangle_polygon[t - 1] == surface.triangle_polygon[t]) patches.join(t - 1, t);
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto sides = table.of(e);
-    if (sides.size() == 2) patches.join(sides[0].triangle, sides[1].triangle);
-  }
-  return patches;
-}
-
-struct Patch {
-  bool at_fin = false, open = false;
-  double area = 0;
-};
-
-bool removed_before(const Patch& a, const Patch& b) {
-  if (a.at_fin != b.at_fin) return a.at_fin;
-  return a.open != b.open ? a.open : a.area < b.area;
-}
-
-std::vector<mesh::Edge> fins_of(const mesh::Surface& surface) {
-  std::vector<std::uint8_t> flat;
-  for (const auto& [a, b, c] : surface.triangles)
-    flat.push_back(!mesh::has_area(surface.positions[a], surface.positions[b], surface.positions[c]));
-  return deform::dual_graph(surface, flat).fins;
-}
-
-// Empty if there is no fin.
-std::vector<std::uint32_t> faces_of_smallest_fin(const mesh::Surface& surface) {
-  const std::vector<mesh::Edge> fins = fins_of(surface);
-  if (fins.empty()) return {};
-  const auto table = mesh::half_edges(surface.positions.size(), mesh::welded(surface).triangles);
-  mesh::UnionFind patches = patches_of(surface, table);
-  std::map<std::uint32_t, Patch> all;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto& [a, b, c] = surface.triangles[t];
-    const auto& p = surface.positions;
-    all[patches.find(t)].area += norm(cross(p[b] - p[a], p[c] - p[a]));
-  }
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    for (const mesh::HalfEdge& side : table.of(e)) {
-      Patch& patch = all[patches.find(side.triangle)];
-      patch.at_fin |= std::ranges::binary_search(fins, table.edges[e]);
-      patch.open |= table.of(e).size() == 1;
-    }
-  }
-  const auto first = std::ranges::min_element(all, removed_before, [](const auto& p) { return p.second; });
-  std::vector<std::uint32_t> faces;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::uint32_t face = surface.triangle_polygon[t];
-    if (patches.find(t) == first->first && (faces.empty() || faces.back() != face)) faces.push_back(face);
-  }
-  return faces;
-}
-
-OpenedSurface without_fins(OpenedSurface cage) {
-  mesh::Surface rest = *cage.surface;
-  for (auto faces = faces_of_smallest_fin(rest); !faces.empty(); faces = faces_of_smallest_fin(rest))
-    rest = cages::remove_polygons(rest, faces).surface;
-  const std::size_t removed = cage.surface->polygon_count() - rest.polygon_count();
-  if (removed == 0) return cage;
-  OpenedSurface made = generated_surface(std::move(rest), name_of(cage) + ", without its fins");
-  made.warnings = std::move(cage.warnings);
-  made.warnings.push_back("removed " + base::counted(removed, "protruding face") + " of " + name_of(cage) +
-                          "; save the cage to keep this change");
-  return made;
-}
-
-}  // namespace
-
-void set_cage(Document& document, OpenedSurface cage, Fins fins) {
-  if (fins == Fins::removed) cage = without_fins(std::move(cage));
+void set_cage(Document& document, OpenedSurface cage) {
   try {
     document.cage = std::make_shared<const deform::Cage>(deform::make_cage(*cage.surface));
   } catch (const base::Error& error) {
-    if (fins == Fins::removed || fins_of(*cage.surface).empty())
-      throw base::Error(place_of(cage), error.problem(), error.advice());
-    throw FinError(place_of(cage), error.problem(), error.advice());
+    throw base::Error(place_of(cage), error.problem(), error.advice());
   }
   document.cage_file = std::move(cage);
   if (!document.cage_file.path.empty()) document.also_read.push_back({document.cage_file.path, the_cage});
@@ -203,9 +119,9 @@ void set_cage(Document& document, OpenedSurface cage, Fins fins) {
 }
 
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
-                       base::Progress* progress, Fins fins) {
+                       base::Progress* progress) {
   Document document = document_of(open_surface(model, progress));
-  if (!cage.empty()) set_cage(document, open_surface(cage), fins);
+  if (!cage.empty()) set_cage(document, open_surface(cage));
   return document;
 }
 

@@ -38,17 +38,6 @@ void enclose_and_say(Workspace& w) {
                   of_cage);
 }
 
-void snap_and_say(Workspace& w) {
-  const auto [moved, left] = snap_selected(w.document);
-  if (left > 0)
-    return w.messages.warn("No short path out of the model for " + counted(ElementKind::vertex, left) +
-                               " of the cage; drag them outside",
-                           of_cage);
-  w.messages.info(moved == 0 ? "The selection is already outside the model."
-                             : counted(ElementKind::vertex, moved) + " of the cage moved outside the model.",
-                  of_cage);
-}
-
 // Shows an error if the result would be no valid cage, without a change. `Change` takes the document, or the
 // workspace and a label.
 template <auto Change>
@@ -120,9 +109,6 @@ void add_cage_commands(CommandTable& table) {
             can_edit_cage, change_cage<mirror_cage>);
   table.add("fit_cage", {"Fit cage to model", "Fit"}, "Move and scale the cage to fit the model.",
             can_edit_cage, change_cage<fit_cage>);
-  table.add("snap_outside", {"Snap outside the model", "Snap outside"},
-            "Move selected vertices that are inside or touch the model to the nearest place outside.",
-            has_cage_selected, change_cage<snap_and_say>);
   table.add("show_outside", {"Show vertices outside the cage", "Show"},
             "Highlight the vertices of the model outside the cage. Checks steps through them.", has_outside,
             passing([](Workspace& w) { toggle_finding(w, *outside_finding(w.checks)); }));
