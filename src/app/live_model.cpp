@@ -119,7 +119,7 @@ void LiveModel::follow_weights(const scene::Document& document) {
 }
 
 void LiveModel::start_binding(const scene::Document& document) {
-  binding_text_ = document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
+  binding_text_ = document.has_cage() ? scene::binding_plan(document, document.scheme.weighting)
                                       : "Preparing the model for probes";
   binder_.start([model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
                  // Every method except `fast` uses the staged weights.

@@ -54,7 +54,7 @@ Loader::Loaded Loader::load(const scene::OpenRequest& request, const scene::Docu
   progress.section(1, 1);
   if (!document.has_cage()) return loaded;
   part.binds = true;
-  part.begin(scene::text(scene::binding_plan(document, document.scheme.weighting)));
+  part.begin(scene::binding_plan(document, document.scheme.weighting));
   progress.section(0, 1);
   loaded.bound =
       app::bind(document.model.surface, document.cage, document.scheme, document.method, {}, progress);

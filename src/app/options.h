@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "mesh/formats/text_writer.h"
-#include "scene/document/settings.h"
+#include "scene/document/document.h"
 #include "scene/files/output.h"
 #include "sym3/exp.h"
 

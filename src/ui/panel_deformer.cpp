@@ -33,7 +33,7 @@ std::string consequences(const scene::Workspace& w, const scene::Scheme& next, s
   say("Weights", entry(now.weighting.weights).label, entry(next.weighting.weights).label);
   say("Blend", entry(now.blend).label, entry(next.blend).label);
   if (w.document.has_cage() && now.weighting != next.weighting)
-    text += '\n' + scene::text(scene::binding_plan(w.document, next.weighting)) + " of memory.";
+    text += '\n' + scene::binding_plan(w.document, next.weighting) + " of memory.";
   return text;
 }
 

@@ -97,21 +97,19 @@ void picture(const Context& ui, std::size_t row, const scene::NamedPose& named, 
   draw_pose(ui, named, low, ui.workspace.chosen_pose == row, hovered);
 }
 
-void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, double shown, PoseWish& wish) {
+void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   const std::string id = "pose_weight/" + std::to_string(row);
   const double percent = 1e-6 * std::round(1e8 * shown);
   auto slid = static_cast<float>(percent);
   ImGui::SetNextItemWidth(-percent_width - ImGui::GetStyle().ItemInnerSpacing.x);
-  const std::string moves = named.part.empty() ? "" : count(named.part.size()) + " vertices";
   constexpr double least = 100 * scene::PoseLibrary::least_weight,
                    most = 100 * scene::PoseLibrary::largest_weight;
   const Slid done = slider(ui, id, percent, least, most, [&] {
-    return ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, moves.c_str(), ImGuiSliderFlags_NoInput);
+    return ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, "", ImGuiSliderFlags_NoInput);
   });
   if (done.moved) wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
   if (done.typed) wish.weight = std::pair(row, 0.01 * *done.typed);
-  const std::string part = named.part.empty() ? "" : " It affects only " + moves + ".";
-  hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate." + part);
+  hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate.");
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(percent_width);
   if (const auto typed = number_field(ui, id + "/typed", percent))
@@ -132,7 +130,7 @@ void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
   if (const auto name =
           name_field(ui, "pose_name/" + id, named.name, width, "Name of the pose. Type to rename it."))
     wish.name = std::pair(index, *name);
-  weight(ui, index, named, shown, wish);
+  weight(ui, index, shown, wish);
   ImGui::PopStyleVar(2);
   ImGui::EndGroup();
 }
@@ -142,8 +140,7 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
   if (wish.weight) {
     const auto [pose, weight] = *wish.weight;
     scene::change_mix(w, [&] {
-      return scene::set_weight(w.document, w.playback.vectors, pose, weight, w.handling.mix_selected,
-                               scene::shown_weights(w));
+      return scene::set_weight(w.document, w.playback.vectors, pose, weight, scene::shown_weights(w));
     });
   }
   if (wish.name) scene::rename_pose(w.document, wish.name->first, wish.name->second);

@@ -173,8 +173,8 @@ void panel_transform(const Context& ui) {
   if (!ui.workspace.document.has_cage()) return;
   mirror_row(ui);
   soft_rows(ui);
-  command_row(ui, {"bend", "twist", "taper", "push"});
-  command_row(ui, {"smooth", "relax", "flatten"});
+  command_row(ui, {"bend", "twist", "taper"});
+  command_row(ui, {"smooth", "relax"});
 }
 
 // In the Cage panel: element kind, tool, and number fields.

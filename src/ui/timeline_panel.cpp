@@ -209,7 +209,7 @@ void way_choice(const Context& ui) {
 void rate_field(const Context& ui) {
   ImGui::SetNextItemWidth(40);
   scene::Document& document = ui.workspace.document;
-  scene::Play play = scene::play_of(document.timeline);
+  scene::Playing play = document.timeline;
   const auto rate = number_field(ui, "time/rate", play.rate);
   record(ui, "time/rate");
   hint("Playback rate in frames per second, 1 to 240.");
@@ -234,7 +234,7 @@ void easing_choice(const Context& ui) {
 
 void range(const Context& ui, float right) {
   scene::Document& document = ui.workspace.document;
-  scene::Play play = scene::play_of(document.timeline);
+  scene::Playing play = document.timeline;
   if (const auto first =
           frame_field(ui, "From", "time/first", play.first, 52, "First frame of the playback range."))
     play.first = *first, play.last = std::max(play.last, *first + 1);

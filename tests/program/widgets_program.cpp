@@ -278,21 +278,6 @@ TEST_CASE("esc_in_a_field_leaves_its_number_and_name") {
   }
 }
 
-TEST_CASE("a_pose_moves_the_whole_cage_unless_the_box_says_otherwise") {
-  Held d;
-  d.document().selection.apply(std::vector<std::uint32_t>{0, 1, 2}, scene::SelectMode::replace);
-  d.click("pose_weight/0");
-  CHECK(d.document().library.poses[0].weight > 0);
-  CHECK(d.document().library.poses[0].part.empty());
-  d.run("clear_mix");
-  d.run("toggle_mix_selected");
-  CHECK(d.workspace().handling.mix_selected);
-  d.frame(30);  // otherwise a second click starts typing
-  d.click("pose_weight/0");
-  CHECK(d.document().library.poses[0].part.size() == 3);
-  keep_picture(d, "poses");
-}
-
 TEST_CASE("the_buttons_above_the_poses_stay_where_they_are") {
   Held d;
   const glm::vec2 before = d.place_of("keep_pose");

@@ -268,7 +268,7 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
 
   // Moving a slider changes only its own pose.
   const auto before = p.positions();
-  REQUIRE(set_weight(p.document(), vectors, 0, 0.2 + 1e-7, false, shown_weights(p.w)));
+  REQUIRE(set_weight(p.document(), vectors, 0, 0.2 + 1e-7, shown_weights(p.w)));
   CHECK(distance(before, p.positions()) < 1e-5);
   weights_are(0.2, 0.6);
   CHECK(p.document().library.mixes());

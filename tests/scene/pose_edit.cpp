@@ -29,9 +29,7 @@ struct Mixed {
   }
   std::vector<NamedPose>& poses() { return document.library.poses; }
   const std::vector<mesh::Point>& positions() const { return document.pose.positions; }
-  bool weigh(std::size_t pose, double weight, bool selected_alone = false) {
-    return set_weight(document, vectors, pose, weight, selected_alone);
-  }
+  bool weigh(std::size_t pose, double weight) { return set_weight(document, vectors, pose, weight); }
   // Like a drag.
   void put(const deform::Pose& pose, const char* label = "move by hand") {
     record_edit(document, label);
@@ -161,7 +159,7 @@ TEST_CASE("weight_1_is_the_pose_and_weight_0_the_previous_pose_bit_for_bit") {
   CHECK(m.positions() == stretched_cube(1.1, 0.7).positions);
 }
 
-TEST_CASE("several_poses_are_added_in_log_space_subtracted_and_averaged") {
+TEST_CASE("several_poses_are_added_in_log_space_and_subtracted") {
   Mixed m;
   m.poses().push_back({"back", whole(turned_cube(-30))});
   m.weigh(0, 1);
@@ -169,10 +167,6 @@ TEST_CASE("several_poses_are_added_in_log_space_subtracted_and_averaged") {
   CHECK(distance(m.positions(), turned_cube(60).positions) < 1e-12);
   m.weigh(2, -1);
   CHECK(distance(m.positions(), turned_cube(120).positions) < 1e-12);
-  m.weigh(2, 1);
-  CHECK(average_mix(m.document, m.vectors));
-  CHECK(m.poses()[0].weight == 0.5);
-  CHECK(distance(m.positions(), turned_cube(30).positions) < 1e-12);
   m.weigh(2, 0);
   CHECK(clear_mix(m.document, m.vectors));
   CHECK(m.positions() == test::cube(1.5).positions);
@@ -181,19 +175,6 @@ TEST_CASE("several_poses_are_added_in_log_space_subtracted_and_averaged") {
   m.weigh(0, 0.5);
   m.weigh(2, 1);
   CHECK(distance(m.positions(), turned_cube(150).positions) < 1e-12);
-}
-
-TEST_CASE("averaging_weights_with_sum_0_is_refused") {
-  Mixed m;
-  CHECK_FALSE(average_mix(m.document, m.vectors));
-  m.weigh(0, 1);
-  m.weigh(1, -1);
-  const std::size_t edits = test::edit_count(m.document.history);
-  CHECK_FALSE(average_mix(m.document, m.vectors));
-  m.weigh(1, -0.9);
-  CHECK_FALSE(average_mix(m.document, m.vectors));  // the weights would be 10 and -9
-  CHECK(m.poses()[0].weight == 1);
-  CHECK(test::edit_count(m.document.history) <= edits + 1);
 }
 
 TEST_CASE("a_mix_that_cannot_be_drawn_changes_nothing") {
@@ -224,37 +205,6 @@ TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
   m.weigh(0, 0.5);
   CHECK(distance(m.positions(), turned_cube(45).positions) < 1e-12);
   m.check_undone(start);
-}
-
-TEST_CASE("a_slider_moves_the_whole_cage_for_any_selection") {
-  Mixed m;
-  m.poses()[1].pose = whole(stretched_cube(2, 3));
-  m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);
-  m.weigh(1, 1);
-  CHECK(m.poses()[1].part.empty());
-  CHECK(m.positions() == stretched_cube(2, 3).positions);
-}
-
-TEST_CASE("a_slider_can_be_limited_to_the_selection_when_it_leaves_0") {
-  Mixed m;
-  m.poses()[1].pose = whole(stretched_cube(2, 3));
-  m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);  // the upper face
-  CHECK(selected_part(m.document).size() == 4);
-  m.weigh(1, 1, true);
-  CHECK(m.poses()[1].part == std::vector<std::uint32_t>{4, 5, 6, 7});
-  const auto upper = m.positions();
-  // The faces between both move by their fraction of corners in the part, and take the lower face along.
-  CHECK(upper[1][0] - upper[0][0] < 4);
-  CHECK(upper[5][0] - upper[4][0] > 4.5);
-  m.document.selection.clear();
-  m.weigh(1, 0.5, true);
-  CHECK(m.poses()[1].part.size() == 4);
-  m.weigh(1, 0);
-  CHECK(m.poses()[1].part.empty());
-  CHECK(m.positions() == test::cube(1.5).positions);
-  m.weigh(1, 1, true);  // the selection is empty
-  CHECK(m.poses()[1].part.empty());
-  CHECK(m.positions() == stretched_cube(2, 3).positions);
 }
 
 TEST_CASE("a_drag_edits_the_pose_below_the_mix") {

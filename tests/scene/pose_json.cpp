@@ -66,9 +66,7 @@ bool same(const Workspace& a, const Workspace& b) {
   };
   const Timeline &s = a.document.timeline, &t = b.document.timeline;
   return same_keys(a.document.library.poses, b.document.library.poses,
-                   [](const auto& p, const auto& q) {
-                     return p.name == q.name && p.weight == q.weight && p.part == q.part;
-                   }) &&
+                   [](const auto& p, const auto& q) { return p.name == q.name && p.weight == q.weight; }) &&
          same_keys(s.keys, t.keys,
                    [](const auto& p, const auto& q) {
                      return p.frame == q.frame && p.easing == q.easing && p.mix == q.mix;
@@ -170,12 +168,6 @@ TEST_CASE("a_damaged_pose_affects_no_other_pose") {
   count(pose("a", "\"probes\": [{\"turned\": [1e99, 0, 0]}],"), 0, "too large");
   for (const char* weight : {"\"weight\": 1e9,", "\"weight\": \"x\",", "\"weight\": -200.1,"})
     CHECK(count(pose("a", weight), 1, "weight").document.library.poses[0].weight == 0);
-  for (const char* part : {"\"weight\": 10, \"part\": [8],", "\"weight\": 10, \"part\": 5,",
-                           "\"weight\": 10, \"part\": [-1],"}) {
-    const Workspace w = count(pose("a", part), 1, "edited directly");
-    CHECK(w.document.library.poses[0].weight == 0);
-    CHECK(w.document.library.poses[0].part.empty());
-  }
   const Workspace twice = count(pose("a") + "," + pose("a") + "," + pose(""), 3, "");
   CHECK(twice.document.library.poses[1].name == "a 2");
   CHECK(twice.document.library.poses[2].name == "pose");

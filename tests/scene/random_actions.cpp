@@ -185,10 +185,8 @@ private:
       case 5: return update_pose(d, pose);
       case 6: return apply_pose(d, pose);
       case 7: return void(clear_mix(d, w.playback.vectors));
-      case 8: return void(average_mix(d, w.playback.vectors));
       default:
-        for (int i = below(4); i >= 0; --i)
-          set_weight(d, w.playback.vectors, pose, percent(-50, 150), once_in(2));
+        for (int i = below(4); i >= 0; --i) set_weight(d, w.playback.vectors, pose, percent(-50, 150));
     }
   }
   void use_keys() {

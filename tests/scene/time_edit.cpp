@@ -113,7 +113,7 @@ TEST_CASE("frames_without_keys_are_ignored_and_give_no_edit") {
 
 TEST_CASE("playback_settings_are_clamped_and_changed_in_one_edit") {
   Timed t;
-  set_play(t.document, play_of(t.timeline()));
+  set_play(t.document, t.timeline());
   CHECK(t.edits() == 0);
   set_play(t.document, {5, 2, 1e9, Repeat::ping_pong, true});
   CHECK(t.timeline().first == 5);

@@ -62,18 +62,6 @@ TEST_CASE("cancelling_does_not_affect_a_newly_opened_document") {
   CHECK(w.brush.radius == 99);
 }
 
-TEST_CASE("the_option_mix_selected_is_stored_and_off_by_default") {
-  Handling handling;
-  CHECK_FALSE(handling.mix_selected);
-  std::vector<std::string> warnings;
-  for (const bool on : {true, false}) {
-    handling.mix_selected = on;
-    const nlohmann::json json = handling_json(handling);
-    CHECK(handling_of(JsonReader(json, "a.viete"), warnings) == handling);
-  }
-  CHECK(warnings.empty());
-}
-
 TEST_CASE("the_time_left_is_right_soon_after_the_speed_has_changed") {
   struct Phase {
     double until, rate;

@@ -167,6 +167,12 @@ void Document::restore(DocumentState&& state) {
   put_scheme(restored);
 }
 
+void put_settings(Document& document, const RequestedSettings& asked, bool chosen) {
+  const deform::Scheme scheme = deform::scheme_of(asked, document.scheme, chosen);
+  if (asked.method) document.put_method(*asked.method);
+  document.put_scheme(scheme);
+}
+
 DocumentState state_of(const Document& document) {
   return document;
 }

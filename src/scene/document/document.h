@@ -112,6 +112,16 @@ void set_cage(Document& document, OpenedSurface cage);
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
                        base::Progress* progress = nullptr);
 
+/// Settings requested before a document is opened.
+struct RequestedSettings : deform::AskedScheme {
+  std::optional<sym3::Method> method{};
+
+  bool any() const { return method || AskedScheme::any(); }
+};
+/// Applies the settings to a newly opened document; not an edit. Throws like deform::scheme_of(), without a
+/// change.
+void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
+
 /// The current state of everything that edits can change.
 DocumentState state_of(const Document& document);
 

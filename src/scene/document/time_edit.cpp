@@ -167,19 +167,14 @@ void put_timeline(Document& document, Timeline timeline, const std::string& labe
   document.timeline = std::move(timeline);
 }
 
-Play play_of(const Timeline& t) {
-  return {t.first, t.last, t.rate, t.repeat, t.straight};
-}
-
-void set_play(Document& document, const Play& play) {
-  if (play == play_of(document.timeline)) return;
+void set_play(Document& document, const Playing& play) {
+  if (play == document.timeline) return;
   record_step(document, "change playback", {EditKind::play});
   Timeline& t = document.timeline;
+  static_cast<Playing&>(t) = play;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);
   t.rate = brought_into(play.rate, Timeline::least_rate, Timeline::largest_rate);
-  t.repeat = play.repeat;
-  t.straight = play.straight;
 }
 
 }  // namespace viete::scene

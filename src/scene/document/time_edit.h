@@ -33,16 +33,7 @@ void move_keys(Document& document, const Timeline& before, std::span<const int> 
 void set_easing(Document& document, std::span<const int> frames, Easing easing);
 /// Replaces all keys, range and rate by those of a file.
 void put_timeline(Document& document, Timeline timeline, const std::string& label);
-/// Range, rate, repeat mode and linear blending; consecutive changes are one edit. Values are clamped.
-struct Play {
-  int first, last;
-  double rate;
-  Repeat repeat;
-  bool straight;
-
-  friend bool operator==(const Play&, const Play&) = default;
-};
-Play play_of(const Timeline& timeline);
-void set_play(Document& document, const Play& play);
+/// Consecutive changes are one edit. Values are clamped.
+void set_play(Document& document, const Playing& play);
 
 }  // namespace viete::scene

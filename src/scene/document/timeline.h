@@ -69,7 +69,16 @@ struct CameraKey {
   friend bool operator==(const CameraKey&, const CameraKey&) = default;
 };
 
-struct Timeline {
+struct Playing {
+  int first = 1, last = 60;  ///< playback range; last > first
+  double rate = 24;          ///< frames per second
+  Repeat repeat = Repeat::loop;
+  bool straight = false;  ///< linear blending of the cage's vertices, as in other programs
+
+  friend bool operator==(const Playing&, const Playing&) = default;
+};
+
+struct Timeline : Playing {
   static constexpr int least_frame = -1'000'000, largest_frame = 1'000'000;
   static constexpr double least_rate = 1, largest_rate = 240;
   static constexpr std::size_t most_keys = 10'000;
@@ -77,10 +86,6 @@ struct Timeline {
   std::vector<PoseKey> keys;       ///< sorted by frame, unique
   std::vector<CameraKey> cameras;  ///< likewise
   std::vector<PoseKey> unkeyed{};  ///< poses without a key that something else replaced; oldest first
-  int first = 1, last = 60;        ///< playback range; last > first
-  double rate = 24;                ///< frames per second
-  Repeat repeat = Repeat::loop;
-  bool straight = false;  ///< linear blending of the cage's vertices, as in other programs
 
   bool empty() const { return keys.empty() && cameras.empty(); }
   friend bool operator==(const Timeline&, const Timeline&) = default;

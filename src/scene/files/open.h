@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "scene/document/animation.h"
-#include "scene/document/settings.h"
+#include "scene/document/document.h"
 #include "scene/files/session.h"
 
 namespace viete::scene {

@@ -105,9 +105,6 @@ NamedPose named_pose_of(const JsonReader& json, std::span<const SharedShape> sha
   NamedPose named{json.at("name").text(), whole_pose_of(json, shapes, warnings)};
   if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
   take_part(json, "weight", named.weight, weight_of, "it counts as edited directly", warnings);
-  const std::size_t told = warnings.size();
-  take_part(json, "part", named.part, &JsonReader::indices, "it counts as edited directly", warnings);
-  if (warnings.size() > told) named.weight = 0;
   return named;
 }
 
@@ -303,7 +300,6 @@ ordered_json library_json(const PoseLibrary& library, ShapeTable& shapes) {
   for (const NamedPose& named : library.poses) {
     ordered_json json = {{"name", named.name}};
     if (named.weight != 0) json["weight"] = percent_of(named.weight);
-    if (!named.part.empty()) json["part"] = named.part;
     json.update(whole_pose_json(*named.pose, shapes));
     all.push_back(std::move(json));
   }
@@ -395,13 +391,6 @@ void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cag
   drop(timeline.unkeyed, "time", "unkeyed pose");
   if (library.unmixed && !fits(*library.unmixed, cage, model)) library.unmixed = nullptr;
   if (library.unmixed && cage) rest_unread(library.unmixed, *cage);
-  for (NamedPose& named : library.poses) {
-    const auto unknown = [&](auto v) { return !cage || v >= cage->surface.positions.size(); };
-    if (std::ranges::none_of(named.part, unknown)) continue;
-    warnings.push_back(file + ": poses: " + mesh::in_quotes(named.name) +
-                       " has weights for vertices that the cage does not have; it counts as edited directly");
-    named.part.clear(), named.weight = 0;
-  }
 }
 
 }  // namespace viete::scene

@@ -43,8 +43,7 @@ nlohmann::ordered_json whole_pose_json(const WholePose& pose, ShapeTable& shapes
 SharedPose whole_pose_of(const JsonReader& json, std::span<const SharedShape> shapes,
                          std::vector<std::string>& warnings);
 
-/// [{"name", "weight": percent, missing: 0, "part": cage vertices that it moves, missing: all,
-///   and a pose as above}, ...]
+/// [{"name", "weight": percent, missing: 0, and a pose as above}, ...]
 nlohmann::ordered_json library_json(const PoseLibrary& library, ShapeTable& shapes);
 
 /// {"first", "last": playback range, "rate": frames per second, "frame": current, "repeat": "once", "loop" or

@@ -54,7 +54,6 @@ nlohmann::ordered_json handling_json(const Handling& handling) {
   put_word(json, "curve", handling.soft.curve, usual.soft.curve);
   put_word(json, "distance", handling.soft.distance, usual.soft.distance);
   if (handling.freedom != usual.freedom) json["freedom"] = 100 * handling.freedom;
-  if (handling.mix_selected) json["mix_selected"] = true;
   return json;
 }
 
@@ -74,7 +73,6 @@ Handling handling_of(const JsonReader& json, std::vector<std::string>& warnings)
   take_word(json, "distance", handling.soft.distance, warnings);
   const auto freedom_of = [](const JsonReader& v) { return v.number(0, 100) / 100; };
   take_part(json, "freedom", handling.freedom, freedom_of, "50 instead", warnings);
-  take_switch("mix_selected", handling.mix_selected);
   return handling;
 }
 

@@ -129,14 +129,10 @@ void add_hand_commands(CommandTable& table) {
   table.add("taper", {"Taper selection", "Taper"},
             "Scale the selection's cross sections increasingly towards its far end.", can_shape,
             shape<Shape::taper>);
-  table.add("push", {"Push selection", "Push"}, "Move the selection along its normals, outward or inward.",
-            can_shape, shape<Shape::push>);
   table.add("smooth", {"Smooth selection", "Smooth"},
             "Move the selection towards the mean of its neighbours.", can_shape, shape<Shape::smooth>);
   table.add("relax", {"Relax selection", "Relax"}, "Move the selection towards its rest position.", can_shape,
             shape<Shape::relax>);
-  table.add("flatten", {"Flatten selection", "Flatten"}, "Move the selection towards its best-fit plane.",
-            can_shape, shape<Shape::flatten>);
   table.add("copy_pose", "Copy pose", "Copy the positions of the selected vertices.", {key('C'), true},
             can_shape, copy_pose);
   table.add("paste_pose", "Paste pose",

@@ -21,7 +21,6 @@
 #include "scene/document/handling.h"
 #include "scene/document/mirror.h"
 #include "scene/document/pin_posing.h"
-#include "scene/document/settings.h"
 #include "scene/document/view_options.h"
 #include "scene/files/open.h"
 #include "scene/files/recovery.h"
