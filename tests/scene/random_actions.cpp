@@ -147,7 +147,7 @@ private:
     if (once_in(2)) test::run_command(w, "stop_selecting");
     static const char* const ways[] = {"select_more",   "select_less", "select_loop",
                                        "hide_selected", "show_hidden", "invert_selection"};
-    test::run_command(w, ways[below(9)]);
+    test::run_command(w, ways[below(6)]);
   }
   void use_sets() {
     auto& sets = w.document.groups.sets;
