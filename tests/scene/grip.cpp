@@ -73,8 +73,8 @@ deform::Cage hairpin() {
   return deform::make_cage(mesh::from_triangles(points, triangles));
 }
 
-double share_of(const std::vector<Softened>& all, std::uint32_t v) {
-  const auto found = std::ranges::find(all, v, &Softened::vertex);
+double share_of(const std::vector<Gripped>& all, std::uint32_t v) {
+  const auto found = std::ranges::find(all, v, &Gripped::vertex);
   return found == all.end() ? 0 : found->share;
 }
 
@@ -242,6 +242,6 @@ TEST_CASE("over_edges_the_other_end_of_a_hairpin_is_far_and_through_space_it_is_
   soft.distance = SoftDistance::space;
   const auto through = softened(cage, cage.surface.positions, end, soft, 2);
   CHECK(share_of(through, 14) == doctest::Approx(0.75));
-  CHECK(std::ranges::is_sorted(through, {}, &Softened::vertex));
+  CHECK(std::ranges::is_sorted(through, {}, &Gripped::vertex));
   CHECK(softened(cage, cage.surface.positions, {}, soft, 2).empty());
 }

@@ -89,16 +89,6 @@ TEST_CASE("poses_are_kept_applied_renamed_moved_duplicated_and_deleted_and_all_o
   m.check_undone(start);
 }
 
-TEST_CASE("an_unchanged_value_is_no_edit") {
-  Mixed m;
-  rename_pose(m.document, 0, "turned");
-  move_pose(m.document, 0, 0);
-  move_pose(m.document, 0, 1);
-  CHECK(m.weigh(0, 0));
-  CHECK(clear_mix(m.document, m.vectors));
-  CHECK_FALSE(m.document.history.can_undo());
-}
-
 TEST_CASE("names_are_short_each_there_once_and_cut_between_characters") {
   PoseLibrary library;
   const auto add = [&](const std::string& wish) {
@@ -118,8 +108,13 @@ TEST_CASE("names_are_short_each_there_once_and_cut_between_characters") {
   }
 }
 
-TEST_CASE("there_is_a_largest_number_of_poses") {
+TEST_CASE("unchanged_values_and_too_many_poses_are_no_edits") {
   Mixed m;
+  rename_pose(m.document, 0, "turned");
+  move_pose(m.document, 0, 0);
+  move_pose(m.document, 0, 1);
+  CHECK(m.weigh(0, 0));
+  CHECK(clear_mix(m.document, m.vectors));
   m.poses().resize(PoseLibrary::most_poses, m.poses().front());
   CHECK_THROWS_AS(keep_pose(m.document, "one more"), base::Error);
   CHECK_THROWS_AS(duplicate_pose(m.document, 0), base::Error);
@@ -235,6 +230,12 @@ TEST_CASE("whole_poses_from_elsewhere_end_the_mix") {
     CHECK(m.document.pose.positions == there);
   };
   ended([](Document& d) { apply_pose(d, 1); });
+  ended([](Document& d) {  // also the editing of the cage
+    begin_cage_editing(d);
+    apply_pose(d, 1);
+    CHECK_FALSE(is_editing_cage(d));
+    CHECK(d.pose.positions == stretched_cube(2).positions);
+  });
   ended([](Document& d) { reset_pose(d); });
   ended([](Document& d) { set_pose(d, stretched_cube(3)); });
   ended([](Document& d) { update_pose(d, 0); });
@@ -317,15 +318,6 @@ TEST_CASE("an_edited_cage_takes_its_poses_and_keys_along") {
   CHECK(m.weigh(0, 0.5));
   CHECK(test::distance(m.positions(), start.pose.positions) > 1);
   m.check_undone(start);
-}
-
-TEST_CASE("a_pose_that_is_applied_ends_the_editing_of_the_cage") {
-  Mixed m;
-  begin_cage_editing(m.document);
-  CHECK(whole_pose(m.document).cage.positions == test::cube(1.5).positions);
-  apply_pose(m.document, 0);
-  CHECK_FALSE(is_editing_cage(m.document));
-  CHECK(m.positions() == turned_cube(90).positions);
 }
 
 TEST_CASE("poses_of_a_cage_that_is_replaced_are_gone_and_counted") {

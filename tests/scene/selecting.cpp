@@ -157,33 +157,21 @@ TEST_CASE("without_a_cage_and_for_probes_there_are_no_elements") {
   }
 }
 
-TEST_CASE("edges_and_faces_are_those_of_the_polygons_not_of_the_triangles") {
+TEST_CASE("elements_of_polygons_are_counted_converted_and_linked") {
   const deform::Cage cage = two_quads();
   CHECK(element_count(cage, ElementKind::vertex) == 9);
   CHECK(element_count(cage, ElementKind::edge) == 8);
   CHECK(element_count(cage, ElementKind::face) == 2);
   CHECK(element_vertices(cage, ElementKind::face, 1) == Numbers{4, 5, 7, 6});
-}
-
-TEST_CASE("selected_vertices_are_those_of_all_elements_each_once") {
-  const deform::Cage cage = two_quads();
   CHECK(selected_vertices(cage, some(ElementKind::vertex, {2, 8})) == Numbers{2, 8});
   CHECK(selected_vertices(cage, some(ElementKind::face, {0})) == Numbers{0, 1, 2, 3});
   CHECK(selected_vertices(cage, some(ElementKind::edge, {0, 1})) == Numbers{0, 1, 2});
-}
-
-TEST_CASE("converting_keeps_what_is_wholly_selected") {
-  const deform::Cage cage = two_quads();
   const Selection face = some(ElementKind::face, {1});
   CHECK(converted(cage, face, ElementKind::edge).size() == 4);
   CHECK(converted(cage, face, ElementKind::vertex).indices() == Numbers{4, 5, 6, 7});
   CHECK(converted(cage, converted(cage, face, ElementKind::edge), ElementKind::face) == face);
   CHECK(converted(cage, some(ElementKind::vertex, {0, 1, 2}), ElementKind::face).empty());
   CHECK(converted(cage, some(ElementKind::vertex, {0, 1, 2}), ElementKind::edge).size() == 2);
-}
-
-TEST_CASE("linked_reaches_all_that_edges_connect_and_no_other_part") {
-  const deform::Cage cage = two_quads();
   CHECK(linked(cage, some(ElementKind::vertex, {5})).indices() == Numbers{4, 5, 6, 7});
   CHECK(linked(cage, some(ElementKind::vertex, {8})).indices() == Numbers{8});
   CHECK(linked(cage, some(ElementKind::edge, {0})).size() == 4);

@@ -46,17 +46,25 @@ void check_sizes(const Document& document, const SizeRange& range) {
   for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
     if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
   }
+  const auto check_keys = [&](const char* what, const std::vector<PoseKey>& keys) {
+    for (const PoseKey& key : keys) check_pose(what + std::to_string(key.frame), *key.pose, range);
+  };
   for (const NamedPose& named : document.library.poses)
     check_pose("the pose " + mesh::in_quotes(named.name), *named.pose, range);
-  for (const PoseKey& key : document.timeline.keys)
-    check_pose("the key of frame " + std::to_string(key.frame), *key.pose, range);
-  for (const PoseKey& left : document.timeline.unkeyed)
-    check_pose("the unkeyed pose of frame " + std::to_string(left.frame), *left.pose, range);
+  check_keys("the key of frame ", document.timeline.keys);
+  check_keys("the unkeyed pose of frame ", document.timeline.unkeyed);
   if (document.library.unmixed)
     check_pose("the pose before weighted poses", *document.library.unmixed, range);
   if (document.shape) check_pose("the shape of the model", *document.shape, range);
   if (document.cage_file.surface)
     check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
+}
+
+void put_surface(OpenedSurface& opened, mesh::Surface surface) {
+  opened.summary = mesh::summarize(surface);
+  opened.bounds = mesh::used_bounds(surface);
+  opened.content = mesh::content_key(surface);
+  opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
 }
 
 }  // namespace
@@ -65,10 +73,7 @@ OpenedSurface generated_surface(mesh::Surface surface, std::string made) {
   OpenedSurface opened;
   opened.made = std::move(made);
   opened.format = "not saved";
-  opened.summary = mesh::summarize(surface);
-  opened.bounds = mesh::used_bounds(surface);
-  opened.content = mesh::content_key(surface);
-  opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+  put_surface(opened, std::move(surface));
   return opened;
 }
 
@@ -77,13 +82,10 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   OpenedSurface opened;
   opened.path = path;
   opened.format = std::move(read.format);
-  opened.summary = mesh::summarize(read.surface);
-  opened.bounds = mesh::used_bounds(read.surface);
   opened.warnings = std::move(read.warnings);
-  opened.content = mesh::content_key(read.surface);
   opened.attributes = std::move(read.attributes);
   opened.original = std::move(read.original);
-  opened.surface = std::make_shared<const mesh::Surface>(std::move(read.surface));
+  put_surface(opened, std::move(read.surface));
   return opened;
 }
 

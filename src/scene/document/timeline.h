@@ -99,11 +99,10 @@ struct KeyShare {
   std::size_t key;
   double factor;
 };
-/// The factors of the keys at a frame: at most four. from and to are the surrounding keys, equal if a single
-/// key applies.
+/// The factors of the keys at a frame: at most four; `from` is the key at or before the frame, or the first.
 struct Moment {
   std::vector<KeyShare> shares;
-  std::size_t from = 0, to = 0;
+  std::size_t from = 0;
 };
 
 /// Any frame, also fractional: the first key before all keys, the last key after them. Requires a key.

@@ -58,14 +58,14 @@ double soft_share(SoftCurve curve, double distance) {
   return 1;
 }
 
-std::vector<Softened> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
-                               std::span<const std::uint32_t> selected, const SoftSelection& soft,
-                               double radius) {
+std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
+                              std::span<const std::uint32_t> selected, const SoftSelection& soft,
+                              double radius) {
   if (selected.empty()) return {};
   const Distances distances = soft.distance == SoftDistance::edges
                                   ? over_edges(cage, positions, selected, radius)
                                   : through_space(positions, selected);
-  std::vector<Softened> all;
+  std::vector<Gripped> all;
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     const double share = distances[v] == 0 ? 1 : soft_share(soft.curve, distances[v] / radius);
     if (share > 0) all.push_back({v, share});
@@ -85,16 +85,6 @@ Transform share_of(const Transform& t, double share) {
   part.factors = glm::dvec3(1) + share * (t.factors - glm::dvec3(1));
   part.shift *= share;
   return part;
-}
-
-std::vector<Softened> with_what_is_near(const Document& document, const SoftSelection& soft,
-                                        std::span<const std::uint32_t> leading) {
-  if (soft.on)
-    return softened(*document.cage, document.pose.positions, leading, soft,
-                    soft.radius * document.space.diagonal());
-  std::vector<Softened> all;
-  for (const auto v : leading) all.push_back({v, 1});
-  return all;
 }
 
 // Each vertex follows the side with the larger share; on the plane both.
@@ -130,8 +120,12 @@ std::vector<Gripped> gripped(const Document& document, const SoftSelection& soft
   if (document.selection.kind() == ElementKind::probe) return {};
   const auto leading = leading_vertices(document, mirror);
   std::vector<Gripped> own;
-  for (const auto& [vertex, share] : with_what_is_near(document, soft, leading))
-    own.push_back({vertex, share});
+  if (soft.on) {
+    own = softened(*document.cage, document.pose.positions, leading, soft,
+                   soft.radius * document.space.diagonal());
+  } else {
+    for (const auto v : leading) own.push_back({v});
+  }
   if (mirror) own = on_both_sides(std::move(own), *mirror);
   const auto hidden = hidden_elements(document, ElementKind::vertex);
   std::erase_if(own, [&](const Gripped& g) { return g.vertex < hidden.size() && hidden[g.vertex]; });

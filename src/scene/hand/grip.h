@@ -12,20 +12,8 @@
 
 namespace viete::scene {
 
-/// A vertex of the soft selection.
-struct Softened {
-  std::uint32_t vertex;
-  double share;  ///< in (0, 1]; 1: moves like the selection
-};
-
 /// The falloff at a distance in units of the radius: 1 at 0, 0 from 1 on.
 double soft_share(SoftCurve curve, double distance);
-
-/// The vertices of the soft selection, including the selected ones, ascending. `positions` of the cage in its
-/// pose; `radius` in the file's units. Distances along edges are shortest paths. O(n log n).
-std::vector<Softened> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
-                               std::span<const std::uint32_t> selected, const SoftSelection& soft,
-                               double radius);
 
 /// A vertex moved by a drag.
 struct Gripped {
@@ -36,6 +24,13 @@ struct Gripped {
   double share = 1;  ///< share of the motion, in (0, 1]
   Side side = Side::own;
 };
+
+/// The vertices of the soft selection, including the selected ones, ascending, on their own side. `positions`
+/// of the cage in its pose; `radius` in the file's units. Distances along edges are shortest paths. O(n log
+/// n).
+std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
+                              std::span<const std::uint32_t> selected, const SoftSelection& soft,
+                              double radius);
 
 struct Grip {
   Anchor anchor;

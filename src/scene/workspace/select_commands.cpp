@@ -16,14 +16,9 @@ namespace viete::scene {
 namespace {
 
 // The element under the cursor may be of another kind then.
-void step_back(Workspace& w) {
-  undo(w.document);
-  w.messages.hide_messages();
-  w.interaction.hovered.reset();
-}
-
-void step_forth(Workspace& w) {
-  redo(w.document);
+template <void (*Step)(Document&)>
+void take_step(Workspace& w) {
+  Step(w.document);
   w.messages.hide_messages();
   w.interaction.hovered.reset();
 }
@@ -100,9 +95,9 @@ void select_by(Workspace& w) {
 
 void add_select_commands(CommandTable& table) {
   table.heading("Edit");
-  table.add("undo", "Undo", "Undo the last edit.", {key('Z'), true}, can_undo, step_back)
+  table.add("undo", "Undo", "Undo the last edit.", {key('Z'), true}, can_undo, take_step<undo>)
       .of([](const Workspace& w) { return w.document.history.undo_label(); });
-  table.add("redo", "Redo", "Redo the last undone edit.", {key('Z'), true, true}, can_redo, step_forth)
+  table.add("redo", "Redo", "Redo the last undone edit.", {key('Z'), true, true}, can_redo, take_step<redo>)
       .or_by({key('Y'), true})
       .of([](const Workspace& w) { return w.document.history.redo_label(); });
   table.add("reset_pose", "Reset pose", "Return the whole cage and all probes to rest.", {key('R'), true},
