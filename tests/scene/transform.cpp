@@ -59,7 +59,10 @@ TEST_CASE("whole_turns_keep_every_bit_and_quarter_turns_about_an_axis_are_exact_
                {-90, {0, 0, 1}, {0, -1, 0}},
                {180, {0, 1, 0}, {-1, 0, 0}}};
   std::vector<mesh::Point> one{{}};
-  for (const auto& c : cases) apply(turn(c.degrees, c.axis), {{1, 0, 0}}, one), CHECK(one[0] == c.image);
+  for (const auto& c : cases) {
+    apply(turn(c.degrees, c.axis), {{1, 0, 0}}, one);
+    CHECK(one[0] == c.image);
+  }
 }
 
 TEST_CASE("turns_keep_lengths_and_scales_keep_the_pivot") {
