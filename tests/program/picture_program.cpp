@@ -377,25 +377,6 @@ void show_browser(Driver& d) {
   put_numbers(d);
 }
 
-void show_choice(Driver& d, const char* chooser, const char* entry) {
-  d.frame(3);
-  for (const char* title : {"Model", "Cage"}) d.click(std::string("section/") + title);
-  put_numbers(d);
-  d.click(chooser);
-  d.frame(2);
-  d.move(d.place_of(entry));
-  d.frame(3);
-}
-void show_ways(Driver& d) {
-  show_choice(d, "way", "way_arap");
-}
-void show_weights(Driver& d) {
-  show_choice(d, "weights", "weights_cutoff");
-}
-void show_blend(Driver& d) {
-  show_choice(d, "blend", "blend_linear");
-}
-
 void show_cage_offer(Driver& d) {
   REQUIRE(d.open({test::bundled_dragon}));
   put_numbers(d);
@@ -437,8 +418,6 @@ const Picture texts[] = {
     {"error_map", {860, 480}, show_error_map, of_errors},
     {"keys", {1400, 800}, show_keys, of_text},
     {"browser", {960, 520}, show_browser, of_text},
-    {"choice_way", {640, 480}, show_ways},
-    {"choice_blend", {640, 560}, show_blend},
     {"cage_offer", {860, 520}, show_cage_offer},
     {"cage_making", {860, 560}, show_making},
     {"cage_outside", {860, 800}, show_outside},
@@ -446,7 +425,6 @@ const Picture texts[] = {
 
 const Picture light_texts[] = {
     {"checks_light", {640, 640}, show_checks},
-    {"choice_weights_light", {640, 480}, show_weights},
     {"error_map_light", {860, 480}, show_error_map, of_errors},
 };
 

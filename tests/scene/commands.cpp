@@ -194,21 +194,6 @@ TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
   }
 }
 
-TEST_CASE("tools_and_the_camera_are_switched_by_commands") {
-  Workspace w;
-  for (const auto& [name, tool] : {std::pair{"tool_rotate", Tool::rotate},
-                                   {"tool_scale", Tool::scale},
-                                   {"tool_select", Tool::select},
-                                   {"tool_move", Tool::move}}) {
-    CHECK(test::run_command(w, name));
-    CHECK(w.tool == tool);
-  }
-  CHECK(test::run_command(w, "toggle_orthographic"));
-  CHECK(w.camera.pose().orthographic);
-  CHECK(test::run_command(w, "toggle_orthographic"));
-  CHECK_FALSE(w.camera.pose().orthographic);
-}
-
 TEST_CASE("a_command_that_cannot_run_says_what_to_do_first") {
   const Workspace nothing_open;
   for (const auto& command : commands()) {
@@ -264,10 +249,6 @@ TEST_CASE("a_few_letters_find_a_command_and_the_best_comes_first") {
   CHECK(find_commands(w, "frsl").front()->name == "frame_selection");
   CHECK(find_commands(w, "sel inv").front()->name == "invert_selection");
   CHECK(find_commands(w, "no such thing at all").empty());
-}
-
-TEST_CASE("an_empty_search_lists_all_except_transient_commands") {
-  const Workspace w;
   const auto all = find_commands(w, "");
   CHECK(all.size() > 80);
   for (const Command* command : all) CHECK_FALSE(command->passing);

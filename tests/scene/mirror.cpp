@@ -106,24 +106,16 @@ TEST_CASE("a_cached_mirror_follows_cage_and_choice") {
 }
 
 TEST_CASE("the_rectangle_of_a_mirror_lies_in_its_plane_and_covers_the_cage_there") {
+  const std::vector<mesh::Point> points{{0, 0, 0}, {4, 1, 2}, {-3, 5, 1}, {1, -2, 7}};
   for (const cages::Plane& plane :
        {cages::Plane{{1, 0, 0}, 0.5}, cages::Plane{{0, 1, 0}, -2}, cages::Plane{{0.6, 0, 0.8}, 1}}) {
-    const std::vector<mesh::Point> points{{0, 0, 0}, {4, 1, 2}, {-3, 5, 1}, {1, -2, 7}};
     const auto corners = rectangle_in_plane(Mirror{plane, {}}, points);
-    mesh::Point middle{0, 0, 0};
-    for (const auto& corner : corners) {
-      CHECK(mesh::dot(plane.normal, corner) == doctest::Approx(plane.offset));
-      for (std::size_t k = 0; k < 3; ++k) middle[k] += corner[k] / 4;
-    }
     for (std::size_t i = 0; i < 4; ++i) {  // right angles, and no point outside
-      mesh::Vec3 side{}, next{}, inward{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        side[k] = corners[(i + 1) % 4][k] - corners[i][k];
-        next[k] = corners[(i + 2) % 4][k] - corners[(i + 1) % 4][k];
-      }
+      const mesh::Vec3 side = corners[(i + 1) % 4] - corners[i],
+                       next = corners[(i + 2) % 4] - corners[(i + 1) % 4];
+      CHECK(mesh::dot(plane.normal, corners[i]) == doctest::Approx(plane.offset));
       CHECK(mesh::dot(side, next) == doctest::Approx(0).epsilon(1e-9));
-      inward = next;
-      for (const auto& p : points) CHECK(mesh::dot(inward, p) > mesh::dot(inward, corners[i]));
+      for (const auto& p : points) CHECK(mesh::dot(next, p) > mesh::dot(next, corners[i]));
     }
   }
 }

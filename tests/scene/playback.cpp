@@ -330,13 +330,6 @@ TEST_CASE("single_playback_ends_at_the_last_frame_and_restarts") {
   CHECK(p.positions() == test::stretched_cube(2).positions);
   start_playing(p.w);
   CHECK(p.document().frame == 1);
-  p.timeline().repeat = Repeat::ping_pong;
-  p.pass(3.5);
-  CHECK(p.document().frame == doctest::Approx(26));
-  p.pass(0.5);
-  CHECK(p.document().frame == doctest::Approx(21));
-  p.pass(2.5);
-  CHECK(p.document().frame == doctest::Approx(6));
 }
 
 TEST_CASE("without_keys_nothing_plays") {

@@ -252,12 +252,10 @@ TEST_CASE("the_axis_widget_takes_clicks_for_views_and_drags_for_orbits") {
   const AxisWidget axes = *axis_widget_of(m.w);
   m.move(axes.center);
   CHECK(m.w.interaction.over_axes);
-  for (const auto& ball : axes.balls) {
-    Mouse fresh;
-    fresh.click(ball.at);
-    fresh.w.camera.animate(1);
-    CHECK(fresh.w.camera.forward()[ball.axis] == doctest::Approx(ball.positive ? -1 : 1));
-  }
+  const AxisBall& ball = axes.balls.back();
+  m.click(ball.at);
+  m.w.camera.animate(1);
+  CHECK(m.w.camera.forward()[ball.axis] == doctest::Approx(ball.positive ? -1 : 1));
   const float yaw = m.w.camera.pose().yaw;
   m.drag(axes.center, axes.center + glm::vec2(-50, 0));
   CHECK(m.w.camera.pose().yaw != yaw);

@@ -130,19 +130,6 @@ TEST_CASE("playback_settings_are_clamped_and_changed_in_one_edit") {
   CHECK(t.timeline() == Timeline{});
 }
 
-TEST_CASE("a_key_added_to_an_edit_is_undone_with_it") {
-  Timed t;
-  record_edit(t.document, "move");
-  t.document.pose = test::turned_cube(30);
-  add_key_to_edit(t.document, 7);
-  CHECK(t.edits() == 1);
-  CHECK(t.frames() == Frames{7});
-  undo(t.document);
-  CHECK(t.timeline().keys.empty());
-  redo(t.document);
-  CHECK(t.frames() == Frames{7});
-}
-
 TEST_CASE("a_camera_key_takes_the_short_way_from_the_one_before") {
   Timed t;
   set_camera_key(t.document, 1, {.yaw = 3});
