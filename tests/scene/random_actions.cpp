@@ -206,7 +206,7 @@ private:
           move_keys(d, before, some, std::vector{frame(), frame(), frame()});
         return;
       }
-      case 6: return once_in(5) ? set_turntable(d, w.camera.pose(), below(5) - 2) : set_key(d, frame());
+      case 6: return once_in(5) ? set_turntable(d, w.camera.pose()) : set_key(d, frame());
       default: return set_key(d, current_frame(d));
     }
   }

@@ -117,9 +117,9 @@ bool are_weights(const PoseLibrary& library) {
 
 // Changes weights and shows the result. Returns false, without a change, if the result exceeds the drawable
 // range.
-template <class Record, class Change>
-bool remix(Document& document, VectorCache& vectors, Record record, Change change,
-           std::span<const double> played = {}) {
+template <class Change>
+bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
+           EditStep step = {}, std::span<const double> played = {}) {
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
   DocumentState changed = state_of(document);
@@ -128,7 +128,7 @@ bool remix(Document& document, VectorCache& vectors, Record record, Change chang
   change(changed);
   const SharedPose pose = mixed_upon(document, changed, vectors, base);
   if (!are_weights(changed.library) || !in_range(*pose)) return false;
-  record();
+  record_step(document, label, step, step.kind == EditKind::mix);
   document.library = std::move(changed.library);
   document.timeline = std::move(changed.timeline);
   put_whole_pose(document, *pose);
@@ -299,14 +299,14 @@ void duplicate_pose(Document& document, std::size_t pose) {
 }
 
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
-  const auto record = [&] { record_edit(document, "delete a pose"); };
+  constexpr const char* label = "delete a pose";
   const auto erase = [pose](DocumentState& state) {
     auto& poses = state.library.poses;
     rename_in_keys(state.timeline, poses[pose].name, "");
     poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
   };
-  if (document.library.poses[pose].weight != 0 && remix(document, vectors, record, erase)) return;
-  record();
+  if (document.library.poses[pose].weight != 0 && remix(document, vectors, label, erase)) return;
+  record_edit(document, label);
   if (document.library.poses[pose].weight != 0) end_mix(document);
   erase(document);
 }
@@ -317,17 +317,14 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
   if ((played.empty() ? named.weight : played[pose]) == weight) return true;
-  const auto record = [&, label = "weight of " + named.name] {
-    record_step(document, label, {EditKind::mix, pose});
-  };
+  const std::string label = "weight of " + named.name;
   const auto change = [&](DocumentState& state) { state.library.poses[pose].weight = weight; };
-  return remix(document, vectors, record, change, played);
+  return remix(document, vectors, label, change, {EditKind::mix, pose}, played);
 }
 
 bool clear_mix(Document& document, VectorCache& vectors) {
   if (!document.library.mixes()) return true;
-  const auto record = [&] { record_edit(document, "clear weights"); };
-  return remix(document, vectors, record, [](DocumentState& state) {
+  return remix(document, vectors, "clear weights", [](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight = 0;
   });
 }
@@ -345,22 +342,34 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straigh
 
 bool set_straight(Document& document, VectorCache& vectors, bool straight) {
   if (document.timeline.straight == straight) return true;
-  const auto record = [&] { record_edit(document, straight ? "linear interpolation" : "log space"); };
+  const char* const label = straight ? "linear interpolation" : "log space";
   const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
-  if (document.library.mixes()) return remix(document, vectors, record, change);
-  record();
+  if (document.library.mixes()) return remix(document, vectors, label, change);
+  record_edit(document, label);
   change(document);
   return true;
 }
 
-void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
-  const auto carry = [&](SharedPose& pose) {
-    pose = std::make_shared<const WholePose>(WholePose{carried(pose->cage), pose->probes, pose->shape});
+namespace {
+
+// Changes a copy of each named and keyed pose.
+template <class Change>
+void change_poses(Document& document, const Change& change) {
+  const auto put = [&](SharedPose& pose) {
+    WholePose changed = *pose;
+    change(changed);
+    pose = std::make_shared<const WholePose>(std::move(changed));
   };
-  end_mix(document);
-  for (NamedPose& named : document.library.poses) carry(named.pose);
+  for (NamedPose& named : document.library.poses) put(named.pose);
   for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
-    for (PoseKey& key : *keys) carry(key.pose);
+    for (PoseKey& key : *keys) put(key.pose);
+}
+
+}  // namespace
+
+void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
+  end_mix(document);
+  change_poses(document, [&](WholePose& pose) { pose.cage = carried(pose.cage); });
 }
 
 std::string counted_poses(std::size_t poses, std::size_t keys) {
@@ -401,15 +410,10 @@ std::string keep_shapes(Document& to, const Document& from) {
 }
 
 void forget_probe(Document& document, std::size_t probe) {
-  const auto forget = [probe](SharedPose& pose) {
-    if (probe >= pose->probes.size()) return;
-    WholePose without = *pose;
-    without.probes.erase(without.probes.begin() + static_cast<std::ptrdiff_t>(probe));
-    pose = std::make_shared<const WholePose>(std::move(without));
-  };
-  for (NamedPose& named : document.library.poses) forget(named.pose);
-  for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
-    for (PoseKey& key : *keys) forget(key.pose);
+  change_poses(document, [probe](WholePose& pose) {
+    if (probe < pose.probes.size())
+      pose.probes.erase(pose.probes.begin() + static_cast<std::ptrdiff_t>(probe));
+  });
   document.library.unmixed = document.library.mixed = nullptr;
 }
 

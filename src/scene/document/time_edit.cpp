@@ -117,9 +117,7 @@ void set_camera_key(Document& document, int frame, const CameraPose& camera) {
   document.timeline = std::move(timeline);
 }
 
-void set_turntable(Document& document, const CameraPose& camera, int turns) {
-  constexpr int most_turns = 100;
-  turns = std::clamp(turns, -most_turns, most_turns);
+void set_turntable(Document& document, const CameraPose& camera) {
   record_edit(document, "set turntable");
   Timeline& t = document.timeline;
   const int middle = t.first + (t.last - t.first) / 2;
@@ -128,8 +126,7 @@ void set_turntable(Document& document, const CameraPose& camera, int turns) {
     if (!t.cameras.empty() && t.cameras.back().frame == frame) continue;
     CameraPose pose = camera;
     const double share = double(frame - t.first) / (t.last - t.first);
-    pose.yaw =
-        static_cast<float>(std::remainder(double(camera.yaw), whole_turn) + share * turns * whole_turn);
+    pose.yaw = static_cast<float>(std::remainder(double(camera.yaw), whole_turn) + share * whole_turn);
     t.cameras.push_back({frame, pose});
   }
 }

@@ -21,9 +21,8 @@ void add_key_to_edit(Document& document, int frame);
 /// Takes the branch of its yaw that is nearest to the previous camera key.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
 /// One full turn of the camera about the up axis over the playback range, at constant speed and so that the
-/// last frame repeats the first; replaces all other camera keys. `turns` may be several, or negative for the
-/// reverse direction.
-void set_turntable(Document& document, const CameraPose& camera, int turns = 1);
+/// last frame repeats the first; replaces all other camera keys.
+void set_turntable(Document& document, const CameraPose& camera);
 /// Frames in any order; frames without a key are ignored.
 void remove_keys(Document& document, std::span<const int> frames);
 /// Moves keys and camera keys from `frames` to the frames `to`, one each; they replace other keys there.

@@ -164,35 +164,14 @@ void add_hand_commands(CommandTable& table) {
 
 namespace {
 
-struct ToolRow {
-  Tool tool;
-  const char *name, *label, *brief, *hint;
-  Shortcut shortcut;
-  const Condition& enabled = always;
-};
-
-const ToolRow tool_rows[] = {
-    {Tool::select,
-     "tool_select",
-     "Select tool",
-     "Select",
-     "Select elements and drag them without a gizmo.",
-     {key('Q')}},
-    {Tool::move, "tool_move", "Move tool", "Move", "Move the selection with arrows and planes.", {key('W')}},
-    {Tool::rotate,
-     "tool_rotate",
-     "Rotate tool",
-     "Rotate",
-     "Rotate the selection about its pivot with rings.",
-     {key('E')}},
-    {Tool::scale, "tool_scale", "Scale tool", "Scale", "Scale the selection about its pivot.", {key('R')}},
-    {Tool::paint,
-     "tool_paint",
-     "Paint tool",
-     "Paint",
-     "Paint vertices of the model that stay at rest. Ctrl erases.",
-     {key('D')},
-     is_movable}};
+template <Tool Use>
+Effect uses() {
+  const auto use = [](Workspace& w) {
+    w.tool = Use;
+    w.interaction.handle.reset();
+  };
+  return {use, [](const Workspace& w) { return w.tool == Use; }};
+}
 
 // Adds at the model under the cursor, or at the view's center if there is none or a panel button was used.
 template <bool (*Add)(Document&, const PosedModel&, const mesh::Point&)>
@@ -228,14 +207,17 @@ void toggle_locked(Workspace& w) {
 
 void add_tool_commands(CommandTable& table) {
   table.heading("Tool");
-  for (const ToolRow& row : tool_rows) {
-    const auto use = [tool = row.tool](Workspace& w) {
-      w.tool = tool;
-      w.interaction.handle.reset();
-    };
-    table.add(row.name, {row.label, row.brief}, row.hint, row.shortcut, row.enabled,
-              {use, [tool = row.tool](const Workspace& w) { return w.tool == tool; }});
-  }
+  table.add("tool_select", {"Select tool", "Select"}, "Select elements and drag them without a gizmo.",
+            {key('Q')}, always, uses<Tool::select>());
+  table.add("tool_move", {"Move tool", "Move"}, "Move the selection with arrows and planes.", {key('W')},
+            always, uses<Tool::move>());
+  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its pivot with rings.",
+            {key('E')}, always, uses<Tool::rotate>());
+  table.add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its pivot.", {key('R')}, always,
+            uses<Tool::scale>());
+  table.add("tool_paint", {"Paint tool", "Paint"},
+            "Paint vertices of the model that stay at rest. Ctrl erases.", {key('D')}, is_movable,
+            uses<Tool::paint>());
   table.add("mask_clear", "Clear paint", "Clear the painted mask so that the whole model follows the cage.",
             without_drag<has_mask>, [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
   table.add("mask_invert", "Invert paint", "Exchange painted and unpainted vertices.",

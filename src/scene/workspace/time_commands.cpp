@@ -92,14 +92,11 @@ void remove(Workspace& w) {
   }
 }
 
-void move_up(Workspace& w) {
-  move_pose(w.document, *w.chosen_pose, *w.chosen_pose - 1);
-  --*w.chosen_pose;
-}
-
-void move_down(Workspace& w) {
-  move_pose(w.document, *w.chosen_pose, *w.chosen_pose + 2);
-  ++*w.chosen_pose;
+template <bool Down>
+void move_chosen(Workspace& w) {
+  const std::size_t pose = *w.chosen_pose;
+  move_pose(w.document, pose, Down ? pose + 2 : pose - 1);
+  w.chosen_pose = Down ? pose + 1 : pose - 1;
 }
 
 // Opens the timeline, and fits all keys if it was closed.
@@ -215,9 +212,9 @@ void add_time_commands(CommandTable& table) {
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
   table.add("pose_up", {"Move pose up", "Move up"}, "Move the chosen pose up in the list.", is_not_first_pose,
-            move_up);
+            move_chosen<false>);
   table.add("pose_down", {"Move pose down", "Move down"}, "Move the chosen pose down in the list.",
-            is_not_last_pose, move_down);
+            is_not_last_pose, move_chosen<true>);
   table.add("export_pose", {"Export chosen pose", "Export pose"},
             "Write the cage in the chosen pose to a mesh file.", can_export_pose, browse_to_save_named_pose);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits stay.", has_mix,
