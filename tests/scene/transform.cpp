@@ -58,7 +58,7 @@ TEST_CASE("whole_turns_keep_every_bit_and_quarter_turns_about_an_axis_are_exact_
                {450, {0, 0, 1}, {0, 1, 0}},
                {-90, {0, 0, 1}, {0, -1, 0}},
                {180, {0, 1, 0}, {-1, 0, 0}}};
-  std::vector<mesh::Point> one{{}};
+  std::vector<mesh::Point> one(1);
   for (const auto& c : cases) {
     apply(turn(c.degrees, c.axis), {{1, 0, 0}}, one);
     CHECK(one[0] == c.image);
