@@ -145,9 +145,9 @@ private:
     test::run_command(w, shapes[below(3)]);
     drag(left_button, once_in(2) ? near_vertex() : anywhere(), anywhere());
     if (once_in(2)) test::run_command(w, "stop_selecting");
-    static const char* const ways[] = {"select_more",   "select_less", "select_loop",
-                                       "hide_selected", "show_hidden", "invert_selection"};
-    test::run_command(w, ways[below(6)]);
+    static const char* const ways[] = {"select_more", "select_less", "hide_selected", "show_hidden",
+                                       "invert_selection"};
+    test::run_command(w, ways[below(5)]);
   }
   void use_sets() {
     auto& sets = w.document.groups.sets;

@@ -1,13 +1,11 @@
-// Derived selections, on closed, open and non-manifold cages.
-#include "scene/document/selecting.h"
+// Elements of cages and derived selections.
+#include "scene/document/elements.h"
 
 #include <doctest/doctest.h>
 
 #include "mesh/triangulation.h"
-#include "scene/ball.h"
 #include "scene/cube.h"
 #include "scene/document/edit.h"
-#include "scene/document/elements.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -15,8 +13,8 @@ using Numbers = std::vector<std::uint32_t>;
 
 namespace {
 
-// n by n quads in a plane, and additional polygons.
-mesh::Surface plane_of_quads(std::uint32_t n, std::vector<std::vector<std::uint32_t>> more = {}) {
+// n by n quads in a plane.
+mesh::Surface plane_of_quads(std::uint32_t n) {
   mesh::Surface s;
   s.polygon_starts = {0};
   for (std::uint32_t y = 0; y <= n; ++y) {
@@ -25,12 +23,9 @@ mesh::Surface plane_of_quads(std::uint32_t n, std::vector<std::vector<std::uint3
   for (std::uint32_t y = 0; y < n; ++y) {
     for (std::uint32_t x = 0; x < n; ++x) {
       const std::uint32_t v = y * (n + 1) + x;
-      more.insert(more.begin() + y * n + x, {v, v + 1, v + n + 2, v + n + 1});
+      for (const auto corner : {v, v + 1, v + n + 2, v + n + 1}) s.corners.push_back(corner);
+      s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
     }
-  }
-  for (const auto& polygon : more) {
-    s.corners.insert(s.corners.end(), polygon.begin(), polygon.end());
-    s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
   }
   mesh::triangulate(s);
   return s;
@@ -38,14 +33,6 @@ mesh::Surface plane_of_quads(std::uint32_t n, std::vector<std::vector<std::uint3
 
 Selection some(ElementKind kind, const Numbers& indices) {
   return Selection(kind, indices);
-}
-
-std::uint32_t edge_of(const deform::Cage& cage, std::uint32_t a, std::uint32_t b) {
-  for (std::uint32_t e = 0; e < cage.edges.size(); ++e) {
-    if (cage.edges[e] == mesh::Edge{std::min(a, b), std::max(a, b)}) return e;
-  }
-  FAIL("no such edge");
-  return 0;
 }
 
 constexpr ElementKind kinds_of_cages[] = {ElementKind::vertex, ElementKind::edge, ElementKind::face};
@@ -79,82 +66,12 @@ TEST_CASE("growing_adds_what_is_next_to_it_and_shrinking_takes_it_away_again") {
   }
 }
 
-TEST_CASE("a_loop_goes_straight_through_quads_between_boundaries_and_along_them") {
-  const auto cage = deform::make_cage(plane_of_quads(4));
-  const auto row = looped(cage, some(ElementKind::edge, {edge_of(cage, 11, 12)}));
-  CHECK(selected_vertices(cage, row) == Numbers{10, 11, 12, 13, 14});
-  CHECK(looped(cage, some(ElementKind::vertex, {7, 12})).indices() == Numbers{2, 7, 12, 17, 22});
-  CHECK(looped(cage, some(ElementKind::vertex, {12})).indices() == Numbers{12});
-  CHECK(looped(cage, some(ElementKind::edge, {edge_of(cage, 0, 1)})).size() == 16);
-  CHECK(looped(cage, some(ElementKind::face, {5, 6})).indices() == Numbers{5, 6});
-}
-
-TEST_CASE("a_loop_of_a_closed_cage_of_quads_comes_back_to_where_it_began") {
-  // A ring of 5 by 4 quads: the two directions of a torus.
-  mesh::Surface s;
-  s.polygon_starts = {0};
-  for (int i = 0; i < 5; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      const double a = 1.2566 * i, b = 1.5708 * j;
-      s.positions.push_back({(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a), std::sin(b)});
-      const auto at = [](int k, int l) { return static_cast<std::uint32_t>(4 * (k % 5) + l % 4); };
-      for (const auto v : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}) s.corners.push_back(v);
-      s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
-    }
-  }
-  mesh::triangulate(s);
-  const auto cage = deform::make_cage(std::move(s));
-  CHECK(looped(cage, some(ElementKind::edge, {edge_of(cage, 0, 4)})).size() == 5);
-  CHECK(looped(cage, some(ElementKind::edge, {edge_of(cage, 0, 1)})).size() == 4);
-}
-
-TEST_CASE("on_triangles_a_loop_goes_the_straightest_way_and_ends") {
-  const auto cage = deform::make_cage(test::ball(1, 3));
-  for (const std::uint32_t e : {0u, 7u, 100u, 1000u}) {
-    const auto loop = looped(cage, some(ElementKind::edge, {e}));
-    CHECK(loop.size() > 8);
-    CHECK(loop.size() < 200);
-  }
-  // Edges of a triangulated cube turn by a right angle: there are no loops.
-  const auto cube = deform::make_cage(test::cube(1));
-  CHECK(looped(cube, some(ElementKind::edge, {edge_of(cube, 0, 1)})).size() == 1);
-}
-
-TEST_CASE("loops_end_at_nonmanifold_edges") {
-  // Two fins on opposite sides of an edge between vertices 5 and 6 of a plane: four faces at one edge.
-  auto s = plane_of_quads(3);
-  s.positions.push_back({1, 1, 1});
-  s.positions.push_back({2, 1, 1});
-  for (const std::vector<std::uint32_t>& fin : {Numbers{5, 6, 17, 16}, Numbers{16, 17, 6, 5}}) {
-    s.corners.insert(s.corners.end(), fin.begin(), fin.end());
-    s.polygon_starts.push_back(static_cast<std::uint32_t>(s.corners.size()));
-  }
-  s.triangles.clear(), s.triangle_polygon.clear();
-  mesh::triangulate(s);
-  deform::Cage cage;
-  cage.surface = s;
-  cage.edges = mesh::polygon_edges(s);
-  cage.diagonal = 5;
-  for (const auto kind : kinds_of_cages) {
-    for (std::uint32_t i = 0; i < element_count(cage, kind); ++i) {
-      const auto one = some(kind, {i});
-      CHECK(grown(cage, one).contains(i));
-      CHECK(looped(cage, one).contains(i));
-      CHECK(shrunk(cage, grown(cage, one)).contains(i));
-    }
-  }
-}
-
 TEST_CASE("without_a_cage_and_for_probes_there_are_no_elements") {
   const deform::Cage none;
   const auto probes = some(ElementKind::probe, {0, 2});
   CHECK(grown(none, probes) == probes);
   CHECK(shrunk(none, probes) == probes);
-  CHECK(looped(none, probes) == probes);
-  for (const auto kind : kinds_of_cages) {
-    CHECK(grown(none, Selection(kind)).empty());
-    CHECK(looped(none, Selection(kind)).empty());
-  }
+  for (const auto kind : kinds_of_cages) CHECK(grown(none, Selection(kind)).empty());
 }
 
 TEST_CASE("elements_of_polygons_are_counted_converted_and_linked") {

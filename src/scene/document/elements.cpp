@@ -18,14 +18,27 @@ Marks marks_of(const deform::Cage& cage, const Selection& selection) {
   return marks;
 }
 
+// The elements that have `holds` of the marks of their vertices.
+template <class Holds>
+Selection elements_with(const deform::Cage& cage, ElementKind kind, const Marks& marks, const Holds& holds) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < element_count(cage, kind); ++i)
+    if (holds(element_vertices(cage, kind, i), [&](auto v) { return marks[v] != 0; })) found.push_back(i);
+  return Selection(kind, found);
+}
+
 Selection within(const deform::Cage& cage, ElementKind kind, const Marks& marks) {
-  std::vector<std::uint32_t> inside;
-  for (std::uint32_t i = 0; i < element_count(cage, kind); ++i) {
-    const auto vertices = element_vertices(cage, kind, i);
-    if (std::all_of(vertices.begin(), vertices.end(), [&](auto v) { return marks[v] != 0; }))
-      inside.push_back(i);
-  }
-  return Selection(kind, inside);
+  return elements_with(cage, kind, marks, std::ranges::all_of);
+}
+
+// The vertices of the selection; of selected vertices also their neighbours.
+Marks touched_by(const deform::Cage& cage, const Selection& selection) {
+  const Marks own = marks_of(cage, selection);
+  Marks touched = own;
+  if (selection.kind() != ElementKind::vertex) return touched;
+  for (const auto& [a, b] : cage.edges)
+    if (own[a] || own[b]) touched[a] = touched[b] = 1;
+  return touched;
 }
 
 }  // namespace
@@ -88,6 +101,21 @@ Selection linked(const deform::Cage& cage, const Selection& selection) {
   for (const auto v : selected_vertices(cage, selection)) reached[parts.find(v)] = 1;
   for (std::uint32_t v = 0; v < marks.size(); ++v) marks[v] = reached[parts.find(v)];
   return within(cage, selection.kind(), marks);
+}
+
+Selection grown(const deform::Cage& cage, const Selection& selection) {
+  if (selection.kind() == ElementKind::probe) return selection;
+  return elements_with(cage, selection.kind(), touched_by(cage, selection), std::ranges::any_of);
+}
+
+Selection shrunk(const deform::Cage& cage, const Selection& selection) {
+  if (selection.kind() == ElementKind::probe) return selection;
+  Selection others = selection, inner = selection;
+  others.invert(element_count(cage, selection.kind()));
+  const Marks touched = touched_by(cage, others);
+  inner.apply(elements_with(cage, selection.kind(), touched, std::ranges::any_of).indices(),
+              SelectMode::remove);
+  return inner;
 }
 
 std::string element_name(ElementKind kind) {

@@ -31,6 +31,12 @@ Selection converted(const deform::Cage& cage, const Selection& selection, Elemen
 /// The selection and everything connected to it by edges.
 Selection linked(const deform::Cage& cage, const Selection& selection);
 
+/// Grows by one ring: adds vertices connected by an edge, or edges or faces that share a vertex. Probes are
+/// unchanged.
+Selection grown(const deform::Cage& cage, const Selection& selection);
+/// Shrinks by one ring. Boundaries of an open cage stay.
+Selection shrunk(const deform::Cage& cage, const Selection& selection);
+
 /// "vertex", "edge", "face" or "probe".
 std::string element_name(ElementKind kind);
 /// "an edge", "3 faces".

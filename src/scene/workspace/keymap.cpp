@@ -62,10 +62,9 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"delete_keys", plain('X'), {Key::delete_key}},
 });
 constexpr std::string_view blender_without[] = {
-    "place_pivot",        "reset_pose",        "restore_leftover", "open_pose",    "save_model",
-    "tool_move",          "select_lasso",      "select_loop",      "method_diag",  "method_sd",
-    "method_improved_sd", "method_fast",       "add_probe",        "mirror_probe", "toggle_z_up",
-    "toggle_error_map",   "toggle_full_screen"};
+    "place_pivot",  "reset_pose",  "restore_leftover", "open_pose",          "save_model",  "tool_move",
+    "select_lasso", "method_diag", "method_sd",        "method_improved_sd", "method_fast", "add_probe",
+    "mirror_probe", "toggle_z_up", "toggle_error_map", "toggle_full_screen"};
 
 // Keys that differ for Maya users, whose function keys set the element kind.
 constexpr auto maya_keys = std::to_array<PresetKeys>({

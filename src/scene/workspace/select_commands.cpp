@@ -5,7 +5,6 @@
 
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/document/selecting.h"
 #include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/workspace/command_conditions.h"
@@ -58,13 +57,6 @@ void select_linked(Workspace& w) {
 template <Selection (*Change)(const deform::Cage&, const Selection&)>
 void change_selection(Workspace& w) {
   set_selection(w.document, Change(*w.document.cage, w.document.selection));
-}
-
-void select_loop(Workspace& w) {
-  Selection loop = looped(*w.document.cage, w.document.selection);
-  if (loop == w.document.selection)
-    w.messages.info("No loop found: select an edge or two neighbouring vertices.");
-  set_selection(w.document, std::move(loop));
 }
 
 template <void (*Change)(Document&)>
@@ -144,9 +136,6 @@ void add_select_commands(CommandTable& table) {
             without_drag<has_selection_of_cage>, change_selection<grown>);
   table.add("select_less", {"Shrink selection", "Shrink"}, "Shrink the selection by one ring.",
             {Key::down, true}, without_drag<has_selection_of_cage>, change_selection<shrunk>);
-  table.add("select_loop", {"Select loop", "Loop"},
-            "Select the loop through an edge or two neighbouring vertices.", {key('L'), false, true},
-            without_drag<has_selection_of_cage>, select_loop);
   table.add("hide_selected", {"Hide selected", "Hide"},
             "Hide the selection. Hidden elements stay unchanged until shown again.", {key('H'), false, true},
             without_drag<has_selection_of_cage>, change_groups<hide_selected>);
