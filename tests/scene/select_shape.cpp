@@ -11,7 +11,6 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/mouse.h"
-#include "scene/workspace/sight_cache.h"
 #include "support/commands.h"
 
 using namespace viete;
