@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "scene/document/cage_making.h"
-#include "scene/workspace/check_view.h"
+#include "scene/workspace/workspace.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"

@@ -7,7 +7,6 @@
 #include "scene/document/pose_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/time_commands.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/overlay_painter.h"

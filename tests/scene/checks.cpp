@@ -8,7 +8,7 @@
 #include "deform/cage_state.h"
 #include "mesh/triangulation.h"
 #include "scene/cube.h"
-#include "scene/workspace/check_view.h"
+#include "scene/workspace/workspace.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -143,8 +143,12 @@ TEST_CASE("each_defect_is_named_with_its_elements_and_its_weight") {
     List elements;
     bool matters;
   } cases[] = {
-      {check_in(inside_out), Defect::inside_out, Subject::cage, ElementKind::face,
-       {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, false},
+      {check_in(inside_out),
+       Defect::inside_out,
+       Subject::cage,
+       ElementKind::face,
+       {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
+       false},
       {check_in(doubled), Defect::doubled_vertex, Subject::cage, ElementKind::vertex, {8}, true},
       {check_in(unused), Defect::unused_vertex, Subject::cage, ElementKind::vertex, {8}, false},
       {check_in(whole, model), Defect::vertices_outside, Subject::model, ElementKind::vertex, {2, 5}, true}};

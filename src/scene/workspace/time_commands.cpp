@@ -1,5 +1,4 @@
-#include "scene/workspace/time_commands.h"
-
+// Commands for named poses and the timeline.
 #include <algorithm>
 
 #include "base/error.h"
@@ -193,12 +192,6 @@ void choose_repeat(Workspace& w, Repeat repeat) {
 }
 
 }  // namespace
-
-void change_mix(Workspace& w, const std::function<bool()>& change) {
-  stop_playing(w);
-  if (change()) return w.messages.succeeded("mix");
-  w.messages.error("these weights move the model too far to draw; nothing was changed", {"mix"});
-}
 
 void add_time_commands(CommandTable& table) {
   table.heading("Poses");

@@ -300,6 +300,16 @@ void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
 /// Frames the vertex with the largest value of the map.
 void frame_worst(Workspace& workspace);
+/// Highlights a finding and requests the camera to frame it; hides it if it is shown already.
+void toggle_finding(Workspace& workspace, std::size_t index);
+
+/// Shows only the next (1) or previous (-1) element of the shown finding; wraps around.
+void step_element(Workspace& workspace, int step);
+
+/// Frames the shown elements. `positions`: the displayed positions of the finding's surface, in the file's
+/// units.
+void frame_finding(Workspace& workspace, std::span<const mesh::Point> positions);
+
 /// The model vertex nearest to the point drawn at this window position; nullopt: no model there.
 std::optional<std::uint32_t> pointed_vertex(const Workspace& workspace, const glm::vec2& at);
 
