@@ -51,7 +51,7 @@ struct Pick {
 std::optional<Pick> pick_element(const Document& document, ElementKind kind, const Camera& camera,
                                  const Viewport& viewport, const glm::vec2& cursor,
                                  const Sight* sight = nullptr);
-/// Of the selection's kind.
+/// The same for the selection's kind.
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight = nullptr);
 /// True if cage vertices around the cursor are too dense to click between them.
