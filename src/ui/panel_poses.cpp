@@ -46,7 +46,7 @@ void draw_shape(const Context& ui, ImVec2 corner, const scene::PictureShape& sha
     list.AddConvexPolyFilled(points.data(), count, color);
   } else {
     list.PrimReserve(static_cast<int>(3 * shape.triangles.size()), count);
-    for (const mesh::Triangle& t : shape.triangles)
+    for (const auto& t : shape.triangles)
       for (const auto i : t) list.PrimWriteIdx(static_cast<ImDrawIdx>(list._VtxCurrentIdx + i));
     for (const ImVec2& p : points) list.PrimWriteVtx(p, ImGui::GetFontTexUvWhitePixel(), color);
   }
