@@ -25,9 +25,8 @@ struct Gripped {
   Side side = Side::own;
 };
 
-/// The vertices of the soft selection, including the selected ones, ascending, on their own side. `positions`
-/// of the cage in its pose; `radius` in the file's units. Distances along edges are shortest paths. O(n log
-/// n).
+/// The vertices of the soft selection with the selected ones, ascending, on their own side. `positions` of
+/// the cage in its pose; `radius` in the file's units. Distances along edges are shortest paths. O(n log n).
 std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
                               std::span<const std::uint32_t> selected, const SoftSelection& soft,
                               double radius);
