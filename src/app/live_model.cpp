@@ -108,7 +108,7 @@ void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
 void LiveModel::start_binding(const scene::Document& document) {
   bind_for({scheme_of(document), document.method, same_path_}, document.model.surface, cage_of(document),
            bound_,
-           document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
+           document.has_cage() ? scene::binding_plan(document, document.scheme.weighting)
                                : "Preparing the model for probes");
 }
 

@@ -29,8 +29,6 @@ Loaded load(const scene::OpenRequest& request, const scene::Document& current, b
     loaded.opened = scene::open_files(request, current, &progress);
   } catch (const scene::SessionFileError& error) {
     loaded.question = scene::ask_to_locate(error.key, error.problem());
-  } catch (const scene::FinError& error) {
-    loaded.question = scene::ask_to_remove_fins(error.place() + ": " + error.problem());
   }
   if (loaded.question) return loaded.request = request, loaded;
   const scene::Opened& opened = loaded.opened;
@@ -42,7 +40,7 @@ Loaded load(const scene::OpenRequest& request, const scene::Document& current, b
     loaded.shading = shading_of(document.model.surface, document.model.attributes.get());
   }
   if (!document.has_cage()) return loaded;
-  progress.step(scene::text(scene::binding_plan(document, document.scheme.weighting)));
+  progress.step(scene::binding_plan(document, document.scheme.weighting));
   loaded.bound =
       app::bind(document.model.surface, document.cage, document.scheme, document.method, {}, progress);
   return loaded;

@@ -14,6 +14,7 @@
 
 #include "deform/scheme.h"
 #include "mesh/formats/text_writer.h"
+#include "scene/document/document.h"
 #include "scene/files/output.h"
 #include "sym3/exp.h"
 

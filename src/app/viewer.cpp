@@ -14,7 +14,6 @@
 #include "base/error.h"
 #include "render/view.h"
 #include "scene/document/cage_editing.h"
-#include "scene/workspace/check_view.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/split.h"

@@ -8,7 +8,6 @@
 #include "scene/hand/gizmo.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/transform.h"
-#include "scene/workspace/pivot_place.h"
 #include "scene/workspace/pointer.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

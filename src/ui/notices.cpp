@@ -7,6 +7,7 @@
 
 #include "scene/files/recovery.h"
 #include "scene/workspace/command.h"
+#include "scene/workspace/workspace.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "scene/document/cage_making.h"
-#include "scene/workspace/check_view.h"
-#include "ui/choice_picture.h"
+#include "scene/workspace/workspace.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "scene/document/elements.h"
-#include "scene/workspace/check_view.h"
+#include "scene/workspace/workspace.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -9,7 +9,7 @@
 #include "scene/document/edit.h"
 #include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -27,14 +27,12 @@ std::string consequences(const scene::Workspace& w, const scene::Scheme& next, s
   const scene::Scheme& now = w.document.scheme;
   std::string text;
   const auto say = [&](const char* what, std::string_view before, std::string_view after) {
-    if (before != after && after != chosen)
-      text += (text.empty() ? "" : "\n") + std::string(what) + ": " + std::string(after);
+    if (before != after && after != chosen) text += '\n' + std::string(what) + ": " + std::string(after);
   };
   say("Weights", entry(now.weighting.weights).label, entry(next.weighting.weights).label);
   say("Blend", entry(now.blend).label, entry(next.blend).label);
   if (w.document.has_cage() && now.weighting != next.weighting)
-    text += (text.empty() ? "" : "\n") + scene::text(scene::binding_plan(w.document, next.weighting)) +
-            " of memory.";
+    text += '\n' + scene::binding_plan(w.document, next.weighting) + " of memory.";
   return text;
 }
 
@@ -48,7 +46,7 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
   const scene::Scheme next = scene::chosen(choice.value, w.document.scheme);
-  choice_hint(ui, choice.value, consequences(w, next, choice.label));
+  hint(std::string(choice.sentence) + consequences(w, next, choice.label));
 }
 
 // A drop-down list of a table; without a label it fills the line.
@@ -62,7 +60,7 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   const bool open = ImGui::BeginCombo(id.c_str(), shown, ImGuiComboFlags_HeightLarge);
   record(ui, name);
   if (!open && !chosen) return hint("Weights and blend chosen separately; see Custom deformer in Analysis.");
-  if (!open) return choice_hint(ui, *chosen);
+  if (!open) return hint(std::string(entry(*chosen).sentence));
   for (const Entry& e : table) choice(ui, e, e.value == chosen);
   ImGui::EndCombo();
 }

@@ -6,7 +6,7 @@
 
 #include "scene/document/brush.h"
 #include "scene/workspace/split.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

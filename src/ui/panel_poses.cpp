@@ -7,9 +7,9 @@
 #include "scene/document/pose_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"
-#include "scene/workspace/time_commands.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
+#include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -30,12 +30,43 @@ struct PoseWish {
   std::optional<std::pair<std::size_t, std::size_t>> moved;
 };
 
+ImU32 darkened(ImU32 color, float tone) {
+  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
+  return ImGui::ColorConvertFloat4ToU32({tone * c.x, tone * c.y, tone * c.z, c.w});
+}
+
+// Relative to a corner of the current window.
+void draw_shape(const Context& ui, ImVec2 corner, const scene::PictureShape& shape) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  std::vector<ImVec2> points;
+  for (const glm::vec2& p : shape.points) points.push_back({corner.x + p.x, corner.y + p.y});
+  const auto count = static_cast<int>(points.size());
+  const ImU32 color = darkened(ui.colors.model, shape.tone);
+  if (shape.triangles.empty()) {
+    list.AddConvexPolyFilled(points.data(), count, color);
+  } else {
+    list.PrimReserve(static_cast<int>(3 * shape.triangles.size()), count);
+    for (const auto& t : shape.triangles)
+      for (const auto i : t) list.PrimWriteIdx(static_cast<ImDrawIdx>(list._VtxCurrentIdx + i));
+    for (const ImVec2& p : points) list.PrimWriteVtx(p, ImGui::GetFontTexUvWhitePixel(), color);
+  }
+  if (shape.ink == scene::Ink::lit) return;
+  const ImU32 edge = faded(darkened(ui.colors.model, 0.5f), 0.45f);
+  list.AddPolyline(points.data(), count, edge, ImDrawFlags_Closed, 1);
+}
+
 void draw_pose(const Context& ui, const scene::NamedPose& named, ImVec2 low, bool chosen, bool hovered) {
   scene::Workspace& w = ui.workspace;
   const ImVec2 high{low.x + pose_picture_size.x, low.y + pose_picture_size.y};
-  draw_picture(ui, w.pose_pictures.of(w.document, named.pose, w.camera.pose().up), low, high,
-               hovered ? ui.colors.card_hover : ui.colors.card, 4);
-  if (chosen) ImGui::GetWindowDrawList()->AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, high, hovered ? ui.colors.card_hover : ui.colors.card, 4);
+  list.PushClipRect(low, high, true);
+  list._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;
+  for (const auto& shape : w.pose_pictures.of(w.document, named.pose, w.camera.pose().up))
+    draw_shape(ui, low, shape);
+  list._FringeScale = 1;
+  list.PopClipRect();
+  if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
 }
 
 // Dropped rows are inserted above the row below the pointer, or at the end.
@@ -65,21 +96,19 @@ void picture(const Context& ui, std::size_t row, const scene::NamedPose& named, 
   draw_pose(ui, named, low, ui.workspace.chosen_pose == row, hovered);
 }
 
-void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, double shown, PoseWish& wish) {
+void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   const std::string id = "pose_weight/" + std::to_string(row);
   const double percent = 1e-6 * std::round(1e8 * shown);
   auto slid = static_cast<float>(percent);
   ImGui::SetNextItemWidth(-percent_width - ImGui::GetStyle().ItemInnerSpacing.x);
-  const std::string moves = named.part.empty() ? "" : count(named.part.size()) + " vertices";
   constexpr double least = 100 * scene::PoseLibrary::least_weight,
                    most = 100 * scene::PoseLibrary::largest_weight;
   const Slid done = slider(ui, id, percent, least, most, [&] {
-    return ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, moves.c_str(), ImGuiSliderFlags_NoInput);
+    return ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, "", ImGuiSliderFlags_NoInput);
   });
   if (done.moved) wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
   if (done.typed) wish.weight = std::pair(row, 0.01 * *done.typed);
-  const std::string part = named.part.empty() ? "" : " It affects only " + moves + ".";
-  hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate." + part);
+  hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate.");
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   if (const auto typed =
           number_field(ui, id + "/typed", percent, percent_width, "Weight in percent, from -200 to 300."))
@@ -98,7 +127,7 @@ void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
   if (const auto name =
           name_field(ui, "pose_name/" + id, named.name, width, "Name of the pose. Type to rename it."))
     wish.name = std::pair(index, *name);
-  weight(ui, index, named, shown, wish);
+  weight(ui, index, shown, wish);
   ImGui::PopStyleVar(2);
   ImGui::EndGroup();
 }
@@ -108,8 +137,7 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
   if (wish.weight) {
     const auto [pose, weight] = *wish.weight;
     scene::change_mix(w, [&] {
-      return scene::set_weight(w.document, w.playback.vectors, pose, weight, w.handling.mix_selected,
-                               scene::shown_weights(w));
+      return scene::set_weight(w.document, w.playback.vectors, pose, weight, scene::shown_weights(w));
     });
   }
   if (wish.name) scene::rename_pose(w.document, wish.name->first, wish.name->second);

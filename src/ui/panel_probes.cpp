@@ -4,7 +4,7 @@
 #include "scene/document/probes.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/workspace/command_conditions.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

@@ -8,7 +8,7 @@
 #include "scene/hand/placing.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/pointer.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -165,8 +165,8 @@ void panel_transform(const Context& ui) {
   if (!ui.workspace.document.has_cage()) return;
   mirror_row(ui);
   soft_rows(ui);
-  command_row(ui, {"bend", "twist", "taper", "push"});
-  command_row(ui, {"smooth", "relax", "flatten"});
+  command_row(ui, {"bend", "twist", "taper"});
+  command_row(ui, {"smooth", "relax"});
 }
 
 // In the Cage panel: element kind, tool, and number fields.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "scene/workspace/playing.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

@@ -11,7 +11,7 @@
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"
-#include "ui/choice_picture.h"
+#include "ui/choice_list.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
@@ -195,7 +195,7 @@ void way_choice(const Context& ui) {
 
 void rate_field(const Context& ui) {
   scene::Document& document = ui.workspace.document;
-  scene::Play play = scene::play_of(document.timeline);
+  scene::Playing play = document.timeline;
   const auto rate =
       number_field(ui, "time/rate", play.rate, 40, "Playback rate in frames per second, 1 to 240.");
   ImGui::SameLine(0, 4);
@@ -219,7 +219,7 @@ void easing_choice(const Context& ui) {
 
 void range(const Context& ui, float right) {
   scene::Document& document = ui.workspace.document;
-  scene::Play play = scene::play_of(document.timeline);
+  scene::Playing play = document.timeline;
   if (const auto first =
           frame_field(ui, "From", "time/first", play.first, 52, "First frame of the playback range."))
     play.first = *first, play.last = std::max(play.last, *first + 1);

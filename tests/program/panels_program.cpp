@@ -3,7 +3,6 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
 #include "scene/files/open.h"
-#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
 
@@ -178,49 +177,5 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     d.click("put_off_leftovers");
     d.frame(3);
     CHECK(w.viewport.origin.y == scene::PanelLayout::menu_height);
-  }
-}
-
-namespace {
-
-bool within(const ui::WidgetRect& rect, glm::vec2 window) {
-  return rect.x0 >= 0 && rect.y0 >= 0 && rect.x1 <= window.x && rect.y1 <= window.y;
-}
-
-// With its list open, over each entry.
-template <class Entry>
-void visit_chooser(Driver& d, const char* chooser, std::span<const Entry> table) {
-  const glm::vec2 window = d.workspace().viewport.window;
-  d.move(d.place_of(chooser));
-  d.frame(2);
-  REQUIRE(d.viewer().recorder().find("choice_picture"));
-  d.click(chooser);
-  d.frame(2);
-  for (const Entry& e : table) {
-    const std::string name = scene::choice_command_name(e.value);
-    CAPTURE(name);
-    d.move(d.place_of(name));
-    d.frame(3);
-    const auto picture = d.viewer().recorder().find("choice_picture");
-    REQUIRE(picture);
-    CHECK(within(*picture, window));
-    CHECK_FALSE(overlap(*picture, *d.viewer().recorder().find(name)));
-  }
-  d.click(glm::vec2(window.x - 20, 20));  // closes it
-  d.frame(2);
-}
-
-}  // namespace
-
-TEST_CASE("each_entry_of_a_chooser_shows_its_picture_beside_the_list") {
-  for (const float scale : {1.0f, 2.0f}) {
-    auto options = Driver::default_options();
-    options.size = {640, 1000};
-    options.scale = scale;
-    Driver d(options);
-    d.open_dragon();
-    visit_chooser(d, "way", scene::all_ways());
-    visit_chooser(d, "weights", scene::all_weights());
-    visit_chooser(d, "blend", scene::all_blends());
   }
 }

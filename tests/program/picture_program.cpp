@@ -272,16 +272,6 @@ void show_browser(Driver& d) {
   put_numbers(d);
 }
 
-void show_ways(Driver& d) {
-  d.frame(3);
-  for (const char* title : {"Model", "Cage"}) d.click(std::string("section/") + title);
-  put_numbers(d);
-  d.click("way");
-  d.frame(2);
-  d.move(d.place_of("way_arap"));
-  d.frame(3);
-}
-
 void show_cage_offer(Driver& d) {
   REQUIRE(d.open({test::bundled_dragon}));
   put_numbers(d);
@@ -306,7 +296,6 @@ const Picture texts[] = {
     {"checks_light", show_checks, {640, 640}, true, false, false},
     {"keys", show_keys, {1400, 800}, true, false, true, 1, of_text},
     {"browser", show_browser, {960, 520}, true, false, true, 1, of_text},
-    {"choice_way", show_ways, {640, 480}, true},
     {"cage_offer", show_cage_offer, {860, 520}, true},
     {"cage_making", show_making, {860, 560}, true},
 };

@@ -3,12 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "base/worker_pool.h"
-#include "deform/bind.h"
-#include "deform/binding.h"
-#include "deform/deformer.h"
 #include "scene/document/pose_edit.h"
 #include "scene/posed_cube.h"
 
@@ -46,18 +42,11 @@ TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
   for (double share = 0; share <= 1; share += 0.05)
     CHECK(distance(even.at(1 + 10 * share).cage.positions, turned_cube(180 * share).positions) < 1e-12);
   // Linear blending collapses it.
-  const auto middle = even.at(6, true).cage.positions;
-  for (const auto& p : middle) CHECK(std::hypot(p[0], p[1]) < 1e-12);
-}
-
-TEST_CASE("540_degrees_from_key_to_key_are_three_half_turns") {
-  Keyed k;
-  const Animation a = k.animation(two_keys(turned_cube(0), turned_cube(540)));
-  for (double degrees = 0; degrees <= 540; degrees += 45) {
-    const WholePose pose = a.at(1 + degrees / 54);
-    CHECK(distance(pose.cage.positions, turned_cube(degrees).positions) < 1e-12);
-    CHECK(pose.cage.turns[0][2] == doctest::Approx(degrees / 180 * std::numbers::pi));
-  }
+  Timeline straight = two_keys(turned_cube(0), turned_cube(180));
+  straight.straight = true;
+  for (const auto& middle : {even.at(6, true), k.animation(straight).at(6)})
+    for (const auto& p : middle.cage.positions) CHECK(std::hypot(p[0], p[1]) < 1e-12);
+  CHECK(k.animation(straight).at(6, false) == even.at(6));
 }
 
 TEST_CASE("a_sheared_cage_with_a_whole_turn_from_key_to_key_goes_round") {
@@ -102,56 +91,6 @@ TEST_CASE("the_frame_of_a_key_is_its_pose_to_the_bit_in_either_way") {
   }
   CHECK(a.at(-100) == *t.keys.front().pose);
   CHECK(a.at(100) == *t.keys.back().pose);
-}
-
-TEST_CASE("a_chain_of_keys_moves_the_model_as_the_same_poses_applied_by_hand_to_the_bit") {
-  Document document = test::cube_document();
-  const std::vector<deform::Pose> poses = {turned_cube(70), turned_cube(250), turned_cube(400),
-                                           stretched_cube(2, 0.5), turned_cube(-30)};
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    set_pose(document, poses[i]);
-    keep_pose(document, "pose");
-    set_key(document, static_cast<int>(1 + 12 * i));
-  }
-  VectorCache vectors;
-  vectors.follow(document.cage);
-  const Animation animation(document.timeline, vectors);
-  base::WorkerPool pool(1);
-  const auto binding = std::make_shared<const deform::Binding>(
-      deform::bind(*document.model.surface, *document.cage, document.scheme.weighting, pool));
-  deform::Deformer deformer(document.cage, binding, document.scheme, pool);
-  const auto deformed = [&](const deform::Pose& pose) {
-    deformer.deform(pose, sym3::Method::fast);
-    std::vector<mesh::Point> positions;
-    for (const auto& v : deformer.vertices())
-      positions.push_back({v.position[0], v.position[1], v.position[2]});
-    return positions;
-  };
-  std::vector<std::vector<mesh::Point>> by_hand;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    apply_pose(document, i);
-    by_hand.push_back(deformed(document.pose));
-  }
-  for (std::size_t i = 0; i < poses.size(); ++i)
-    CHECK(deformed(animation.at(static_cast<double>(1 + 12 * i)).cage) == by_hand[i]);
-}
-
-TEST_CASE("any_order_of_seeking_gives_the_same_bits") {
-  Keyed k;
-  const Animation a = k.animation(test::three_keys());
-  std::vector<double> frames;
-  for (double frame = 0; frame <= 32; frame += 0.37) frames.push_back(frame);
-  std::vector<WholePose> in_order;
-  for (const double frame : frames) in_order.push_back(a.at(frame));
-  std::vector<std::size_t> order(frames.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::shuffle(order, std::mt19937(1));
-  Keyed other;
-  const Animation b = other.animation(test::three_keys());
-  for (const auto i : order) {
-    CHECK(a.at(frames[i]) == in_order[i]);
-    CHECK(b.at(frames[i]) == in_order[i]);
-  }
 }
 
 namespace {
@@ -243,30 +182,6 @@ TEST_CASE("shapes_move_beside_the_cage_and_are_taken_once") {
   CHECK(k.vectors.of(last.shape, nullptr, pool, report) != known);
   const auto wrong = std::make_shared<const std::vector<mesh::Point>>(5);
   CHECK_THROWS(k.vectors.of(wrong, nullptr, pool, report));
-}
-
-TEST_CASE("a_straight_timeline_goes_straight_and_keeps_its_keys") {
-  Keyed k;
-  Timeline t = two_keys(turned_cube(0), turned_cube(180));
-  t.straight = true;
-  const Animation a = k.animation(t);
-  const auto from = turned_cube(0).positions, to = turned_cube(180).positions;
-  for (const double share : {0.1, 0.5, 0.8}) {
-    std::vector<mesh::Point> expected;
-    for (std::size_t v = 0; v < from.size(); ++v) {
-      expected.push_back((1 - share) * from[v] + share * to[v]);
-    }
-    CHECK(distance(a.at(1 + 10 * share).cage.positions, expected) < 1e-15);
-    CHECK(distance(a.at(1 + 10 * share, false).cage.positions, turned_cube(180 * share).positions) < 1e-12);
-  }
-}
-
-TEST_CASE("a_key_that_holds_stays_to_the_bit_until_the_next_one") {
-  Keyed k;
-  Timeline t = test::three_keys();
-  t.keys[1].easing = Easing::hold;
-  const Animation a = k.animation(t);
-  for (double frame = 11; frame < 31; frame += 1.9) CHECK(a.at(frame) == *t.keys[1].pose);
 }
 
 TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {

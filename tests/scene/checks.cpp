@@ -8,7 +8,7 @@
 #include "deform/cage_state.h"
 #include "mesh/triangulation.h"
 #include "scene/cube.h"
-#include "scene/workspace/check_view.h"
+#include "scene/workspace/workspace.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -108,15 +108,6 @@ TEST_CASE("a_turned_face_names_its_edges_and_puts_nothing_outside") {
   CHECK(found[0].edges.size() == 3);
 }
 
-TEST_CASE("an_inside_out_cage_is_reported_as_information") {
-  auto s = test::cube(1.5);
-  for (auto& t : s.triangles) std::swap(t[0], t[1]);
-  const auto found = check_in(with_triangles(s, s.triangles));
-  check_only(found, Defect::inside_out, Subject::cage, ElementKind::face);
-  CHECK(found[0].size() == 12);
-  CHECK(!matters(found[0]));
-}
-
 TEST_CASE("a_face_without_area_and_a_thin_one_are_named") {
   // A vertex on an edge of the cube, or close to it, in its own faces.
   for (const double beside : {0.0, 1e-6}) {
@@ -133,24 +124,40 @@ TEST_CASE("a_face_without_area_and_a_thin_one_are_named") {
   }
 }
 
-TEST_CASE("vertices_at_one_place_are_named_and_do_not_open_the_cage") {
-  auto s = test::cube(1.5);
-  auto triangles = s.triangles;
-  s.positions.push_back(s.positions[3]);
-  triangles[1][2] = 8;
-  const auto found = check_in(with_triangles(s, triangles));
-  check_only(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex);
-  CHECK(found[0].elements == List{8});
-  CHECK(title(found[0]) == "1 duplicate vertex");
-}
-
-TEST_CASE("an_unused_vertex_is_reported_as_information") {
-  auto s = test::cube(1.5);
-  s.positions.push_back({0, 5, 0});
-  const auto found = check_in(s);
-  check_only(found, Defect::unused_vertex, Subject::cage, ElementKind::vertex);
-  CHECK(found[0].elements == List{8});
-  CHECK(!matters(found[0]));
+TEST_CASE("each_defect_is_named_with_its_elements_and_its_weight") {
+  const mesh::Surface whole = test::cube(1.5);
+  mesh::Surface inside_out = whole, doubled = whole, unused = whole, model = test::cube(1);
+  for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
+  inside_out = with_triangles(whole, inside_out.triangles);
+  doubled.positions.push_back(doubled.positions[3]);
+  doubled.triangles[1][2] = 8;
+  doubled = with_triangles(doubled, doubled.triangles);
+  unused.positions.push_back({0, 5, 0});
+  model.positions[2] = {-1, 1.75, -1};
+  model.positions[5] = {4, 4, 4};
+  const struct {
+    std::vector<Finding> found;
+    Defect defect;
+    Subject subject;
+    ElementKind kind;
+    List elements;
+    bool matters;
+  } cases[] = {
+      {check_in(inside_out),
+       Defect::inside_out,
+       Subject::cage,
+       ElementKind::face,
+       {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
+       false},
+      {check_in(doubled), Defect::doubled_vertex, Subject::cage, ElementKind::vertex, {8}, true},
+      {check_in(unused), Defect::unused_vertex, Subject::cage, ElementKind::vertex, {8}, false},
+      {check_in(whole, model), Defect::vertices_outside, Subject::model, ElementKind::vertex, {2, 5}, true}};
+  for (const auto& c : cases) {
+    check_only(c.found, c.defect, c.subject, c.kind);
+    CHECK(c.found[0].elements == c.elements);
+    CHECK(matters(c.found[0]) == c.matters);
+  }
+  CHECK(title(cases[1].found[0]) == "1 duplicate vertex");
 }
 
 TEST_CASE("a_cage_that_cuts_itself_names_the_faces") {
@@ -160,38 +167,6 @@ TEST_CASE("a_cage_that_cuts_itself_names_the_faces") {
   REQUIRE(!found.empty());
   CHECK(found[0].defect == Defect::self_intersection);
   CHECK(found[0].size() >= 4);
-}
-
-TEST_CASE("model_vertices_outside_the_cage_are_named") {
-  auto model = test::cube(1);
-  model.positions[2] = {-1, 1.75, -1};
-  model.positions[5] = {4, 4, 4};
-  const auto found = check_in(test::cube(1.5), model);
-  check_only(found, Defect::vertices_outside, Subject::model, ElementKind::vertex);
-  CHECK(found[0].elements == List{2, 5});
-  CHECK(matters(found[0]));
-}
-
-TEST_CASE("a_cage_that_fits_when_rotated_is_reported_as_such") {
-  mesh::Surface model = test::cube(1);
-  for (auto& p : model.positions) p = {p[0], 2 * p[1], 4 * p[2]};
-  mesh::Surface larger = model, turned = model, elsewhere = model;
-  for (auto& p : larger.positions) p = 1.1 * p;
-  for (auto& p : turned.positions) p = {1.1 * p[2], 1.1 * p[0], 1.1 * p[1]};
-  for (auto& p : elsewhere.positions) p[0] += 10;
-  const OpenedSurface opened_model = generated_surface(model, "model");
-  const auto outside = [&](const mesh::Surface& cage) -> std::optional<Finding> {
-    CheckState checks;
-    take_findings(checks, check(opened_model, generated_surface(cage, "cage")));
-    const auto at = outside_finding(checks);
-    return at ? std::optional(checks.findings[*at]) : std::nullopt;
-  };
-  CHECK_FALSE(outside(larger));
-  REQUIRE(outside(turned));
-  CHECK(outside(turned)->turned);
-  CHECK(meaning(*outside(turned)).ends_with("Rotated, the cage fits clearly better."));
-  REQUIRE(outside(elsewhere));
-  CHECK_FALSE(outside(elsewhere)->turned);
 }
 
 TEST_CASE("faces_are_polygons_and_not_their_triangles") {
@@ -243,25 +218,17 @@ TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
   CHECK(!w.checks.shown);
 }
 
-TEST_CASE("a_mirrored_cage_is_reported_as_mirrored") {
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto said = notes(cage_of(1), 8, [&](mesh::Point& p) { p[axis] = -2 * p[axis]; });
-    REQUIRE(said.size() == 1);
-    CHECK_MESSAGE(holds(said[0], "The cage is mirrored in this pose"), said[0]);
-  }
-  const auto through_a_point = notes(cage_of(1), 8, [](mesh::Point& p) { p = {-p[0], -p[1], -p[2]}; });
-  REQUIRE(through_a_point.size() == 1);
-  CHECK(holds(through_a_point[0], "mirrored"));
-}
-
-TEST_CASE("a_cage_that_is_turned_stretched_or_bent_is_no_mirror_image") {
+TEST_CASE("mirrored_cages_and_parts_are_reported_and_turned_stretched_or_torn_ones_are_not") {
+  const auto is_mirrored = [](auto map) {
+    const auto said = notes(cage_of(1), 8, map);
+    return said.size() == 1 && holds(said[0], "The cage is mirrored in this pose");
+  };
+  for (int axis = 0; axis < 3; ++axis) CHECK(is_mirrored([&](mesh::Point& p) { p[axis] = -2 * p[axis]; }));
+  CHECK(is_mirrored([](mesh::Point& p) { p = {-p[0], -p[1], -p[2]}; }));
   CHECK(notes(cage_of(1), 8, [](mesh::Point& p) { p = {-p[0], -p[1], p[2]}; }).empty());
   CHECK(notes(cage_of(1), 8, [](mesh::Point& p) { p[0] *= 30; }).empty());
   const auto torn = notes(cage_of(1), 4, [](mesh::Point& p) { p = {-p[0], -p[1], p[2]}; });
   for (const auto& note : torn) CHECK_FALSE(holds(note, "mirror"));
-}
-
-TEST_CASE("mirrored_parts_are_counted") {
   const auto said = notes(cage_of(2), 8, [](mesh::Point& p) { p[1] = -p[1]; });
   REQUIRE_FALSE(said.empty());
   CHECK_MESSAGE(holds(said[0], "1 of 2 parts of the cage is mirrored"), said[0]);

@@ -78,18 +78,6 @@ TEST_CASE("undo_and_redo_name_their_step_and_any_edit_of_the_history_can_be_gone
   }
 }
 
-TEST_CASE("reset_pose_can_be_undone") {
-  Workspace w = test::cube_workspace();
-  w.document.pose.positions[3][1] += 0.25;
-  const auto posed = w.document.pose.positions;
-  CHECK(test::run_command(w, "reset_pose"));
-  CHECK_FALSE(differs_from_rest(w.document));
-  CHECK(test::run_command(w, "undo"));
-  CHECK(w.document.pose.positions == posed);
-  CHECK(test::run_command(w, "redo"));
-  CHECK_FALSE(differs_from_rest(w.document));
-}
-
 TEST_CASE("methods_switch_without_touching_history_pose_or_weights") {
   Workspace w = test::cube_workspace();
   const Revisions before = w.document.revisions();
@@ -172,14 +160,6 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK(w.document.scheme.holding.radius == 0.1);
 }
 
-TEST_CASE("a_failed_stitching_leaves_no_history_entry") {
-  Workspace w = test::cube_workspace();
-  test::run_command(w, "toggle_stitched");
-  revert_scheme(w.document, deform::Scheme());
-  CHECK(w.document.scheme == deform::Scheme());
-  CHECK_FALSE(w.document.history.can_undo());
-}
-
 TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   Workspace w = test::cube_workspace();
   test::run_command(w, "reset_pose");
@@ -194,13 +174,6 @@ TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   revert_scheme(w.document, deform::Scheme());  // keeps later settings
   CHECK(test::edit_count(w.document.history) == edits + 2);
   CHECK(w.document.scheme == deform::Scheme());
-}
-
-TEST_CASE("shortcuts_read_as_on_the_keyboard") {
-  CHECK(text(find_command("redo")->shortcut) == "Ctrl+Shift+Z");
-  CHECK(text(find_command("frame_all")->shortcut) == "Shift+F");
-  CHECK(text(find_command("view_home")->shortcut) == "Home");
-  CHECK(text(find_command("frame_selection")->shortcut) == "F");
 }
 
 TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
@@ -219,21 +192,6 @@ TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
     CHECK(test::run_command(w, "select_none"));
     w.interaction.hovered.reset();
   }
-}
-
-TEST_CASE("tools_and_the_camera_are_switched_by_commands") {
-  Workspace w;
-  for (const auto& [name, tool] : {std::pair{"tool_rotate", Tool::rotate},
-                                   {"tool_scale", Tool::scale},
-                                   {"tool_select", Tool::select},
-                                   {"tool_move", Tool::move}}) {
-    CHECK(test::run_command(w, name));
-    CHECK(w.tool == tool);
-  }
-  CHECK(test::run_command(w, "toggle_orthographic"));
-  CHECK(w.camera.pose().orthographic);
-  CHECK(test::run_command(w, "toggle_orthographic"));
-  CHECK_FALSE(w.camera.pose().orthographic);
 }
 
 TEST_CASE("a_command_that_cannot_run_says_what_to_do_first") {
@@ -291,10 +249,6 @@ TEST_CASE("a_few_letters_find_a_command_and_the_best_comes_first") {
   CHECK(find_commands(w, "frsl").front()->name == "frame_selection");
   CHECK(find_commands(w, "sel inv").front()->name == "invert_selection");
   CHECK(find_commands(w, "no such thing at all").empty());
-}
-
-TEST_CASE("an_empty_search_lists_all_except_transient_commands") {
-  const Workspace w;
   const auto all = find_commands(w, "");
   CHECK(all.size() > 80);
   for (const Command* command : all) CHECK_FALSE(command->passing);

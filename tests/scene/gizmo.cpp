@@ -134,24 +134,20 @@ TEST_CASE("turns_show_the_sector_they_sweep_and_count_whole_turns") {
   CHECK(glm::distance(many.circle.front(), many.circle.back()) < 0.01f);
 }
 
-TEST_CASE("the_widget_is_at_the_top_right_of_the_free_part_of_the_window") {
-  const auto widget = *axis_widget(Camera(), viete::test::viewport);
+TEST_CASE("the_widget_is_at_the_top_right_and_its_balls_point_where_the_axes_do") {
+  Camera camera;
+  camera.set_pose({{0, 0, 0}, 4, 0, 0, false});
+  const auto widget = *axis_widget(camera, viete::test::viewport);
   CHECK(widget.center.x > 900);
   CHECK(widget.center.y < 100);
   CHECK(widget.contains(widget.center));
   CHECK_FALSE(widget.contains({600, 400}));
-  CHECK_FALSE(axis_widget(Camera(), {{400, 100}, {320, 0}, {80, 74}}));
-}
-
-TEST_CASE("balls_point_where_their_axes_do_on_screen") {
-  Camera camera;
-  camera.set_pose({{0, 0, 0}, 4, 0, 0, false});
-  const auto widget = *axis_widget(camera, viete::test::viewport);
   CHECK(ball(widget, 0, true).at.x > widget.center.x + 20);
   CHECK(ball(widget, 1, true).at.y < widget.center.y - 20);
   CHECK(ball(widget, 2, true).nearness == doctest::Approx(1));
   CHECK(ball(widget, 2, false).nearness == doctest::Approx(-1));
   CHECK(widget.ball(widget.center)->positive);  // the nearest one
+  CHECK_FALSE(axis_widget(camera, {{400, 100}, {320, 0}, {80, 74}}));
 }
 
 TEST_CASE("each_ball_looks_from_its_own_side_and_once_more_from_the_other") {

@@ -81,27 +81,15 @@ TEST_CASE("a_preset_key_has_its_original_function_or_none") {
       {KeyPreset::blender, "Ctrl+R", {}},  // loop cut
       {KeyPreset::blender, "T", {"toggle_tools"}},
       {KeyPreset::blender, "N", {"toggle_methods"}},
-      {KeyPreset::blender, "K", {}},  // knife
-      {KeyPreset::blender, "U", {}},
       {KeyPreset::blender, "P", {}},
       {KeyPreset::blender, "Ctrl+B", {}},  // bevel
-      {KeyPreset::blender, "Ctrl+E", {}},
-      {KeyPreset::blender, "Ctrl+P", {}},
-      {KeyPreset::blender, "Shift+1", {}},
       {KeyPreset::blender, "Shift+H", {"hide_others"}},
-      {KeyPreset::blender, "Shift+R", {}},
       {KeyPreset::blender, "F11", {}},
       {KeyPreset::maya, "F9", {"select_vertices"}},
       {KeyPreset::maya, "F10", {"select_edges"}},
       {KeyPreset::maya, "F11", {"select_faces"}},
-      {KeyPreset::maya, "F12", {}},
-      {KeyPreset::maya, "Ctrl+R", {}},
       {KeyPreset::maya, "Ctrl+E", {"extrude_faces"}},
-      {KeyPreset::maya, "T", {}},
       {KeyPreset::maya, "X", {}},  // snap to grid
-      {KeyPreset::maya, "C", {}},
-      {KeyPreset::maya, "P", {}},
-      {KeyPreset::maya, "K", {}},
       {KeyPreset::maya, "1", {}},
       {KeyPreset::viete, "Ctrl+R", {"reset_pose"}},
       {KeyPreset::viete, "T", {"toggle_theme"}},

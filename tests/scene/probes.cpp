@@ -141,8 +141,17 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   p.add({1, 0, 0});
   p.add({0, 1, 0});
   p.select({0});
+  p.w.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
+  frame_all(p.w, false);
+  p.probe().pose.move = {0, 0.3, 0};
+  CHECK(gizmo_of(p.w));
+  CHECK(differs_from_rest(p.document()));
   CHECK(test::run_command(p.w, "toggle_locked"));
   CHECK(p.probe().locked);
+  CHECK_FALSE(gizmo_of(p.w));
+  CHECK_FALSE(differs_from_rest(p.document()));
+  reset_pose(p.document());
+  CHECK(p.probe().pose.move == mesh::Point{0, 0.3, 0});
   p.select({0, 1});
   const Probe locked = p.probe();
   Transform t;
@@ -220,24 +229,6 @@ TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_e
   for (int i = 0; i < 3; ++i) undo(p.document());
   CHECK(p.probe(0).turn.radius == 0.3);
   CHECK(p.probe(1).turn.radius == 0.3);
-}
-
-TEST_CASE("locked_probes_have_no_gizmo_and_stay_when_all_is_reset") {
-  Probed p;
-  p.w.viewport = {{1000, 800}, {0, 0}, {1000, 800}};
-  p.w.tool = Tool::move;
-  frame_all(p.w, false);
-  p.add({1, 0, 0});
-  p.probe().pose.move = {0, 0.3, 0};
-  CHECK(gizmo_of(p.w));
-  CHECK(differs_from_rest(p.document()));
-  set_locked(p.document(), true);
-  CHECK_FALSE(gizmo_of(p.w));
-  CHECK_FALSE(differs_from_rest(p.document()));
-  reset_pose(p.document());
-  CHECK(p.probe().pose.move == mesh::Point{0, 0.3, 0});
-  CHECK_FALSE(test::run_command(p.w, "remove_probe"));
-  CHECK_FALSE(test::run_command(p.w, "replace_probe"));
 }
 
 TEST_CASE("a_model_of_one_point_can_have_probes") {

@@ -11,7 +11,6 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/mouse.h"
-#include "scene/workspace/sight_cache.h"
 #include "support/commands.h"
 
 using namespace viete;
@@ -66,7 +65,10 @@ TEST_CASE("over_a_dense_cage_a_drag_draws_a_box_and_tears_nothing_out") {
   CHECK(hand.selected() > before + 8);
   hand.input.shift = false;
   hand.input.ctrl = true;
-  hand.drag(at - 70.0f, at + 70.0f);
+  hand.begin(at - 70.0f, at + 70.0f);
+  REQUIRE(hand.w.interaction.box);
+  CHECK(hand.w.interaction.box->mode == SelectMode::remove);
+  hand.release();
   CHECK(hand.selected() == 0);
   CHECK_FALSE(differs_from_rest(hand.w.document));
 }
@@ -87,18 +89,6 @@ TEST_CASE("over_a_dense_cage_a_selected_vertex_is_dragged_and_from_near_any_is")
   near.w.document.selection.clear();
   near.drag(near.vertex(v), near.vertex(v) + glm::vec2(40, 0));
   CHECK(differs_from_rest(near.w.document));
-}
-
-TEST_CASE("with_shift_or_ctrl_a_drag_on_a_vertex_draws_a_box") {
-  for (const bool shift : {true, false}) {
-    Hand hand(test::cube_workspace());
-    (shift ? hand.input.shift : hand.input.ctrl) = true;
-    hand.begin(hand.vertex(7), {995, 775});
-    REQUIRE(hand.w.interaction.box);
-    CHECK(hand.w.interaction.box->mode == (shift ? SelectMode::add : SelectMode::remove));
-    hand.release();
-    CHECK_FALSE(differs_from_rest(hand.w.document));
-  }
 }
 
 TEST_CASE("an_armed_box_begins_on_a_vertex_and_on_the_gizmo_and_esc_puts_it_away") {
@@ -238,11 +228,4 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   hand.w.camera.set_orthographic(true);
   hand.drag({205, 5}, {995, 775});
   CHECK(hand.selected() == 7);  // the eighth is hidden by the cage
-}
-
-TEST_CASE("an_empty_raster_hides_nothing") {
-  Workspace w;
-  w.viewport = {{100, 80}, {0, 0}, {100, 80}};
-  CHECK(sight_of(w).sees({50, 40, 3}));
-  CHECK(sight_of(w).sees({-50, 400, 3}));
 }

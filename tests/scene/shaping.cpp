@@ -77,28 +77,13 @@ TEST_CASE("a_tapered_bar_is_as_thick_as_asked_for_at_its_end") {
   check_point(shaped(taper, 3, {0, 1, 0}), {0, 1, 0});
 }
 
-TEST_CASE("pushing_a_cube_out_grows_it_and_relaxing_brings_it_back_to_rest") {
+TEST_CASE("smoothing_a_cube_makes_it_smaller_and_relaxing_brings_it_back_to_rest") {
   Document document = test::cube_document();
   const auto rest = document.pose.positions;
-  shape_cube(document, Shape::push, 0.5);
-  for (std::size_t v = 0; v < 8; ++v)
-    CHECK(mesh::norm(document.pose.positions[v]) > mesh::norm(rest[v]) + 0.4);
-  shape_cube(document, Shape::relax, 0.5);
-  for (std::size_t v = 0; v < 8; ++v)
-    CHECK(mesh::norm(document.pose.positions[v]) < mesh::norm(rest[v]) + 0.3);
+  shape_cube(document, Shape::smooth, 0.5);
+  CHECK(mesh::bounds(document.pose.positions).diagonal() < 0.9 * mesh::bounds(rest).diagonal());
   shape_cube(document, Shape::relax, 1);
   for (std::size_t v = 0; v < 8; ++v) check_point(document.pose.positions[v], rest[v]);
-}
-
-TEST_CASE("flattening_in_full_leaves_no_thickness_and_smoothing_makes_it_smaller") {
-  Document document = test::cube_document();
-  for (auto& p : document.pose.positions) p[2] *= 0.25;
-  shape_cube(document, Shape::flatten, 1);
-  for (const auto& p : document.pose.positions) CHECK(std::abs(p[2]) < 1e-9);
-  undo(document);
-  const double before = mesh::bounds(document.pose.positions).diagonal();
-  shape_cube(document, Shape::smooth, 0.5);
-  CHECK(mesh::bounds(document.pose.positions).diagonal() < 0.9 * before);
 }
 
 TEST_CASE("twisting_a_whole_cube_by_two_turns_is_undone_to_the_bit") {
@@ -116,7 +101,7 @@ TEST_CASE("one_vertex_has_no_two_ends") {
   document.selection.select_all(1);
   const Grip grip = test::plain_grip(document);
   CHECK(shaping_of(document, Shape::bend, grip, true, Camera()).shape == Shape::none);
-  CHECK(shaping_of(document, Shape::push, grip, true, Camera()).shape == Shape::push);
+  CHECK(shaping_of(document, Shape::smooth, grip, true, Camera()).shape == Shape::smooth);
 }
 
 TEST_CASE("a_hinge_is_perpendicular_and_nearest_to_the_requested_axis") {

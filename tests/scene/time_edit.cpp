@@ -113,7 +113,7 @@ TEST_CASE("frames_without_keys_are_ignored_and_give_no_edit") {
 
 TEST_CASE("playback_settings_are_clamped_and_changed_in_one_edit") {
   Timed t;
-  set_play(t.document, play_of(t.timeline()));
+  set_play(t.document, t.timeline());
   CHECK(t.edits() == 0);
   set_play(t.document, {5, 2, 1e9, Repeat::ping_pong, true});
   CHECK(t.timeline().first == 5);
@@ -130,19 +130,6 @@ TEST_CASE("playback_settings_are_clamped_and_changed_in_one_edit") {
   CHECK(t.timeline() == Timeline{});
 }
 
-TEST_CASE("a_key_added_to_an_edit_is_undone_with_it") {
-  Timed t;
-  record_edit(t.document, "move");
-  t.document.pose = test::turned_cube(30);
-  add_key_to_edit(t.document, 7);
-  CHECK(t.edits() == 1);
-  CHECK(t.frames() == Frames{7});
-  undo(t.document);
-  CHECK(t.timeline().keys.empty());
-  redo(t.document);
-  CHECK(t.frames() == Frames{7});
-}
-
 TEST_CASE("a_camera_key_takes_the_short_way_from_the_one_before") {
   Timed t;
   set_camera_key(t.document, 1, {.yaw = 3});
@@ -154,16 +141,16 @@ TEST_CASE("a_camera_key_takes_the_short_way_from_the_one_before") {
 }
 
 TEST_CASE("a_turntable_is_one_whole_turn_at_an_even_speed_and_one_edit") {
-  for (const auto& [first, last, turns] : {std::array{1, 60, 1}, {-3, 4, -1}, {10, 11, 1}, {0, 7, 3}}) {
+  for (const auto& [first, last] : {std::array{1, 60}, {-3, 4}, {10, 11}}) {
     Timed t;
     t.timeline().first = first, t.timeline().last = last;
     set_camera_key(t.document, first, {.distance = 77});
     const Timeline before = t.timeline();
     const CameraPose camera{{0, 1, 0}, 5, 2.5f, 0.4f};
-    set_turntable(t.document, camera, turns);
+    set_turntable(t.document, camera);
     for (double share = 0; share <= 1; share += last - first > 1 ? 0.125 : 1) {
       const CameraPose now = *camera_at(t.timeline(), first + share * (last - first));
-      CHECK(now.yaw == doctest::Approx(2.5 + share * turns * 2 * std::numbers::pi).epsilon(1e-6));
+      CHECK(now.yaw == doctest::Approx(2.5 + share * 2 * std::numbers::pi).epsilon(1e-6));
       CHECK(now.distance == doctest::Approx(5));
       CHECK(now.target.y == 1);
     }

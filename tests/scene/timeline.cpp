@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "scene/posed_cube.h"
 
@@ -61,8 +60,7 @@ TEST_CASE("shares_of_keys_sum_to_1_at_any_moment") {
       const Moment moment = moment_at(n.timeline, frame);
       CHECK(total(moment) == doctest::Approx(1).epsilon(1e-14));
       CHECK(moment.shares.size() <= 4);
-      CHECK(moment.from <= moment.to);
-      CHECK(moment.to < n.timeline.keys.size());
+      CHECK(moment.from < n.timeline.keys.size());
     }
   }
 }
@@ -75,7 +73,6 @@ TEST_CASE("a_keys_frame_is_that_key_alone_and_outside_of_all_keys_the_nearest_on
     CHECK(moment.shares[0].key == i);
     CHECK(moment.shares[0].factor == 1);
     CHECK(moment.from == i);
-    CHECK(moment.to == i);
   }
   CHECK(n.at(-1e6) == n.values.front());
   CHECK(n.at(1e6) == n.values.back());
@@ -165,26 +162,6 @@ TEST_CASE("playing_goes_by_seconds_and_ends_loops_or_turns_round") {
   CHECK(*played(t, 30, 2, backward) == doctest::Approx(12));
   CHECK_FALSE(backward);
   CHECK_FALSE(played(t, 12, std::numeric_limits<double>::infinity(), backward));
-}
-
-TEST_CASE("many_small_steps_come_to_where_one_long_step_does") {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> step(0, 0.2);
-  for (const Repeat repeat : {Repeat::loop, Repeat::ping_pong}) {
-    Timeline t;
-    t.last = 13, t.rate = 30, t.repeat = repeat;
-    double frame = 4, seconds = 0;
-    bool backward = false, backward_at_once = false;
-    for (int i = 0; i < 300; ++i) {
-      const double s = step(random);
-      seconds += s;
-      frame = *played(t, frame, s, backward);
-      CHECK(frame >= t.first);
-      CHECK(frame <= t.last);
-    }
-    CHECK(frame == doctest::Approx(*played(t, 4, seconds, backward_at_once)));
-    CHECK(backward == backward_at_once);
-  }
 }
 
 TEST_CASE("cameras_go_smoothly_from_key_to_key") {

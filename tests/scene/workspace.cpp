@@ -37,7 +37,7 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   CHECK(w.preferences.layout == fresh.preferences.layout);
 }
 
-TEST_CASE("cancelling_merged_steps_keeps_the_older_edit") {
+TEST_CASE("cancelling_merged_steps_keeps_the_older_edit_and_leaves_another_document_alone") {
   Workspace w;
   w.document = test::cube_document();
   set_radius(w.document, 0.3);
@@ -48,13 +48,8 @@ TEST_CASE("cancelling_merged_steps_keeps_the_older_edit") {
   CHECK(w.document.history.can_undo());
   undo(w.document);
   CHECK_FALSE(w.document.history.can_undo());
-}
-
-TEST_CASE("cancelling_does_not_affect_a_newly_opened_document") {
-  Workspace w;
-  w.document = test::cube_document();
   begin_widget_edit(w);
-  ++w.opened;
+  ++w.opened;  // another document
   w.brush.radius = 99;
   cancel_widget_edit(w);
   CHECK(w.brush.radius == 99);
@@ -88,50 +83,38 @@ TEST_CASE("the_time_left_is_right_soon_after_the_speed_has_changed") {
   CHECK_FALSE(left.of({true, "binding", 0.01, 0.6, 5}));
 }
 
-TEST_CASE("a_message_that_repeats_is_counted_not_listed") {
+TEST_CASE("a_repeated_message_is_counted_and_visible_again_and_the_last_200_stay") {
   Messages messages;
   for (int i = 0; i < 1000; ++i) messages.warn("again");
-  messages.info("other");
-  messages.dismiss(0);
-  messages.warn("again");
-  REQUIRE(messages.all().size() == 3);
-  CHECK(messages.all()[0].times == 1000);
-  CHECK(messages.revision() == 1002);
-}
-
-TEST_CASE("a_visible_message_is_not_repeated") {
-  Messages messages;
-  messages.warn("again");
   messages.info("other");
   messages.warn("again");
   REQUIRE(messages.all().size() == 2);
   CHECK(messages.all().back().text == "again");
-  CHECK(messages.all().back().times == 2);
+  CHECK(messages.all().back().times == 1001);
+  messages.dismiss(1);
+  messages.warn("again");
+  CHECK(messages.all().back().visible);
+  CHECK(messages.all().back().times == 1002);
+  messages.dismiss(1);
+  messages.info("other");
+  messages.warn("again");  // after another message: listed again
+  CHECK(messages.all().size() == 3);
+  CHECK(messages.revision() == 1005);
+  for (int i = 0; i < 1000; ++i) messages.info(std::to_string(i));
+  CHECK(messages.all().size() == 200);
+  CHECK(messages.all().back().text == "999");
 }
 
-TEST_CASE("undo_hides_infos_and_warnings_but_not_errors") {
+TEST_CASE("undo_hides_infos_and_warnings_but_not_errors_and_logged_messages_are_never_visible") {
   Messages messages;
   messages.info("Added 2 poses.");
   messages.warn("Poses are gone.");
   messages.error("cannot write", {"export"});
   messages.hide_messages();
-  REQUIRE(messages.all().size() == 3);
+  messages.log(Severity::warning, "off by 1e-4");
+  REQUIRE(messages.all().size() == 4);
   for (const Message& message : messages.all())
     CHECK(message.visible == (message.severity == Severity::error));
-}
-
-TEST_CASE("logged_messages_are_only_in_the_list") {
-  Messages messages;
-  messages.log(Severity::warning, "off by 1e-4");
-  REQUIRE(messages.all().size() == 1);
-  CHECK_FALSE(messages.all().back().visible);
-}
-
-TEST_CASE("old_messages_are_dropped") {
-  Messages messages;
-  for (int i = 0; i < 1000; ++i) messages.info(std::to_string(i));
-  CHECK(messages.all().size() == 200);
-  CHECK(messages.all().back().text == "999");
 }
 
 TEST_CASE("an_info_is_visible_for_four_seconds_and_stays_in_the_list") {
@@ -173,13 +156,4 @@ TEST_CASE("messages_about_a_cage_disappear_with_it") {
   messages.forget(Scope::model, messages.revision());
   REQUIRE(messages.all().size() == 1);
   CHECK(messages.all().front().text == "Saved");
-}
-
-TEST_CASE("a_repeated_message_is_visible_again") {
-  Messages messages;
-  messages.info("Saved");
-  messages.dismiss(0);
-  messages.info("Saved");
-  CHECK(messages.all().back().visible);
-  CHECK(messages.all().back().times == 2);
 }

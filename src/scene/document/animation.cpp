@@ -202,20 +202,4 @@ SharedShape Animation::blended_shape(const Moment& moment, bool straight) const 
   return blended(shapes_->logs(), terms, straight ? nullptr : &held_shapes_[moment.from], pool);
 }
 
-// Coordinates in which a blend is a weighted sum.
-std::vector<double> Animation::place(std::size_t key, bool logs) const {
-  std::vector<double> all;
-  const auto add = [&](const auto& row) { all.insert(all.end(), row.begin(), row.end()); };
-  if (space_ && logs) {
-    std::ranges::for_each(vectors_[key]->logs, add);
-  } else if (space_) {
-    std::ranges::for_each(timeline_.keys[key].pose->cage.positions, add);
-  } else if (shapes_) {
-    std::ranges::for_each(shape_vectors_[key]->logs, add);
-  } else {
-    for (const deform::ProbePose& p : timeline_.keys[key].pose->probes) add(p.turn), add(p.move);
-  }
-  return all;
-}
-
 }  // namespace viete::scene

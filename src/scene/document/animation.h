@@ -80,7 +80,6 @@ public:
 
 private:
   WholePose key(std::size_t key) const;
-  std::vector<double> place(std::size_t key, bool logs) const;
   WholePose blend(const Moment& moment, bool straight) const;
   SharedShape blended_shape(const Moment& moment, bool straight) const;
   void add_shapes(VectorCache& vectors);

@@ -7,19 +7,12 @@
 
 namespace viete::scene {
 
-BindingPlan binding_plan(const Document& document, const deform::Weighting& weighting) {
-  BindingPlan plan;
-  plan.vertices = document.model.surface->positions.size();
-  plan.handles = deform::handle_count(*document.cage, weighting.elements);
-  plan.bytes = deform::binding_bytes(plan.vertices, plan.handles, deform::EngineKind::fused, weighting);
-  plan.elements = weighting.elements;
-  return plan;
-}
-
-std::string text(const BindingPlan& plan) {
-  return "Binding " + base::with_thousands(plan.vertices) + " vertices to " +
-         base::with_thousands(plan.handles) + ' ' + std::string(deform::name(plan.elements)) + ", " +
-         base::memory_size(static_cast<double>(plan.bytes));
+std::string binding_plan(const Document& document, const deform::Weighting& weighting) {
+  const std::size_t vertices = document.model.surface->positions.size();
+  const std::size_t handles = deform::handle_count(*document.cage, weighting.elements);
+  const std::size_t bytes = deform::binding_bytes(vertices, handles, deform::EngineKind::fused, weighting);
+  return "Binding " + base::with_thousands(vertices) + " vertices to " + base::with_thousands(handles) + ' ' +
+         std::string(deform::name(weighting.elements)) + ", " + base::memory_size(static_cast<double>(bytes));
 }
 
 }  // namespace viete::scene

@@ -48,26 +48,17 @@ struct Hit {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-// After T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997); two-sided.
 Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray) {
   const mesh::Surface& model = *document.model.surface;
   const auto& [center, scale] = document.space;
-  const auto in_view = [&](std::uint32_t v) {
-    const mesh::Point p = posed.at(model, v);
-    return scale * glm::dvec3(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
-  };
   Hit nearest;
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
-    const auto& t = model.triangles[i];
-    const glm::dvec3 a = in_view(t[0]), u = in_view(t[1]) - a, v = in_view(t[2]) - a;
-    const glm::dvec3 p = glm::cross(ray.direction, v);
-    const double volume = glm::dot(u, p);
-    if (volume == 0) continue;
-    const glm::dvec3 from = ray.origin - a, q = glm::cross(from, u);
-    const double s = glm::dot(from, p) / volume, r = glm::dot(ray.direction, q) / volume;
-    const double distance = glm::dot(v, q) / volume;
-    if (s >= 0 && r >= 0 && s + r <= 1 && distance > 0 && distance < nearest.distance)
-      nearest = {{i, {1 - s - r, s, r}}, distance};
+    std::array<glm::dvec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = scale * vector_of(posed.at(model, model.triangles[i][k]) - center);
+    const auto hit = hit_triangle(ray, corners);
+    if (hit && hit->distance > 0 && hit->distance < nearest.distance)
+      nearest = {{i, hit->shares}, hit->distance};
   }
   return nearest;
 }

@@ -27,11 +27,6 @@ std::string edited_name(const OpenedSurface& cage) {
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 
-// The mirror image of a displacement from rest to pose.
-mesh::Vec3 across(const mesh::Vec3& way, const cages::Plane& plane) {
-  return way - (2 * mesh::dot(way, plane.normal)) * plane.normal;
-}
-
 // The transform of displacements from rest to pose; those of mirrored vertices are mirrored first.
 struct Follow {
   cages::Plane plane{};
@@ -48,7 +43,7 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
     mesh::Vec3 way{0, 0, 0};
     const double share = 1 / static_cast<double>(origin.of.size());
     for (const auto o : origin.of) way = way + share * (pose.positions[o] - before.surface.positions[o]);
-    if (origin.mirrored) way = across(way, follow.plane);
+    if (origin.mirrored) way = reflected_direction(follow.plane, way);
     now.positions.push_back(edited.surface.positions[v] + follow.scale * way);
   }
   return now;
@@ -60,12 +55,13 @@ CageGroups groups_of(const Document& document, const cages::Edited& edited) {
   return carried(document.groups, document.cage->surface.positions.size(), origins);
 }
 
-// In cage editing the new pose is the rest shape; otherwise remaining vertices keep their pose.
+// In cage editing the new pose is the rest shape; otherwise remaining vertices keep their pose. Without a
+// label it is part of the last edit.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
   deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, follow);
-  record_edit(document, label);
+  label.empty() ? document.history.extend_last() : record_edit(document, label);
   carry_poses(document,
               [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, follow); });
   const bool editing = is_editing_cage(document);
@@ -120,19 +116,9 @@ void end_cage_editing(Document& document) {
 bool commit_cage_edit(Document& document) {
   if (!is_editing_cage(document) || document.pose.positions == document.cage->surface.positions) return false;
   try {
-    cages::Edited edited = with_positions(document.cage->surface, document.pose.positions);
-    auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
-    deform::Pose real = carried(*document.cage, *document.kept_pose, edited, *cage, {});
     const Selection selection = document.selection;
-    const CageGroups groups = document.groups;
-    carry_poses(document,
-                [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, {}); });
-    document.kept_pose = std::move(real);
-    document.replace_cage(generated_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
-                          deform::rest_pose(*cage));
+    put_edited(document, with_positions(document.cage->surface, document.pose.positions), "");
     document.selection = selection;
-    document.groups = groups;
-    document.history.extend_last();
     return true;
   } catch (const base::Error& error) {
     // Undoes the edit that moved it, and later selection changes.

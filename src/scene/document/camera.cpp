@@ -65,6 +65,16 @@ glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
 
 }  // namespace
 
+// After T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
+std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
+  const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], from = ray.origin - t[0];
+  const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(from, u);
+  const double volume = glm::dot(u, p), a = glm::dot(from, p) / volume,
+               b = glm::dot(ray.direction, q) / volume;
+  if (!(a >= 0 && b >= 0 && a + b <= 1)) return std::nullopt;
+  return RayHit{glm::dot(v, q) / volume, {1 - a - b, a, b}};
+}
+
 void Camera::set_pose(const CameraPose& pose) {
   current_ = pose;
   jump();

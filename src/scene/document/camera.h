@@ -1,7 +1,9 @@
 // The camera, perspective or orthographic: orbit, pan, zoom to the cursor, animated standard views.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 
 namespace viete::scene {
@@ -42,6 +44,14 @@ struct CameraPose {
 struct Ray {
   glm::dvec3 origin, direction;
 };
+
+/// Where the line of a ray meets a triangle, from either side: the distance from the origin, negative behind
+/// it, and the barycentric coordinates.
+struct RayHit {
+  double distance;
+  std::array<double, 3> shares;
+};
+std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& corners);
 
 class Camera {
 public:

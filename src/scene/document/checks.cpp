@@ -58,31 +58,58 @@ void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
+struct Words {
+  const char *one, *several;       // the title after its number
+  const char *of_cage, *of_model;  // the meaning
+};
+
+const Words& words_of(Defect defect) {
+  // In the order of Defect.
+  static constexpr Words all[] = {
+      {"vertex outside the cage", "vertices outside the cage", "",
+       "In log space these vertices follow the nearest faces as usual. Mean value weights can be negative "
+       "there and move them against the drag."},
+      {"self-intersecting face", "self-intersecting faces",
+       "The cage intersects itself. Nearby, the model follows both sheets at once.", ""},
+      {"open edge", "open edges",
+       "The cage has a hole. Log space needs no closed cage; with mean value coordinates the model follows "
+       "rotation and stretch only approximately.",
+       "The model has holes. The deformation is not affected."},
+      {"edge with more than two faces", "edges with more than two faces",
+       "More than two faces share this edge. Each acts as usual; if they rotate far apart, the result nearby "
+       "is ambiguous.",
+       "The deformation is not affected; shading can be uneven there."},
+      {"vertex shared by separate parts", "vertices shared by separate parts",
+       "Parts of the cage share only this vertex. Dragging it moves all of them.",
+       "The deformation is not affected; shading can be uneven there."},
+      {"edge between faces of opposite orientation", "edges between faces of opposite orientation",
+       "Face orientations disagree. Log space is not affected; mean value coordinates become wrong. Orient "
+       "all "
+       "faces outward.",
+       "Face orientations disagree. Shading is wrong there; the deformation is not affected."},
+      {"face pointing inward", "faces, all pointing inward",
+       "All faces point inward. Viete is not affected; other programs may be.",
+       "All faces point inward. The deformation is not affected; programs that open the export may be."},
+      {"face without area", "faces without area",
+       "The face has no area and therefore no influence; its neighbours act in its place.",
+       "The face is invisible. The deformation is not affected."},
+      {"very thin face", "very thin faces",
+       "The face is so thin that small moves of its vertices rotate or stretch the model strongly.", ""},
+      {"duplicate vertex", "duplicate vertices",
+       "Two unmerged vertices coincide. Merge them, or select both before dragging; otherwise the cage "
+       "tears.",
+       "Vertices coincide, for example along seams. They stay together; shading shows an edge there."},
+      {"vertex without a face", "vertices without a face",
+       "The vertex belongs to no face. Dragging it has no effect.",
+       "The vertex belongs to no face. It is deformed and exported but invisible."}};
+  return all[static_cast<std::size_t>(defect)];
+}
+
 }  // namespace
 
 std::string title(const Finding& finding) {
-  const bool one = finding.size() == 1;
-  const auto name = [&]() -> const char* {
-    switch (finding.defect) {
-      case Defect::vertices_outside: return one ? "vertex outside the cage" : "vertices outside the cage";
-      case Defect::self_intersection: return one ? "self-intersecting face" : "self-intersecting faces";
-      case Defect::open: return one ? "open edge" : "open edges";
-      case Defect::nonmanifold_edge:
-        return one ? "edge with more than two faces" : "edges with more than two faces";
-      case Defect::pinched_vertex:
-        return one ? "vertex shared by separate parts" : "vertices shared by separate parts";
-      case Defect::misoriented:
-        return one ? "edge between faces of opposite orientation"
-                   : "edges between faces of opposite orientation";
-      case Defect::inside_out: return one ? "face pointing inward" : "faces, all pointing inward";
-      case Defect::degenerate: return one ? "face without area" : "faces without area";
-      case Defect::thin: return one ? "very thin face" : "very thin faces";
-      case Defect::doubled_vertex: return one ? "duplicate vertex" : "duplicate vertices";
-      case Defect::unused_vertex: return one ? "vertex without a face" : "vertices without a face";
-    }
-    return "";
-  };
-  return base::with_thousands(finding.size()) + ' ' + name();
+  const Words& words = words_of(finding.defect);
+  return base::with_thousands(finding.size()) + ' ' + (finding.size() == 1 ? words.one : words.several);
 }
 
 std::string first_elements(const Finding& finding, std::size_t most) {
@@ -160,65 +187,9 @@ std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage
   return found;
 }
 
-namespace {
-
-const char* cage_meaning(Defect defect) {
-  switch (defect) {
-    case Defect::self_intersection:
-      return "The cage intersects itself. Nearby, the model follows both sheets at once.";
-    case Defect::open:
-      return "The cage has a hole. Log space needs no closed cage; with mean value coordinates the model "
-             "follows rotation and stretch only approximately.";
-    case Defect::nonmanifold_edge:
-      return "More than two faces share this edge. Each acts as usual; if they rotate far apart, the result "
-             "nearby is ambiguous.";
-    case Defect::pinched_vertex:
-      return "Parts of the cage share only this vertex. Dragging it moves all of them.";
-    case Defect::misoriented:
-      return "Face orientations disagree. Log space is not affected; mean value coordinates become wrong. "
-             "Orient all faces outward.";
-    case Defect::inside_out: return "All faces point inward. Viete is not affected; other programs may be.";
-    case Defect::degenerate:
-      return "The face has no area and therefore no influence; its neighbours act in its place.";
-    case Defect::thin:
-      return "The face is so thin that small moves of its vertices rotate or stretch the model strongly.";
-    case Defect::doubled_vertex:
-      return "Two unmerged vertices coincide. Merge them, or select both before dragging; otherwise the cage "
-             "tears.";
-    case Defect::unused_vertex: return "The vertex belongs to no face. Dragging it has no effect.";
-    case Defect::vertices_outside: break;
-  }
-  return "";
-}
-
-const char* model_meaning(Defect defect) {
-  switch (defect) {
-    case Defect::vertices_outside:
-      return "In log space these vertices follow the nearest faces as usual. Mean value weights can be "
-             "negative there and move them against the drag.";
-    case Defect::open: return "The model has holes. The deformation is not affected.";
-    case Defect::nonmanifold_edge: return "The deformation is not affected; shading can be uneven there.";
-    case Defect::pinched_vertex: return "The deformation is not affected; shading can be uneven there.";
-    case Defect::misoriented:
-      return "Face orientations disagree. Shading is wrong there; the deformation is not affected.";
-    case Defect::inside_out:
-      return "All faces point inward. The deformation is not affected; programs that open the export may be.";
-    case Defect::degenerate: return "The face is invisible. The deformation is not affected.";
-    case Defect::doubled_vertex:
-      return "Vertices coincide, for example along seams. They stay together; shading shows an edge there.";
-    case Defect::unused_vertex:
-      return "The vertex belongs to no face. It is deformed and exported but invisible.";
-    case Defect::self_intersection:
-    case Defect::thin: break;
-  }
-  return "";
-}
-
-}  // namespace
-
 std::string meaning(const Finding& finding) {
-  if (finding.subject == Subject::cage) return cage_meaning(finding.defect);
-  return model_meaning(finding.defect);
+  const Words& words = words_of(finding.defect);
+  return finding.subject == Subject::cage ? words.of_cage : words.of_model;
 }
 
 bool matters(const Finding& finding) {

@@ -10,7 +10,6 @@ std::span<const Choice> choices(Pivot) {
   static constexpr Choice all[] = {
       {"median", "Median", "Rotate and scale about the mean of the selection."},
       {"active", "Active", "Rotate and scale about the element clicked last."},
-      {"individual", "Individual centres", "Rotate and scale each connected part about its own centre."},
       {"joint", "Joint", "Rotate and scale about the boundary to the unselected part, like an elbow."},
       {"point", "Placed point", "Rotate and scale about a point that you place."}};
   return all;
@@ -20,9 +19,7 @@ std::span<const Choice> choices(Axes) {
   static constexpr Choice all[] = {
       {"world", "World", "Move along the axes of the file."},
       {"view", "View", "Move along the screen axes: right, up and towards the viewer."},
-      {"selection", "Selection", "Move along the principal axes of the selection."},
-      {"active", "Active", "Move along the longest edge and the normal of the element clicked last."},
-      {"mirror", "Mirror", "Move across the mirror plane or within it."}};
+      {"selection", "Selection", "Move along the principal axes of the selection."}};
   return all;
 }
 

@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <utility>
 
 #include "base/error.h"
-#include "base/text.h"
-#include "cages/edit.h"
-#include "deform/branches.h"
 #include "deform/maps.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/text_cursor.h"
-#include "mesh/repair.h"
 #include "mesh/surface.h"
-#include "mesh/triangle.h"
-#include "mesh/union_find.h"
 #include "scene/document/range.h"
 
 namespace viete::scene {
@@ -53,17 +46,25 @@ void check_sizes(const Document& document, const SizeRange& range) {
   for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
     if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
   }
+  const auto check_keys = [&](const char* what, const std::vector<PoseKey>& keys) {
+    for (const PoseKey& key : keys) check_pose(what + std::to_string(key.frame), *key.pose, range);
+  };
   for (const NamedPose& named : document.library.poses)
     check_pose("the pose " + mesh::in_quotes(named.name), *named.pose, range);
-  for (const PoseKey& key : document.timeline.keys)
-    check_pose("the key of frame " + std::to_string(key.frame), *key.pose, range);
-  for (const PoseKey& left : document.timeline.unkeyed)
-    check_pose("the unkeyed pose of frame " + std::to_string(left.frame), *left.pose, range);
+  check_keys("the key of frame ", document.timeline.keys);
+  check_keys("the unkeyed pose of frame ", document.timeline.unkeyed);
   if (document.library.unmixed)
     check_pose("the pose before weighted poses", *document.library.unmixed, range);
   if (document.shape) check_pose("the shape of the model", *document.shape, range);
   if (document.cage_file.surface)
     check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
+}
+
+void put_surface(OpenedSurface& opened, mesh::Surface surface) {
+  opened.summary = mesh::summarize(surface);
+  opened.bounds = mesh::used_bounds(surface);
+  opened.content = mesh::content_key(surface);
+  opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
 }
 
 }  // namespace
@@ -72,10 +73,7 @@ OpenedSurface generated_surface(mesh::Surface surface, std::string made) {
   OpenedSurface opened;
   opened.made = std::move(made);
   opened.format = "not saved";
-  opened.summary = mesh::summarize(surface);
-  opened.bounds = mesh::used_bounds(surface);
-  opened.content = mesh::content_key(surface);
-  opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+  put_surface(opened, std::move(surface));
   return opened;
 }
 
@@ -84,13 +82,10 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
   OpenedSurface opened;
   opened.path = path;
   opened.format = std::move(read.format);
-  opened.summary = mesh::summarize(read.surface);
-  opened.bounds = mesh::used_bounds(read.surface);
   opened.warnings = std::move(read.warnings);
-  opened.content = mesh::content_key(read.surface);
   opened.attributes = std::move(read.attributes);
   opened.original = std::move(read.original);
-  opened.surface = std::make_shared<const mesh::Surface>(std::move(read.surface));
+  put_surface(opened, std::move(read.surface));
   return opened;
 }
 
@@ -111,88 +106,11 @@ void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
 }
 
-namespace {
-
-// Triangles of one polygon, and those that share an edge of exactly two triangles, form a patch.
-mesh::UnionFind patches_of(const mesh::Surface& surface, const mesh::HalfEdges& table) {
-  mesh::UnionFind patches(surface.triangles.size());
-  for (std::uint32_t t = 1; t < surface.triangles.size(); ++t)
-    if (surface.triangle_polygon[t - 1] == surface.triangle_polygon[t]) patches.join(t - 1, t);
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto sides = table.of(e);
-    if (sides.size() == 2) patches.join(sides[0].triangle, sides[1].triangle);
-  }
-  return patches;
-}
-
-struct Patch {
-  bool at_fin = false, open = false;
-  double area = 0;
-};
-
-bool removed_before(const Patch& a, const Patch& b) {
-  if (a.at_fin != b.at_fin) return a.at_fin;
-  return a.open != b.open ? a.open : a.area < b.area;
-}
-
-std::vector<mesh::Edge> fins_of(const mesh::Surface& surface) {
-  std::vector<std::uint8_t> flat;
-  for (const auto& [a, b, c] : surface.triangles)
-    flat.push_back(!mesh::has_area(surface.positions[a], surface.positions[b], surface.positions[c]));
-  return deform::dual_graph(surface, flat).fins;
-}
-
-// Empty if there is no fin.
-std::vector<std::uint32_t> faces_of_smallest_fin(const mesh::Surface& surface) {
-  const std::vector<mesh::Edge> fins = fins_of(surface);
-  if (fins.empty()) return {};
-  const auto table = mesh::half_edges(surface.positions.size(), mesh::welded(surface).triangles);
-  mesh::UnionFind patches = patches_of(surface, table);
-  std::map<std::uint32_t, Patch> all;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto& [a, b, c] = surface.triangles[t];
-    const auto& p = surface.positions;
-    all[patches.find(t)].area += norm(cross(p[b] - p[a], p[c] - p[a]));
-  }
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    for (const mesh::HalfEdge& side : table.of(e)) {
-      Patch& patch = all[patches.find(side.triangle)];
-      patch.at_fin |= std::ranges::binary_search(fins, table.edges[e]);
-      patch.open |= table.of(e).size() == 1;
-    }
-  }
-  const auto first = std::ranges::min_element(all, removed_before, [](const auto& p) { return p.second; });
-  std::vector<std::uint32_t> faces;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::uint32_t face = surface.triangle_polygon[t];
-    if (patches.find(t) == first->first && (faces.empty() || faces.back() != face)) faces.push_back(face);
-  }
-  return faces;
-}
-
-OpenedSurface without_fins(OpenedSurface cage) {
-  mesh::Surface rest = *cage.surface;
-  for (auto faces = faces_of_smallest_fin(rest); !faces.empty(); faces = faces_of_smallest_fin(rest))
-    rest = cages::remove_polygons(rest, faces).surface;
-  const std::size_t removed = cage.surface->polygon_count() - rest.polygon_count();
-  if (removed == 0) return cage;
-  OpenedSurface made = generated_surface(std::move(rest), name_of(cage) + ", without its fins");
-  made.warnings = std::move(cage.warnings);
-  made.warnings.push_back("removed " + base::counted(removed, "protruding face") + " of " + name_of(cage) +
-                          "; save the cage to keep this change");
-  return made;
-}
-
-}  // namespace
-
-void set_cage(Document& document, OpenedSurface cage, Fins fins) {
-  if (fins == Fins::removed) cage = without_fins(std::move(cage));
+void set_cage(Document& document, OpenedSurface cage) {
   try {
     document.cage = std::make_shared<const deform::Cage>(deform::make_cage(*cage.surface));
   } catch (const base::Error& error) {
-    if (fins == Fins::removed || fins_of(*cage.surface).empty())
-      throw base::Error(place_of(cage), error.problem(), error.advice());
-    throw FinError(place_of(cage), error.problem(), error.advice());
+    throw base::Error(place_of(cage), error.problem(), error.advice());
   }
   document.cage_file = std::move(cage);
   if (!document.cage_file.path.empty()) document.also_read.push_back({document.cage_file.path, the_cage});
@@ -203,9 +121,9 @@ void set_cage(Document& document, OpenedSurface cage, Fins fins) {
 }
 
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
-                       base::Progress* progress, Fins fins) {
+                       base::Progress* progress) {
   Document document = document_of(open_surface(model, progress));
-  if (!cage.empty()) set_cage(document, open_surface(cage), fins);
+  if (!cage.empty()) set_cage(document, open_surface(cage));
   return document;
 }
 
@@ -249,6 +167,12 @@ void Document::restore(DocumentState&& state) {
   ++revisions_.pose, ++revisions_.whole;
   carried.clear();
   put_scheme(restored);
+}
+
+void put_settings(Document& document, const RequestedSettings& asked, bool chosen) {
+  const deform::Scheme scheme = deform::scheme_of(asked, document.scheme, chosen);
+  if (asked.method) document.put_method(*asked.method);
+  document.put_scheme(scheme);
 }
 
 DocumentState state_of(const Document& document) {

@@ -104,20 +104,23 @@ Document document_of(OpenedSurface model);
 void check_drawable(const Document& document);
 /// As above for deforming in double: up to 1e60 and down to 1e-60.
 void check_deformable(const Document& document);
-/// A fin of a cage: an edge with an odd number of triangles, three or more.
-struct FinError : base::Error {
-  using base::Error::Error;
-};
-/// Fins: `removed` deletes patches of faces that end in an edge of three or more, smallest first, until no
-/// edge has an odd number of them. The result is in no file.
-enum class Fins { refused, removed };
-/// Throws base::Error if the cage is not valid, and FinError.
-void set_cage(Document& document, OpenedSurface cage, Fins fins = Fins::refused);
+/// Throws base::Error if the cage is not valid.
+void set_cage(Document& document, OpenedSurface cage);
 
 /// Reads a model and, unless the path is empty, a cage into a new document. Throws base::Error; the caller's
 /// open document is not affected.
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
-                       base::Progress* progress = nullptr, Fins fins = Fins::refused);
+                       base::Progress* progress = nullptr);
+
+/// Settings requested before a document is opened.
+struct RequestedSettings : deform::AskedScheme {
+  std::optional<sym3::Method> method{};
+
+  bool any() const { return method || AskedScheme::any(); }
+};
+/// Applies the settings to a newly opened document; not an edit. Throws like deform::scheme_of(), without a
+/// change.
+void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
 /// The current state of everything that edits can change.
 DocumentState state_of(const Document& document);

@@ -27,8 +27,7 @@ namespace viete::scene {
 struct NamedPose {
   std::string name;
   SharedPose pose;
-  double weight = 0;                  ///< in the mix: 0 none, 1 full; may be negative or above 1
-  std::vector<std::uint32_t> part{};  ///< cage vertices that it moves; empty: all
+  double weight = 0;  ///< in the mix: 0 none, 1 full; may be negative or above 1
 
   friend bool operator==(const NamedPose&, const NamedPose&) = default;
 };

@@ -31,14 +31,15 @@ Selection converted(const deform::Cage& cage, const Selection& selection, Elemen
 /// The selection and everything connected to it by edges.
 Selection linked(const deform::Cage& cage, const Selection& selection);
 
+/// Grows by one ring: adds vertices connected by an edge, or edges or faces that share a vertex. Probes are
+/// unchanged.
+Selection grown(const deform::Cage& cage, const Selection& selection);
+/// Shrinks by one ring. Boundaries of an open cage stay.
+Selection shrunk(const deform::Cage& cage, const Selection& selection);
+
 /// "vertex", "edge", "face" or "probe".
 std::string element_name(ElementKind kind);
 /// "an edge", "3 faces".
 std::string counted(ElementKind kind, std::size_t count);
-
-/// Adds the edge rings of the selected edges; for vertices, of the edges between them. Two triangles that
-/// form a good quad (cages/extraction.h) count as one quad, so that rings run through triangulated quad cages.
-/// Faces and probes are unchanged. O(n log n).
-Selection ringed(const deform::Cage& cage, const Selection& selection);
 
 }  // namespace viete::scene

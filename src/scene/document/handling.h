@@ -12,10 +12,10 @@ namespace viete::scene {
 using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
 /// The center of rotation and scale.
-enum class Pivot { median, active, individual, joint, point };
+enum class Pivot { median, active, joint, point };
 
 /// The orientation of handles and typed axes.
-enum class Axes { world, view, selection, active, mirror };
+enum class Axes { world, view, selection };
 
 /// The mirror plane between both sides of the cage.
 enum class MirrorPlane { none, x, y, z, fit };
@@ -49,8 +49,7 @@ struct Handling {
   Axes axes = Axes::world;
   MirrorPlane mirror = MirrorPlane::none;
   SoftSelection soft{};
-  double freedom = 0.5;       ///< pins: 0 strictly follows the poses of the list, 1 as rigid as possible
-  bool mix_selected = false;  ///< raising a pose's weight from 0 applies it to the selection only
+  double freedom = 0.5;  ///< pins: 0 strictly follows the poses of the list, 1 as rigid as possible
 
   friend bool operator==(const Handling&, const Handling&) = default;
 };

@@ -27,7 +27,7 @@ std::vector<SharedPose> examples_of(const Document& document) {
   for (const NamedPose& named : document.library.poses) {
     const bool moves_cage =
         document.has_cage() && named.pose->cage.positions != document.cage->surface.positions;
-    if (named.pose->shape && named.part.empty() && !moves_cage) examples.push_back(named.pose);
+    if (named.pose->shape && !moves_cage) examples.push_back(named.pose);
   }
   return examples;
 }

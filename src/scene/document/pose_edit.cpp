@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
-#include "scene/document/elements.h"
 #include "scene/document/record.h"
 #include "scene/document/shape_mix.h"
 
@@ -16,33 +15,6 @@ namespace viete::scene {
 namespace {
 
 constexpr const char* no_room_for_poses = "the pose list is full";
-
-// The part of a pose that acts on some cage vertices: a triangle counts in thirds, one per corner in the
-// part.
-deform::LogVector limited_to(const deform::Cage& cage, const deform::LogVector& vector,
-                             const std::vector<std::uint32_t>& part) {
-  deform::LogVector limited = vector;
-  if (part.empty()) return limited;
-  std::vector<double> share(cage.surface.positions.size());
-  for (const auto v : part) share[v] = 1;
-  for (std::size_t v = 0; v < share.size(); ++v) {
-    limited.ways[v] = share[v] * vector.ways[v];
-    limited.leftovers[v] = share[v] * vector.leftovers[v];
-  }
-  std::vector<double> shares(cage.roots.size()), counts(cage.roots.size());
-  for (std::size_t e = 0; e < limited.logs.size(); ++e) {
-    const auto& [a, b, c] = cage.surface.triangles[e];
-    const double of = (share[a] + share[b] + share[c]) / 3;
-    for (double& x : limited.logs[e]) x *= of;
-    if (cage.parts[e] < shares.size()) shares[cage.parts[e]] += of, counts[cage.parts[e]] += 1;
-  }
-  for (std::size_t p = 0; p < shares.size(); ++p) {
-    const double of = counts[p] > 0 ? shares[p] / counts[p] : 0;
-    limited.turns[p] = of * vector.turns[p];
-    limited.wholes[p] = of * vector.wholes[p];
-  }
-  return limited;
-}
 
 // Locked probes ignore the mix.
 void keep_locked(const Document& document, WholePose& pose) {
@@ -57,8 +29,7 @@ SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const
                          double sign) {
   std::vector<ShapeTerm> shapes;
   for (const NamedPose& named : state.library.poses) {
-    if (named.weight != 0 && named.part.empty() && named.pose->shape)
-      shapes.push_back({named.pose->shape, sign * named.weight});
+    if (named.weight != 0 && named.pose->shape) shapes.push_back({named.pose->shape, sign * named.weight});
   }
   if (shapes.empty()) return from;
   if (!from && shapes.size() == 1 && shapes.front().factor == 1) return shapes.front().shape;
@@ -81,21 +52,15 @@ WholePose mix_of(const Document& document, const DocumentState& state, VectorCac
                  const SharedPose& from, double sign) {
   std::vector<ProbeTerm> probes{{&from->probes, 1}};
   for (const NamedPose& named : state.library.poses)
-    if (named.part.empty()) probes.push_back({&named.pose->probes, sign * named.weight});
+    probes.push_back({&named.pose->probes, sign * named.weight});
   WholePose pose{from->cage, blended_probes(probes)};
   keep_locked(document, pose);
   pose.shape = shape_of_mix(state, vectors, from->shape, sign);
   if (!document.has_cage()) return pose;
-  std::vector<deform::LogVector> parts;
-  std::vector<double> factors;
-  for (const NamedPose& named : state.library.poses) {
-    if (named.weight == 0) continue;
-    parts.push_back(limited_to(*document.cage, *vectors.of(named.pose), named.part));
-    factors.push_back(sign * named.weight);
-  }
   const auto base = vectors.of(from);
   std::vector<deform::LogTerm> terms;
-  for (std::size_t i = 0; i < parts.size(); ++i) terms.push_back({&parts[i], factors[i]});
+  for (const NamedPose& named : state.library.poses)
+    if (named.weight != 0) terms.push_back({vectors.of(named.pose).get(), sign * named.weight});
   const deform::Held held = vectors.space()->logs().held_from(*base, terms);
   terms.push_back({base.get(), 1});
   pose.cage = state.timeline.straight ? vectors.space()->straight(terms) : vectors.space()->pose(terms, held);
@@ -120,7 +85,7 @@ const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   const NamedPose* found = nullptr;
   for (const NamedPose& named : library.poses) {
     if (named.weight == 0) continue;
-    if (found || named.weight != 1 || !named.part.empty()) return nullptr;
+    if (found || named.weight != 1) return nullptr;
     found = &named;
   }
   return found;
@@ -152,9 +117,9 @@ bool are_weights(const PoseLibrary& library) {
 
 // Changes weights and shows the result. Returns false, without a change, if the result exceeds the drawable
 // range.
-template <class Record, class Change>
-bool remix(Document& document, VectorCache& vectors, Record record, Change change,
-           std::span<const double> played = {}) {
+template <class Change>
+bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
+           EditStep step = {}, std::span<const double> played = {}) {
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
   DocumentState changed = state_of(document);
@@ -163,7 +128,7 @@ bool remix(Document& document, VectorCache& vectors, Record record, Change chang
   change(changed);
   const SharedPose pose = mixed_upon(document, changed, vectors, base);
   if (!are_weights(changed.library) || !in_range(*pose)) return false;
-  record();
+  record_step(document, label, step, step.kind == EditKind::mix);
   document.library = std::move(changed.library);
   document.timeline = std::move(changed.timeline);
   put_whole_pose(document, *pose);
@@ -224,7 +189,7 @@ void move_pins_to_shape(Document& document) {
 }
 
 void end_mix(Document& document) {
-  for (NamedPose& named : document.library.poses) named.weight = 0, named.part.clear();
+  for (NamedPose& named : document.library.poses) named.weight = 0;
   document.library.unmixed = document.library.mixed = nullptr;
 }
 
@@ -328,63 +293,39 @@ void duplicate_pose(Document& document, std::size_t pose) {
   record_edit(document, "duplicate a pose");
   NamedPose copy = document.library.poses[pose];
   copy.weight = 0;
-  copy.part.clear();
   copy.name = free_name(document.library, copy.name);
   auto& poses = document.library.poses;
   poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(pose) + 1, std::move(copy));
 }
 
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
-  const auto record = [&] { record_edit(document, "delete a pose"); };
+  constexpr const char* label = "delete a pose";
   const auto erase = [pose](DocumentState& state) {
     auto& poses = state.library.poses;
     rename_in_keys(state.timeline, poses[pose].name, "");
     poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
   };
-  if (document.library.poses[pose].weight != 0 && remix(document, vectors, record, erase)) return;
-  record();
+  if (document.library.poses[pose].weight != 0 && remix(document, vectors, label, erase)) return;
+  record_edit(document, label);
   if (document.library.poses[pose].weight != 0) end_mix(document);
   erase(document);
 }
 
-std::vector<std::uint32_t> selected_part(const Document& document) {
-  if (!document.has_cage() || document.selection.kind() == ElementKind::probe) return {};
-  return selected_vertices(*document.cage, document.selection);
-}
-
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
-                bool selected_alone, std::span<const double> played) {
+                std::span<const double> played) {
   if (std::isnan(weight)) return false;
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
   if ((played.empty() ? named.weight : played[pose]) == weight) return true;
-  const auto record = [&, label = "weight of " + named.name] {
-    record_step(document, label, {EditKind::mix, pose});
-  };
-  const auto change = [&](DocumentState& state) {
-    NamedPose& changed = state.library.poses[pose];
-    if (changed.weight == 0 && selected_alone) changed.part = selected_part(document);
-    changed.weight = weight;
-    if (weight == 0) changed.part.clear();
-  };
-  return remix(document, vectors, record, change, played);
+  const std::string label = "weight of " + named.name;
+  const auto change = [&](DocumentState& state) { state.library.poses[pose].weight = weight; };
+  return remix(document, vectors, label, change, {EditKind::mix, pose}, played);
 }
 
 bool clear_mix(Document& document, VectorCache& vectors) {
   if (!document.library.mixes()) return true;
-  const auto record = [&] { record_edit(document, "clear weights"); };
-  return remix(document, vectors, record, [](DocumentState& state) {
-    for (NamedPose& named : state.library.poses) named.weight = 0, named.part.clear();
-  });
-}
-
-bool average_mix(Document& document, VectorCache& vectors) {
-  double sum = 0;
-  for (const NamedPose& named : document.library.poses) sum += named.weight;
-  if (!(sum > 0)) return false;
-  const auto record = [&] { record_edit(document, "average weighted poses"); };
-  return remix(document, vectors, record, [sum](DocumentState& state) {
-    for (NamedPose& named : state.library.poses) named.weight /= sum;
+  return remix(document, vectors, "clear weights", [](DocumentState& state) {
+    for (NamedPose& named : state.library.poses) named.weight = 0;
   });
 }
 
@@ -401,22 +342,34 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straigh
 
 bool set_straight(Document& document, VectorCache& vectors, bool straight) {
   if (document.timeline.straight == straight) return true;
-  const auto record = [&] { record_edit(document, straight ? "linear interpolation" : "log space"); };
+  const char* const label = straight ? "linear interpolation" : "log space";
   const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
-  if (document.library.mixes()) return remix(document, vectors, record, change);
-  record();
+  if (document.library.mixes()) return remix(document, vectors, label, change);
+  record_edit(document, label);
   change(document);
   return true;
 }
 
-void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
-  const auto carry = [&](SharedPose& pose) {
-    pose = std::make_shared<const WholePose>(WholePose{carried(pose->cage), pose->probes, pose->shape});
+namespace {
+
+// Changes a copy of each named and keyed pose.
+template <class Change>
+void change_poses(Document& document, const Change& change) {
+  const auto put = [&](SharedPose& pose) {
+    WholePose changed = *pose;
+    change(changed);
+    pose = std::make_shared<const WholePose>(std::move(changed));
   };
-  end_mix(document);
-  for (NamedPose& named : document.library.poses) carry(named.pose);
+  for (NamedPose& named : document.library.poses) put(named.pose);
   for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
-    for (PoseKey& key : *keys) carry(key.pose);
+    for (PoseKey& key : *keys) put(key.pose);
+}
+
+}  // namespace
+
+void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
+  end_mix(document);
+  change_poses(document, [&](WholePose& pose) { pose.cage = carried(pose.cage); });
 }
 
 std::string counted_poses(std::size_t poses, std::size_t keys) {
@@ -457,15 +410,10 @@ std::string keep_shapes(Document& to, const Document& from) {
 }
 
 void forget_probe(Document& document, std::size_t probe) {
-  const auto forget = [probe](SharedPose& pose) {
-    if (probe >= pose->probes.size()) return;
-    WholePose without = *pose;
-    without.probes.erase(without.probes.begin() + static_cast<std::ptrdiff_t>(probe));
-    pose = std::make_shared<const WholePose>(std::move(without));
-  };
-  for (NamedPose& named : document.library.poses) forget(named.pose);
-  for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
-    for (PoseKey& key : *keys) forget(key.pose);
+  change_poses(document, [probe](WholePose& pose) {
+    if (probe < pose.probes.size())
+      pose.probes.erase(pose.probes.begin() + static_cast<std::ptrdiff_t>(probe));
+  });
   document.library.unmixed = document.library.mixed = nullptr;
 }
 

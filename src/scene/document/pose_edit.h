@@ -46,21 +46,14 @@ void duplicate_pose(Document& document, std::size_t pose);
 /// Its contribution to the mix is removed too.
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
-/// Sets a pose's weight in the mix, PoseLibrary::least_weight to largest_weight. When it leaves 0 it applies
-/// to the whole cage, or, if `selected_alone`, to the selected part if any of its vertices is selected; this
-/// holds until it is 0 again. Consecutive changes of the same pose are one edit. Returns false, without a
-/// change, if the mix would exceed the drawable range, see in_range(). `played`: the current weights of all
-/// poses if the pose comes from keys; the mix continues from these.
+/// Sets a pose's weight in the mix, PoseLibrary::least_weight to largest_weight. Consecutive changes of the
+/// same pose are one edit. Returns false, without a change, if the mix would exceed the drawable range, see
+/// in_range(). `played`: the current weights of all poses if the pose comes from keys; the mix continues from
+/// these.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
-                bool selected_alone = false, std::span<const double> played = {});
-/// The cage vertices for `selected_alone`; empty: all.
-std::vector<std::uint32_t> selected_part(const Document& document);
+                std::span<const double> played = {});
 /// Sets all weights to 0. Returns false like set_weight().
 bool clear_mix(Document& document, VectorCache& vectors);
-/// Divides the weights by their sum: an average of poses. Returns false like set_weight(), also if the sum is
-/// not positive, or so small that weights would exceed their range.
-bool average_mix(Document& document, VectorCache& vectors);
-
 /// Adds poses linearly, here and between keys, or in log space. One edit.
 bool set_straight(Document& document, VectorCache& vectors, bool straight);
 /// The mix recomputed linearly or in log space; null if the pose is no mix or would exceed the drawable

@@ -74,11 +74,16 @@ mesh::Point at_rest(const Document& document, const PosedModel& posed, const mes
   return model.positions[v] + (at - posed.at(model, v));
 }
 
-deform::Probe pin_of(const Document& document, std::uint32_t vertex) {
+deform::Probe probe_at(const Document& document, const mesh::Point& place) {
   deform::Probe probe;
-  probe.place = document.model.surface->positions[vertex];
-  probe.pin = deform::Pin{vertex};
+  probe.place = place;
   probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
+  return probe;
+}
+
+deform::Probe pin_of(const Document& document, std::uint32_t vertex) {
+  deform::Probe probe = probe_at(document, document.model.surface->positions[vertex]);
+  probe.pin = deform::Pin{vertex};
   probe.pose.move = shape_of_vertex(document, vertex) - probe.place;
   return probe;
 }
@@ -87,9 +92,7 @@ deform::Probe pin_of(const Document& document, std::uint32_t vertex) {
 
 bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at) {
   if (document.probes.all.size() >= most_probes) return false;
-  deform::Probe probe;
-  probe.place = at_rest(document, posed, at);
-  probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
+  const deform::Probe probe = probe_at(document, at_rest(document, posed, at));
   edit(document, "add probe").all.push_back(probe);
   document.carried.clear();
   select(document, document.probes.all.size() - 1, document.probes.all.size());

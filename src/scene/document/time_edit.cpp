@@ -117,9 +117,7 @@ void set_camera_key(Document& document, int frame, const CameraPose& camera) {
   document.timeline = std::move(timeline);
 }
 
-void set_turntable(Document& document, const CameraPose& camera, int turns) {
-  constexpr int most_turns = 100;
-  turns = std::clamp(turns, -most_turns, most_turns);
+void set_turntable(Document& document, const CameraPose& camera) {
   record_edit(document, "set turntable");
   Timeline& t = document.timeline;
   const int middle = t.first + (t.last - t.first) / 2;
@@ -128,8 +126,7 @@ void set_turntable(Document& document, const CameraPose& camera, int turns) {
     if (!t.cameras.empty() && t.cameras.back().frame == frame) continue;
     CameraPose pose = camera;
     const double share = double(frame - t.first) / (t.last - t.first);
-    pose.yaw =
-        static_cast<float>(std::remainder(double(camera.yaw), whole_turn) + share * turns * whole_turn);
+    pose.yaw = static_cast<float>(std::remainder(double(camera.yaw), whole_turn) + share * whole_turn);
     t.cameras.push_back({frame, pose});
   }
 }
@@ -167,19 +164,14 @@ void put_timeline(Document& document, Timeline timeline, const std::string& labe
   document.timeline = std::move(timeline);
 }
 
-Play play_of(const Timeline& t) {
-  return {t.first, t.last, t.rate, t.repeat, t.straight};
-}
-
-void set_play(Document& document, const Play& play) {
-  if (play == play_of(document.timeline)) return;
+void set_play(Document& document, const Playing& play) {
+  if (play == document.timeline) return;
   record_step(document, "change playback", {EditKind::play});
   Timeline& t = document.timeline;
+  static_cast<Playing&>(t) = play;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);
   t.rate = brought_into(play.rate, Timeline::least_rate, Timeline::largest_rate);
-  t.repeat = play.repeat;
-  t.straight = play.straight;
 }
 
 }  // namespace viete::scene

@@ -21,9 +21,8 @@ void add_key_to_edit(Document& document, int frame);
 /// Takes the branch of its yaw that is nearest to the previous camera key.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
 /// One full turn of the camera about the up axis over the playback range, at constant speed and so that the
-/// last frame repeats the first; replaces all other camera keys. `turns` may be several, or negative for the
-/// reverse direction.
-void set_turntable(Document& document, const CameraPose& camera, int turns = 1);
+/// last frame repeats the first; replaces all other camera keys.
+void set_turntable(Document& document, const CameraPose& camera);
 /// Frames in any order; frames without a key are ignored.
 void remove_keys(Document& document, std::span<const int> frames);
 /// Moves keys and camera keys from `frames` to the frames `to`, one each; they replace other keys there.
@@ -33,16 +32,7 @@ void move_keys(Document& document, const Timeline& before, std::span<const int> 
 void set_easing(Document& document, std::span<const int> frames, Easing easing);
 /// Replaces all keys, range and rate by those of a file.
 void put_timeline(Document& document, Timeline timeline, const std::string& label);
-/// Range, rate, repeat mode and linear blending; consecutive changes are one edit. Values are clamped.
-struct Play {
-  int first, last;
-  double rate;
-  Repeat repeat;
-  bool straight;
-
-  friend bool operator==(const Play&, const Play&) = default;
-};
-Play play_of(const Timeline& timeline);
-void set_play(Document& document, const Play& play);
+/// Consecutive changes are one edit. Values are clamped.
+void set_play(Document& document, const Playing& play);
 
 }  // namespace viete::scene

@@ -98,11 +98,11 @@ std::vector<KeyShare> shares_in_piece(const Track& track, std::size_t from, doub
 Moment moment_on(const Track& track, double frame) {
   std::size_t next = 0;
   while (next < track.count && track.frame(next) <= frame) ++next;
-  if (next == 0) return {{{0, 1}}, 0, 0};
+  if (next == 0) return {{{0, 1}}, 0};
   const std::size_t from = next - 1;
-  if (next == track.count || track.frame(from) == frame) return {{{from, 1}}, from, from};
+  if (next == track.count || track.frame(from) == frame) return {{{from, 1}}, from};
   const double t = (frame - track.frame(from)) / (track.frame(next) - track.frame(from));
-  return {shares_in_piece(track, from, t), from, next};
+  return {shares_in_piece(track, from, t), from};
 }
 
 // Whole turns in between do not matter: slopes belong to intervals.

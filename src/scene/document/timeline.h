@@ -69,7 +69,16 @@ struct CameraKey {
   friend bool operator==(const CameraKey&, const CameraKey&) = default;
 };
 
-struct Timeline {
+struct Playing {
+  int first = 1, last = 60;  ///< playback range; last > first
+  double rate = 24;          ///< frames per second
+  Repeat repeat = Repeat::loop;
+  bool straight = false;  ///< linear blending of the cage's vertices, as in other programs
+
+  friend bool operator==(const Playing&, const Playing&) = default;
+};
+
+struct Timeline : Playing {
   static constexpr int least_frame = -1'000'000, largest_frame = 1'000'000;
   static constexpr double least_rate = 1, largest_rate = 240;
   static constexpr std::size_t most_keys = 10'000;
@@ -77,10 +86,6 @@ struct Timeline {
   std::vector<PoseKey> keys;       ///< sorted by frame, unique
   std::vector<CameraKey> cameras;  ///< likewise
   std::vector<PoseKey> unkeyed{};  ///< poses without a key that something else replaced; oldest first
-  int first = 1, last = 60;        ///< playback range; last > first
-  double rate = 24;                ///< frames per second
-  Repeat repeat = Repeat::loop;
-  bool straight = false;  ///< linear blending of the cage's vertices, as in other programs
 
   bool empty() const { return keys.empty() && cameras.empty(); }
   friend bool operator==(const Timeline&, const Timeline&) = default;
@@ -94,11 +99,10 @@ struct KeyShare {
   std::size_t key;
   double factor;
 };
-/// The factors of the keys at a frame: at most four. from and to are the surrounding keys, equal if a single
-/// key applies.
+/// The factors of the keys at a frame: at most four; `from` is the key at or before the frame, or the first.
 struct Moment {
   std::vector<KeyShare> shares;
-  std::size_t from = 0, to = 0;
+  std::size_t from = 0;
 };
 
 /// Any frame, also fractional: the first key before all keys, the last key after them. Requires a key.

@@ -80,10 +80,10 @@ void take_warnings(Opened& opened) {
   take_cage_warnings(opened);
 }
 
-Opened open_model(const std::vector<fs::path>& files, base::Progress* progress, Fins fins) {
+Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) {
   const auto named = [&](std::size_t i) { return i < files.size() ? files[i] : fs::path(); };
   Opened opened;
-  opened.document = open_document(named(0), named(1), progress, fins);
+  opened.document = open_document(named(0), named(1), progress);
   take_warnings(opened);
   if (named(2).empty()) return opened;
   if (!opened.document->has_cage()) {
@@ -94,22 +94,22 @@ Opened open_model(const std::vector<fs::path>& files, base::Progress* progress, 
   return opened;
 }
 
-Opened open_cage(OpenedSurface cage, const Document& current, Fins fins) {
+Opened open_cage(OpenedSurface cage, const Document& current) {
   Opened opened;
   opened.document = document_of(current.model);
   opened.document->mask = current.mask;
   opened.document->probes = current.probes;
-  set_cage(*opened.document, std::move(cage), fins);
+  set_cage(*opened.document, std::move(cage));
   opened.lost = keep_shapes(*opened.document, current);
   take_cage_warnings(opened);
   return opened;
 }
 
-Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress, Fins fins) {
+Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress) {
   if (!current.model.surface) {
     throw base::Error(file.string(), "a cage needs a model, and none is open", "open the model first");
   }
-  return open_cage(open_surface(file, progress), current, fins);
+  return open_cage(open_surface(file, progress), current);
 }
 
 Opened open_pose(const fs::path& file, const Document& current) {
@@ -327,7 +327,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return a == b || fs::equivalent(a, b, ignored);
 }
 
-Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins fins) {
+Opened open_dropped_surface(OpenedSurface surface, const Document& current) {
   const mesh::Surface& s = *surface.surface;
   const std::string name = name_of(surface);
   if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
@@ -345,7 +345,7 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins
                     s.positions.size() < current.model.surface->positions.size() &&
                     encloses(s, *current.model.surface);
   if (cage) {
-    Opened opened = open_cage(std::move(surface), current, fins);
+    Opened opened = open_cage(std::move(surface), current);
     opened.taken_as = "Imported " + name + " as the cage: it encloses the model";
     return opened;
   }
@@ -356,7 +356,7 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins
   return opened;
 }
 
-Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage, Fins fins) {
+Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage) {
   if (cage.surface->positions.size() > model.surface->positions.size()) std::swap(model, cage);
   std::string reason = "has fewer vertices and encloses it";
   if (!encloses(*cage.surface, *model.surface)) {
@@ -368,7 +368,7 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage, Fins fins) {
   opened.taken_as =
       "Imported " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
   opened.document = document_of(std::move(model));
-  set_cage(*opened.document, std::move(cage), fins);
+  set_cage(*opened.document, std::move(cage));
   take_warnings(opened);
   return opened;
 }
@@ -388,8 +388,7 @@ Opened open_dropped_shapes(const std::vector<fs::path>& files, const Document& c
   return opened;
 }
 
-Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress,
-                    Fins fins) {
+Opened open_dropped(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
   const std::string dropped = std::to_string(files.size()) + " files were dropped";
   const char* advice =
       "drop one session, one model, one pose, a model and its cage, or shapes of the open model";
@@ -412,12 +411,12 @@ Opened open_dropped(const std::vector<fs::path>& files, const Document& current,
   const double middle = files.size() == 2 ? 0.4 : 0.8;
   if (progress) progress->section(0, middle);
   OpenedSurface first = open_surface(files[0], progress);
-  if (files.size() == 1) return open_dropped_surface(std::move(first), current, fins);
+  if (files.size() == 1) return open_dropped_surface(std::move(first), current);
   if (progress) progress->section(middle, 0.8);
   OpenedSurface second = open_surface(files[1], progress);
   if (is_shape_of(current, *first.surface) && is_shape_of(current, *second.surface))
     return open_dropped_shapes(files, current, progress);
-  return open_dropped_pair(std::move(first), std::move(second), fins);
+  return open_dropped_pair(std::move(first), std::move(second));
 }
 
 bool names_session(const OpenRequest& request) {
@@ -433,13 +432,13 @@ Opened read(const OpenRequest& request, const Document& current, base::Progress*
   if (names_session(request))
     return open_session(first, request.what == What::recovery, request.located, progress);
   switch (request.what) {
-    case What::cage: return open_cage(first, current, progress, request.fins);
+    case What::cage: return open_cage(first, current, progress);
     case What::pose: return open_pose(first, current);
     case What::poses: return open_poses(files, current, progress);
     case What::animation: return open_animation(first, current, progress);
     case What::shapes: return open_shapes(files, current, progress);
-    case What::dropped: return open_dropped(files, current, progress, request.fins);
-    default: return open_model(files, progress, request.fins);
+    case What::dropped: return open_dropped(files, current, progress);
+    default: return open_model(files, progress);
   }
 }
 

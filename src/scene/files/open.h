@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "scene/document/animation.h"
-#include "scene/document/settings.h"
+#include "scene/document/document.h"
 #include "scene/files/session.h"
 
 namespace viete::scene {
@@ -44,7 +44,6 @@ struct OpenRequest {
   std::vector<std::filesystem::path> files;
   RequestedSettings settings{};  ///< for a model; unset values come from the open document or the session
   LocatedFiles located{};        ///< for a session
-  Fins fins = Fins::refused;     ///< for a cage
 };
 
 /// The result of reading files, ready to be applied to a workspace.

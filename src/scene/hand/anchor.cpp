@@ -26,44 +26,6 @@ bool selects_probes(const Document& document) {
   return document.selection.kind() == ElementKind::probe;
 }
 
-// The connected component of each leading vertex, named by one of its vertices.
-std::vector<std::uint32_t> islands_of(const Document& document, const Vertices& vertices) {
-  const deform::Cage& cage = *document.cage;
-  mesh::UnionFind together(cage.surface.positions.size());
-  const ElementKind kind = document.selection.kind();
-  if (kind == ElementKind::vertex) {
-    std::vector<char> is_in(cage.surface.positions.size(), 0);
-    for (const auto v : vertices) is_in[v] = 1;
-    for (const auto& [a, b] : cage.edges) {
-      if (is_in[a] && is_in[b]) together.join(a, b);
-    }
-  } else {
-    for (const auto i : document.selection.indices()) {
-      const auto own = element_vertices(cage, kind, i);
-      for (const auto v : own) together.join(own.front(), v);
-    }
-  }
-  std::vector<std::uint32_t> islands;
-  for (const auto v : vertices) islands.push_back(together.find(v));
-  return islands;
-}
-
-void put_pivots_of_islands(const Document& document, const Vertices& vertices, Anchor& anchor) {
-  const auto islands = islands_of(document, vertices);
-  Vertices roots(islands);
-  std::ranges::sort(roots);
-  roots.erase(std::ranges::unique(roots).begin(), roots.end());
-  std::vector<Vertices> members(roots.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto at = std::ranges::lower_bound(roots, islands[i]) - roots.begin();
-    anchor.pivot_of.push_back(static_cast<std::uint32_t>(at));
-    members[static_cast<std::size_t>(at)].push_back(vertices[i]);
-  }
-  anchor.pivots.clear();
-  for (const Vertices& island : members)
-    anchor.pivots.push_back(vector_of(mean_of(document.pose.positions, island)));
-}
-
 // The vertices connected by edges with the largest fixed part; empty if there is none.
 Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   const std::size_t count = cage.surface.positions.size();
@@ -90,14 +52,6 @@ Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   return border;
 }
 
-std::optional<glm::dvec3> center_of_active(const Document& document) {
-  const auto active = document.selection.active();
-  if (!active) return std::nullopt;
-  if (selects_probes(document)) return std::nullopt;
-  const auto own = element_vertices(*document.cage, document.selection.kind(), *active);
-  return vector_of(mean_of(document.pose.positions, own));
-}
-
 // X is kept as far as possible, Z is perpendicular to both.
 glm::dmat3 axes_from(const glm::dvec3& z, const glm::dvec3& near_x) {
   const glm::dvec3 across = near_x - glm::dot(near_x, z) * z;
@@ -116,70 +70,6 @@ glm::dvec3 forward(const mesh::Vec3& axis) {
   return a[largest] < 0 ? -a : a;
 }
 
-// The sum of area vectors (twice the area) of the faces whose vertices all are listed.
-glm::dvec3 normal_at(const Document& document, std::span<const std::uint32_t> vertices) {
-  const mesh::Surface& cage = document.cage->surface;
-  glm::dvec3 sum(0);
-  for (std::uint32_t p = 0; p < cage.polygon_count(); ++p) {
-    const auto begin = cage.corners.begin() + cage.polygon_starts[p],
-               end = cage.corners.begin() + cage.polygon_starts[p + 1];
-    const bool has_all =
-        std::ranges::all_of(vertices, [&](auto v) { return std::find(begin, end, v) != end; });
-    if (!has_all) continue;
-    const mesh::Point& from = document.pose.positions[*begin];
-    for (auto c = begin + 1; c + 1 < end; ++c) {
-      sum += vector_of(
-          mesh::cross(document.pose.positions[*c] - from, document.pose.positions[*(c + 1)] - from));
-    }
-  }
-  return sum;
-}
-
-glm::dvec3 longest_edge(const Document& document, std::span<const std::uint32_t> vertices) {
-  glm::dvec3 longest(0);
-  for (std::size_t i = 0; i < vertices.size() && vertices.size() > 1; ++i) {
-    const auto a = document.pose.positions[vertices[i]],
-               b = document.pose.positions[vertices[(i + 1) % vertices.size()]];
-    const glm::dvec3 edge = vector_of(b - a);
-    if (glm::length(edge) > glm::length(longest) * (1 + 1e-9)) longest = edge;
-  }
-  return longest;
-}
-
-std::optional<glm::dmat3> axes_of_active(const Document& document) {
-  const auto active = document.selection.active();
-  if (!active || selects_probes(document)) return std::nullopt;
-  const auto own = element_vertices(*document.cage, document.selection.kind(), *active);
-  const glm::dvec3 normal = normal_at(document, own);
-  if (!(glm::length(normal) > 0)) return std::nullopt;
-  const glm::dvec3 along = longest_edge(document, own);
-  const glm::dvec3 z = glm::normalize(normal);
-  return axes_from(z, glm::length(along) > 0 ? glm::normalize(along) : glm::dvec3(0));
-}
-
-glm::dmat3 axes_of(const Document& document, const Handling& handling, const Mirror* mirror,
-                   const Vertices& vertices, const Camera& camera) {
-  switch (handling.axes) {
-    case Axes::world: break;
-    case Axes::view:
-      return {glm::dvec3(camera.right()), glm::dvec3(camera.up()), -glm::dvec3(camera.forward())};
-    case Axes::active: return axes_of_active(document).value_or(glm::dmat3(1));
-    case Axes::mirror: {
-      if (!mirror) break;
-      const glm::dvec3 x = vector_of(mirror->plane.normal);
-      const glm::dvec3 up = camera.pose().up == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-      const glm::dmat3 turned = axes_from(x, up);  // x is its third column
-      return {x, turned[0], turned[1]};
-    }
-    case Axes::selection: {
-      std::vector<mesh::Point> points;
-      for (const auto v : vertices) points.push_back(document.pose.positions[v]);
-      return axes_of_points(std::move(points)).value_or(glm::dmat3(1));
-    }
-  }
-  return glm::dmat3(1);
-}
-
 glm::dvec3 middle_of(const Document& document, const Vertices& vertices) {
   if (!selects_probes(document)) return vector_of(mean_of(document.pose.positions, vertices));
   glm::dvec3 sum(0);
@@ -188,31 +78,24 @@ glm::dvec3 middle_of(const Document& document, const Vertices& vertices) {
   return sum;
 }
 
-void put_pivots(const Document& document, const Handling& handling, const Vertices& vertices,
-                Anchor& anchor) {
-  switch (handling.pivot) {
-    case Pivot::median: break;
-    case Pivot::active: anchor.center = center_of_active(document).value_or(anchor.center); break;
-    case Pivot::point:
-      if (handling.point) anchor.center = vector_of(*handling.point);
-      break;
-    case Pivot::joint: {
-      if (!selects_probes(document)) anchor.center = joint_of(document, vertices).value_or(anchor.center);
-      break;
+glm::dvec3 pivot_of(const Document& document, const Handling& handling, const Vertices& vertices) {
+  const auto center = [&]() -> std::optional<glm::dvec3> {
+    switch (handling.pivot) {
+      case Pivot::median: break;
+      case Pivot::active: return center_of_active(document);
+      case Pivot::joint: return selects_probes(document) ? std::nullopt : joint_of(document, vertices);
+      case Pivot::point: return handling.point ? std::optional(vector_of(*handling.point)) : std::nullopt;
     }
-    case Pivot::individual:
-      if (!selects_probes(document)) return put_pivots_of_islands(document, vertices, anchor);
-      break;
-  }
-  anchor.pivots = {anchor.center};
+    return std::nullopt;
+  }();
+  return center.value_or(middle_of(document, vertices));
 }
 
-}  // namespace
-
-std::optional<glm::dmat3> axes_of_points(std::vector<mesh::Point> points) {
+// Columns from the longest extent to the shortest.
+glm::dmat3 axes_of_selection(const Document& document, const Vertices& vertices) {
   mesh::Surface cloud;
-  cloud.positions = std::move(points);
-  if (cloud.positions.size() < 2 || !(mesh::bounds(cloud.positions).diagonal() > 0)) return std::nullopt;
+  for (const auto v : vertices) cloud.positions.push_back(document.pose.positions[v]);
+  if (cloud.positions.size() < 2 || !(mesh::bounds(cloud.positions).diagonal() > 0)) return glm::dmat3(1);
   const cages::Frame frame = cages::own_frame(cloud);
   std::array<std::pair<double, glm::dvec3>, 3> extents;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -225,6 +108,14 @@ std::optional<glm::dmat3> axes_of_points(std::vector<mesh::Point> points) {
   }
   std::ranges::stable_sort(extents, std::greater<>(), [](const auto& e) { return e.first; });
   return axes_from(extents[2].second, extents[0].second);
+}
+
+}  // namespace
+
+std::optional<glm::dvec3> center_of_active(const Document& document) {
+  const auto active = document.selection.active();
+  if (!active || selects_probes(document)) return std::nullopt;
+  return vector_of(element_middle(document, document.selection.kind(), *active));
 }
 
 std::optional<glm::dvec3> joint_of(const Document& document, const std::vector<std::uint32_t>& vertices) {
@@ -259,10 +150,10 @@ std::vector<std::uint32_t> leading_vertices(const Document& document, const Mirr
 Anchor anchor_of(const Document& document, const Handling& handling, const Mirror* mirror,
                  const Camera& camera) {
   const Vertices vertices = leading_vertices(document, mirror);
-  Anchor anchor;
-  anchor.center = middle_of(document, vertices);
-  anchor.axes = axes_of(document, handling, mirror, vertices, camera);
-  put_pivots(document, handling, vertices, anchor);
+  Anchor anchor{pivot_of(document, handling, vertices)};
+  if (handling.axes == Axes::view)
+    anchor.axes = {glm::dvec3(camera.right()), glm::dvec3(camera.up()), -glm::dvec3(camera.forward())};
+  if (handling.axes == Axes::selection) anchor.axes = axes_of_selection(document, vertices);
   return anchor;
 }
 

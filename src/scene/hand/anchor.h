@@ -15,11 +15,8 @@ namespace viete::scene {
 
 /// Lengths in the file's units.
 struct Anchor {
-  glm::dvec3 center{0, 0, 0};        ///< gizmo center
-  glm::dmat3 axes{1};                ///< columns of length 1, right-handed
-  std::vector<glm::dvec3> pivots{};  ///< centers of rotation and scale; at least one
-  /// With several pivots: the pivot index for each leading vertex, in their order. Otherwise empty.
-  std::vector<std::uint32_t> pivot_of{};
+  glm::dvec3 center{0, 0, 0};  ///< the gizmo's center, and that of rotation and scale
+  glm::dmat3 axes{1};          ///< columns of length 1, right-handed
 };
 
 /// The selected vertices that a drag moves directly, ascending: with a mirror and both sides selected, those
@@ -34,7 +31,7 @@ Anchor anchor_of(const Document& document, const Handling& handling, const Mirro
 /// they are not connected.
 std::optional<glm::dvec3> joint_of(const Document& document, const std::vector<std::uint32_t>& vertices);
 
-/// Principal axes: columns from the longest extent to the shortest; nullopt for fewer than two places.
-std::optional<glm::dmat3> axes_of_points(std::vector<mesh::Point> points);
+/// The center of the selected element of the cage that was clicked last; nullopt: none.
+std::optional<glm::dvec3> center_of_active(const Document& document);
 
 }  // namespace viete::scene

@@ -4,6 +4,7 @@
 #include <queue>
 #include <tuple>
 
+#include "mesh/adjacency.h"
 #include "mesh/point_tree.h"
 #include "scene/document/selection_sets.h"
 
@@ -11,67 +12,36 @@ namespace viete::scene {
 
 namespace {
 
-constexpr double recovered = std::numeric_limits<double>::infinity();
-
-struct Reach {
-  std::vector<double> distance;        // one per vertex
-  std::vector<std::uint32_t> nearest;  // nearest selected vertex
-};
-
-// Adjacency lists of the vertices.
-struct Neighbours {
-  explicit Neighbours(const deform::Cage& cage) : starts(cage.surface.positions.size() + 1) {
-    for (const auto& [a, b] : cage.edges) ++starts[a + 1], ++starts[b + 1];
-    for (std::size_t v = 1; v < starts.size(); ++v) starts[v] += starts[v - 1];
-    all.resize(2 * cage.edges.size());
-    std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-    for (const auto& [a, b] : cage.edges) all[next[a]++] = b, all[next[b]++] = a;
-  }
-  std::span<const std::uint32_t> of(std::uint32_t v) const {
-    return {all.data() + starts[v], all.data() + starts[v + 1]};
-  }
-  std::vector<std::uint32_t> starts, all;
-};
+// Distances from the selected vertices.
+using Distances = std::vector<double>;
 
 // E. W. Dijkstra's shortest paths from all selected vertices at once, up to the radius.
-Reach over_edges(const deform::Cage& cage, std::span<const mesh::Point> positions,
-                 std::span<const std::uint32_t> selected, double radius) {
-  Reach reach{std::vector(positions.size(), recovered), std::vector<std::uint32_t>(positions.size(), 0)};
+Distances over_edges(const deform::Cage& cage, std::span<const mesh::Point> positions,
+                     std::span<const std::uint32_t> selected, double radius) {
+  Distances distances(positions.size(), std::numeric_limits<double>::infinity());
   using Entry = std::tuple<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (std::uint32_t i = 0; i < selected.size(); ++i) {
-    reach.distance[selected[i]] = 0;
-    reach.nearest[selected[i]] = i;
-    queue.emplace(0, selected[i]);
-  }
-  const Neighbours neighbours(cage);
+  for (const auto v : selected) queue.emplace(distances[v] = 0, v);
+  const auto neighbours = mesh::make_adjacency(positions.size(), [&](const auto& add) {
+    for (const auto& [a, b] : cage.edges) add(a, b), add(b, a);
+  });
   while (!queue.empty()) {
     const auto [distance, v] = queue.top();
     queue.pop();
-    if (distance > reach.distance[v]) continue;
+    if (distance > distances[v]) continue;
     for (const auto other : neighbours.of(v)) {
       const double longer = distance + mesh::norm(positions[other] - positions[v]);
-      if (!(longer < reach.distance[other]) || longer >= radius) continue;
-      reach.distance[other] = longer;
-      reach.nearest[other] = reach.nearest[v];
-      queue.emplace(longer, other);
+      if (longer < distances[other] && longer < radius) queue.emplace(distances[other] = longer, other);
     }
   }
-  return reach;
+  return distances;
 }
 
-Reach through_space(std::span<const mesh::Point> positions, std::span<const std::uint32_t> selected) {
-  Reach reach{std::vector(positions.size(), recovered), std::vector<std::uint32_t>(positions.size(), 0)};
-  std::vector<std::uint32_t> place(positions.size(), 0);
-  for (std::uint32_t i = 0; i < selected.size(); ++i) place[selected[i]] = i;
+Distances through_space(std::span<const mesh::Point> positions, std::span<const std::uint32_t> selected) {
+  Distances distances;
   const mesh::PointTree tree(positions, {selected.begin(), selected.end()});
-  for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const std::uint32_t found = tree.nearest(positions[v]);
-    reach.distance[v] = mesh::norm(positions[found] - positions[v]);
-    reach.nearest[v] = place[found];
-  }
-  for (const auto v : selected) reach.distance[v] = 0, reach.nearest[v] = place[v];
-  return reach;
+  for (const mesh::Point& p : positions) distances.push_back(mesh::norm(positions[tree.nearest(p)] - p));
+  return distances;
 }
 
 }  // namespace
@@ -88,16 +58,17 @@ double soft_share(SoftCurve curve, double distance) {
   return 1;
 }
 
-std::vector<Softened> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
-                               std::span<const std::uint32_t> selected, const SoftSelection& soft,
-                               double radius) {
+std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
+                              std::span<const std::uint32_t> selected, const SoftSelection& soft,
+                              double radius) {
   if (selected.empty()) return {};
-  const Reach reach = soft.distance == SoftDistance::edges ? over_edges(cage, positions, selected, radius)
-                                                           : through_space(positions, selected);
-  std::vector<Softened> all;
+  const Distances distances = soft.distance == SoftDistance::edges
+                                  ? over_edges(cage, positions, selected, radius)
+                                  : through_space(positions, selected);
+  std::vector<Gripped> all;
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const double share = reach.distance[v] == 0 ? 1 : soft_share(soft.curve, reach.distance[v] / radius);
-    if (share > 0) all.push_back({v, share, reach.nearest[v]});
+    const double share = distances[v] == 0 ? 1 : soft_share(soft.curve, distances[v] / radius);
+    if (share > 0) all.push_back({v, share});
   }
   return all;
 }
@@ -116,16 +87,6 @@ Transform share_of(const Transform& t, double share) {
   return part;
 }
 
-std::vector<Softened> with_what_is_near(const Document& document, const SoftSelection& soft,
-                                        std::span<const std::uint32_t> leading) {
-  if (soft.on)
-    return softened(*document.cage, document.pose.positions, leading, soft,
-                    soft.radius * document.space.diagonal());
-  std::vector<Softened> all;
-  for (std::uint32_t i = 0; i < leading.size(); ++i) all.push_back({leading[i], 1, i});
-  return all;
-}
-
 // Each vertex follows the side with the larger share; on the plane both.
 std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const Mirror& mirror) {
   std::vector<Gripped> by_vertex(mirror.partners.size(), Gripped{0, 0});
@@ -134,7 +95,7 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const Mirror& mirro
     if (mirror.is_on_plane(g.vertex)) by_vertex[g.vertex].side = Side::plane;
     if (!mirror.is_paired(g.vertex)) continue;
     const std::uint32_t partner = mirror.partners[g.vertex];
-    if (by_vertex[partner].share < g.share) by_vertex[partner] = {partner, g.share, g.pivot, Side::other};
+    if (by_vertex[partner].share < g.share) by_vertex[partner] = {partner, g.share, Side::other};
   }
   std::vector<Gripped> all;
   for (const Gripped& g : by_vertex) {
@@ -155,13 +116,16 @@ mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, co
 
 }  // namespace
 
-std::vector<Gripped> gripped(const Document& document, const SoftSelection& soft, const Mirror* mirror,
-                             const Anchor& anchor) {
+std::vector<Gripped> gripped(const Document& document, const SoftSelection& soft, const Mirror* mirror) {
   if (document.selection.kind() == ElementKind::probe) return {};
   const auto leading = leading_vertices(document, mirror);
   std::vector<Gripped> own;
-  for (const auto& [vertex, share, nearest] : with_what_is_near(document, soft, leading))
-    own.push_back({vertex, share, anchor.pivot_of.empty() ? 0 : anchor.pivot_of[nearest]});
+  if (soft.on) {
+    own = softened(*document.cage, document.pose.positions, leading, soft,
+                   soft.radius * document.space.diagonal());
+  } else {
+    for (const auto v : leading) own.push_back({v});
+  }
   if (mirror) own = on_both_sides(std::move(own), *mirror);
   const auto hidden = hidden_elements(document, ElementKind::vertex);
   std::erase_if(own, [&](const Gripped& g) { return g.vertex < hidden.size() && hidden[g.vertex]; });
@@ -171,7 +135,7 @@ std::vector<Gripped> gripped(const Document& document, const SoftSelection& soft
 Grip grip_of(const Document& document, const Handling& handling, const Mirror* mirror, const Camera& camera) {
   Grip grip{anchor_of(document, handling, mirror, camera), {}, {}};
   if (mirror) grip.plane = mirror->plane;
-  grip.vertices = gripped(document, handling.soft, mirror, grip.anchor);
+  grip.vertices = gripped(document, handling.soft, mirror);
   return grip;
 }
 
@@ -208,8 +172,8 @@ void apply(const Transform& transform, const Grip& grip, std::span<const mesh::P
   PointMotion motion(transform);
   for (const Gripped& g : grip.vertices) {
     if (g.share != share) motion = PointMotion(share_of(transform, share = g.share));
-    const auto about_pivot = [&](const mesh::Point& at) { return motion(at, grip.anchor.pivots[g.pivot]); };
-    to[g.vertex] = moved(about_pivot, g.side, grip.plane, from[g.vertex]);
+    const auto about_center = [&](const mesh::Point& at) { return motion(at, grip.anchor.center); };
+    to[g.vertex] = moved(about_center, g.side, grip.plane, from[g.vertex]);
   }
 }
 

@@ -130,16 +130,6 @@ std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Po
   return nearest.best();
 }
 
-// The ray parameter, from either side (T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle
-// intersection", 1997).
-std::optional<double> hit(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
-  const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], s = ray.origin - t[0];
-  const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(s, u);
-  const double volume = glm::dot(u, p), a = glm::dot(s, p) / volume, b = glm::dot(ray.direction, q) / volume;
-  if (!(a >= 0 && b >= 0 && a + b <= 1)) return std::nullopt;
-  return glm::dot(v, q) / volume;
-}
-
 std::optional<Pick> pick_inside(const Document& document, const Camera& camera, const Ray& ray,
                                 const Flags& hidden) {
   const mesh::Surface& cage = document.cage->surface;
@@ -152,9 +142,9 @@ std::optional<Pick> pick_inside(const Document& document, const Camera& camera, 
     std::array<glm::dvec3, 3> corners;
     for (int i = 0; i < 3; ++i)
       corners[i] = document.space.to_view(document.pose.positions[cage.triangles[t][i]]);
-    const auto at = hit(ray, corners);
-    if (!at || *at <= start || *at >= first) continue;
-    first = *at;
+    const auto hit = hit_triangle(ray, corners);
+    if (!hit || hit->distance <= start || hit->distance >= first) continue;
+    first = hit->distance;
     best = Pick{cage.triangle_polygon[t], camera.depth(glm::vec3(ray.origin + first * ray.direction))};
   }
   return best;
@@ -173,10 +163,9 @@ std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge&
 
 }  // namespace
 
-std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
-                                 const glm::vec2& cursor, const Sight* sight) {
+std::optional<Pick> pick_element(const Document& document, ElementKind kind, const Camera& camera,
+                                 const Viewport& viewport, const glm::vec2& cursor, const Sight* sight) {
   const Projector project(document.space, camera, viewport);
-  const auto kind = document.selection.kind();
   const Flags hidden = hidden_elements(document, kind);
   if (kind == ElementKind::probe)
     return pick_point(project, probe_centers(document), cursor, nullptr, hidden);
@@ -192,6 +181,11 @@ std::optional<Pick> pick_element(const Document& document, const Camera& camera,
   if (!edge) return std::nullopt;
   const auto face = face_at(*document.cage, edges[edge->index], hidden);
   return face ? std::optional(Pick{*face, edge->depth}) : std::nullopt;
+}
+
+std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
+                                 const glm::vec2& cursor, const Sight* sight) {
+  return pick_element(document, document.selection.kind(), camera, viewport, cursor, sight);
 }
 
 // Dense means that a third of the area is within the tolerance of a vertex: eight vertices in a circle of

@@ -43,11 +43,15 @@ struct Pick {
   float depth;
 };
 
-/// The element of the selection's kind under the cursor, in the pose. Vertices: the nearest within 8 logical
+/// The element of this kind under the cursor, in the pose. Vertices: the nearest within 8 logical
 /// pixels; among those within 2 pixels of the nearest, the front one. Edges: likewise, by their nearest
 /// point. Faces: the front one; outside of all faces, the one at the nearest edge within that distance.
 /// Hidden elements can be picked, as a cage is edited from both sides, unless `sight` is given. Nullopt
 /// without a cage.
+std::optional<Pick> pick_element(const Document& document, ElementKind kind, const Camera& camera,
+                                 const Viewport& viewport, const glm::vec2& cursor,
+                                 const Sight* sight = nullptr);
+/// The same for the selection's kind.
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight = nullptr);
 /// True if cage vertices around the cursor are too dense to click between them.

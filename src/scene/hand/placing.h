@@ -9,7 +9,7 @@
 
 namespace viete::scene {
 
-/// Transforms the vertices of the grip from their positions in `before`, about the grip's pivots. If the
+/// Transforms the vertices of the grip from their positions in `before`, about the grip's anchor. If the
 /// rotation differs from `degrees_seen`, the one currently shown, by more than a mouse moves per frame, it is
 /// applied in small steps, so that the pose's whole turns equal those of a slow rotation. |degrees| is at
 /// most most_degrees. Returns false, without a change, if a vertex or the turns would leave their range

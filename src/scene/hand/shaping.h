@@ -1,5 +1,5 @@
-// Bending, twisting and tapering the selection between two ends; pushing, smoothing, relaxing and flattening
-// it. A single amount controls all vertices.
+// Bending, twisting and tapering the selection between two ends; smoothing and relaxing it. A single amount
+// controls all vertices.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -2,6 +2,7 @@
 #include "scene/document/space.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -10,6 +11,8 @@ namespace viete::scene {
 
 namespace {
 
+constexpr double radians = 0.017453292519943295;
+
 struct Turn {
   double cosine, sine;
 };
@@ -17,7 +20,7 @@ struct Turn {
 Turn turn_of(double degrees) {
   const double within = std::remainder(degrees, 360.0);
   const double quarter = std::round(within / 90);
-  const double rest = (within - 90 * quarter) * 0.017453292519943295;
+  const double rest = (within - 90 * quarter) * radians;
   const double c = std::cos(rest), s = std::sin(rest);
   switch (static_cast<int>(quarter) & 3) {
     case 0: return {c, s};
@@ -32,6 +35,18 @@ glm::dmat3 rotation(const glm::dvec3& a, double degrees) {
   const Turn t = turn_of(degrees);
   const glm::dmat3 cross(0, a.z, -a.y, -a.z, 0, a.x, a.y, -a.x, 0);
   return t.cosine * glm::dmat3(1) + t.sine * cross + (1 - t.cosine) * glm::outerProduct(a, a);
+}
+
+glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return c * v + s * glm::cross(axis, v) + (1 - c) * glm::dot(axis, v) * axis;
+}
+
+// sin(k s) / k and (1 - cos(k s)) / k, accurate for small k.
+std::array<double, 2> arc(double k, double s) {
+  const double angle = k * s;
+  if (std::abs(angle) < 1e-4) return {s * (1 - angle * angle / 6), s * angle / 2};
+  return {std::sin(angle) / k, (1 - std::cos(angle)) / k};
 }
 
 }  // namespace
@@ -50,6 +65,27 @@ mesh::Point PointMotion::operator()(const mesh::Point& p, const glm::dvec3& pivo
   const glm::dvec3 from = vector_of(p);
   const glm::dvec3 turned = turns_ ? pivot + linear_ * (from - pivot) : from;
   return point_of(turned + shift_);
+}
+
+std::string_view name(Shape shape) {
+  static constexpr std::string_view names[] = {"", "bend", "twist", "taper", "smooth", "relax"};
+  return names[static_cast<std::size_t>(shape)];
+}
+
+mesh::Point shaped(const Shaping& shaping, double amount, const mesh::Point& p) {
+  const glm::dvec3 way = shaping.to - shaping.from;
+  const double length = glm::length(way);
+  const glm::dvec3 a = way / length, d = vector_of(p) - shaping.from;
+  const double s = glm::dot(d, a), within = std::clamp(s, 0.0, length), t = within / length;
+  const glm::dvec3 beside = d - s * a;
+  if (within <= 0 && shaping.shape != Shape::taper) return p;
+  if (shaping.shape == Shape::twist)
+    return point_of(shaping.from + s * a + turned(beside, a, amount * t * radians));
+  if (shaping.shape == Shape::taper) return point_of(shaping.from + s * a + (1 + (amount - 1) * t) * beside);
+  const double angle = amount * t * radians, k = amount * radians / length;
+  const auto [along, aside] = arc(k, within);
+  const glm::dvec3 center = shaping.from + along * a + aside * glm::cross(shaping.hinge, a);
+  return point_of(center + turned(beside + (s - within) * a, shaping.hinge, angle));
 }
 
 }  // namespace viete::scene

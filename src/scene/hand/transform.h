@@ -1,11 +1,12 @@
-// Tools, and moving, rotating and scaling the selected vertices about a pivot; exact for the identity and for
-// whole turns.
+// Tools; moving, rotating and scaling vertices about a pivot, exact for the identity and for whole turns; and
+// shaping them between two ends.
 #pragma once
 
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/document/document.h"
@@ -57,5 +58,27 @@ private:
 
 /// The largest rotation of one edit: beyond a thousand turns angles lose digits.
 inline constexpr double most_degrees = 360000;
+
+/// Shaping between two ends, or by displacements.
+enum class Shape { none, bend, twist, taper, smooth, relax };
+
+/// "bend".
+std::string_view name(Shape shape);
+/// True if the amount is an angle in degrees; otherwise it is a factor.
+constexpr bool is_angle(Shape shape) {
+  return shape == Shape::bend || shape == Shape::twist;
+}
+
+struct Shaping {
+  Shape shape = Shape::none;
+  /// From the fixed end to the moving end; the amount grows linearly between them. File units.
+  glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
+  glm::dvec3 hinge{0, 0, 1};  ///< bending axis; of length 1, perpendicular to from-to
+  /// For shapes without ends: the displacement of each grip vertex for an amount of 1.
+  std::vector<mesh::Vec3> ways;
+};
+
+/// The image of a point between the ends, for this amount.
+mesh::Point shaped(const Shaping& shaping, double amount, const mesh::Point& p);
 
 }  // namespace viete::scene

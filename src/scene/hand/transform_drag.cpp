@@ -126,24 +126,21 @@ glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
 }
 
 // Moving right increases the amount.
-double TransformDrag::amount_by_way(double pixels, const CursorProjection& projection) const {
+double TransformDrag::amount_by_way(double pixels) const {
   switch (grip_.shaping.shape) {
     case Shape::bend:
     case Shape::twist: return pixels / shape_pixels_per_degree;
     case Shape::taper: return 1 + pixels / even_scale_pixels;
-    case Shape::push: return pixels * projection.per_pixel() / space_.scale;
     default: return pixels / whole_share_pixels;
   }
 }
 
 Transform TransformDrag::shaped_by(double amount, bool snap) const {
   Transform t = still();
-  const Shape shape = grip_.shaping.shape;
-  if (is_angle(shape)) {
+  if (is_angle(grip_.shaping.shape)) {
     t.degrees = snap ? turn_snap * std::round(amount / turn_snap) : amount;
   } else {
-    const double per_unit = shape == Shape::push ? move_snaps / grid_cell(space_.diagonal()) : scale_snaps;
-    t.amount = snap ? snapped(amount, per_unit) : amount;
+    t.amount = snap ? snapped(amount, scale_snaps) : amount;
   }
   return t;
 }
@@ -156,7 +153,7 @@ Transform TransformDrag::measured(const DragInput& input, const Camera& camera, 
                                     viewport);
   Transform t = still();
   if (grip_.shaping.shape != Shape::none) {
-    t = shaped_by(amount_by_way(slowed.x - press_.x, projection), input.snap);
+    t = shaped_by(amount_by_way(slowed.x - press_.x), input.snap);
   } else if (tool_ == Tool::rotate) {
     t.axis = direction();
     t.degrees = degrees_of_radian * turn_by_mouse(input, projection);
@@ -235,7 +232,7 @@ Transform TransformDrag::typed(double value) const {
   if (is_angle(grip_.shaping.shape)) {
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
   } else if (grip_.shaping.shape != Shape::none) {
-    t.amount = is_percent() ? value / 100 : value;
+    t.amount = grip_.shaping.ways.empty() ? value : value / 100;
   } else if (tool_ == Tool::rotate) {
     t.axis = direction();
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
@@ -252,7 +249,7 @@ Transform TransformDrag::typed(double value) const {
 
 void TransformDrag::soften(Document& document, const SoftSelection& soft, const Mirror* mirror) {
   document.pose = before_.pose;
-  grip_.vertices = gripped(document, soft, mirror, grip_.anchor);
+  grip_.vertices = gripped(document, soft, mirror);
   vertices_ = vertices_of(grip_);
   ++softened_;
   transform_.degrees = 0;  // restart at the pose of the press, so that turns are followed from there
@@ -278,17 +275,10 @@ void TransformDrag::cancel(Document& document) const {
   document.selection = before_.selection;
 }
 
-// Shares of smoothing, relaxing and flattening.
-bool TransformDrag::is_percent() const {
-  const Shape shape = grip_.shaping.shape;
-  return shape == Shape::smooth || shape == Shape::relax || shape == Shape::flatten;
-}
-
 std::string TransformDrag::shaped_amount() const {
   if (is_angle(grip_.shaping.shape)) return print("%.1f", transform_.degrees) + "\u00b0";
-  if (is_percent()) return print("%.0f %%", 100 * transform_.amount);
-  if (grip_.shaping.shape == Shape::taper) return print("%.2f", transform_.amount);
-  return length_text(transform_.amount, grid_cell(space_.diagonal()));
+  if (grip_.shaping.ways.empty()) return print("%.2f", transform_.amount);
+  return print("%.0f %%", 100 * transform_.amount);
 }
 
 std::string TransformDrag::amounts() const {

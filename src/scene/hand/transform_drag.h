@@ -77,8 +77,7 @@ private:
   glm::dvec3 snapped_shift(const glm::dvec3& shift) const;
   Transform still() const;
   Transform shaped_by(double amount, bool snap) const;
-  double amount_by_way(double pixels, const CursorProjection& projection) const;
-  bool is_percent() const;
+  double amount_by_way(double pixels) const;
   std::string shaped_amount() const;
   std::string label() const;
   std::string amounts() const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 namespace viete::scene {
 
@@ -73,63 +72,26 @@ glm::vec2 PictureView::at(const Point& p) const {
   return 0.5f * size_ + glm::vec2(scale_ * (s[0] - middle_[0]), -scale_ * (s[1] - middle_[1]));
 }
 
-std::vector<std::size_t> facing(const PictureView& view, const mesh::Surface& surface,
-                                std::span<const Point> at) {
+std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
+                                    std::span<const Point> at) {
   constexpr double seen_from_the_side = 1e-9;
   std::vector<std::pair<double, std::size_t>> found;
-  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
-    const Corners corners = corners_of(surface, p);
+  for (std::size_t p = 0; p < model.polygon_count(); ++p) {
+    const Corners corners = corners_of(model, p);
     if (normal_of(view, corners, at)[2] > seen_from_the_side)
       found.emplace_back(nearness(view, corners, at), p);
   }
   std::ranges::sort(found);
-  std::vector<std::size_t> polygons;
-  for (const auto& [near, p] : found) polygons.push_back(p);
-  return polygons;
-}
-
-PictureShape area(const PictureView& view, Ink ink, const mesh::Surface& surface, std::size_t polygon,
-                  std::span<const Point> at) {
-  PictureShape shape{ink};
-  for (const auto v : corners_of(surface, polygon)) shape.points.push_back(view.at(at[v]));
-  std::ranges::reverse(shape.points);
-  return shape;
-}
-
-PictureShape outline(const PictureView& view, const mesh::Surface& surface, std::size_t polygon,
-                     std::span<const Point> at) {
-  PictureShape shape = area(view, Ink::marked, surface, polygon, at);
-  shape.points.push_back(shape.points.front());
-  return shape;
-}
-
-std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
-                                    std::span<const Point> at) {
   std::vector<PictureShape> shapes;
-  for (const std::size_t p : facing(view, model, at)) {
-    shapes.push_back(area(view, Ink::model, model, p, at));
+  for (const auto& [near, p] : found) {
+    const Corners corners = corners_of(model, p);
+    PictureShape& shape = shapes.emplace_back(PictureShape{Ink::model});
+    for (const auto v : corners) shape.points.push_back(view.at(at[v]));
+    std::ranges::reverse(shape.points);
     const auto last = model.polygon_starts[p + 1] - 1;
     for (const auto& [i, j, k] : mesh::clipped_of(model, p))
-      shapes.back().triangles.push_back({last - i, last - j, last - k});
-    shapes.back().tones = {lightness(normal_of(view, corners_of(model, p), at))};
-  }
-  return shapes;
-}
-
-std::vector<PictureShape> cage_lines(const PictureView& view, const deform::Cage& cage,
-                                     std::span<const Point> at, Ink ink) {
-  std::set<mesh::Edge> before;
-  for (const std::size_t p : facing(view, cage.surface, at)) {
-    const Corners corners = corners_of(cage.surface, p);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
-      before.insert({low, high});
-    }
-  }
-  std::vector<PictureShape> shapes;
-  for (const mesh::Edge& e : cage.edges) {
-    if (before.contains(e) == (ink == Ink::cage))
-      shapes.push_back({ink, {view.at(at[e[0]]), view.at(at[e[1]])}});
+      shape.triangles.push_back({last - i, last - j, last - k});
+    shape.tone = lightness(normal_of(view, corners, at));
   }
   return shapes;
 }

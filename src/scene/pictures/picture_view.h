@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "deform/cage.h"
 #include "mesh/surface.h"
 #include "sym3/rotation.h"
 
@@ -13,19 +12,15 @@ namespace viete::scene {
 
 /// The content of a shape, which determines its colour.
 enum class Ink {
-  model,   ///< a face of the model; tone: brightness
-  lit,     ///< the same without an outline
-  weight,  ///< a face of the model; tones: weights, 0 to 1
-  behind,  ///< a cage line that the model may cover
-  cage,    ///< a cage line in front of the model
-  marked   ///< an outline of a polygon
+  model,  ///< a face of the model
+  lit     ///< the same without an outline
 };
 
-/// An area is convex and clockwise on screen; a line connects consecutive points.
+/// An area, convex and clockwise on screen.
 struct PictureShape {
   Ink ink;
   std::vector<glm::vec2> points{};  ///< logical pixels, y down
-  std::vector<float> tones{};       ///< one for a face of the model, one per point for weights
+  float tone = 1;                   ///< brightness
   std::vector<mesh::Triangle>
       triangles{};  ///< triangulation by point index, if a fan about the last point does not work
 
@@ -62,21 +57,8 @@ private:
 /// The brightness of a face with this normal in view coordinates.
 float lightness(const mesh::Vec3& normal);
 
-/// Front-facing polygons, farthest first.
-std::vector<std::size_t> facing(const PictureView& view, const mesh::Surface& surface,
-                                std::span<const mesh::Point> at);
-/// One polygon as an area.
-PictureShape area(const PictureView& view, Ink ink, const mesh::Surface& surface, std::size_t polygon,
-                  std::span<const mesh::Point> at);
-/// One polygon as an outline.
-PictureShape outline(const PictureView& view, const mesh::Surface& surface, std::size_t polygon,
-                     std::span<const mesh::Point> at);
-
-/// All front-facing polygons of the model, lit.
+/// All front-facing polygons of the model, lit, farthest first.
 std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
                                     std::span<const mesh::Point> at);
-/// The edges of front-facing polygons (Ink::cage), or the others (Ink::behind).
-std::vector<PictureShape> cage_lines(const PictureView& view, const deform::Cage& cage,
-                                     std::span<const mesh::Point> at, Ink ink);
 
 }  // namespace viete::scene

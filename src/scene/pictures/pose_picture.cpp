@@ -10,15 +10,18 @@ namespace {
 
 constexpr std::size_t most_faces = 3000;  // beyond this, illegible and slow
 
+// Fits both sets of points.
+PictureView view_of(std::vector<mesh::Point> rest, const std::vector<mesh::Point>& posed, glm::vec2 size) {
+  rest.insert(rest.end(), posed.begin(), posed.end());
+  return {{-32, 18}, {rest, size, 3}};
+}
+
 }  // namespace
 
 std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::Pose& pose, UpAxis up) {
   if (cage.surface.polygon_count() > most_faces) return {};
-  constexpr PictureAngles angles{-32, 18};
   const std::vector<mesh::Point> at = upright(pose.positions, up);
-  std::vector<mesh::Point> framed = upright(cage.surface.positions, up);
-  framed.insert(framed.end(), at.begin(), at.end());
-  return lit_model(PictureView(angles, {framed, pose_picture_size, 3}), cage.surface, at);
+  return lit_model(view_of(upright(cage.surface.positions, up), at, pose_picture_size), cage.surface, at);
 }
 
 const std::vector<PictureShape>& PosePictures::of(const Document& document, const SharedPose& pose,
@@ -102,7 +105,7 @@ private:
     constexpr float point = 1.0f / pixels_per_point;
     const float x0 = point * static_cast<float>(begin), x1 = point * static_cast<float>(end);
     const float y0 = point * static_cast<float>(y), y1 = y0 + point;
-    return {Ink::lit, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {tone}, {{0, 1, 2}, {0, 2, 3}}};
+    return {Ink::lit, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, tone, {{0, 1, 2}, {0, 2, 3}}};
   }
 
   int width_, height_;
@@ -122,11 +125,8 @@ std::vector<mesh::Point> upright(std::span<const mesh::Point> points, UpAxis up)
 std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<const mesh::Point> shape,
                                         UpAxis up, glm::vec2 size) {
   if (model.triangles.empty()) return {};
-  constexpr PictureAngles angles{-32, 18};
   const std::vector<mesh::Point> at = upright(shape, up);
-  std::vector<mesh::Point> framed = upright(model.positions, up);
-  framed.insert(framed.end(), at.begin(), at.end());
-  const PictureView view(angles, {framed, size, 3});
+  const PictureView view = view_of(upright(model.positions, up), at, size);
   Raster raster(size);
   for (const auto& [a, b, c] : model.triangles) {
     const mesh::Vec3 p = view.seen(at[a]), q = view.seen(at[b]), r = view.seen(at[c]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 
 #include "deform/scheme.h"
 #include "scene/document/handling.h"
@@ -15,38 +16,26 @@ namespace viete::scene {
 
 /// The prefix of the command names.
 template <class Value>
-inline constexpr const char* choice_prefix = nullptr;
-template <>
-inline constexpr const char* choice_prefix<deform::Way> = "way_";
-template <>
-inline constexpr const char* choice_prefix<deform::Weights> = "weights_";
-template <>
-inline constexpr const char* choice_prefix<deform::Blend> = "blend_";
-template <>
-inline constexpr const char* choice_prefix<Pivot> = "pivot_";
-template <>
-inline constexpr const char* choice_prefix<Axes> = "axes_";
-template <>
-inline constexpr const char* choice_prefix<MirrorPlane> = "mirror_";
-template <>
-inline constexpr const char* choice_prefix<SoftCurve> = "soft_";
-template <>
-inline constexpr const char* choice_prefix<SoftDistance> = "soft_";
-template <>
-inline constexpr const char* choice_prefix<Repeat> = "repeat_";
-template <>
-inline constexpr const char* choice_prefix<Easing> = "easing_";
-template <>
-inline constexpr const char* choice_prefix<Shading> = "shading_";
-template <>
-inline constexpr const char* choice_prefix<lab::Field> = "map_";
-template <>
-inline constexpr const char* choice_prefix<KeyPreset> = "keys_";
+constexpr const char* choice_prefix() {
+  if constexpr (std::is_same_v<Value, deform::Way>) return "way_";
+  if constexpr (std::is_same_v<Value, deform::Weights>) return "weights_";
+  if constexpr (std::is_same_v<Value, deform::Blend>) return "blend_";
+  if constexpr (std::is_same_v<Value, Pivot>) return "pivot_";
+  if constexpr (std::is_same_v<Value, Axes>) return "axes_";
+  if constexpr (std::is_same_v<Value, MirrorPlane>) return "mirror_";
+  if constexpr (std::is_same_v<Value, SoftCurve>) return "soft_";
+  if constexpr (std::is_same_v<Value, SoftDistance>) return "soft_";
+  if constexpr (std::is_same_v<Value, Repeat>) return "repeat_";
+  if constexpr (std::is_same_v<Value, Easing>) return "easing_";
+  if constexpr (std::is_same_v<Value, Shading>) return "shading_";
+  if constexpr (std::is_same_v<Value, lab::Field>) return "map_";
+  if constexpr (std::is_same_v<Value, KeyPreset>) return "keys_";
+}
 
 /// "way_paper", "pivot_median": the name of the command that selects the value.
 template <class Value>
 std::string choice_command_name(Value value) {
-  std::string name = choice_prefix<Value>;
+  std::string name = choice_prefix<Value>();
   if constexpr (requires { choices(value); }) {
     name += entry_of(value).word;
   } else {

@@ -1,5 +1,6 @@
 // Commands for tools and handling.
 #include <algorithm>
+#include <type_traits>
 
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
@@ -15,20 +16,13 @@ namespace viete::scene {
 namespace {
 
 // The field for each kind of choice.
-Pivot& place(Handling& h, Pivot) {
-  return h.pivot;
-}
-Axes& place(Handling& h, Axes) {
-  return h.axes;
-}
-MirrorPlane& place(Handling& h, MirrorPlane) {
-  return h.mirror;
-}
-SoftCurve& place(Handling& h, SoftCurve) {
-  return h.soft.curve;
-}
-SoftDistance& place(Handling& h, SoftDistance) {
-  return h.soft.distance;
+template <class Value>
+Value& place(Handling& h) {
+  if constexpr (std::is_same_v<Value, Pivot>) return h.pivot;
+  if constexpr (std::is_same_v<Value, Axes>) return h.axes;
+  if constexpr (std::is_same_v<Value, MirrorPlane>) return h.mirror;
+  if constexpr (std::is_same_v<Value, SoftCurve>) return h.soft.curve;
+  if constexpr (std::is_same_v<Value, SoftDistance>) return h.soft.distance;
 }
 
 // Reports a plane that does not fit the cage, without a change.
@@ -43,7 +37,7 @@ void choose(Workspace& w, MirrorPlane plane) {
 
 template <class Value>
 void choose(Workspace& w, Value value) {
-  place(w.handling, value) = value;
+  place<Value>(w.handling) = value;
 }
 
 template <class Value>
@@ -53,7 +47,7 @@ void add_hand_choices(CommandTable& table, std::string_view headline) {
 
 template <class Value>
 void choose_next(Workspace& w) {
-  choose(w, next_choice(place(w.handling, Value{})));
+  choose(w, next_choice(place<Value>(w.handling)));
 }
 
 template <Tool Use>
@@ -129,14 +123,10 @@ void add_hand_commands(CommandTable& table) {
   table.add("taper", {"Taper selection", "Taper"},
             "Scale the selection's cross sections increasingly towards its far end.", can_shape,
             shape<Shape::taper>);
-  table.add("push", {"Push selection", "Push"}, "Move the selection along its normals, outward or inward.",
-            can_shape, shape<Shape::push>);
   table.add("smooth", {"Smooth selection", "Smooth"},
             "Move the selection towards the mean of its neighbours.", can_shape, shape<Shape::smooth>);
   table.add("relax", {"Relax selection", "Relax"}, "Move the selection towards its rest position.", can_shape,
             shape<Shape::relax>);
-  table.add("flatten", {"Flatten selection", "Flatten"}, "Move the selection towards its best-fit plane.",
-            can_shape, shape<Shape::flatten>);
   table.add("copy_pose", "Copy pose", "Copy the positions of the selected vertices.", {key('C'), true},
             can_shape, copy_pose);
   table.add("paste_pose", "Paste pose",
@@ -175,14 +165,12 @@ void add_hand_commands(CommandTable& table) {
 namespace {
 
 template <Tool Use>
-void use_tool(Workspace& w) {
-  w.tool = Use;
-  w.interaction.handle.reset();
-}
-
-template <Tool Use>
-bool in_use(const Workspace& w) {
-  return w.tool == Use;
+Effect uses() {
+  const auto use = [](Workspace& w) {
+    w.tool = Use;
+    w.interaction.handle.reset();
+  };
+  return {use, [](const Workspace& w) { return w.tool == Use; }};
 }
 
 // Adds at the model under the cursor, or at the view's center if there is none or a panel button was used.
@@ -220,18 +208,16 @@ void toggle_locked(Workspace& w) {
 void add_tool_commands(CommandTable& table) {
   table.heading("Tool");
   table.add("tool_select", {"Select tool", "Select"}, "Select elements and drag them without a gizmo.",
-            {key('Q')}, always,
-            {use_tool<Tool::select>, [](const Workspace& w) { return w.tool == Tool::select; }});
+            {key('Q')}, always, uses<Tool::select>());
   table.add("tool_move", {"Move tool", "Move"}, "Move the selection with arrows and planes.", {key('W')},
-            always, {use_tool<Tool::move>, [](const Workspace& w) { return w.tool == Tool::move; }});
+            always, uses<Tool::move>());
   table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its pivot with rings.",
-            {key('E')}, always,
-            {use_tool<Tool::rotate>, [](const Workspace& w) { return w.tool == Tool::rotate; }});
+            {key('E')}, always, uses<Tool::rotate>());
   table.add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its pivot.", {key('R')}, always,
-            {use_tool<Tool::scale>, [](const Workspace& w) { return w.tool == Tool::scale; }});
+            uses<Tool::scale>());
   table.add("tool_paint", {"Paint tool", "Paint"},
             "Paint vertices of the model that stay at rest. Ctrl erases.", {key('D')}, is_movable,
-            {use_tool<Tool::paint>, [](const Workspace& w) { return w.tool == Tool::paint; }});
+            uses<Tool::paint>());
   table.add("mask_clear", "Clear paint", "Clear the painted mask so that the whole model follows the cage.",
             without_drag<has_mask>, [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
   table.add("mask_invert", "Invert paint", "Exchange painted and unpainted vertices.",

@@ -43,7 +43,6 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"select_less", {Key::pad_minus, true}, {}},
     {"toggle_soft", plain('O'), {}},
     {"hide_others", shift('H'), {}},
-    {"select_similar", shift('G'), {}},
     {"next_mirror", ctrl('M'), {}},
     {"bend", shift('W'), {}},
     {"tool_select", plain('W'), {}},
@@ -63,10 +62,9 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"delete_keys", plain('X'), {Key::delete_key}},
 });
 constexpr std::string_view blender_without[] = {
-    "place_pivot", "reset_pose",         "restore_leftover",  "open_pose",   "save_model",
-    "tool_move",   "select_lasso",       "select_loop",       "select_ring", "method_diag",
-    "method_sd",   "method_improved_sd", "method_fast",       "add_probe",   "mirror_probe",
-    "toggle_z_up", "toggle_error_map",   "toggle_full_screen"};
+    "place_pivot",  "reset_pose",  "restore_leftover", "open_pose",          "save_model",  "tool_move",
+    "select_lasso", "method_diag", "method_sd",        "method_improved_sd", "method_fast", "add_probe",
+    "mirror_probe", "toggle_z_up", "toggle_error_map", "toggle_full_screen"};
 
 // Keys that differ for Maya users, whose function keys set the element kind.
 constexpr auto maya_keys = std::to_array<PresetKeys>({
@@ -102,9 +100,9 @@ constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"next_frame", alt('.'), {Key::right}},
 });
 constexpr std::string_view maya_without[] = {
-    "reset_pose",  "restore_leftover", "screenshot",   "select_linked",   "select_ring",     "select_similar",
-    "add_probe",   "mirror_probe",     "toggle_model", "toggle_deformed", "toggle_cage",     "toggle_grid",
-    "toggle_axes", "toggle_ghost",     "toggle_theme", "toggle_z_up",     "toggle_error_map"};
+    "reset_pose",   "restore_leftover", "screenshot",      "select_linked", "add_probe",
+    "mirror_probe", "toggle_model",     "toggle_deformed", "toggle_cage",   "toggle_grid",
+    "toggle_axes",  "toggle_ghost",     "toggle_theme",    "toggle_z_up",   "toggle_error_map"};
 
 struct PresetChanges {
   std::span<const PresetKeys> keys{};

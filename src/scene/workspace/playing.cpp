@@ -181,6 +181,12 @@ void apply_pose(Workspace& w, std::size_t pose) {
   replace_pose(w, [&] { apply_pose(w.document, pose); });
 }
 
+void change_mix(Workspace& w, const std::function<bool()>& change) {
+  stop_playing(w);
+  if (change()) return w.messages.succeeded("mix");
+  w.messages.error("these weights move the model too far to draw; nothing was changed", {"mix"});
+}
+
 void go_to_key(Workspace& w, bool forward) {
   const std::vector<int> frames = key_frames(w.document.timeline);
   if (frames.empty()) return;

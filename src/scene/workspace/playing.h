@@ -31,6 +31,9 @@ void replace_pose(Workspace& workspace, const std::function<void()>& edit);
 /// Applies a pose of the library with replace_pose(). Stops playback.
 void apply_pose(Workspace& workspace, std::size_t pose);
 
+/// Stops playback and runs the change; shows a message if it would exceed the drawable range.
+void change_mix(Workspace& workspace, const std::function<bool()>& change);
+
 /// For a newly opened document: adds the poses of Timeline::unkeyed to undo. With `show` the last of them is
 /// shown if the document's pose is one of its keys.
 void add_unkeyed_to_undo(Workspace& workspace, bool show);

@@ -8,8 +8,8 @@
 #include "scene/document/elements.h"
 #include "scene/document/probes.h"
 #include "scene/document/selection_sets.h"
+#include "scene/hand/cursor_projection.h"
 #include "scene/hand/shaping.h"
-#include "scene/workspace/pivot_place.h"
 
 namespace viete::scene {
 
@@ -51,7 +51,85 @@ Anchor anchor_of(const Workspace& w) {
   return anchor_of(w.document, w.handling, mirror_of(w), w.camera);
 }
 
+// The point of an edge of the posed cage that is nearest to the ray under the cursor.
+mesh::Point on_edge(const Workspace& w, std::uint32_t edge, const glm::vec2& cursor) {
+  const auto& [i, j] = w.document.cage->edges[edge];
+  const mesh::Point &a = w.document.pose.positions[i], &b = w.document.pose.positions[j];
+  const Ray ray = w.camera.ray(cursor, w.viewport);
+  const glm::dvec3 way = w.document.space.scale * vector_of(b - a);
+  const glm::dvec3 normal = glm::cross(ray.direction, glm::cross(ray.direction, way));
+  const double slope = glm::dot(way, normal);
+  const glm::dvec3 from = ray.origin - glm::dvec3(w.document.space.to_view(a));
+  return a + (slope != 0 ? std::clamp(glm::dot(from, normal) / slope, 0.0, 1.0) : 0) * (b - a);
+}
+
+mesh::Point beside_target(const Workspace& w, const glm::vec2& cursor) {
+  const glm::dvec3 target(w.camera.pose().target);
+  const CursorProjection projection(target, w.camera, w.viewport);
+  const auto at = projection.in_plane(-glm::dvec3(w.camera.forward()), w.camera.ray(cursor, w.viewport));
+  return w.document.space.to_file(at.value_or(target));
+}
+
+using Seen = std::vector<std::optional<glm::vec3>>;
+
+void hide(Sight& sight, const Seen& points, std::span<const mesh::Triangle> triangles) {
+  for (const auto& t : triangles) {
+    if (points[t[0]] && points[t[1]] && points[t[2]])
+      sight.hide_behind(*points[t[0]], *points[t[1]], *points[t[2]]);
+  }
+}
+
+// With the drawn model and the cage's faces as occluders.
+Sight sight_of(const Workspace& w) {
+  Sight sight(w.camera, w.viewport);
+  const Projector project(w.document.space, w.camera, w.viewport);
+  Seen points;
+  if (w.view.model && w.document.model.surface) {
+    const mesh::Surface& model = *w.document.model.surface;
+    points.reserve(model.positions.size());
+    for (std::size_t v = 0; v < model.positions.size(); ++v) points.push_back(project(w.posed.at(model, v)));
+    hide(sight, points, model.triangles);
+  }
+  if (w.document.has_cage()) {
+    points.clear();
+    for (const auto& p : w.document.pose.positions) points.push_back(project(p));
+    // Hidden faces do not occlude.
+    const auto hidden = hidden_elements(w.document, ElementKind::face);
+    const mesh::Surface& cage = w.document.cage->surface;
+    std::vector<mesh::Triangle> triangles;
+    for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
+      if (!hidden[cage.triangle_polygon[t]]) triangles.push_back(cage.triangles[t]);
+    }
+    hide(sight, points, triangles);
+  }
+  return sight;
+}
+
 }  // namespace
+
+mesh::Point pivot_place(const Workspace& w, const glm::vec2& cursor) {
+  if (w.document.has_cage() && w.view.cage) {
+    const auto under = [&](ElementKind kind) {
+      return pick_element(w.document, kind, w.camera, w.viewport, cursor);
+    };
+    if (const auto vertex = under(ElementKind::vertex)) return w.document.pose.positions[vertex->index];
+    if (const auto edge = under(ElementKind::edge)) return on_edge(w, edge->index, cursor);
+  }
+  if (const auto on_model = pick_model(w.document, w.posed, w.camera.ray(cursor, w.viewport)))
+    return *on_model;
+  return beside_target(w, cursor);
+}
+
+const Sight* SightCache::of(const Workspace& w) {
+  if (!w.view.select_visible) return nullptr;
+  const Picture now{w.camera.pose(),         w.viewport,   w.document.revisions(),  w.posed.frame,
+                    w.posed.vertices.data(), w.view.model, w.document.groups.hidden};
+  if (picture_ != now) {
+    picture_ = now;
+    sight_.emplace(sight_of(w));
+  }
+  return &*sight_;
+}
 
 void arm(Workspace& w, SelectShape shape) {
   const bool again = w.interaction.armed == shape;

@@ -9,7 +9,6 @@
 #include "scene/hand/axis_widget.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/picking.h"
-#include "scene/workspace/sight_cache.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::scene {
@@ -44,6 +43,32 @@ Grip grip_of(const Workspace& workspace);
 
 /// The axis widget, if it is shown.
 std::optional<AxisWidget> axis_widget_of(const Workspace& workspace);
+
+/// The position of a pivot placed by a click: the posed cage's vertex under the cursor, else the point on an
+/// edge, else on the model, else at the depth of the camera's target; in file coordinates.
+mesh::Point pivot_place(const Workspace& workspace, const glm::vec2& cursor);
+
+/// Caches the Sight of the current view.
+class SightCache {
+public:
+  /// Null if hidden elements can be selected too.
+  const Sight* of(const Workspace& workspace);
+
+private:
+  struct Picture {
+    CameraPose camera;
+    Viewport viewport;
+    Revisions revisions;
+    unsigned long frame;
+    const void* vertices;
+    bool model;
+    std::vector<std::uint32_t> hidden;
+
+    friend bool operator==(const Picture&, const Picture&) = default;
+  };
+  std::optional<Picture> picture_;
+  std::optional<Sight> sight_;
+};
 
 /// The state of the pointer between frames: the pressed button and its gesture. A gesture that began in the
 /// view continues over panels until the button is released.

@@ -5,7 +5,6 @@
 
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/document/selecting.h"
 #include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/workspace/command_conditions.h"
@@ -16,14 +15,9 @@ namespace viete::scene {
 namespace {
 
 // The element under the cursor may be of another kind then.
-void step_back(Workspace& w) {
-  undo(w.document);
-  w.messages.hide_messages();
-  w.interaction.hovered.reset();
-}
-
-void step_forth(Workspace& w) {
-  redo(w.document);
+template <void (*Step)(Document&)>
+void take_step(Workspace& w) {
+  Step(w.document);
   w.messages.hide_messages();
   w.interaction.hovered.reset();
 }
@@ -65,44 +59,6 @@ void change_selection(Workspace& w) {
   set_selection(w.document, Change(*w.document.cage, w.document.selection));
 }
 
-template <Selection (*Change)(const deform::Cage&, std::span<const mesh::Point>, const Selection&)>
-void select_like(Workspace& w) {
-  set_selection(w.document, Change(*w.document.cage, w.document.pose.positions, w.document.selection));
-}
-
-void select_loop(Workspace& w) {
-  Selection loop = looped(*w.document.cage, w.document.selection);
-  if (loop == w.document.selection)
-    w.messages.info("No loop found: select an edge, or two neighbouring vertices or faces.");
-  set_selection(w.document, std::move(loop));
-}
-
-void select_ring(Workspace& w) {
-  Selection ring = ringed(*w.document.cage, w.document.selection);
-  if (ring == w.document.selection)
-    w.messages.info(
-        "No ring found: select an edge, or two neighbouring vertices, of a quad. Two triangles may form the "
-        "quad.");
-  set_selection(w.document, std::move(ring));
-}
-
-// Selects elements on one side of the model's middle, at rest.
-void add_side_command(CommandTable& table, int axis, bool positive) {
-  const char letter = static_cast<char>('x' + axis);
-  const std::string side{static_cast<char>('X' + axis), ' ', positive ? '+' : '-'},
-      word = positive ? "positive" : "negative";
-  const auto select = [=](Workspace& w) {
-    const double middle = w.document.model.bounds.center()[static_cast<std::size_t>(axis)];
-    set_selection(w.document, on_side(*w.document.cage, w.document.selection.kind(), axis, positive, middle));
-  };
-  table
-      .add(std::string("side_") + letter + '_' + word, {"Select side " + side, side},
-           "Select the cage elements that lie at rest on the " + word + " side of the model's middle along " +
-               side.front() + '.',
-           without_drag<selects_of_cage>, select)
-      .under("Side");
-}
-
 template <void (*Change)(Document&)>
 void change_groups(Workspace& w) {
   Change(w.document);
@@ -131,9 +87,9 @@ void select_by(Workspace& w) {
 
 void add_select_commands(CommandTable& table) {
   table.heading("Edit");
-  table.add("undo", "Undo", "Undo the last edit.", {key('Z'), true}, can_undo, step_back)
+  table.add("undo", "Undo", "Undo the last edit.", {key('Z'), true}, can_undo, take_step<undo>)
       .of([](const Workspace& w) { return w.document.history.undo_label(); });
-  table.add("redo", "Redo", "Redo the last undone edit.", {key('Z'), true, true}, can_redo, step_forth)
+  table.add("redo", "Redo", "Redo the last undone edit.", {key('Z'), true, true}, can_redo, take_step<redo>)
       .or_by({key('Y'), true})
       .of([](const Workspace& w) { return w.document.history.redo_label(); });
   table.add("reset_pose", "Reset pose", "Return the whole cage and all probes to rest.", {key('R'), true},
@@ -180,21 +136,6 @@ void add_select_commands(CommandTable& table) {
             without_drag<has_selection_of_cage>, change_selection<grown>);
   table.add("select_less", {"Shrink selection", "Shrink"}, "Shrink the selection by one ring.",
             {Key::down, true}, without_drag<has_selection_of_cage>, change_selection<shrunk>);
-  table.add("select_loop", {"Select loop", "Loop"},
-            "Select the loop through an edge, two neighbouring vertices or two neighbouring faces.",
-            {key('L'), false, true}, without_drag<has_selection_of_cage>, select_loop);
-  table.add("select_ring", {"Select ring", "Ring"},
-            "Select the ring of opposite edges across quads, or across pairs of triangles that form quads.",
-            {key('R'), false, true}, without_drag<has_selection_of_cage>, select_ring);
-  table.add("select_similar", {"Select similar", "Similar"},
-            "Select vertices with equal valence, edges of similar length or faces of similar area.",
-            {key('S'), false, true}, without_drag<has_selection_of_cage>, select_like<similar>);
-  table.add("select_facing", {"Select same direction", "Same direction"},
-            "Select faces with similar normals or parallel edges, within 15 degrees.",
-            without_drag<has_selection_of_cage>, select_like<facing>);
-  for (const int axis : {0, 1, 2}) {
-    for (const bool positive : {false, true}) add_side_command(table, axis, positive);
-  }
   table.add("hide_selected", {"Hide selected", "Hide"},
             "Hide the selection. Hidden elements stay unchanged until shown again.", {key('H'), false, true},
             without_drag<has_selection_of_cage>, change_groups<hide_selected>);

@@ -1,5 +1,4 @@
-#include "scene/workspace/time_commands.h"
-
+// Commands for named poses and the timeline.
 #include <algorithm>
 
 #include "base/error.h"
@@ -32,12 +31,6 @@ constexpr Condition is_not_last_pose{[](const Workspace& w) {
                                      "Choose a pose other than the last one."};
 constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
                             "All weights are 0 %: move the slider of a pose first."};
-constexpr Condition can_average{[](const Workspace& w) {
-                                  double sum = 0;
-                                  for (const NamedPose& pose : w.document.library.poses) sum += pose.weight;
-                                  return has_mix(w) && sum > 0;
-                                },
-                                "Set weights of poses first; their sum must be above 0 %."};
 constexpr Condition has_time{[](const Workspace& w) {
                                return !w.document.timeline.empty() && !is_editing_cage(w.document) &&
                                       !is_dragging(w);
@@ -98,14 +91,11 @@ void remove(Workspace& w) {
   }
 }
 
-void move_up(Workspace& w) {
-  move_pose(w.document, *w.chosen_pose, *w.chosen_pose - 1);
-  --*w.chosen_pose;
-}
-
-void move_down(Workspace& w) {
-  move_pose(w.document, *w.chosen_pose, *w.chosen_pose + 2);
-  ++*w.chosen_pose;
+template <bool Down>
+void move_chosen(Workspace& w) {
+  const std::size_t pose = *w.chosen_pose;
+  move_pose(w.document, pose, Down ? pose + 2 : pose - 1);
+  w.chosen_pose = Down ? pose + 1 : pose - 1;
 }
 
 // Opens the timeline, and fits all keys if it was closed.
@@ -174,14 +164,14 @@ void to_key(Workspace& w) {
   go_to_key(w, Forward);
 }
 
-template <int Timeline::*Frame>
+template <int Playing::*Frame>
 void to_end(Workspace& w) {
   stop_playing(w);
   go_to_frame(w, w.document.timeline.*Frame);
 }
 
 void change_play(Workspace& w, const auto& change) {
-  Play play = play_of(w.document.timeline);
+  Playing play = w.document.timeline;
   change(play);
   set_play(w.document, play);
 }
@@ -189,7 +179,7 @@ void change_play(Workspace& w, const auto& change) {
 // Fits the playback range to the first and last key.
 void fit_range(Workspace& w) {
   const std::vector<int> frames = key_frames(w.document.timeline);
-  change_play(w, [&](Play& play) { play.first = frames.front(), play.last = frames.back(); });
+  change_play(w, [&](Playing& play) { play.first = frames.front(), play.last = frames.back(); });
   w.time_view.seen = fitting(w.document.timeline);
 }
 
@@ -198,16 +188,10 @@ void choose_easing(Workspace& w, Easing easing) {
 }
 
 void choose_repeat(Workspace& w, Repeat repeat) {
-  change_play(w, [&](Play& play) { play.repeat = repeat; });
+  change_play(w, [&](Playing& play) { play.repeat = repeat; });
 }
 
 }  // namespace
-
-void change_mix(Workspace& w, const std::function<bool()>& change) {
-  stop_playing(w);
-  if (change()) return w.messages.succeeded("mix");
-  w.messages.error("these weights move the model too far to draw; nothing was changed", {"mix"});
-}
 
 void add_time_commands(CommandTable& table) {
   table.heading("Poses");
@@ -221,20 +205,13 @@ void add_time_commands(CommandTable& table) {
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
   table.add("pose_up", {"Move pose up", "Move up"}, "Move the chosen pose up in the list.", is_not_first_pose,
-            move_up);
+            move_chosen<false>);
   table.add("pose_down", {"Move pose down", "Move down"}, "Move the chosen pose down in the list.",
-            is_not_last_pose, move_down);
+            is_not_last_pose, move_chosen<true>);
   table.add("export_pose", {"Export chosen pose", "Export pose"},
             "Write the cage in the chosen pose to a mesh file.", can_export_pose, browse_to_save_named_pose);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits stay.", has_mix,
             [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
-  table.add("average_mix", {"Average weighted poses", "Average"},
-            "Divide all weights by their sum, which gives the weighted mean of the poses.", can_average,
-            [](Workspace& w) { change_mix(w, [&] { return average_mix(w.document, w.playback.vectors); }); });
-  table.add(
-      "toggle_mix_selected", {"Apply weights to selection only", "Selection only"},
-      "Apply a pose only to the elements selected when its weight leaves 0 %. Otherwise to the whole cage.",
-      has_cage, switches(&Handling::mix_selected, &Workspace::handling));
   table.heading("Time");
   table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
             {play_or_stop, [](const Workspace& w) { return w.playback.playing; }});
@@ -256,9 +233,9 @@ void add_time_commands(CommandTable& table) {
             to_key<false>);
   table.add("next_key", "Next key", "Go to the next key.", {Key::up}, shows_keys, to_key<true>);
   table.add("first_frame", "First frame", "Go to the first frame of the playback range.",
-            {Key::left, false, true}, shows_time, to_end<&Timeline::first>);
+            {Key::left, false, true}, shows_time, to_end<&Playing::first>);
   table.add("last_frame", "Last frame", "Go to the last frame of the playback range.",
-            {Key::right, false, true}, shows_time, to_end<&Timeline::last>);
+            {Key::right, false, true}, shows_time, to_end<&Playing::last>);
   table.add("fit_range", {"Set range to keys", "Range to keys"},
             "Set the playback range from the first to the last key.", has_time, fit_range);
   add_choices<Easing>(table, "Easing", has_pose_keys, choose_easing);

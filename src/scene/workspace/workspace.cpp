@@ -58,6 +58,23 @@ std::vector<mesh::Point> around_probes(const Document& document) {
   return points;
 }
 
+const mesh::Surface& surface_of(const Document& document, const Finding& finding) {
+  return finding.subject == Subject::cage ? *document.cage_file.surface : *document.model.surface;
+}
+
+void widen(std::vector<glm::vec3>& points) {
+  constexpr float least = 0.12F;  // for a model of size 2
+  glm::vec3 low = points[0], high = points[0];
+  for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
+  const glm::vec3 middle = 0.5F * (low + high);
+  for (int k = 0; k < 3; ++k) {
+    glm::vec3 offset(0);
+    offset[k] = least;
+    points.push_back(middle + offset);
+    points.push_back(middle - offset);
+  }
+}
+
 }  // namespace
 
 bool shows_links(const Workspace& w) {
@@ -117,6 +134,39 @@ void frame_worst(Workspace& w) {
   const double half = share * w.document.model.bounds.diagonal();
   const mesh::Bounds box{at - mesh::Vec3{half, half, half}, at + mesh::Vec3{half, half, half}};
   w.camera.frame(in_view(w.document.space, corners(box)), w.viewport, true);
+}
+
+void toggle_finding(Workspace& workspace, std::size_t index) {
+  CheckState& checks = workspace.checks;
+  const bool hide = checks.shown == index;
+  checks.show(hide ? std::nullopt : std::optional(index));
+  workspace.requests.frame_finding = !hide;
+}
+
+void step_element(Workspace& workspace, int step) {
+  CheckState& checks = workspace.checks;
+  if (!checks.shown) return;
+  const std::size_t n = checks.findings[*checks.shown].size();
+  const std::size_t first = step > 0 ? 0 : n - 1;
+  checks.show(checks.shown, checks.element ? (*checks.element + (step > 0 ? 1 : n - 1)) % n : first);
+  workspace.requests.frame_finding = true;
+}
+
+void frame_finding(Workspace& workspace) {
+  const CheckState& checks = workspace.checks;
+  if (!checks.shown) return;
+  constexpr std::size_t enough = 20000;
+  const Finding& finding = checks.findings[*checks.shown];
+  const Document& document = workspace.document;
+  const mesh::Surface& surface = surface_of(document, finding);
+  std::vector<glm::vec3> points;
+  for (const auto e : shown_elements(checks, enough)) {
+    for (const auto v : vertices_of(finding, surface, e))
+      points.push_back(document.space.to_view(
+          finding.subject == Subject::cage ? document.pose.positions[v] : workspace.posed.at(surface, v)));
+  }
+  widen(points);
+  workspace.camera.frame(points, workspace.viewport, true);
 }
 
 void begin_widget_edit(Workspace& w) {

@@ -22,14 +22,12 @@
 #include "scene/document/handling.h"
 #include "scene/document/mirror.h"
 #include "scene/document/pin_posing.h"
-#include "scene/document/settings.h"
 #include "scene/document/view_options.h"
 #include "scene/files/open.h"
 #include "scene/files/recovery.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/transform.h"
 #include "scene/hand/transform_drag.h"
-#include "scene/pictures/choice_picture.h"
 #include "scene/pictures/pose_picture.h"
 #include "scene/workspace/check_state.h"
 #include "scene/workspace/file_browser.h"
@@ -225,7 +223,6 @@ struct Workspace {
   std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;
   std::optional<BeforeWidgetEdit> before_widget_edit;  ///< since the mouse press
-  ChoicePictures choice_pictures;
   About about;
 };
 
@@ -287,6 +284,15 @@ void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
 /// Frames the vertex with the largest value of the map.
 void frame_worst(Workspace& workspace);
+/// Highlights a finding and requests the camera to frame it; hides it if it is shown already.
+void toggle_finding(Workspace& workspace, std::size_t index);
+
+/// Shows only the next (1) or previous (-1) element of the shown finding; wraps around.
+void step_element(Workspace& workspace, int step);
+
+/// Frames the shown elements, as drawn.
+void frame_finding(Workspace& workspace);
+
 /// The model vertex nearest to the point drawn at this window position; nullopt: no model there.
 std::optional<std::uint32_t> pointed_vertex(const Workspace& workspace, const glm::vec2& at);
 

@@ -1,33 +1,15 @@
-// Lists of commands that choose a value, with tooltips and pictures.
+// Lists of commands that choose a value, with tooltips.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
 
-#include "scene/pictures/choice_picture.h"
-#include "scene/pictures/picture_view.h"
 #include "scene/workspace/choice_commands.h"
 #include "ui/context.h"
 #include "ui/widgets.h"
 
 namespace viete::ui {
-
-/// Draws into the current window, within a rounded card.
-void draw_picture(const Context& ui, std::span<const scene::PictureShape> shapes, ImVec2 low, ImVec2 high,
-                  ImU32 card, float rounding);
-
-/// Placed next to the window or list of the last item, so that no other entry is covered.
-void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const std::string& sentence,
-                  const std::string& more = "");
-
-/// For the last item while it is hovered; only then the picture is created.
-template <class Choice>
-void choice_hint(const Context& ui, Choice choice, const std::string& more = "") {
-  if (wants_hint())
-    picture_hint(ui, ui.workspace.choice_pictures.of(choice), std::string(scene::entry(choice).sentence),
-                 more);
-}
 
 struct ChoiceListWords {
   const char* prefix = "";  ///< of the entries' widget names, for tests
