@@ -164,7 +164,7 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
   times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
 }
 
-// As share_sums(), for one slot.
+// As apply_shares(), for one slot.
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;

@@ -197,6 +197,8 @@ TEST_CASE("weights_reproduce_points_inside_and_outside_a_closed_cage") {
       const Answer a = at(cage, p);
       CHECK(a.exists);
       CHECK(sum(a.weights) == doctest::Approx(1).epsilon(1e-13));
+      const bool inside = std::abs(p[0]) < 1 && std::abs(p[1]) < 2 && std::abs(p[2]) < 3;
+      if (surface.positions.size() == 8 && inside) CHECK(std::ranges::min(a.weights) > 0);  // a convex cage
       CHECK(norm(blended(cage, a) - p) < 1e-12 * cage.diagonal);
     }
   }
@@ -207,14 +209,6 @@ TEST_CASE("weights_in_the_middle_of_an_octahedron_are_equal") {
       {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}));
   for (const double w : at(cage, {0, 0, 0}).weights) CHECK(w == doctest::Approx(1.0 / 6).epsilon(1e-14));
-}
-
-TEST_CASE("weights_inside_a_convex_cage_are_positive") {
-  const Cage cage = make_cage(box());
-  Random random(10);
-  for (int n = 0; n < 200; ++n) {
-    for (const double w : at(cage, random.vector(0.999)).weights) CHECK(w > 0);
-  }
 }
 
 TEST_CASE("an_inside_out_cage_has_the_same_weights") {
