@@ -47,10 +47,10 @@ std::string list_of_names(const std::set<std::string>& names) {
   return list;
 }
 
-// Adds external files beside the new file, so that it finds them. Files outside of the old folder are not
-// copied, and no other file is overwritten. Returns messages for the user.
-std::vector<std::string> put_companions(const fs::path& model, const Companions& companions,
-                                        base::FilesTogether& files) {
+// Copies external files beside the new file, so that it finds them, and adds them to `written`. Files outside
+// of the old folder are not copied, and no other file is overwritten. Returns messages for the user.
+std::vector<std::string> copy_companions(const fs::path& model, const Companions& companions,
+                                         std::vector<fs::path>& written) {
   if (fs::weakly_canonical(companions.folder) == folder_of(model)) return {};
   std::set<std::string> copied, others, stayed;
   for (const fs::path& file : companions.files) {
@@ -68,7 +68,8 @@ std::vector<std::string> put_companions(const fs::path& model, const Companions&
     (is_new || is_there ? copied : others).insert(name.string());
     if (!is_new) continue;
     fs::create_directories(path.parent_path(), code);  // writing reports errors
-    files.put(path, [&](const base::ByteSink& sink) { sink(bytes.view()); });
+    base::replace_file(path, bytes.view());
+    written.push_back(path);
   }
   std::vector<std::string> notes;
   const auto tell = [&](const char* what, const std::set<std::string>& names) {
@@ -138,14 +139,20 @@ void check_keeps_vertices(const std::filesystem::path& path) {
 std::vector<std::string> Original::write_file(const std::filesystem::path& path, const Surface& rest,
                                               std::span<const Point> positions, Digits digits,
                                               base::Progress* progress) const {
-  base::FilesTogether files;
-  std::vector<std::string> notes = put_companions(path, companions(), files);
-  files.put(path, [&](const base::ByteSink& sink) {
-    TextWriter out(sink, progress, digits);
-    std::ranges::move(write(rest, positions, out), std::back_inserter(notes));
-    out.finish();
-  });
-  files.replace();
+  std::vector<fs::path> copies;
+  std::vector<std::string> notes;
+  try {
+    notes = copy_companions(path, companions(), copies);
+    base::replace_file(path, [&](const base::ByteSink& sink) {
+      TextWriter out(sink, progress, digits);
+      std::ranges::move(write(rest, positions, out), std::back_inserter(notes));
+      out.finish();
+    });
+  } catch (...) {
+    std::error_code ignored;
+    for (const fs::path& copy : copies) fs::remove(copy, ignored);
+    throw;
+  }
   return notes;
 }
 
