@@ -20,20 +20,13 @@ fs::path absolute_path_in(const char* variable) {
   return path.is_absolute() ? path : fs::path();
 }
 
-// The program's subfolder of the folder in the variable, or else in the home folder.
-fs::path own_folder(const char* variable, const fs::path& of_home) {
-  if (const fs::path folder = absolute_path_in(variable); !folder.empty()) return folder / "viete";
-  if (const fs::path home = absolute_path_in("HOME"); !home.empty()) return home / of_home / "viete";
-  return {};
-}
-
 }  // namespace
 
 fs::path state_folder() {
-  return own_folder("XDG_STATE_HOME", ".local/state");
+  if (const fs::path folder = absolute_path_in("XDG_STATE_HOME"); !folder.empty()) return folder / "viete";
+  const fs::path home = absolute_path_in("HOME");
+  return home.empty() ? home : home / ".local/state/viete";
 }
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -120,52 +120,33 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
 
 namespace {
 
-// Replaces the recovery folder by a file, so that writing fails.
-void break_recovery(const fs::path& state) {
-  fs::remove_all(state / "recovery");
-  fs::create_directories(state);
-  test::put_file(state / "recovery", "a file, not a folder");
-}
-
 void quit(Driver& d) {
   d.press_key(scene::key('Q'), true);
   d.frame(3);
 }
 
-struct Unkept {
-  test::TemporaryFolder folder;
-  SmallModel small{folder.path()};
-  fs::path state = folder / "state";
-  Driver d{remembering(state)};
-
-  Unkept() {
-    REQUIRE(d.open({small.model, small.cage}));
-    d.settle();
-    drag_some_vertex(d, {30, 20});
-    REQUIRE(wait_until([&] { return kept_files(state).size() == 1; }));
-    break_recovery(state);
-    drag_some_vertex(d, {-20, 10});
-  }
-  bool asks(scene::Question::Kind kind) {
-    const auto& question = d.workspace().question;
-    return question && question->kind == kind;
-  }
-};
-
-using Kind = scene::Question::Kind;
-
 }  // namespace
 
 TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_keyboard") {
-  Unkept u;
-  Driver& d = u.d;
+  const test::TemporaryFolder folder;
+  const SmallModel small(folder.path());
+  const fs::path state = folder / "state", recovery = state / "recovery";
+  Driver d(remembering(state));
+  REQUIRE(d.open({small.model, small.cage}));
+  d.settle();
+  drag_some_vertex(d, {30, 20});
+  REQUIRE(wait_until([&] { return kept_files(state).size() == 1; }));
+  fs::remove_all(recovery);
+  test::put_file(recovery, "a file, not a folder");
+  drag_some_vertex(d, {-20, 10});
   const auto ask = [&] {
     quit(d);
-    REQUIRE(u.asks(Kind::close));
+    REQUIRE(d.workspace().question);
+    REQUIRE(d.workspace().question->kind == scene::Question::Kind::close);
     CHECK_FALSE(d.viewer().closed());
   };
   ask();
-  CHECK(d.workspace().question->why.find((u.state / "recovery").string()) != std::string::npos);
+  CHECK(d.workspace().question->why.find(recovery.string()) != std::string::npos);
   const auto posed = d.document().pose.positions;
   d.press_key(scene::key('Z'), true);  // blocked by the question
   d.press_key(scene::Key::delete_key);
@@ -203,7 +184,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
     REQUIRE(d.workspace().browser.open);
     d.press_key(scene::Key::enter);
     d.frame(3);
-    CHECK(scene::read_session(u.folder / "small.viete").pose.positions == posed);
+    CHECK(scene::read_session(folder / "small.viete").pose.positions == posed);
   }
   SUBCASE("closed without saving") {
     d.press_key(left);
@@ -213,11 +194,11 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   }
   SUBCASE("kept again") {
     d.click("question_cancel");
-    fs::remove(u.state / "recovery");
+    fs::remove(recovery);
     quit(d);
     CHECK(d.viewer().keeping());
-    REQUIRE(kept_files(u.state).size() == 1);
-    CHECK(scene::read_session(kept_files(u.state).front()).pose.positions == posed);
+    REQUIRE(kept_files(state).size() == 1);
+    CHECK(scene::read_session(kept_files(state).front()).pose.positions == posed);
   }
   CHECK(d.viewer().closed());
 }
@@ -284,51 +265,4 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
     };
     CHECK(std::any_of(allowed.begin(), allowed.end(), holds));
   }
-}
-
-TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
-          doctest::test_suite(test::if_present)) {
-  if (test::no_desktop()) return;
-  auto options = Driver::default_options();
-  options.size = {1440, 900};
-  Driver d(options);
-  d.open_dragon("", test::bundled_dragon);
-  d.frame();
-  const glm::ivec2 from(glm::round(d.vertex(d.free_vertex()))), to = from + glm::ivec2(72, -56);
-  d.drag(from, to);
-
-  Desktop desktop;
-  Child viewer(desktop.viete(""), desktop.folder / "first.log");
-  desktop.xdotool("search --sync --onlyvisible --name dragon");
-  desktop.rest();
-  desktop.drag(from, to);
-  REQUIRE(wait_until([&] { return !kept_files(desktop.folder / "state" / "viete").empty(); }));
-  viewer.kill_now();
-  const auto recovery_files = scene::find_recovery_files(desktop.folder / "state" / "viete" / "recovery");
-  REQUIRE(recovery_files.size() == 1);
-  CHECK(recovery_files[0].name == "dragon.ply");
-  const auto kept = scene::read_session(recovery_files[0].file).pose.positions;
-  CHECK(kept == d.document().pose.positions);
-
-  Child again(desktop.viete(""), desktop.folder / "second.log");
-  desktop.xdotool("search --sync --onlyvisible --name dragon");
-  const auto recovery = desktop.folder / "state" / "viete" / "recovery";
-  const auto ended = [&] { return scene::find_recovery_files(recovery); };
-  desktop.rest();
-  desktop.xdotool("key ctrl+b");
-  desktop.rest();
-  CHECK(fs::exists(recovery_files[0].file));
-  const auto edited = [&] {
-    desktop.drag(to, from + glm::ivec2(20, 10));  // not to rest, which would equal the cage's file
-    return !fs::exists(recovery_files[0].file);   // its work is now in the running program's file
-  };
-  REQUIRE(wait_until(edited));
-  CHECK(ended().empty());
-  desktop.xdotool("key ctrl+q");
-  REQUIRE(wait_until([&] { return again.finished(); }));
-  CHECK(again.exit_code() == 0);
-  CHECK(test::file_bytes(desktop.folder / "second.log").find("unsaved edits were saved") !=
-        std::string::npos);
-  REQUIRE(ended().size() == 1);
-  CHECK_FALSE(ended()[0].restored);
 }

@@ -1,16 +1,12 @@
 // Sessions restore the same picture; opening and saving with real events.
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
-#include "mesh/shapes.h"
 #include "program/kept_work.h"
-#include "scene/document/edit.h"
-#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
 #include "support/pictures.h"
 
 using namespace viete;
 using namespace test;
-using What = scene::OpenRequest::What;
 
 namespace {
 
@@ -112,35 +108,6 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   CHECK(test::read_png(folder / "b.png").width == 320);
   CHECK(run_viete("deform a.viete -o b.obj --deformer mean-value", folder.path()).starts_with("0 "));
   CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
-}
-
-TEST_CASE("a_cage_with_misoriented_faces_deforms_its_model_in_the_window_and_from_a_session") {
-  const test::TemporaryFolder folder;
-  const mesh::Surface ball = test::sphere(2);
-  mesh::Surface cube = test::moved(test::cube(), 1.5);
-  auto triangles = cube.triangles;
-  for (std::size_t t = 0; t < triangles.size(); t += 3) std::swap(triangles[t][1], triangles[t][2]);
-  cube = mesh::from_triangles(cube.positions, triangles);
-  mesh::write(folder / "ball.obj", ball);
-  mesh::write(folder / "cube.obj", cube);
-  const auto turned = [](std::vector<mesh::Point> points) {
-    for (auto& p : points) p = {-p[1], p[0], p[2]};
-    return points;
-  };
-  Driver d;
-  REQUIRE(d.open({folder / "ball.obj", folder / "cube.obj"}));
-  d.choose("way", "way_mean_value");
-  d.document().changed_pose().positions = turned(d.document().pose.positions);
-  d.settle();
-  bool said = false;
-  for (const auto& m : d.workspace().messages.all())
-    said |= m.text.find("mean value coordinates flip") != std::string::npos;
-  CHECK(said);
-  CHECK(d.drawn_error() < 1e-5);
-  CHECK(largest_difference(turned(ball.positions), d.viewer().deformer()->positions()) < 1e-5);
-  scene::save_session(d.workspace(), folder / "a.viete");
-  REQUIRE(run_viete("deform a.viete -o a.obj", folder.path()).starts_with("0 "));
-  CHECK(largest_difference(turned(ball.positions), mesh::read(folder / "a.obj").surface.positions) < 1e-9);
 }
 
 TEST_CASE("a_session_on_the_command_line_stands_alone_and_its_errors_name_it") {

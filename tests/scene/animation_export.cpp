@@ -14,6 +14,7 @@
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "scene/animated_cube.h"
+#include "scene/ball.h"
 #include "scene/files/animated_model.h"
 #include "support/folder.h"
 #include "support/gltf.h"
@@ -58,26 +59,6 @@ std::vector<mesh::Point> picked(const std::vector<mesh::Point>& all, const std::
   std::vector<mesh::Point> some;
   for (const auto v : which) some.push_back(all[v]);
   return some;
-}
-
-// A sphere with more vertices than the error sample.
-mesh::Surface globe(std::uint32_t rings, std::uint32_t around) {
-  std::vector<mesh::Point> points;
-  for (std::uint32_t i = 0; i < rings; ++i) {
-    for (std::uint32_t j = 0; j < around; ++j) {
-      const double u = (i + 0.5) / rings * 3.1416, v = 6.2832 * j / around;
-      points.push_back({std::sin(u) * std::cos(v), std::sin(u) * std::sin(v), std::cos(u)});
-    }
-  }
-  std::vector<mesh::Triangle> triangles;
-  for (std::uint32_t i = 0; i + 1 < rings; ++i) {
-    for (std::uint32_t j = 0; j < around; ++j) {
-      const std::uint32_t a = i * around + j, b = i * around + (j + 1) % around;
-      triangles.push_back({a, a + around, b + around});
-      triangles.push_back({a, b + around, b});
-    }
-  }
-  return mesh::from_triangles(std::move(points), triangles);
 }
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -153,7 +134,7 @@ TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
 
 TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer") {
   test::AnimatedCube cube;
-  mesh::write(cube / "fine.obj", globe(40, 60));
+  mesh::write(cube / "fine.obj", test::ball(1));  // more vertices than the error sample
   cube.document.model = open_document(cube / "fine.obj", cube.cage).model;
   const deform::Cage& cage = *cube.document.cage;
   const auto rest = test::whole(deform::rest_pose(cage)),

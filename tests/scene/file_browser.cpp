@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
@@ -13,31 +12,12 @@ using namespace viete;
 using namespace viete::scene;
 namespace fs = std::filesystem;
 
-TEST_CASE("folders_come_first_and_only_surface_files_are_listed") {
-  const fs::path folder = fs::temp_directory_path() / "viete-test-browser";
-  fs::remove_all(folder);
-  fs::create_directories(folder / "zebra");
-  for (const char* name : {"b.OBJ", "a.ply", "notes.txt", ".hidden.obj"}) std::ofstream(folder / name) << "x";
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::cage, folder);
-  REQUIRE(browser.entries.size() == 3);
-  CHECK(browser.entries[0].name == "zebra");
-  CHECK(browser.entries[1].name == "a.ply");
-  CHECK(browser.entries[2].name == "b.OBJ");
-  enter(browser, folder / "missing");
-  CHECK(browser.folder == fs::weakly_canonical(folder));
-  CHECK(browser.problem.find("missing") != std::string::npos);
-  enter(browser, folder / "zebra");
-  CHECK(browser.entries.empty());
-  CHECK(browser.problem.empty());
-  fs::remove_all(folder);
-}
-
 namespace {
 
 void put_files(const test::TemporaryFolder& folder) {
   fs::create_directories(folder / "Sub");
-  for (const char* name : {"Beta.obj", "alpha.ply", "gamma.viete"}) test::put_file(folder / name, "x");
+  for (const char* name : {"Beta.obj", "alpha.ply", "gamma.viete", "notes.txt", ".hidden.obj"})
+    test::put_file(folder / name, "x");
 }
 
 std::string names(const FileBrowser& browser) {
@@ -48,7 +28,7 @@ std::string names(const FileBrowser& browser) {
 
 }  // namespace
 
-TEST_CASE("names_are_sorted_without_regard_to_case_and_sessions_are_listed_where_they_can_be_opened") {
+TEST_CASE("folders_come_first_then_fitting_files_without_regard_to_case") {
   const test::TemporaryFolder folder;
   put_files(folder);
   FileBrowser browser;
@@ -58,6 +38,12 @@ TEST_CASE("names_are_sorted_without_regard_to_case_and_sessions_are_listed_where
   CHECK(names(browser) == "Sub alpha.ply Beta.obj ");
   show(browser, FileBrowser::Purpose::save_session, folder.path());
   CHECK(names(browser) == "Sub gamma.viete ");
+  enter(browser, folder / "missing");
+  CHECK(browser.folder == fs::weakly_canonical(folder.path()));
+  CHECK(browser.problem.find("missing") != std::string::npos);
+  enter(browser, folder / "Sub");
+  CHECK(browser.entries.empty());
+  CHECK(browser.problem.empty());
 }
 
 TEST_CASE("stl_is_offered_for_surfaces_but_not_for_poses") {

@@ -267,6 +267,7 @@ TEST_CASE(
   asked.choice.weights = deform::Weights::mean_value;
   Workspace refused;
   CHECK_FALSE(open_now(refused, {What::model, {files / "a.viete"}, asked}));
+  CHECK_FALSE(refused.document.model.surface);
 }
 
 TEST_CASE("amounts_are_for_maps_that_turn_and_stretch") {
@@ -299,16 +300,6 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
   CHECK(w.document.method == sym3::Method::sd);
   CHECK(w.document.scheme.weighting.radius == 0.4);
   CHECK_FALSE(has_unsaved_edits(w));
-}
-
-TEST_CASE("settings_that_do_not_go_together_open_nothing") {
-  const test::CubeFiles files;
-  RequestedSettings asked;
-  asked.choice = {deform::Weights::mean_value, deform::Blend::srl};
-  Workspace w;
-  CHECK_FALSE(open_now(w, {What::model, {files.model, files.cage}, asked}));
-  CHECK_FALSE(w.document.model.surface);
-  CHECK(said(w, "cannot be combined"));
 }
 
 TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_have_them") {

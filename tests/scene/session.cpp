@@ -50,7 +50,7 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.probes.mix = deform::ProbeMix::softmax;
   w.document.pose.positions[3] = {0.1, -1.0 / 3, 1e-17};
   w.document.pose.turns = {{0.1, 6.3, -1e-9}};
-  w.document.selection.apply(std::vector<std::uint32_t>{2, 5}, SelectMode::replace);
+  w.document.selection = Selection(ElementKind::vertex, std::vector<std::uint32_t>{2, 5});
   w.document.groups = {{0, 7}, {{"left \"arm\"\n", ElementKind::face, {0, 1, 2}}}};
   w.document.method = sym3::Method::sd;
   w.document.scheme = deform::scheme_of(deform::Way::mean_value);

@@ -1,12 +1,12 @@
 #include "scene/files/json_codec.h"
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/encoding.h"
+#include "mesh/formats/byte_order.h"
 #include "scene/document/range.h"
 
 namespace viete::scene {
@@ -166,20 +166,14 @@ void code(const JsonField& field, SharedShape& value) {
 
 namespace {
 
-template <class T>
-using BitsOf = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-
 // The bytes of numbers as T, little-endian.
 template <class T>
 std::string bytes_of(const std::vector<mesh::Point>& points) {
   std::string bytes;
   bytes.reserve(points.size() * 3 * sizeof(T));
-  for (const mesh::Point& p : points) {
-    for (const double x : p) {
-      auto bits = std::bit_cast<BitsOf<T>>(static_cast<T>(x));
-      for (std::size_t i = 0; i < sizeof(T); ++i, bits >>= 8) bytes.push_back(static_cast<char>(bits & 255));
-    }
-  }
+  for (const mesh::Point& p : points)
+    for (const double x : p)
+      for (const char byte : mesh::bytes_of_number(static_cast<T>(x))) bytes.push_back(byte);
   return bytes;
 }
 
@@ -189,10 +183,7 @@ SharedShape shape_of_bytes(const JsonReader& json) {
   if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("its size is not three numbers for each vertex");
   std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
   for (std::size_t n = 0; n < 3 * points.size(); ++n) {
-    BitsOf<T> bits = 0;
-    for (std::size_t i = sizeof(T); i-- > 0;)
-      bits = static_cast<BitsOf<T>>(bits << 8) | static_cast<unsigned char>(bytes[n * sizeof(T) + i]);
-    const auto x = static_cast<double>(std::bit_cast<T>(bits));
+    const auto x = static_cast<double>(mesh::number_of_bytes<T>(bytes.data() + n * sizeof(T)));
     if (!(std::abs(x) <= largest_coordinate)) json.fail("a number is too large");
     points[n / 3][n % 3] = x;
   }
