@@ -302,12 +302,6 @@ void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
 /// Frames the vertex with the largest value of the map.
 void frame_worst(Workspace& workspace);
-/// The model vertex nearest to the point drawn at this window position; nullopt: no model there.
-std::optional<std::uint32_t> pointed_vertex(const Workspace& workspace, const glm::vec2& at);
-
-/// Shows this vertex in the vertex inspector and scrolls to it.
-void show_sum_at(Workspace& workspace, std::optional<std::uint32_t> vertex);
-
 /// Applies the deformer's report for the current pose: stores its turns in the pose and shows its notes.
 void take_report(Workspace& workspace, const deform::LogReport& report);
 
