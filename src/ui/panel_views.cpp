@@ -1,5 +1,4 @@
 // The number of views, and the settings of each.
-#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -23,11 +22,10 @@ void way_list(const Context& ui, const std::string& name, scene::View& side) {
 
 void method_list(const Context& ui, const std::string& name, scene::View& side) {
   if (!begin_list(ui, name, method_label(side.method).c_str(), "")) return;
-  for (const auto& entry : sym3::methods())
-    if (std::ranges::count(scene::compared_methods, entry.method) &&
-        list_entry(ui, entry.label, name + '_' + std::string(entry.label), side.method == entry.method,
-                   entry.sentence))
-      side.method = entry.method;
+  for (const scene::Method method : scene::compared_methods) {
+    const std::string label = method_label(method);
+    if (list_entry(ui, label, name + '_' + label, side.method == method, "")) side.method = method;
+  }
   ImGui::EndCombo();
 }
 

@@ -156,7 +156,7 @@ bool list_entry(const Context& ui, std::string_view label, const std::string& na
                 std::string_view tip) {
   const bool clicked = ImGui::Selectable(std::string(label).c_str(), chosen);
   record(ui, name);
-  hint(std::string(tip));
+  if (!tip.empty()) hint(std::string(tip));
   return clicked;
 }
 

@@ -155,19 +155,8 @@ constexpr Condition has_map{[](const Workspace& w) { return w.split.views[0].sho
 constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
                                "Inspect a vertex first."};
 
-void pick_vertex(Workspace& w) {
-  const auto vertex = pointed_vertex(w, w.interaction.cursor.value_or(w.viewport.middle()));
-  if (!vertex) return w.messages.info("Point at a vertex of the model first.");
-  show_sum_at(w, vertex);
-}
-
-void choose_field(Workspace& w, Field field) {
-  w.view.field = field;
-}
-
-}  // namespace
-
-void show_sum_at(Workspace& w, std::optional<std::uint32_t> vertex) {
+// Opens the vertex inspector, wherever the columns are.
+void show_sum_at(Workspace& w, std::uint32_t vertex) {
   w.vertex.vertex = vertex;
   w.vertex.appearing = true;
   PanelLayout& layout = w.preferences.layout;
@@ -176,12 +165,19 @@ void show_sum_at(Workspace& w, std::optional<std::uint32_t> vertex) {
     toggle_column(layout, Column::methods, w.viewport.window.x);
 }
 
-std::optional<std::uint32_t> pointed_vertex(const Workspace& w, const glm::vec2& at) {
+void pick_vertex(Workspace& w) {
+  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.middle());
   const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
-  if (!hit) return std::nullopt;
+  if (!hit) return w.messages.info("Point at a vertex of the model first.");
   const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
-  return w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)];
+  show_sum_at(w, w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)]);
 }
+
+void choose_field(Workspace& w, Field field) {
+  w.view.field = field;
+}
+
+}  // namespace
 
 void add_map_commands(CommandTable& table) {
   table.heading("Map");

@@ -286,19 +286,10 @@ void frame_selection(Workspace& workspace, bool eased);
 void frame_worst(Workspace& workspace);
 /// Highlights a finding and requests the camera to frame it; hides it if it is shown already.
 void toggle_finding(Workspace& workspace, std::size_t index);
-
 /// Shows only the next (1) or previous (-1) element of the shown finding; wraps around.
 void step_element(Workspace& workspace, int step);
-
 /// Frames the shown elements, as drawn.
 void frame_finding(Workspace& workspace);
-
-/// The model vertex nearest to the point drawn at this window position; nullopt: no model there.
-std::optional<std::uint32_t> pointed_vertex(const Workspace& workspace, const glm::vec2& at);
-
-/// Shows this vertex in the vertex inspector and scrolls to it.
-void show_sum_at(Workspace& workspace, std::optional<std::uint32_t> vertex);
-
 /// Applies the deformer's report for the current pose: stores its turns in the pose and shows its notes.
 void take_report(Workspace& workspace, const deform::LogReport& report);
 
