@@ -41,9 +41,8 @@ struct Maker : Driver {
     finish();
     REQUIRE(document().has_cage());
   }
-  // Opens the dragon, starts a cage, and returns its preview.
+  // Starts a cage, and returns its preview.
   std::shared_ptr<const deform::Cage> preview() {
-    REQUIRE(open({test::bundled_dragon}));
     click("make_cage");
     REQUIRE(until([&] { return document().has_cage(); }));
     return document().cage;
@@ -141,7 +140,7 @@ TEST_CASE("cage_sliders_change_the_same_edit_and_cancel_undoes_it") {
 }
 
 TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_posed_or_undone") {
-  Maker d;
+  Maker d(test::bundled_dragon);
   const auto preview = d.preview();
   bool stays = true;
   SUBCASE("done") {

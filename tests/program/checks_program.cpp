@@ -131,7 +131,7 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   CHECK(d.workspace().checks.findings.empty());
 }
 
-TEST_CASE("a_badge_names_a_defect_during_cage_editing_offers_a_remedy_and_stays_dismissed") {
+TEST_CASE("a_badge_names_a_defect_during_cage_editing_and_offers_a_remedy") {
   Checked c;
   Driver& d = c.d;
   c.open_cage(c.low);
@@ -148,6 +148,11 @@ TEST_CASE("a_badge_names_a_defect_during_cage_editing_offers_a_remedy_and_stays_
   d.click("badge/enclose_model");
   c.check();
   CHECK_FALSE(c.find(scene::Defect::vertices_outside));
+}
+
+TEST_CASE("a_badge_shows_its_elements_and_stays_dismissed") {
+  Checked c;
+  Driver& d = c.d;
   c.open_cage(c.holed);
   REQUIRE(c.shows("badge/show"));
   d.click("badge/show");
