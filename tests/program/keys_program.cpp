@@ -93,6 +93,7 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
 
 TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes_a_key") {
   Driver d;
+  d.open_dragon();
   open_list(d);
   d.click("keys_text");
   d.type("undo");

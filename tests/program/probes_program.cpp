@@ -107,6 +107,11 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
   CHECK(d.document().probes.all.size() == 2);
   d.click("remove_probe");
   CHECK(d.document().probes.all.size() == 1);
+  d.click(d.on_screen(scene::probe_center(d.document(), 0)));
+  CHECK(d.document().selection.contains(0));
+  d.press_key(scene::Key::delete_key, false, true);
+  CHECK(d.document().probes.empty());
+  d.press_key('Z', true);
   d.document().changed_probes().all[0].pose.move = {0.1, 0.25, 0};
   const auto probes = d.document().probes;
   scene::mark_saved(d.workspace());
@@ -116,10 +121,6 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
   CHECK(d.document().probes == probes);
   CHECK(scene::has_unsaved_edits(d.workspace()));
   CHECK(d.drawn_error() < 2e-5);
-  d.click(d.on_screen(scene::probe_center(d.document(), 0)));
-  CHECK(d.document().selection.contains(0));
-  d.press_key(scene::Key::delete_key, false, true);
-  CHECK(d.document().probes.empty());
 }
 
 TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {

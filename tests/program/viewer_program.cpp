@@ -237,9 +237,11 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   CHECK_FALSE(is_enabled("method_diag"));
   CHECK_FALSE(is_enabled("turn"));
   CHECK(largest_distance(positions(d), rest_of(d)) < 1e-6 * diagonal(d));
-  d.choose("weights", "weights_cutoff");
+  d.choose("blend", "blend_srl");
   d.settle();
   CHECK(is_enabled("method_diag"));
+  d.choose("weights", "weights_cutoff");
+  d.settle();
   d.click("radius");  // in its center
   d.settle();
   const deform::Weighting& weighting = d.document().scheme.weighting;
