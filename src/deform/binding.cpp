@@ -120,7 +120,7 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
 void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding& b, base::WorkerPool& pool,
                            base::Progress* progress) {
   constexpr double factored = 0.3;  // of the time
-  if (b.vertices > proxy_vertices) {
+  if (b.vertices > most_solved_vertices) {
     const ProxyWeights proxy(model, cage, b.weighting, pool, progress, factored);
     return pool.for_blocks(b.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v)
@@ -164,7 +164,8 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   if (entry(weighting.weights).on_surface)
     bytes +=
         surface_system_bytes(vertices) +
-        (engine == EngineKind::fused ? 4 * static_cast<double>(std::min(vertices, proxy_vertices)) * k : 0);
+        (engine == EngineKind::fused ? 4 * static_cast<double>(std::min(vertices, most_solved_vertices)) * k
+                                     : 0);
   return static_cast<std::size_t>(std::min(0x1p63, bytes));
 }
 

@@ -5,10 +5,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 
 #include "deform/cage_state.h"
+#include "deform/point_weights.h"
 #include "deform/surface_weights.h"
 #include "mesh/point_tree.h"
 #include "mesh/repair.h"
@@ -167,7 +169,8 @@ private:
 
 }  // namespace
 
-SurfaceProxy::SurfaceProxy(const mesh::Surface& model, std::size_t target, base::Progress* progress)
+SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Elements elements,
+                           std::size_t target, base::WorkerPool& pool, base::Progress* progress)
     : model_(model) {
   const auto place = mesh::lowest_in_place(model.positions);
   for (auto t : model.triangles) {
@@ -176,6 +179,8 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, std::size_t target, base:
   }
   cluster(target, place, progress);
   place_clusters();
+  find_neighbours();
+  move_to_handles(cage, elements, pool);
   find_neighbours();
   adopt_loose_vertices();
 }
@@ -251,7 +256,7 @@ void SurfaceProxy::find_neighbours() {
     if (const double length = norm(normals_[c]); length > 0) normals_[c] = (1 / length) * normals_[c];
   }
   std::vector<std::uint32_t> found;
-  starts_ = {0};
+  nearby_.clear(), starts_ = {0};
   for (std::uint32_t c = 0; c < p.size(); ++c) {
     found = ring[c];
     for (const auto other : ring[c]) found.insert(found.end(), ring[other].begin(), ring[other].end());
@@ -260,6 +265,36 @@ void SurfaceProxy::find_neighbours() {
     nearby_.push_back(c);
     nearby_.insert(nearby_.end(), found.begin(), found.end());
     starts_.push_back(static_cast<std::uint32_t>(nearby_.size()));
+  }
+}
+
+// Springs hold the plate where the model is nearest to a handle, as without a proxy.
+void SurfaceProxy::move_to_handles(const Cage& cage, Elements elements, base::WorkerPool& pool) {
+  const std::size_t n = surface_.positions.size();
+  std::vector<std::uint32_t> starts(n + 1, 0), members(of_vertex_.size());
+  for (const auto c : of_vertex_) {
+    if (c != none) ++starts[c + 1];
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  auto end = starts;
+  for (std::uint32_t v = 0; v < of_vertex_.size(); ++v) {
+    if (of_vertex_[v] != none) members[end[of_vertex_[v]]++] = v;
+  }
+  const auto& x = cage.surface.positions;
+  const OwnedVertices owned = owned_vertices(surface_, cage, elements, pool);
+  for (std::size_t h = 0; h < owned.of_handle.size(); ++h) {
+    const auto own = owned.of_handle[h];
+    if (own == OwnedVertices::none) continue;
+    const auto [a, b, c] = handle_shape(cage, elements, h).corners;
+    double least = std::numeric_limits<double>::infinity();
+    std::uint32_t nearest = none;
+    for (std::size_t i = starts_[own]; i < starts_[own + 1]; ++i) {
+      for (std::size_t m = starts[nearby_[i]]; m < starts[nearby_[i] + 1]; ++m) {
+        const auto closest = mesh::closest_on_triangle(model_.positions[members[m]], x[a], x[b], x[c]);
+        if (closest.squared_distance < least) least = closest.squared_distance, nearest = members[m];
+      }
+    }
+    surface_.positions[of_vertex_[nearest]] = model_.positions[nearest];
   }
 }
 
@@ -326,8 +361,10 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
 }
 
 ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-                           base::WorkerPool& pool, base::Progress* progress, double done)
-    : proxy_(model, proxy_vertices, progress), handles_(handle_count(cage, weighting.elements)) {
+                           base::WorkerPool& pool, base::Progress* progress, double done,
+                           std::size_t clusters)
+    : proxy_(model, cage, weighting.elements, clusters, pool, progress),
+      handles_(handle_count(cage, weighting.elements)) {
   const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress, done / 2);
   const std::size_t n = proxy_.surface().positions.size();
   weights_.resize(n * handles_);

@@ -14,23 +14,29 @@
 
 namespace viete::deform {
 
-/// Models with more vertices solve their weights along the surface on a proxy.
+/// The vertices of a proxy, about.
 inline constexpr std::size_t proxy_vertices = 40'000;
+/// Models with more vertices solve their weights along the surface on a proxy: below, a proxy saves little
+/// time.
+inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
 /// Clusters of neighbouring vertices of a model, as vertices of a coarser surface.
 ///
 /// A cluster is a connected piece of the surface in one cell of a grid, so that layers and parts stay apart.
 /// Where clusters meet without a common corner (a tube that is thinner than a cell) their cells are halved,
 /// up to five times. A cluster's vertex is the mean of its members, on an open edge the mean of those on the
-/// edge. The triangles of the proxy are the triangles of the model whose corners lie in three clusters.
+/// edge, and next to a handle of the cage the nearest vertex of the model. The triangles of the proxy are the
+/// triangles of the model whose corners lie in three clusters.
 ///
 /// Values at the proxy's vertices are carried to the model by moving least squares: around each vertex of the
 /// model a quadratic polynomial in its tangent plane is fitted to the clusters nearby. This is smooth and
 /// reproduces linear functions of the tangent plane.
 class SurfaceProxy {
 public:
-  /// At most about `target` clusters. The model must outlive the proxy. Throws base::Cancelled.
-  SurfaceProxy(const mesh::Surface& model, std::size_t target, base::Progress* progress = nullptr);
+  /// About `target` clusters. The model must outlive the proxy. Throws base::Error when the model has no
+  /// triangles, and base::Cancelled.
+  SurfaceProxy(const mesh::Surface& model, const Cage& cage, Elements elements, std::size_t target,
+               base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   /// Clusters and the triangles between them.
   const mesh::Surface& surface() const { return surface_; }
@@ -47,6 +53,7 @@ private:
   void cluster(std::size_t target, const std::vector<std::uint32_t>& place, base::Progress* progress);
   void place_clusters();
   void find_neighbours();
+  void move_to_handles(const Cage& cage, Elements elements, base::WorkerPool& pool);
   void adopt_loose_vertices();
 
   const mesh::Surface& model_;
@@ -61,9 +68,11 @@ private:
 /// Weights along the surface of a large model: one row for each cluster of its proxy.
 class ProxyWeights {
 public:
-  /// Solves for the weights on the proxy. See SurfaceSystem for errors.
+  /// Solves for the weights on a proxy of about so many clusters; reports up to `done`. See SurfaceSystem for
+  /// errors.
   ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-               base::WorkerPool& pool, base::Progress* progress, double done);
+               base::WorkerPool& pool, base::Progress* progress, double done,
+               std::size_t clusters = proxy_vertices);
 
   /// The weights of a vertex of the model: not below 0, of sum 1. Thread-safe.
   void row(std::uint32_t vertex, std::span<double> row) const;

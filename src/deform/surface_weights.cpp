@@ -225,8 +225,8 @@ void SurfaceSystem::solve(const std::function<void(const Solved&)>& store, base:
 double surface_system_bytes(std::size_t vertices) {
   // Measured: 800 to 1500 for each vertex that is solved for; and for clustering.
   constexpr double solved = 1600, clustered = 150;
-  return solved * static_cast<double>(std::min(vertices, proxy_vertices)) +
-         (vertices > proxy_vertices ? clustered * static_cast<double>(vertices) : 0);
+  return solved * static_cast<double>(std::min(vertices, most_solved_vertices)) +
+         (vertices > most_solved_vertices ? clustered * static_cast<double>(vertices) : 0);
 }
 
 void normalise(std::span<double> weights, bool clamp) {

@@ -118,7 +118,7 @@ private:
   void solve_surface_weights() {
     constexpr double factored = 0.3, share = 0.7;  // of the time
     const std::size_t n = b_.leaves.vertices, k = b_.handles;
-    if (n > proxy_vertices) return solve_on_proxy();
+    if (n > most_solved_vertices) return solve_on_proxy();
     base::require_memory(binding_memory(
         surface_system_bytes(n) + 4.0 * static_cast<double>(n) * static_cast<double>(k), n, k));
     const auto sampled = spread_vertices(n, error_sample);
