@@ -74,7 +74,7 @@ vec3 shade(vec3 base, vec3 n, vec3 v, float open) {
 }
 
 #if defined(PORCELAIN) || defined(JADE)
-// What a glossy surface mirrors: a sky that brightens upwards, a large lamp, and a window at the right.
+// The environment that a glossy surface mirrors: a sky that brightens upwards, a large lamp, and a window at the right.
 vec3 studio(vec3 r) {
   vec3 sky = mix(vec3(0.16, 0.15, 0.15), vec3(0.80, 0.88, 1.00), smoothstep(-0.3, 0.8, r.y));
   float lamp = smoothstep(0.80, 0.93, dot(r, key_direction));

@@ -1,44 +1,44 @@
 #!/bin/sh
-# From a fresh Debian or Ubuntu to a running program, in one command; see usage() below.
+# Installs dependencies, builds and runs the program on Debian or Ubuntu; see usage() below.
 set -eu
 here=$(CDPATH='' cd -P -- "$(dirname -- "$(readlink -f -- "$0")")/.." && pwd)
 
 usage() {
   cat <<'TEXT'
 usage: third_party/setup.sh [COMMAND] [ARGS...]
-  run [ARGS...]         install what is missing, build the program, start it (this is what no command does)
-  test [CTEST ARGS...]  install what is missing, build program and tests, run the tests (-L long: those for a night)
-  build                 install what is missing, build the program: build/viete
-  bench [ARGS...]       the same for the benchmarks: build/viete bench
-  package               make packages of the program and the library for any machine: build-package/*.deb
-  deps [test|package]   install what is missing for the program (or the tests, or packages too), nothing else
-  help                  this text
-The first run builds kernels for this machine's processor alone, which is quicker; test and package build all of them.
-JOBS=2 bounds how many compilers run at once.
+  run [ARGS...]         install dependencies, build the program, start it (default)
+  test [CTEST ARGS...]  install dependencies, build program and tests, run the tests (-L long: the overnight tests)
+  build                 install dependencies, build the program: build/viete
+  bench [ARGS...]       install dependencies, build and run the benchmarks: build/viete bench
+  package               build portable packages of the program and the library: build-package/*.deb
+  deps [test|package]   only install dependencies of the program (and of tests or packages)
+  help                  show this help
+The first run builds kernels for this processor only, which is faster; test and package build all kernels.
+JOBS=2 limits the number of parallel compilers.
 TEXT
 }
 
-# What the program cannot be built or drawn without.
+# Required to build and run the program.
 program="g++ cmake ninja-build pkg-config libglfw3-dev libglm-dev libeigen3-dev libhwy-dev libimgui-dev libopenmesh-dev
 libstb-dev libcli11-dev nlohmann-json3-dev libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri"
-# Nicer with: the manual as pages, fonts, drawing without a display (gone from Mesa 25.1, where EGL takes over), title bars on Wayland.
+# Optional: HTML manual, fonts, drawing without a display (Mesa 25.1 dropped OSMesa in favour of EGL), title bars on Wayland.
 program_wish="cmark-gfm fonts-inter fonts-jetbrains-mono libosmesa6 libdecor-0-plugin-1-cairo"
 tests="doctest-dev libtinygltf-dev pybind11-dev python3-dev python3-numpy"
-# A virtual display with a mouse, and what looks into packages.
+# Optional for tests: a virtual display with a mouse, and package inspection.
 tests_wish="xvfb xdotool dpkg-dev file mypy"
-# What finds the libraries that a package needs.
+# Finds the library dependencies of packages.
 packing="dpkg-dev file"
 
 say() { echo "setup.sh: $*" >&2; }
 
 installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
 
-# Those of the packages that are not installed.
+# Prints the packages that are not installed.
 missing_of() {
   for p in "$@"; do installed "$p" || printf '%s ' "$p"; done
 }
 
-# So many percent of the work: on one line of a terminal, otherwise a line every tenth.
+# percent WHAT N: shows progress on one line of a terminal, otherwise a line every 10 %.
 percent() {
   what=$1
   if [ $terminal = 1 ]; then
@@ -53,7 +53,7 @@ end_of_line() {
   if [ $terminal = 1 ] && [ "$shown" -gt 0 ]; then echo >&2; fi
 }
 
-# apt-get's "dlstatus:1:37.5:..." and "pmstatus:package:62.0:...".
+# Shows the progress of apt-get status lines: "dlstatus:1:37.5:..." and "pmstatus:package:62.0:...".
 installing() {
   shown=0 what=""
   while IFS=: read -r kind _ part _; do
@@ -65,12 +65,12 @@ installing() {
   end_of_line
 }
 
-# apt-get, patient with another package manager that holds a lock; what it says is shown only if it fails.
+# Runs apt-get; waits while another package manager has the lock. Shows its output only if it fails.
 apt() {
   tries=0
   while :; do
     rm -f "$work/done"
-    # Status lines have a descriptor of their own, made behind sudo, which closes others: dpkg keeps it from its scripts.
+    # Status lines use descriptor 3, opened after sudo, which closes descriptors; dpkg does not pass it to its scripts.
     { $root env LC_ALL=C DEBIAN_FRONTEND=noninteractive sh -c 'exec apt-get -q -o APT::Status-Fd=3 "$@" 3>&1' apt "$@" 2>&1 &&
       : >"$work/done"; } | tee "$work/apt.log" | installing
     ! grep -q 'Could not resolve\|Temporary failure resolving\|Could not connect\|Unable to connect\|Network is unreachable\|Failed to fetch' \
@@ -80,23 +80,23 @@ apt() {
       grep -v '^dlstatus\|^pmstatus' "$work/apt.log" >&2
       return 1
     fi
-    [ $tries -gt 0 ] || say "waiting for another package manager to end"
+    [ $tries -gt 0 ] || say "waiting for another package manager to finish"
     tries=$((tries + 1))
     sleep 5
   done
 }
 
-# What is needed could not be installed.
+# Reports required packages that could not be installed.
 not_installed() {
   if [ -n "$unreachable" ]; then
-    say "the servers of packages cannot be reached from here: connect this machine to the network and call this again, or install by hand: ${missing% }"
+    say "the package servers cannot be reached: connect to the network and run this again, or install manually: ${missing% }"
   else
     say "these packages could not be installed (see above): ${missing% }"
   fi
   return 1
 }
 
-# deps PROGRAM-TEST-OR-PACKAGE: what is missing is installed; what is only wished for never stops anything.
+# deps program|test|package: installs missing packages; missing optional packages are not an error.
 deps() {
   need=$program wish=$program_wish unreachable=""
   case "$1" in
@@ -104,11 +104,11 @@ deps() {
     package) need="$need $packing" ;;
   esac
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-    say "no apt-get here; install by hand the equivalents of:" $need "and, where there are such:" $wish
+    say "apt-get not found; install the equivalents of:" $need "and, if available:" $wish
     return 0
   fi
   missing=$(missing_of $need) wished=$(missing_of $wish)
-  # What could not be had was found out before: no server is asked again, but by `deps`.
+  # Remembers optional packages that are unavailable; only `deps` tries them again.
   stamp=$here/.cache/packages-not-to-be-had
   unknown=""
   [ "$verb" = deps ] || unknown=$(cat "$stamp" 2>/dev/null || true)
@@ -120,19 +120,19 @@ deps() {
   if [ "$(id -u)" != 0 ]; then
     root=sudo
     if ! command -v sudo >/dev/null; then
-      refused="there is no sudo here"
+      refused="sudo is not installed"
     elif ! sudo sh -c :; then
       refused="sudo has refused"
     fi
   fi
   if [ -n "$refused" ] && [ -n "$missing" ]; then
     say "these packages are missing: ${missing% }"
-    say "$refused; let root install them: su -c '$here/third_party/setup.sh deps $1'"
+    say "$refused; install them as root: su -c '$here/third_party/setup.sh deps $1'"
     return 1
   fi
   if [ -n "$refused" ]; then
     left=" $wished"
-  elif say "asking for the newest list of packages" && apt update; then
+  elif say "updating the package lists" && apt update; then
     if [ -n "$missing" ] && ! fetch $missing; then not_installed; return 1; fi
     found=""
     for p in $wished; do
@@ -148,7 +148,7 @@ deps() {
   echo $left >"$stamp"
 }
 
-# Says how much that is, and installs it.
+# Shows the download size, then installs.
 fetch() {
   LC_ALL=C apt-get -s --print-uris install --no-install-recommends "$@" 2>/dev/null |
     sed -n 's/^0 upgraded, \([0-9]* newly installed\).*/  \1/p; s/^\(Need to get\|After this operation\)/  &/p' |
@@ -156,7 +156,7 @@ fetch() {
   apt -y install --no-install-recommends "$@"
 }
 
-# Two runs at once would build in one folder: the second one waits. Whoever was killed holds nothing.
+# Serialises runs that share a build folder. The lock of a killed run is ignored.
 lock() {
   lock=$here/.cache/setup.lock said=""
   mkdir -p "$here/.cache" 2>/dev/null || return 0
@@ -166,19 +166,19 @@ lock() {
       [ "$(readlink "$lock" || true)" != "$owner" ] || rm -f "$lock"
       continue
     fi
-    [ -n "$said" ] || say "another setup.sh (process $owner) is building here: waiting for it to end"
+    [ -n "$said" ] || say "another setup.sh (process $owner) is building here: waiting for it to finish"
     said=1
     sleep 2
   done
   locked=1
 }
 
-# build TARGET FOLDER CMAKE-OPTIONS...: the options are for a folder that is not configured yet, or one that has another use.
+# build TARGET FOLDER CMAKE-OPTIONS...: configures the folder if needed, or if the target is not the program.
 build() {
   target=$1 folder=$here/$2
   shift 2
   if [ -e "$folder" ] && [ ! -w "$folder" ]; then
-    say "$folder belongs to $(stat -c %U "$folder"); remove it, or give it to yourself: sudo chown -R $(id -un) '$folder' '$here/.cache'"
+    say "$folder belongs to $(stat -c %U "$folder"); remove it, or change its owner: sudo chown -R $(id -un) '$folder' '$here/.cache'"
     return 1
   fi
   lock
@@ -186,7 +186,7 @@ build() {
   if [ ! -e "$folder/build.ninja" ] || [ "${target#viete}" = "$target" ]; then
     if ! cmake -S "$here" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$folder/configure.log" 2>&1; then
       cat "$folder/configure.log" >&2
-      say "configuring failed; the text above is in $folder/configure.log"
+      say "configuration failed; the output above is in $folder/configure.log"
       return 1
     fi
   fi
@@ -195,7 +195,7 @@ build() {
   [ -e "$work/done" ]
 }
 
-# Ninja's "[3/80] Building ..." becomes how far it is; whatever else it says is passed on.
+# Turns ninja's "[3/80] Building ..." into progress; passes other output on.
 compiling() {
   shown=0
   while IFS= read -r line; do
@@ -216,7 +216,7 @@ compiling() {
   end_of_line
 }
 
-# Root may build in somebody's folder; what it leaves behind is theirs.
+# After a build as root, gives new files to the owner of the folder.
 give_back() {
   [ "$(id -u)" = 0 ] || return 0
   owner=$(stat -c %u:%g "$here")
@@ -236,7 +236,7 @@ build_tests() {
   compile_times "$here/build/.ninja_log"
 }
 
-# Seconds that compiling each room of the sources took, by the log of ninja, whose last line of an object counts.
+# Compile time of each source folder in seconds, from ninja's log; the last line of an object counts.
 compile_times() {
   [ -e "$1" ] || return 0
   awk -F '\t' '$4 ~ /^src\/.*\.o$/ { seconds[$4] = ($2 - $1) / 1000 }
@@ -252,13 +252,13 @@ compile_times() {
 
 build_package() {
   say "building the packages"
-  # Libraries lie where Debian has those of this kind of machine.
+  # Installs libraries to Debian's multiarch folder.
   build package build-package -DVIETE_BUILD_TESTS=OFF -DVIETE_KERNELS=all \
     "-DCMAKE_INSTALL_LIBDIR=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)"
-  for made in "$here"/build-package/*.deb; do say "made $made"; done
+  for made in "$here"/build-package/*.deb; do say "created $made"; done
 }
 
-# Tests write many small files that wait for the disk: those go into memory where there is enough of it.
+# Puts the tests' many small files into memory if there is enough, because the disk is slow.
 files_in_memory() {
   if [ -n "${TMPDIR:-}" ] || [ ! -w /dev/shm ]; then return 0; fi
   free=$(df -Pk /dev/shm 2>/dev/null | awk 'NR == 2 { print $4 }')

@@ -21,6 +21,7 @@ foreach(command IN LISTS commands)
   string(TOUPPER ${command} title)
   append_help(${title} ${command})
 endforeach()
+append_help(DEFORMERS help deformers)
 commands_of(benchmarks bench)
 foreach(command IN LISTS benchmarks)
   string(TOUPPER "BENCH ${command}" title)
@@ -29,13 +30,13 @@ endforeach()
 file(APPEND ${TO}.part ".SH ENVIRONMENT
 .TP
 .B VIETE_REDUCED_MOTION
-If set, and not 0, the model of the first start does not move into its pose by itself.
+If set and not 0, disables the animation of the first start.
 .TP
 .B XDG_STATE_HOME
-Where unsaved work is kept, if absolute; otherwise in ~/.local/state.
+Absolute path of the folder for unsaved edits; ~/.local/state by default.
 .SH FILES
 .TP
 .I ~/.local/state/viete
-Unsaved work, offered again at the next start, and what the window remembers.
+Unsaved edits, which the next start offers to restore, and settings of the window.
 ")
 file(RENAME ${TO}.part ${TO})

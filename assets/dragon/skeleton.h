@@ -37,7 +37,7 @@ class Skeleton {
 public:
   Skeleton();
 
-  /// Where the vertices of a closed mesh go. The rump stays in its place.
+  /// Moves the vertices of a closed mesh. The rump stays in its place.
   std::vector<Vec3> carried(const Mesh& skin, const std::vector<Bend>& bends) const;
 
 private:

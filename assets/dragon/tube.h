@@ -24,7 +24,7 @@ inline Station round(Vec3 at, double radius) {
 inline constexpr int kSamplesPerSpan = 8;
 std::vector<Station> sampled(const std::vector<Station>& stations);
 
-/// Where a point stands on a tube.
+/// The place of a point on a tube.
 struct TubePoint {
   double along;   ///< length along the curve divided by the local radius, summed up: grows by 1 per radius
   double around;  ///< 0 above (on the back), +-1 below (on the belly), its sign is the side

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the row of pictures in the README: one pose of the dragon, moved in three ways. ways.sh [VIETE]
+# Makes the pictures of the manual's chapter on deformers: one pose of the dragon by each deformer. ways.sh [VIETE]
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 viete=${1:-$here/../../build/viete}
@@ -12,6 +12,9 @@ picture() {  # NAME OPTION...
     --look front --size 420x400 --no-grid --force -o "$here/way_$name.png" 2>/dev/null
 }
 
-picture mean_value --way mean-value
-picture published --way paper
+picture mean_value --deformer mean-value
+picture published --deformer paper
 picture default
+picture rigid --deformer rigid
+picture arap --deformer arap
+picture local --deformer local

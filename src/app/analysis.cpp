@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/aside.h"
+#include "app/child_process.h"
 #include "base/clock.h"
 
 namespace viete::app {
@@ -11,8 +11,8 @@ namespace viete::app {
 namespace {
 
 constexpr std::size_t probed_matrices = 2048;
-constexpr double probe_seconds = 0.3;      // between two: each takes the frame a millisecond
-constexpr double pose_rest_seconds = 0.5;  // without a new frame: the pose rests
+constexpr double probe_seconds = 0.3;      // minimum interval: each sample costs the frame a millisecond
+constexpr double pose_rest_seconds = 0.5;  // without a new frame, until the pose counts as at rest
 
 bool is_in_motion(const scene::Workspace& w) {
   return w.interaction.drag || w.playback.playing || w.making_cage.running || w.loading.running ||
@@ -26,7 +26,7 @@ void Analysis::follow_document(scene::Workspace& workspace) {
   const scene::Document& document = workspace.document;
   if (std::exchange(workspace.requests.show_report, false))
     report_.start([program = program_, state = state_](base::Progress& progress) {
-      return show_report_aside(program, state, progress);
+      return create_and_show_report(program, state, progress);
     });
   if (std::exchange(workspace.requests.stop_report, false)) report_.cancel();
   follow_report(workspace);
@@ -48,8 +48,7 @@ bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& mode
          report_.has_result() || timer_.has_result() || timer_is_due(workspace, model);
 }
 
-// What was measured of another path says nothing of this one. How far cage parts turn is no matter of the
-// path.
+// Discards measurements of another path. The turns of cage parts do not belong to the path.
 void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) {
   const scene::Revisions& now = workspace.document.revisions();
   const deform::Deformer* deformer = model.deformer();
@@ -75,15 +74,14 @@ void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) 
 void Analysis::follow_report(scene::Workspace& workspace) {
   if (const auto result = report_.poll()) {
     if (result->value) workspace.messages.succeeded("report"), workspace.messages.info(*result->value);
-    if (!result->problem.empty())
-      workspace.messages.error("There is no report: " + result->problem, {"report"});
+    if (!result->problem.empty()) workspace.messages.error("Report failed: " + result->problem, {"report"});
     shows_news_ = true;
   }
   workspace.reporting.running = report_.running();
   workspace.reporting.done = report_.done();
 }
 
-// Of the surfaces as they were read: poses do not matter, nor what they are bound by.
+// Checks the surfaces as loaded, independent of pose and binding.
 void Analysis::start_checks(const scene::Document& document) {
   checked_model_ = document.model.surface;
   checked_cage_ = document.cage_file.surface;
@@ -99,8 +97,7 @@ void Analysis::take_checks(scene::Workspace& workspace, bool wait) {
   if (!result) return;
   shows_news_ = true;
   if (!result->value)
-    return workspace.messages.error("The checks came to no end: " + result->problem,
-                                    {"checks", scene::Scope::cage});
+    return workspace.messages.error("Checks failed: " + result->problem, {"checks", scene::Scope::cage});
   workspace.messages.succeeded("checks");
   scene::take_findings(workspace.checks, *std::move(result->value));
 }
@@ -152,13 +149,13 @@ void Analysis::start_timer(const scene::Workspace& workspace, const LiveModel& m
 
 void Analysis::take_times(scene::Workspace& workspace, LiveModel& model, bool wait) {
   const auto result = timer_.poll(wait);
-  if (!result || !result->value) return;  // what cannot be measured has no bar
+  if (!result || !result->value) return;  // a failed measurement shows no bar
   workspace.method_times = result->value->times;
   model.share(result->value->binding);
   shows_news_ = true;
 }
 
-// While the pose moves, the bar of the running method is that of its frames; at rest all are measured.
+// During motion the running method's bar shows its frames; at rest all methods are measured.
 void Analysis::follow_times(scene::Workspace& workspace, LiveModel& model, bool moves) {
   if (moves || is_in_motion(workspace)) {
     rests_since_ = base::wall_seconds();

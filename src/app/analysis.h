@@ -1,5 +1,4 @@
-// Measured in the background about the open document and its frames: defects, and times and errors of the
-// methods.
+// Background measurements of the open document and its frames: defects, and times and errors of the methods.
 #pragma once
 
 #include <filesystem>
@@ -16,26 +15,26 @@
 
 namespace viete::app {
 
-/// Each is begun when what it is about has changed, and its result goes into the workspace. Call from one
+/// Restarts each measurement when its input changes, and stores the result in the workspace. Call from one
 /// thread.
 class Analysis {
 public:
-  /// probe: measure the methods. program, state: see show_report_aside().
+  /// probe: measure the methods. program, state: see create_and_show_report().
   Analysis(bool probe, std::filesystem::path program, std::filesystem::path state)
       : probe_wanted_(probe), program_(std::move(program)), state_(std::move(state)) {}
 
-  /// Before the frame: requests and defects.
+  /// Before the frame: handles requests and the checks.
   void follow_document(scene::Workspace& workspace);
-  /// After it: times and errors of the methods. Whole frames are timed while nothing in the view moves.
+  /// After the frame: times and errors of the methods. Whole frames are timed only while the view is at rest.
   void follow_frame(scene::Workspace& workspace, LiveModel& model, bool moves);
 
   /// True if follow_document() or follow_frame() would do something now.
   bool has_news(const scene::Workspace& workspace, const LiveModel& model) const;
-  /// True while something is computed that shows how far it is.
+  /// True while a computation with a displayed progress runs.
   bool reports() const { return checks_.running() || report_.running(); }
-  /// True if the last call has put something into the workspace that is to be seen.
+  /// True if the last call changed something visible in the workspace.
   bool shows_news() const { return shows_news_; }
-  /// Measures the methods in this pose, and waits for the results.
+  /// Measures the methods in this pose and waits for the results.
   void finish_measuring(scene::Workspace& workspace, LiveModel& model);
   bool checking() const { return checks_.running(); }
   void finish_checks(scene::Workspace& workspace);
@@ -61,8 +60,8 @@ private:
   base::BackgroundJob<std::string> report_;
   base::BackgroundJob<std::vector<scene::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
-  unsigned long probed_ = 0;  // which frame of the model
-  // What decides how exact a frame is but for its pose.
+  unsigned long probed_ = 0;  // index of the probed frame
+  // Everything that determines the accuracy of a frame, except its pose.
   struct Path {
     scene::Revision surfaces = 0, cage = 0;
     deform::Scheme scheme;
@@ -71,7 +70,7 @@ private:
   Path path_;
   std::optional<deform::EngineKind> engine_;
   double probed_at_ = -1;    // wall seconds
-  unsigned long timed_ = 0;  // the frame of the model whose pose was timed
+  unsigned long timed_ = 0;  // index of the frame whose pose was timed
   double rests_since_ = 0;   // wall seconds
 };
 

@@ -1,4 +1,4 @@
-// viete animate SESSION -o PATTERN --frames A-B: the deformed model at the frames of a timeline, as files.
+// viete animate SESSION -o PATTERN --frames A-B: exports the deformed model at frames of a timeline.
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -7,6 +7,7 @@
 
 #include "app/animation_pictures.h"
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
@@ -39,7 +40,7 @@ struct AnimateOptions {
   PictureOptions picture;
 };
 
-// "1-48", "-10--1", "7". Nothing for other words.
+// Parses "1-48", "-10--1", "7"; nullopt for other words.
 std::optional<FrameRange> frame_range(const std::string& text) {
   FrameRange range{};
   const char *at = text.data(), *const end = at + text.size();
@@ -64,14 +65,14 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
           [&frames](const std::string& text) {
             frames = frame_range(text);
             if (!frames)
-              throw CLI::ValidationError("--frames", "needs first-last, such as 1-48, not " + text);
+              throw CLI::ValidationError("--frames", "needs FIRST-LAST, such as 1-48, not " + text);
           },
-          "First and last frame; frames are independent, so that several programs can share them")
+          "First and last frame")
       ->option_text("A-B")
-      ->default_str("what plays in the session");
+      ->default_str("as in the session");
 }
 
-// Before anything is opened, of what is named; and again of all that is read.
+// Called with the named files before anything is opened, and again with all files read.
 void check_output(const AnimateOptions& options, FilesInUse files, const scene::FrameSteps& frames = {}) {
   const std::string extension = mesh::extension_of(options.output);
   const bool numbered = base::NumberedName::is_pattern(options.output);
@@ -79,7 +80,7 @@ void check_output(const AnimateOptions& options, FilesInUse files, const scene::
   check_output(options.output, frames, files, force_of(options.force));
 }
 
-// What is opened, with the frames that were asked for.
+// The opened document with the requested frames.
 scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scene::Opened&)) {
   scene::Opened opened = open(options.inputs, check);
   scene::Document& document = *opened.document;
@@ -88,8 +89,8 @@ scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scen
   timeline.straight |= options.straight;
   if (!options.keys.empty()) {
     if (!document.has_cage())
-      throw base::Error(options.inputs.model.string(), "keys need a cage, and the session has none",
-                        "open it and add one");
+      throw base::Error(options.inputs.model.string(), "keys need a cage and the session has none",
+                        "open it in the window and add a cage");
     scene::ImportedKeys keys =
         scene::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});
     opened.warnings.insert(opened.warnings.end(), keys.warnings.begin(), keys.warnings.end());
@@ -138,11 +139,11 @@ PictureRun picture_run(const AnimateOptions& options, const scene::Timeline& tim
 
 int write_pictures(const AnimateOptions& options) {
   if (!base::NumberedName::is_pattern(options.output))
-    throw base::Error(options.output.string(), "a picture holds one frame",
-                      "write numbered pictures, frame_####.png");
+    throw base::Error(options.output.string(), "a picture shows a single frame",
+                      "write numbered pictures: frame_####.png");
   scene::Opened opened = opened_for(options, scene::check_drawable);
   if (opened.document->timeline.empty() && !options.turntable)
-    throw base::Error(options.inputs.model.string(), "there are no keys in time, so that nothing moves",
+    throw base::Error(options.inputs.model.string(), "the timeline has no keys, so nothing moves",
                       "set keys on the timeline and save the session, or add --turntable");
   base::check_replaceable(base::NumberedName(options.output).file(1));
   PictureOptions picture = options.picture;
@@ -152,7 +153,7 @@ int write_pictures(const AnimateOptions& options) {
   auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.filename().string());
   const auto offscreen = viewer_of(picture, std::move(opened));
   const std::vector<std::string> notes = write_pictures(*offscreen, run, work->progress());
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   print_messages(offscreen->viewer().workspace());
   print_notes(notes);
   print_summary(options.output, base::counted(run.frames.size(), "picture"));
@@ -166,45 +167,40 @@ int animate(const AnimateOptions& options) {
     check_output(options, std::move(named));
     return mesh::extension_of(options.output) == "png" ? write_pictures(options) : write_models(options);
   } catch (const base::Cancelled&) {
-    throw base::Error(options.output.string(), "stopped", "whole files stay");
+    throw base::Error(options.output.string(), "stopped", "files written so far are complete");
   }
 }
 
 }  // namespace
 
 void add_animate_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("animate", "Write the frames of a session's timeline");
+  auto* command = app.add_subcommand("animate", "Export the animation of a session");
   auto o = std::make_shared<AnimateOptions>();
   add_input_options(*command, o->inputs);
-  add_file_option(*command, "-o,--output", o->output,
-                  "File to write; the extension chooses the format: .pc2 and .mdd (point caches), .glb and "
-                  ".gltf (morph targets), and numbered models or pictures (frame_####.obj, .ply, .off, "
-                  ".stl, .glb, .png)")
+  add_file_option(
+      *command, "-o,--output", o->output,
+      "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)")
       ->required();
-  add_file_option(*command, "--keys", o->keys,
-                  "Keys in place of the session's: numbered posed cages (pose_####.obj: the number is the "
-                  "frame), a point cache of the cage, or a glTF file of it with morph targets");
+  add_file_option(*command, "--keys", o->keys, "Keys: numbered cages, point cache or animated glTF");
   add_frames_option(*command, o->frames);
-  auto* step = command->add_option("--step", o->step, "Every so many frames");
+  auto* step = command->add_option("--step", o->step, "Frame step");
   whole_in_range(step, 1, 1'000'000)->default_str("1");
-  auto* rate = command->add_option("--rate", o->rate, "Frames a second");
-  in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)
-      ->default_str("as in the session");
-  auto* tolerance = command->add_option(
-      "--tolerance", o->tolerance,
-      "Of morph targets: how far lines between them may lead from any frame, in diagonals of the model");
+  auto* rate = command->add_option("--rate", o->rate, "Frames per second");
+  in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)->default_str("the session's");
+  auto* tolerance =
+      command->add_option("--tolerance", o->tolerance, "Morph targets: maximum error in model diagonals");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
-  command->add_flag("--no-normals", o->no_normals,
-                    "Morph targets of positions alone: half the size, and light stays as at rest where a "
-                    "player does not compute it");
-  auto* largest = command->add_option("--largest", o->most_megabytes,
-                                      "Megabytes of morph targets: a motion that needs more is refused");
+  command->add_flag("--no-normals", o->no_normals, "Morph targets: omit normals, for half the size");
+  auto* largest =
+      command->add_option("--largest", o->most_megabytes, "Morph targets: maximum size in megabytes");
   in_range(largest, 1, 1e6)->default_str("1000");
-  command->add_flag("--straight", o->straight, "The cage's vertices go straight from key to key");
-  command->add_flag("--turntable", o->turntable, "Pictures go once round the model");
+  command->add_flag("--straight", o->straight, "Interpolate vertices linearly between keys");
+  command->add_flag("--turntable", o->turntable, "Pictures: orbit the camera once around the model");
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
   add_picture_options(*command, o->picture);
+  add_examples(*command,
+               {"animate scene.viete -o motion.glb", "animate scene.viete --turntable -o frame_####.png"});
   command->callback([o, command, &action] {
     check_usage(o->inputs);
     if (!o->inputs.session() && o->keys.empty() && !o->turntable) throw CLI::RequiredError("--keys");

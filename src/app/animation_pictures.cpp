@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// One word of a shell.
+// Quotes a word for the shell.
 std::string shell_word(const std::string& text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
@@ -28,7 +28,7 @@ std::string plain(double number) {
   return text;
 }
 
-// Shows one frame after another.
+// Renders successive frames.
 class FrameViewer {
 public:
   FrameViewer(OffscreenViewer& offscreen, const PictureRun& run)
@@ -36,7 +36,7 @@ public:
 
   scene::Workspace& workspace() { return offscreen_.viewer().workspace(); }
 
-  // Pose and camera of the picture with this number among all.
+  // Sets pose and camera of the picture with this index.
   void go_to(std::size_t picture) {
     workspace().camera.set_pose(start_);
     if (!workspace().document.timeline.empty()) scene::go_to_frame(workspace(), run_.frames[picture]);
@@ -47,7 +47,7 @@ public:
     workspace().camera.set_pose(camera);
   }
 
-  // Panels and errors come some frames after what they tell of.
+  // Panels and errors lag behind by some frames.
   render::Image picture() {
     const scene::ViewOptions& view = workspace().view;
     if (view.panels || view.field != lab::Field::none) {
@@ -76,7 +76,7 @@ std::string ffmpeg_command(const PictureRun& run) {
   for (const char c : pattern) pictures += c == '%' ? "%%" : std::string(1, c);
   const auto place = pictures.rfind(pattern.substr(begin, end - begin));
   const std::string digits = "%0" + std::to_string(end - begin);
-  const bool gaps = run.step != 1 || run.frames.front() < 0;  // which the numbers of ffmpeg do not have
+  const bool gaps = run.step != 1 || run.frames.front() < 0;  // numbering that ffmpeg does not support
   pictures.replace(place, end - begin, digits + (gaps ? ".0f" : "d"));
   const std::string rate = " -framerate " + plain(run.rate / run.step),
                     number = std::to_string(run.frames.front());
@@ -85,7 +85,7 @@ std::string ffmpeg_command(const PictureRun& run) {
                  std::to_string(run.frames.back()) + " | tr '\\n' '\\0' | xargs -0 cat | ffmpeg" + rate +
                  " -f image2pipe -i -"
            : "ffmpeg" + rate + " -start_number " + number + " -i " + shell_word(pictures);
-  // Every player takes 4:2:0, which needs even sizes.
+  // 4:2:0 plays everywhere, but needs even sizes.
   return input + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " + shell_word(film + ".mp4");
 }
 

@@ -1,4 +1,4 @@
-// Pictures of the frames of a timeline: numbered PNG files.
+// Renders the frames of a timeline to numbered PNG files.
 #pragma once
 
 #include <filesystem>
@@ -13,19 +13,19 @@ namespace viete::app {
 struct PictureRun {
   std::filesystem::path file;  ///< frame_####.png
   std::vector<int> frames;
-  double rate = 24;                         ///< frames of the timeline a second
-  int step = 1;                             ///< frames of it from one picture to the next
-  bool turntable = false;                   ///< once round the model, from the first picture to the last
-  scene::Force force = scene::Force::none;  ///< replace pictures that are there
+  double rate = 24;                         ///< timeline frames per second
+  int step = 1;                             ///< timeline frames between pictures
+  bool turntable = false;                   ///< a full camera turn from the first picture to the last
+  scene::Force force = scene::Force::none;  ///< replace existing pictures
 };
 
-/// Writes pictures of the viewer's document, following its timeline and camera keys. Every file is written as
-/// a whole or not at all. Returns notes for the user, one line each: the last one is ffmpeg_command(). Throws
+/// Renders the viewer's document, following its timeline and camera keys. Each file is written completely or
+/// not at all. Returns notes for the user, one line each: the last one is ffmpeg_command(). Throws
 /// base::Error and base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 
-/// The command that makes a film of the pictures, one line for a shell, at the rate that the timeline has.
+/// The shell command that converts the pictures to a film at the timeline's rate, one line.
 std::string ffmpeg_command(const PictureRun& run);
 
 }  // namespace viete::app

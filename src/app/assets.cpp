@@ -27,8 +27,8 @@ fs::path assets_folder() {
     if (fs::exists(place / "dragon" / "dragon.ply", ignored)) return fs::weakly_canonical(place);
     looked += (looked.empty() ? "" : ", ") + place.string();
   }
-  throw base::Error("dragon/dragon.ply", "the bundled model is in none of " + looked,
-                    "set VIETE_ASSETS to the folder that holds dragon/, or open a model of your own");
+  throw base::Error("dragon/dragon.ply", "the bundled model was not found in " + looked,
+                    "set VIETE_ASSETS to the folder that contains dragon/, or open another model");
 }
 
 BundledModel bundled_model() {

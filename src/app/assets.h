@@ -1,4 +1,4 @@
-// Where the bundled model is, whether the program runs from a build, an install or anywhere else.
+// Locates the bundled model, for a program run from a build, an install or elsewhere.
 #pragma once
 
 #include <filesystem>
@@ -6,14 +6,14 @@
 
 namespace viete::app {
 
-/// The folder of assets: $VIETE_ASSETS, else beside the program (../share/viete), else the source tree it was
-/// built from. Throws base::Error naming the places looked at when none is there.
+/// The assets folder: $VIETE_ASSETS, else next to the program (../share/viete), else the source tree it was
+/// built from. Throws base::Error naming the searched folders if none exists.
 std::filesystem::path assets_folder();
 
 struct BundledModel {
   std::filesystem::path model, cage;
-  std::vector<std::filesystem::path> poses;  ///< of the cage, by name
-  std::filesystem::path loop;                ///< a session of both, with poses and keys
+  std::vector<std::filesystem::path> poses;  ///< poses of the cage, sorted by name
+  std::filesystem::path loop;                ///< a session of both with poses and keys
 };
 BundledModel bundled_model();
 

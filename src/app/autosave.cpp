@@ -21,7 +21,7 @@ fs::path absolute_path_in(const char* variable) {
   return path.is_absolute() ? path : fs::path();
 }
 
-// Ours, in the folder that the variable names or else in that one of the home folder.
+// The program's subfolder of the folder in the variable, or else in the home folder.
 fs::path own_folder(const char* variable, const fs::path& of_home) {
   if (const fs::path folder = absolute_path_in(variable); !folder.empty()) return folder / "viete";
   if (const fs::path home = absolute_path_in("HOME"); !home.empty()) return home / of_home / "viete";
@@ -38,15 +38,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double settled_seconds = 0.5;  // until what moves is written
-constexpr double longest_wait = 1e-3;    // seconds of a frame
-constexpr double patience = 10;          // seconds before the question whether to go on without
+constexpr double surroundings_delay = 0.5;  // delay before continuous changes are written
+constexpr double longest_wait = 1e-3;       // seconds per frame
+constexpr double backup_timeout = 10;       // seconds before asking whether to continue without a backup
 
 void make_folder(const fs::path& folder) {
   std::error_code code;
   fs::create_directories(folder, code);
   if (code)
-    throw base::Error(folder.string(), "unsaved work cannot be kept here: " + code.message(), "save often");
+    throw base::Error(folder.string(), "unsaved edits cannot be saved here for recovery: " + code.message(),
+                      "save your work often");
 }
 
 }  // namespace
@@ -69,18 +70,18 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
   if (now == seen_) return follow_surroundings(workspace);
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
-    take_result(workspace, patience);
+    take_result(workspace, backup_timeout);
     if (!move_aside(workspace)) workspace.messages.error(problem_, {"keep edits"});
   }
   if (other) {
-    leave_recovered(workspace);
+    close_recovered(workspace);
     untouched_ = workspace.recovered_from;
   } else if (now.edits != seen_.edits || !now.unsaved) {
     untouched_.clear();
   }
   seen_ = now;
   kept_ = false;
-  writing_ = {};  // of a moment that is over
+  writing_ = {};  // belongs to an earlier state
   if (!untouched_.empty()) return;
   if (now.unsaved) {
     write(workspace);
@@ -91,10 +92,10 @@ void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
 }
 
 bool Autosave::rested() const {
-  return around_changed_ && base::wall_seconds() - *around_changed_ > settled_seconds;
+  return around_changed_ && base::wall_seconds() - *around_changed_ > surroundings_delay;
 }
 
-// They are no edits: only where a file keeps some they are kept with them.
+// Not edits: written only if a recovery file exists.
 void Autosave::follow_surroundings(scene::Workspace& workspace) {
   const Surroundings now{workspace.camera.destination(), workspace.handling, workspace.document.frame};
   if (std::exchange(around_, now) != now) around_changed_ = base::wall_seconds();
@@ -113,10 +114,10 @@ bool Autosave::keep_now(scene::Workspace& workspace) {
   if (folder_.empty()) return false;
   std::error_code ignored;
   if (!untouched_.empty() && fs::exists(untouched_, ignored)) return true;
-  take_result(workspace, patience);
+  take_result(workspace, backup_timeout);
   if ((!kept_ || around_changed_) && !writing_.valid()) {
     write(workspace);
-    take_result(workspace, patience);
+    take_result(workspace, backup_timeout);
   }
   return kept_;
 }
@@ -126,12 +127,12 @@ bool Autosave::set_aside(scene::Workspace& workspace) {
 }
 
 std::string Autosave::problem() const {
-  if (folder_.empty()) return "There is no home folder to keep them in.";
+  if (folder_.empty()) return "There is no home folder to save them in.";
   if (writing_.valid()) return file_.string() + ": still being written";
   return problem_;
 }
 
-// Work that was brought back is removed from where it lay once it lies here.
+// A restored recovery file is deleted once its work has been written here.
 void Autosave::write(scene::Workspace& workspace) {
   kept_ = false;
   has_file_ = true;
@@ -160,7 +161,7 @@ void Autosave::take_result(scene::Workspace& workspace, double wait_seconds) {
   }
 }
 
-// The file of the document that was there before, as far as it was written.
+// The recovery file of the previous document, as far as written.
 bool Autosave::move_aside(scene::Workspace& workspace) {
   kept_ = has_file_ = false;
   std::error_code code;
@@ -168,24 +169,24 @@ bool Autosave::move_aside(scene::Workspace& workspace) {
   const fs::path aside = scene::set_aside_file(folder_);
   fs::rename(file_, aside, code);
   if (code) {
-    problem_ = file_.string() + ": unsaved work could not be set aside: " + code.message();
+    problem_ = file_.string() + ": unsaved edits could not be saved for recovery: " + code.message();
     return false;
   }
-  workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(aside));
-  workspace.messages.info("Unsaved edits of " + workspace.leftovers.front().name +
-                          " are kept; File > Restore recovered edits brings them back.");
+  workspace.recovery_files.insert(workspace.recovery_files.begin(), scene::describe_recovery_file(aside));
+  workspace.messages.info("Unsaved edits of " + workspace.recovery_files.front().name +
+                          " were saved; File > Restore recovered edits restores them.");
   return true;
 }
 
-void Autosave::leave_recovered(scene::Workspace& workspace) {
+void Autosave::close_recovered(scene::Workspace& workspace) {
   if (untouched_.empty()) return;
   const fs::path file = scene::mark_restored(std::exchange(untouched_, {}));
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
-  workspace.leftovers.insert(workspace.leftovers.begin(), scene::describe_leftover(file));
+  workspace.recovery_files.insert(workspace.recovery_files.begin(), scene::describe_recovery_file(file));
 }
 
-// With the leftover that was open, if it still lies where it lay.
+// Deletes the file, and the restored one if it still exists.
 void Autosave::remove(const fs::path& leftover) {
   if (!std::exchange(has_file_, false) && leftover.empty()) return;
   queue_.add([file = file_, leftover] {

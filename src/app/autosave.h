@@ -1,4 +1,4 @@
-// Keeps unsaved edits in a file after each finished edit, so that they survive the end of the program.
+// Writes unsaved edits to a recovery file after each edit, so that they survive the end of the program.
 #pragma once
 
 #include <filesystem>
@@ -11,39 +11,38 @@
 
 namespace viete::app {
 
-/// $XDG_STATE_HOME/viete, or ~/.local/state/viete where the variable is empty or no absolute path (as the XDG
-/// base directory specification says). Empty if there is no home folder either: then nothing is remembered.
+/// $XDG_STATE_HOME/viete, or ~/.local/state/viete if the variable is empty or not an absolute path (as in the
+/// XDG base directory specification). Empty without a home folder: nothing is stored then.
 std::filesystem::path state_folder();
 
-/// After each finished edit, and each setting that is made after it, the whole session is written aside,
-/// replacing the one before; the frame waits for it a millisecond at most. Where one looks from and how the
-/// hand works are written once they have rested for half a second. The file goes away when the edits
-/// are saved or taken back. When another document is opened over unsaved edits, their file is set aside as a
-/// leftover. Recovered work without further edits stays in the file it came from. Whatever way the program
-/// ends, the next start finds what is unsaved. Edits are kept
-/// once they are written, not before; what cannot be written is a message, and tried again with the next
-/// edit.
+/// After each finished edit, and each later change of settings, the whole session is written to a recovery
+/// file in the background, replacing the previous one; the frame waits at most a millisecond. Camera and
+/// handling are written after half a second without change. The file is deleted when the edits are saved or
+/// undone. Opening another document over unsaved edits renames the file to keep it for recovery. Recovered
+/// work without further edits stays in its original file. However the program ends, the next start finds the
+/// unsaved work. Edits are safe only after the write finishes; a failed write shows a message and is repeated
+/// with the next edit.
 ///
-/// Written for the end of the program, not for a power cut: then the file may be the one before.
+/// Protects against the end of the program, not power loss: then the file may be the previous one.
 class Autosave {
 public:
-  /// Nothing is kept if the folder is empty. The queue must outlive it.
+  /// An empty folder disables it. The queue must outlive it.
   Autosave(std::filesystem::path folder, base::BackgroundQueue& queue);
 
-  /// Call at the end of each frame. What the mouse is dragging is no edit yet.
+  /// Call at the end of each frame. A running drag is not an edit yet.
   void follow(scene::Workspace& workspace, bool no_drag = true);
-  /// True if the edits of this moment have been written.
+  /// True if the current edits have been written.
   bool kept() const { return kept_; }
-  /// True if a file was written, or could not be, since follow().
+  /// True if a write has finished or failed since follow().
   bool has_news() const;
-  /// The edits of this moment, at once: waits until they are written, and tries once more if they could not
-  /// be. False if they are not kept: see problem().
+  /// Writes the current edits and waits, with one retry. Returns false if they could not be written: see
+  /// problem().
   bool keep_now(scene::Workspace& workspace);
-  /// The same, and then sets them aside, because another document is about to take their place.
+  /// As keep_now(), then sets the file aside, because another document is about to be opened.
   bool set_aside(scene::Workspace& workspace);
-  /// Recovered work without further edits is closed: its file is no longer offered by itself.
-  void leave_recovered(scene::Workspace& workspace);
-  /// Why the edits of this moment are not kept.
+  /// Closes recovered work without further edits: its file is no longer offered automatically.
+  void close_recovered(scene::Workspace& workspace);
+  /// Why the current edits could not be written.
   std::string problem() const;
 
 private:
@@ -52,11 +51,11 @@ private:
     unsigned long edits = 0, saved = 0;
     scene::Revision method = 0;
     scene::ViewOptions view;
-    bool unsaved = false;  // which going to another frame may change, too
+    bool unsaved = false;  // also changed by going to another frame
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 
-  // What goes on changing while the mouse moves, and is no edit.
+  // State that changes continuously with the mouse and is not an edit.
   struct Surroundings {
     scene::CameraPose camera;
     scene::Handling handling;
@@ -75,10 +74,10 @@ private:
   base::BackgroundQueue& queue_;
   Moment seen_;
   Surroundings around_;
-  std::optional<double> around_changed_;  // seconds of wall time; nothing: they are written
+  std::optional<double> around_changed_;  // wall time in seconds; nullopt: written
   std::future<void> writing_;
-  std::filesystem::path replaced_;   // the leftover that is open and goes once its edits are written here
-  std::filesystem::path untouched_;  // the leftover that is open without further edits; empty: none
+  std::filesystem::path replaced_;   // the open recovery file, deleted once its edits are written here
+  std::filesystem::path untouched_;  // the open recovery file without further edits; empty: none
   bool kept_ = false, has_file_ = false;
   std::string problem_;
 };

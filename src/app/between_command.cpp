@@ -1,4 +1,4 @@
-// viete between A B -o PATTERN: what lies between shapes of a model.
+// viete between A B -o PATTERN: interpolates between shapes of a model.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
@@ -34,20 +35,20 @@ struct BetweenOptions {
   mesh::Digits digits;
 };
 
-// Of a sequence the first file is the model, and the others are its shapes.
+// In a sequence the first file is the model, and the others are its shapes.
 void spread_sequence(std::vector<std::filesystem::path>& files) {
   if (!base::NumberedName::is_pattern(files.front())) return;
   const base::NumberedName name(files.front());
   std::vector<std::filesystem::path> all;
   for (const auto& file : name.find()) all.push_back(file.path);
   if (all.empty())
-    throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
-                      "check the name; as many # as the numbers have digits");
+    throw base::Error(name.pattern(), "no file matches this name with digits in place of #",
+                      "check the name and use one # for each digit");
   all.insert(all.end(), files.begin() + 1, files.end());
   files = std::move(all);
 }
 
-// What is between, in order.
+// The interpolated shapes, in order.
 struct Way {
   OpenedShapes opened;
   std::vector<scene::SharedShape> shapes;
@@ -57,7 +58,7 @@ Way open_way(const BetweenOptions& options, Content content, const scene::FrameS
   const bool first_is_rest = options.rest.empty();
   if (first_is_rest && mesh::point_cache_format(options.files.front()))
     throw base::Error(options.files.front().string(), "a point cache has no faces",
-                      "name the model that it is of by --rest");
+                      "give its model with --rest");
   const auto& model = first_is_rest ? options.files.front() : options.rest;
   const auto shapes = std::span(options.files).subspan(first_is_rest ? 1 : 0);
   Way way{open_shapes(model, shapes, {options.output, content, options.force}, frames), {}};
@@ -65,13 +66,13 @@ Way open_way(const BetweenOptions& options, Content content, const scene::FrameS
   for (const auto& of_file : way.opened.of_files)
     for (const scene::NamedShape& shape : of_file) way.shapes.push_back(shape.shape);
   if (way.shapes.size() < 2)
-    throw base::Error(options.files.front().string(), "there is one shape alone, and nothing between",
-                      "name another one");
+    throw base::Error(options.files.front().string(), "a single shape cannot be interpolated",
+                      "give another shape");
   if (options.loop) way.shapes.push_back(way.shapes.front());
   return way;
 }
 
-// Shapes evenly spread over so many frames.
+// Shapes evenly spaced over so many frames.
 scene::Timeline timeline_of(const BetweenOptions& options, const Way& way, int first, int last) {
   const std::size_t steps = way.shapes.size() - 1;
   scene::Timeline timeline;
@@ -101,12 +102,12 @@ int write_moment(const BetweenOptions& options) {
   scene::Export what = scene::export_of(document, options.output);
   what.digits = options.digits;
   std::optional<TerminalProgress> work("Writing " + options.output.filename().string());
-  scene::KnownVectors vectors;
+  scene::VectorCache vectors;
   vectors.follow_model(document.model.surface);
   const scene::Animation animation(timeline_of(options, way, 0, last), vectors);
   what.shape = animation.at(*options.at).shape;
   const auto notes = write_shape(what, "the shape", &work->progress());
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   print_notes(animation.notes());
   print_notes(notes);
   return exit_ok;
@@ -117,7 +118,7 @@ int write_frames(const BetweenOptions& options) {
   const Way way = open_way(options, Content::animation, &steps);
   if (static_cast<std::size_t>(options.frames) < way.shapes.size())
     throw base::Error(options.output.string(),
-                      std::to_string(options.frames) + " frames are too few: some shape would have none",
+                      std::to_string(options.frames) + " frames are fewer than the shapes",
                       "ask for " + std::to_string(way.shapes.size()) + " or more");
   scene::AnimationExport what = scene::animation_export_of(*way.opened.model.document, options.output);
   what.timeline = timeline_of(options, way, 1, options.frames);
@@ -140,41 +141,40 @@ int between(BetweenOptions options) {
     return options.at ? write_moment(options) : write_frames(options);
   } catch (const base::Cancelled&) {
     throw base::Error(options.output.string(), "stopped",
-                      options.at ? "no file was changed" : "whole files stay");
+                      options.at ? "no file was changed" : "files written so far are complete");
   }
 }
 
 }  // namespace
 
 void add_between_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("between", "Write what lies between shapes of a model");
+  auto* command = app.add_subcommand("between", "Interpolate between shapes of a model");
   auto o = std::make_shared<BetweenOptions>();
   command
       ->add_option("SHAPES", o->files,
-                   "A model, and other files of the same faces: models, numbered ones (pose_##.obj), point "
-                   "caches, glTF files with morph targets")
+                   "Model and other shapes with the same faces: meshes, numbered meshes (pose_##.obj), point "
+                   "caches or glTF morph targets")
       ->required();
   add_file_option(
       *command, "-o,--output", o->output,
-      "File to write; the extension chooses the format: numbered models (out_###.obj), .pc2, .mdd, "
-      ".glb or .gltf with morph targets; with --at any model")
+      "File to write: numbered meshes (out_###.obj), .pc2, .mdd, .glb or .gltf; with --at a mesh file")
       ->required();
-  auto* frames = command->add_option("--frames", o->frames, "How many, from the first shape to the last");
+  auto* frames = command->add_option("--frames", o->frames, "Number of frames");
   whole_in_range(frames, 2, most_frames)->default_str("25");
   auto* at = command->add_option_function<double>(
       "--at", [o](double at) { o->at = at; },
-      "One moment: 0 is the first shape, 1 the second, 1.5 halfway from there to the third");
+      "Single time: 0 is the first shape, 1 the second, 1.5 halfway to the third");
   in_range(at, 0, most_frames)->excludes(frames);
-  add_file_option(*command, "--rest", o->rest,
-                  "The model at rest, which turns and stretches are told from; else the first shape");
-  command->add_flag("--loop", o->loop, "The last shape goes on to the first one");
-  command->add_flag("--linear", o->linear,
-                    "Straight from shape to shape in log space; else three shapes and more flow smoothly");
-  command->add_flag("--straight", o->straight, "Vertices go in straight lines, as in other programs");
-  auto* rate = command->add_option("--rate", o->rate, "Frames a second, of .mdd and glTF");
+  add_file_option(*command, "--rest", o->rest, "Rest shape")->default_str("the first shape");
+  command->add_flag("--loop", o->loop, "Continue from the last shape to the first");
+  command->add_flag("--linear", o->linear, "Linear instead of smooth interpolation in log space");
+  command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
+  auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");
   in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)->default_str("24");
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
+  add_examples(*command, {"between rest.obj smile.obj --frames 25 -o motion.pc2",
+                          "between rest.obj smile.obj --at 0.5 -o half.obj"});
   command->callback([o, &action] { action = [o] { return between(*o); }; });
 }
 

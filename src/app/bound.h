@@ -1,4 +1,4 @@
-// A model bound to a cage: what a deformer is made of.
+// A model bound to a cage: the input of a deformer.
 #pragma once
 
 #include <memory>
@@ -14,21 +14,21 @@ struct Bound {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const deform::Cage> cage;
   std::shared_ptr<const deform::Binding> binding;
-  std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme asked for it
+  std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme needs it
 
-  /// True if its stitching holds the model as this scheme says.
+  /// True if its stitching has the settings of this scheme.
   bool stitches(const deform::Scheme& scheme) const {
     return stitching && stitching->settings == deform::settings_of(scheme);
   }
-  /// True if it binds the document's model to the document's cage, by whatever weights.
+  /// True if it binds the document's model to the document's cage, with any weights.
   bool binds(const scene::Document& document) const {
     return binding && model == document.model.surface && cage == document.cage;
   }
 };
 
-/// Binds for the document's frames: for the fused engine, for the staged one too where the method needs it,
-/// and for the stitched one where the scheme does. Shares what fits of `known`. Uses a pool of its own for as
-/// long as it takes. Throws base::Error when it does not fit into memory, and base::Cancelled. Thread-safe.
+/// Binds for the document's frames: for the fused engine, for the staged one if the method needs it, and for
+/// the stitched one if the scheme does. Reuses fitting parts of `known`. Creates its own thread pool. Throws
+/// base::Error if memory does not suffice, and base::Cancelled. Thread-safe.
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
            const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress);
 

@@ -1,4 +1,4 @@
-// What this build is: the only source that is compiled anew when version or place change.
+// Facts about this build: the only source recompiled when version or location change.
 #pragma once
 
 namespace viete::app {
@@ -7,7 +7,7 @@ namespace viete::app {
 const char* version();
 /// Build type and compiler: "Release, GNU 12.2.0".
 const char* build_type();
-/// The assets of the sources that the program was built from.
+/// The assets folder of the source tree it was built from.
 const char* source_assets();
 
 }  // namespace viete::app

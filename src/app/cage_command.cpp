@@ -1,4 +1,4 @@
-// viete cage MODEL -o CAGE: a cage made around any model.
+// viete cage MODEL -o CAGE: generates a cage around a model.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
@@ -29,7 +30,7 @@ struct CageOptions {
   bool force = false;
 };
 
-// "2x3x2".
+// Parses "2x3x2".
 std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cells) {
   std::array<std::size_t, 3> read{};
   int end = 0;
@@ -59,7 +60,7 @@ void print(const cages::Made& made, const mesh::Surface& model, bool keeps_quads
   std::printf("\n");
 }
 
-// Where the numbers of the file are coarser than those that the cage was made with.
+// Checks the cage after the file format's rounding of coordinates.
 void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const mesh::Surface& model,
                    base::WorkerPool& pool) {
   bool fits = true;
@@ -70,20 +71,18 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
     }
   }
   if (fits && cages::soundness(cage, model, pool).sound()) return;
-  throw base::Error(
-      file.string(),
-      "glTF's numbers have 7 digits, of which too few are left here to place the cage's vertices",
-      "write it as " + mesh::format_extensions(mesh::keeps_order));
+  throw base::Error(file.string(), "glTF's 7 digits are too few for the cage's vertices",
+                    "write it as " + mesh::format_extensions(mesh::keeps_order));
 }
 
-// Options of other kinds of cages.
-void refuse_what_does_nothing(const CLI::App& command, const cages::Wish& wish) {
+// Refuses options for other kinds of cages.
+void refuse_unused_options(const CLI::App& command, const cages::Wish& wish) {
   std::vector<std::string> idle = {"--cells", "--own-axes"};
   if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
   for (const std::string& name : idle) {
     if (command.get_option(name)->count() == 0) continue;
-    throw CLI::ValidationError(
-        name, "does nothing where the kind of cage is " + std::string(cages::entry(wish.kind).name));
+    throw CLI::ValidationError(name,
+                               "has no effect with --kind " + std::string(cages::entry(wish.kind).name));
   }
 }
 
@@ -106,7 +105,7 @@ int make_cage(const CageOptions& options) {
   } catch (const base::Cancelled&) {
     throw base::Error(options.output.string(), "stopped", "no file was changed");
   }
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   const double seconds = 1e-3 * watch.lap_ms();
   const mesh::Format& format = mesh::surface_format(options.output);
   if (format.holds_morphs) check_rounded(options.output, made.surface, model.surface, pool);
@@ -119,16 +118,16 @@ int make_cage(const CageOptions& options) {
 }  // namespace
 
 void add_cage_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("cage", "Make a cage around a mesh and write it");
+  auto* command = app.add_subcommand("cage", "Make a cage around a mesh");
   auto o = std::make_shared<CageOptions>();
   cages::Wish& wish = o->wish;
   command->add_option("MODEL", o->model, mesh::a_mesh())->required();
-  add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
+  add_file_option(*command, "-o,--output", o->output, "Mesh file to write; the extension sets the format")
       ->required();
   add_force_option(*command, o->force);
-  add_choice(*command, "--kind", "What cage", cages::all_kinds(), wish.kind)
+  add_choice(*command, "--kind", "Kind: automatic or box", cages::all_kinds(), wish.kind)
       ->default_str(std::string(cages::all_kinds().front().name));
-  auto* triangles = command->add_option("--triangles", wish.triangles, "Size of the cage");
+  auto* triangles = command->add_option("--triangles", wish.triangles, "Number of triangles");
   whole_in_range(triangles, cages::least_triangles, cages::most_triangles)->default_str("200");
   const auto add_percent = [&](const std::string& name, const std::string& text, double& share, double low,
                                double high) {
@@ -136,31 +135,25 @@ void add_cage_command(CLI::App& app, Action& action) {
         name, [&share](double percent) { share = 0.01 * percent; }, text);
     return in_range(option, 100 * low, 100 * high);
   };
-  add_percent("--margin", "Distance that the cage keeps from the mesh, in percent of the mesh's diagonal",
-              wish.margin, cages::least_margin, cages::most_margin)
+  add_percent("--margin", "Distance to the mesh in % of its diagonal", wish.margin, cages::least_margin,
+              cages::most_margin)
       ->default_str("0.15");
-  add_percent("--gap",
-              "Gaps of the mesh narrower than twice this are closed, in percent of the mesh's diagonal",
-              wish.gap, 0, cages::most_gap)
+  add_percent("--gap", "Half the width of gaps to close, in % of the diagonal", wish.gap, 0, cages::most_gap)
       ->default_str("0.5");
-  add_choice(*command, "--symmetry", "About which plane the cage is symmetric", cages::all_symmetries(),
+  add_choice(*command, "--symmetry", "Plane of symmetry: auto, none, x, y or z", cages::all_symmetries(),
              wish.symmetry)
       ->default_str(std::string(cages::all_symmetries().front().name));
-  command->add_flag("--quads", wish.quads, "Pair triangles to quads where two make a good one");
+  command->add_flag("--quads", wish.quads, "Pair triangles that form good quads");
   command
       ->add_option_function<std::string>(
-          "--cells", [](const std::string&) {},
-          "Of boxes: cells along each axis, at most 32 (default: 1x1x1)")
+          "--cells", [](const std::string&) {}, "Box: cells along each axis, up to 32 (default: 1x1x1)")
       ->option_text("NxMxK")
       ->check([&wish](const std::string& text) { return take_cells(text, wish.cells); });
-  command->add_flag("--own-axes", wish.own_axes,
-                    "Of boxes: along the mesh's own longest extents instead of the file's axes");
-  command->footer(
-      "The cage is closed, does not cut itself, and encloses every triangle of the mesh. Handles of the mesh "
-      "are kept where the size allows; a note says what was closed, or where there is no room for the "
-      "margin.");
+  command->add_flag("--own-axes", wish.own_axes, "Box: align to the mesh's principal axes");
+  add_examples(*command,
+               {"cage model.obj -o cage.obj", "cage model.obj --triangles 500 --quads -o cage.obj"});
   command->callback([o, command, &action] {
-    refuse_what_does_nothing(*command, o->wish);
+    refuse_unused_options(*command, o->wish);
     action = [o] { return make_cage(*o); };
   });
 }

@@ -12,7 +12,7 @@ namespace viete::app {
 
 namespace {
 
-constexpr double rest_seconds = 0.3;  // for which sliders rest before a preview is made with all care
+constexpr double rest_seconds = 0.3;  // rest time of the sliders before a full-quality cage is generated
 
 std::string text_of(const cages::Wish& wish) {
   return wish.kind == cages::Kind::box ? "Making a box"
@@ -31,7 +31,7 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
     if (!workshop.maker) workshop.maker.emplace(workshop.model);
     cages::Made made = workshop.maker->make(wish, pool, &progress);
     all.notes = std::move(made.notes);
-    all.surface = scene::made_surface(std::move(made.surface), "made here");
+    all.surface = scene::generated_surface(std::move(made.surface), "made here");
   }
   if (!is_preview) progress.section(0.7, 0.75);
   all.cage = std::make_shared<const deform::Cage>(deform::make_cage(*all.surface.surface));
@@ -57,17 +57,18 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
     wants_full_ = false;
   } else if (no_drag) {
     if (auto result = job_.poll()) {
-      // What was only to better a preview that is no longer there, or is posed, is not wanted any more.
-      const bool wanted = effort_ == cages::Effort::preview || scene::goes_on(w.document, w.making);
+      // A full-quality cage is obsolete if its preview was replaced or posed.
+      const bool wanted =
+          effort_ == cages::Effort::preview || scene::can_replace_generated(w.document, w.making);
       if (result->value && wanted) take(w, *std::move(result->value));
-      if (result->value) w.messages.succeeded("make a cage");
-      if (!result->problem.empty()) w.messages.error(result->problem, {"make a cage", scene::Scope::model});
+      if (result->value) w.messages.succeeded("make cage");
+      if (!result->problem.empty()) w.messages.error(result->problem, {"make cage", scene::Scope::model});
       wants_full_ &= result->value.has_value();
     }
-    // A preview that runs comes to its end first: else a hand that does not rest would see none.
+    // A running preview finishes first: otherwise continuous changes would never show one.
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
-    wants_full_ &= job_.running() || scene::goes_on(w.document, w.making);
+    wants_full_ &= job_.running() || scene::can_replace_generated(w.document, w.making);
     if (is_due(w) && wants_full_) start(w, cages::Effort::full);
     if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_) close(w);
   }
@@ -92,19 +93,18 @@ void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
 void CageMaker::take(scene::Workspace& w, Made&& made) {
   bound_ = std::move(made.bound);
   is_preview_ = effort_ == cages::Effort::preview && w.making.wish.kind == cages::Kind::automatic;
-  scene::take_made(w.document, w.making, std::move(made.surface), std::move(made.cage),
-                   std::move(made.notes));
+  scene::put_generated(w.document, w.making, std::move(made.surface), std::move(made.cage),
+                       std::move(made.notes));
   if (!w.making.closing) return;
-  // The panel that shows the notes is not there any more.
+  // The panel with the notes is closed: show them as messages.
   for (const std::string& note : w.making.notes)
-    w.messages.warn("The cage made here: " + note + ".", {.scope = scene::Scope::cage});
+    w.messages.warn("New cage: " + note + ".", {.scope = scene::Scope::cage});
 }
 
 void CageMaker::close(scene::Workspace& w) {
-  if (is_preview_ && scene::shows_made(w.document, w.making))
+  if (is_preview_ && scene::shows_generated(w.document, w.making))
     w.messages.warn(
-        "The cage is kept as its preview was, since it was posed or the work stopped: it encloses the model, "
-        "nearer to it in places than the margin says.",
+        "The preview of the cage was kept. It encloses the model, in places closer than the margin.",
         {.scope = scene::Scope::cage});
   w.making = {.wish = w.making.wish};
 }
@@ -113,7 +113,7 @@ void CageMaker::stop(scene::Workspace& w) {
   if (!job_.running()) return;
   job_.cancel();
   wants_full_ = false;
-  w.messages.info("Stopped making the cage; it is as it was.");
+  w.messages.info("Cancelled making the cage; it is unchanged.");
 }
 
 }  // namespace viete::app

@@ -1,4 +1,4 @@
-// Makes cages aside while a wish is being changed, so that the view stays live.
+// Generates cages in the background while the settings change, so that the view stays responsive.
 #pragma once
 
 #include <memory>
@@ -13,19 +13,20 @@
 
 namespace viete::app {
 
-/// Follows workspace.making: of each new wish a preview first, then, once the wish rests, the cage made with
-/// all care. That one comes bound to the model, and so does what a preview is at once. Call from one thread.
+/// Follows workspace.making: generates a preview of each new setting, and a full-quality cage once the
+/// setting rests. The full-quality cage, or a preview that equals it, is delivered with its binding. Call
+/// from one thread.
 class CageMaker {
 public:
-  /// Once a frame: takes what was made, unless something is being dragged, and begins what is to be made.
+  /// Call once per frame: delivers a finished cage, unless a drag is running, and starts the next one.
   void follow(scene::Workspace& workspace, bool no_drag);
-  /// Gives up what is being made, and says so: the cage stays as it is until there is another wish.
+  /// Cancels the generation with a message: the cage stays until the settings change.
   void stop(scene::Workspace& workspace);
 
   bool running() const { return job_.running(); }
   /// True if follow() would do something now.
   bool is_due(const scene::Workspace& workspace) const;
-  /// What binds the cage that was taken last; once.
+  /// The binding of the last delivered cage; returned only once.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
@@ -35,7 +36,7 @@ private:
     std::vector<std::string> notes;
     Bound bound;
   };
-  // Of one model: what cages of it share is kept. Only the job's thread makes cages with it.
+  // Caches data shared by the cages of one model. Used only by the job's thread.
   struct Workshop {
     std::shared_ptr<const mesh::Surface> model;
     std::optional<cages::Maker> maker{};
@@ -50,11 +51,11 @@ private:
   base::BackgroundJob<Made> job_;
   std::shared_ptr<Workshop> workshop_;
   std::string text_;
-  std::optional<cages::Wish> asked_;  // the last wish that a cage was begun for
+  std::optional<cages::Wish> asked_;  // the last settings started
   cages::Effort effort_ = cages::Effort::preview;
   double asked_at_ = 0;  // wall seconds
   bool wants_full_ = false;
-  bool is_preview_ = false;  // what was taken last, where another one was to be made with all care
+  bool is_preview_ = false;  // the last delivered cage is a preview, and a full-quality one is due
   Bound bound_;
 };
 

@@ -12,11 +12,11 @@ namespace viete::app {
 /// Documented in --help.
 enum ExitCode : int {
   exit_ok = 0,
-  exit_failed = 1,  ///< a file could not be read or written, or the work failed; the reason is on stderr
-  exit_usage = 2,   ///< the command line is wrong
+  exit_failed = 1,  ///< reading, writing or the work failed; the reason is on stderr
+  exit_usage = 2,   ///< invalid command line
 };
 
-/// What main() runs after parsing: set by the subcommand that was chosen.
+/// The action main() runs after parsing: set by the chosen subcommand.
 using Action = std::function<int()>;
 
 void add_view_command(CLI::App& app, Action& action);

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/aside.h"
+#include "app/child_process.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Gone with what it holds.
+// A temporary folder, deleted with its contents.
 class ScratchFolder {
 public:
   ScratchFolder() {
     std::string name = (fs::temp_directory_path() / "viete-XXXXXX").string();
     if (!mkdtemp(name.data()))
-      throw base::Error(name, "no folder can be made there", "set TMPDIR to one with space");
+      throw base::Error(name, "no folder can be created there", "set TMPDIR to one with space");
     path_ = name;
   }
   ~ScratchFolder() {
@@ -41,7 +41,7 @@ private:
 
 }  // namespace
 
-std::vector<std::string> write_pictures_aside(const PictureExport& what, base::Progress& progress) {
+std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress) {
   const ScratchFolder scratch;
   const fs::path session = scratch.path() / "animation.viete";
   base::replace_file(session, scene::session_text(what.session, session), base::Durability::process);
@@ -49,34 +49,34 @@ std::vector<std::string> write_pictures_aside(const PictureExport& what, base::P
                                  fs::absolute(what.file).string()};
   if (what.session.view.cage) words.push_back("--show-cage");
   if (what.panels) words.push_back("--panels");
-  return run_aside(words, progress);
+  return run_child(words, progress);
 }
 
-void Exporter::add(scene::Export what, std::vector<std::string> told) {
+void Exporter::add(scene::Export what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.file;
   add({file, "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
          return Written{"", scene::write_deformed(what, &progress)};
        },
-       std::move(told)});
+       std::move(shown_notes)});
 }
 
-void Exporter::add(scene::AnimationExport what, std::vector<std::string> told) {
+void Exporter::add(scene::AnimationExport what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.model.file;
   const bool numbered = base::NumberedName::is_pattern(file);
-  add({file, numbered ? "frames that are there are whole" : "no file was changed",
+  add({file, numbered ? "frames written so far are complete" : "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
          scene::AnimationReport report = scene::write_animation(what, &progress);
          const std::string name = what.model.file.filename().string();
          return Written{name + ": " + report.summary, std::move(report.notes)};
        },
-       std::move(told)});
+       std::move(shown_notes)});
 }
 
 void Exporter::add(PictureExport what) {
   const std::filesystem::path file = what.file;
-  add({file, "pictures that are there are whole", [what = std::move(what)](base::Progress& progress) {
-         return Written{"", write_pictures_aside(what, progress)};
+  add({file, "pictures written so far are complete", [what = std::move(what)](base::Progress& progress) {
+         return Written{"", write_pictures_in_child(what, progress)};
        }});
 }
 
@@ -99,10 +99,10 @@ scene::WorkState Exporter::state() const {
   return {true, std::move(what), job_.done(), job_.seconds(), job_.seconds()};
 }
 
-// Notes that need no action are only in the list of messages.
+// Notes that need no action go to the message list only.
 void Exporter::tell(scene::Messages& messages, Written&& written) const {
   std::erase_if(written.notes,
-                [&](const std::string& note) { return std::ranges::count(now_.told, note) > 0; });
+                [&](const std::string& note) { return std::ranges::count(now_.shown_notes, note) > 0; });
   if (!written.summary.empty()) messages.log(scene::Severity::info, written.summary);
   for (const auto& note : written.notes) messages.log(scene::Severity::warning, note);
   std::string said = "Saved " + now_.file.filename().string();
@@ -118,7 +118,7 @@ std::optional<Exporter::Failure> Exporter::follow(scene::Messages& messages, boo
     messages.succeeded("export");
     tell(messages, *std::move(result->value));
   } else if (result->stopped) {
-    messages.info("Stopped exporting " + now_.file.filename().string() + "; " + now_.stopped + ".");
+    messages.info("Cancelled exporting " + now_.file.filename().string() + "; " + now_.stopped + ".");
   } else {
     failure = {now_.file, result->problem};
   }
@@ -148,7 +148,7 @@ void MorphSizes::follow(scene::Workspace& w) {
   const auto result = job_.poll();
   if (!result) return;
   browser.morph_size = result->value ? base::counted(result->value->targets, "morph target") + ", about " +
-                                           base::memory_size(result->value->bytes) + " beside the model"
+                                           base::memory_size(result->value->bytes) + " plus the model"
                                      : result->problem;
 }
 

@@ -1,4 +1,4 @@
-// Writes deformed models, animations and pictures in the background.
+// Exports deformed models, animations and pictures in the background.
 #pragma once
 
 #include <deque>
@@ -21,16 +21,16 @@ namespace viete::app {
 struct PictureExport {
   std::filesystem::path file;     ///< frame_####.png
   std::filesystem::path program;  ///< `viete`
-  scene::Session session;         ///< as it is at one moment: what plays, as it is looked at
+  scene::Session session;         ///< a snapshot: playback range and view
   bool panels = false;
 };
 
-/// Throws base::Error with what the other run says, and base::Cancelled. Returns what a person should know of
-/// the result, one line each. Thread-safe.
-std::vector<std::string> write_pictures_aside(const PictureExport& what, base::Progress& progress);
+/// Runs in a child process. Throws base::Error with its error message, and base::Cancelled. Returns messages
+/// about the result for the user, one line each. Thread-safe.
+std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress);
 
-/// One after the other, in the order they were asked for. Call from one thread. The destructor stops what is
-/// not finished: files that are not written yet are as they were.
+/// Runs exports one after the other, in order. Call from one thread. The destructor cancels unfinished
+/// exports; their files are unchanged.
 class Exporter {
 public:
   struct Failure {
@@ -38,16 +38,16 @@ public:
     std::string problem;
   };
 
-  /// The file must have passed check_output(). `told`: notes that the window shows already.
-  void add(scene::Export what, std::vector<std::string> told = {});
-  void add(scene::AnimationExport what, std::vector<std::string> told = {});
+  /// The file must have passed check_output(). `shown_notes`: notes that the window shows already.
+  void add(scene::Export what, std::vector<std::string> shown_notes = {});
+  void add(scene::AnimationExport what, std::vector<std::string> shown_notes = {});
   void add(PictureExport what);
-  /// Asks the one that is being written to stop, which it does within moments; those that wait follow.
+  /// Cancels the running export, which ends soon; waiting ones follow.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
   scene::WorkState state() const;
-  /// Says what was written since the last call, and goes on with the next. With wait, waits for the one that
-  /// is being written. Returns the one that failed.
+  /// Reports finished exports in `messages` and starts the next one. With `wait`, waits for the running one.
+  /// Returns the failed one, if any.
   std::optional<Failure> follow(scene::Messages& messages, bool wait = false);
 
 private:
@@ -57,22 +57,22 @@ private:
   };
   struct Work {
     std::filesystem::path file;
-    std::string stopped;  ///< what is said then
+    std::string stopped;  ///< message if cancelled
     std::function<Written(base::Progress&)> write;
-    std::vector<std::string> told{};
+    std::vector<std::string> shown_notes{};
   };
   void add(Work work);
   void start_next();
   void tell(scene::Messages& messages, Written&& written) const;
 
   std::deque<Work> waiting_;
-  Work now_;  ///< that is being done, but for how
+  Work now_;  ///< the running one, without `write`
   base::BackgroundJob<Written> job_;
 };
 
 class MorphSizes {
 public:
-  /// Every frame: says it in the file browser, once it is known.
+  /// Call every frame: shows the size in the file browser once it is known.
   void follow(scene::Workspace& workspace);
   bool running() const { return job_.running(); }
 

@@ -22,7 +22,7 @@ std::vector<mesh::Point> drawn_positions(const scene::PosedModel& posed, const m
   return positions;
 }
 
-// All that a job needs to deform the model once more.
+// The input of a job that deforms the model again.
 struct Frame {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const deform::Cage> cage;
@@ -63,15 +63,15 @@ public:
 private:
   const Frame& frame_;
   base::Progress& progress_;
-  base::WorkerPool pool_{1};  // beside the frames
+  base::WorkerPool pool_{1};  // in addition to the frame's threads
   deform::ExactDeformer deformer_;
 };
 
-// How far each vertex goes when the selection goes a small way, over that way; of pins, when they do.
+// The displacement of each vertex per small displacement of the selection or the pins.
 struct Influence {
   Frame frame;
   scene::Selection selection;
-  std::vector<std::uint32_t> vertices;  // of the cage, that move
+  std::vector<std::uint32_t> vertices;  // moving vertices of the cage
 
   std::vector<double> shares(base::Progress& progress) const {
     std::vector<double> all(frame.model->positions.size());

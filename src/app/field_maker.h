@@ -1,4 +1,4 @@
-// The field that the window shows: computed in the frame where that is quick, else aside.
+// Computes the fields shown in the window: quick ones within the frame, others in the background.
 #pragma once
 
 #include <array>
@@ -15,38 +15,37 @@
 
 namespace viete::app {
 
-/// What a field is to be of: one view of a frame.
+/// The input of a field: one view of a frame.
 struct FieldSubject {
   const scene::Document& document;
   lab::Field field;
-  const deform::Deformer* deformer;  ///< null, or without a frame: nothing is computed aside
+  const deform::Deformer* deformer;  ///< null or without a frame: nothing is computed in the background
   const Bound& bound;
   sym3::Method method;
-  scene::PosedModel posed, first;  ///< as it is drawn here, and in the first view; nothing: at rest
+  scene::PosedModel posed, first;  ///< the model as drawn in this view and in the first view; empty: at rest
 };
 
-/// Follows the frames of a model while fields of it are shown, and costs nothing otherwise. Call from one
-/// thread.
+/// Follows the frames of a model while its fields are shown; free otherwise. Call from one thread.
 class FieldMaker {
 public:
-  /// After a frame is deformed: the newest values come to the view of that number, and the next ones are
-  /// begun. Those that are computed aside may be of a pose a moment ago. Says whether there are new ones.
+  /// Call after a frame is deformed: delivers the newest values to this view and starts the next ones.
+  /// Background results may belong to a slightly earlier pose. Returns true for new values.
   bool follow(std::size_t view, const FieldSubject& subject, scene::FieldView& shown, bool wait = false);
-  /// Waits until the values are those of this pose.
+  /// Waits until the values belong to this pose.
   void finish(std::size_t view, const FieldSubject& subject, scene::FieldView& shown);
-  /// Another document: what was begun about the old one is void.
+  /// Cancels all computations, for a change of the document.
   void forget();
   /// True if follow() would do something now.
   bool is_due(std::size_t view, const FieldSubject& subject, const scene::FieldView& shown) const;
 
 private:
-  // Which values there are.
+  // Identifies computed values.
   struct Key {
     lab::Field field = lab::Field::none;
     unsigned long frame = 0, first = 0;
     const void *vertices = nullptr, *surface = nullptr;
     sym3::Method method = sym3::Method::fast;
-    scene::Selection selection;  // of influence
+    scene::Selection selection;  // for the influence field
     friend bool operator==(const Key&, const Key&) = default;
   };
   struct View {
@@ -59,7 +58,7 @@ private:
 
   std::unique_ptr<base::WorkerPool> pool_;
   std::shared_ptr<const mesh::Surface> surface_;
-  std::shared_ptr<const lab::Strain> strain_;  // of that surface
+  std::shared_ptr<const lab::Strain> strain_;  // for surface_
   std::array<View, scene::Split::most_sides + 1> views_;
 };
 

@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "mesh/formats/source.h"
 #include "scene/files/output.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/file_commands.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 
 namespace viete::app {
 
@@ -24,7 +24,7 @@ fs::path recovery_folder(const fs::path& state) {
 
 }  // namespace
 
-fs::path remembered_file(const fs::path& state) {
+fs::path preferences_file(const fs::path& state) {
   return state / "remembered.json";
 }
 
@@ -32,16 +32,16 @@ FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace, fs::path 
     : state_(state), program_(std::move(program)), autosave_(recovery_folder(state), queue_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
-  workspace.leftovers = scene::find_leftovers(recovery_folder(state_));
-  workspace.offers_leftovers = !std::ranges::all_of(workspace.leftovers, &scene::Leftover::restored);
+  workspace.recovery_files = scene::find_recovery_files(recovery_folder(state_));
+  workspace.offers_recovery = !std::ranges::all_of(workspace.recovery_files, &scene::RecoveryFile::restored);
   try {
-    workspace.remembered = scene::read_remembered(remembered_file(state_));
+    workspace.preferences = scene::read_preferences(preferences_file(state_));
   } catch (const base::Error& error) {
-    workspace.messages.warn(std::string(error.what()) + "; starting without it");
+    workspace.messages.warn(std::string(error.what()) + "; starting without this file");
   }
-  workspace.view.hints = workspace.remembered.hints;
-  workspace.view.dark = workspace.remembered.dark;
-  written_ = workspace.remembered;
+  workspace.view.hints = workspace.preferences.hints;
+  workspace.view.dark = workspace.preferences.dark;
+  written_ = workspace.preferences;
 }
 
 void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
@@ -65,14 +65,14 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
   sizes_.follow(w);
-  go_on_after_saving(w);
+  proceed_after_saving(w);
   if (std::exchange(r.quit, false) && !w.question) close(w);
   show_exports(w);
   if (no_drag && !w.question) take_loaded(w, false);
   follow_dialog(w.browser, w);
 }
 
-// A file dialog stays until what it asked for is done. What takes long is shown by a bar instead.
+// A file browser stays open until its request is done. Long work shows a bar instead.
 void FileDesk::follow_dialog(scene::FileBrowser& browser, const scene::Workspace& w) {
   constexpr double short_time = 0.5;
   if (browser.asked.empty()) return;
@@ -87,8 +87,8 @@ void FileDesk::export_to(scene::Workspace& w, const fs::path& file, StartExport 
   try {
     (this->*start)(w, file);
   } catch (const base::Error& error) {
-    scene::tell_refusal(w, file, error.what(), "export");
-    closing_ = w.requests.quit = false;  // that is to be read first
+    scene::report_refusal(w, file, error.what(), "export");
+    closing_ = w.requests.quit = false;  // the error must be read first
   }
 }
 
@@ -135,24 +135,24 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     waiting_ = std::move(result->value);
     w.question = scene::ask_before_opening(scene::name_of_work(w), autosave_.problem());
   } else if (result->stopped) {
-    w.messages.info(loader_.was_binding() ? "Stopped binding; everything is as it was."
-                                          : "Stopped reading; everything is as it was.",
+    w.messages.info(loader_.was_binding() ? "Cancelled binding; nothing was changed."
+                                          : "Cancelled reading; nothing was changed.",
                     {"open"});
   } else {
-    scene::tell_refusal(w, reading_, result->problem, "open");
+    scene::report_refusal(w, reading_, result->problem, "open");
   }
 }
 
 void FileDesk::take(scene::Workspace& w, Loader::Loaded&& loaded) {
   if (loaded.shading.surface) shading_ = std::move(loaded.shading);
   if (loaded.bound.binding) bound_ = std::move(loaded.bound);
-  scene::take(w, std::move(loaded.opened));
+  scene::apply_opened(w, std::move(loaded.opened));
 }
 
 void FileDesk::close(scene::Workspace& w) {
   closing_ = exporter_.running();
   if (closing_) return;
-  if (!scene::has_unsaved_edits(w) || autosave_.keep_now(w)) return go_on(w, Kind::close);
+  if (!scene::has_unsaved_edits(w) || autosave_.keep_now(w)) return proceed(w, Kind::close);
   w.question = scene::ask_before_closing(scene::name_of_work(w), autosave_.problem());
 }
 
@@ -172,21 +172,21 @@ void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
     if (answer == scene::Answer::save) return scene::browse_to_save_session(w);
     return save_session(w, w.saved.session, true);
   }
-  if (answer == scene::Answer::go_on) return go_on(w, kind);
+  if (answer == scene::Answer::proceed) return proceed(w, kind);
   w.after_saving = kind;
   scene::save(w);
 }
 
-void FileDesk::go_on(scene::Workspace& w, Kind kind) {
+void FileDesk::proceed(scene::Workspace& w, Kind kind) {
   w.after_saving.reset();
-  if (kind == Kind::close) autosave_.leave_recovered(w), closed_ = true;
+  if (kind == Kind::close) autosave_.close_recovered(w), closed_ = true;
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
-// What waits for saving goes on, or is given up where saving was.
-void FileDesk::go_on_after_saving(scene::Workspace& w) {
+// Continues the action that waited for saving, or drops it if saving was cancelled.
+void FileDesk::proceed_after_saving(scene::Workspace& w) {
   if (!w.after_saving || w.question) return;
-  if (!scene::has_unsaved_edits(w)) return go_on(w, *w.after_saving);
+  if (!scene::has_unsaved_edits(w)) return proceed(w, *w.after_saving);
   if (!w.browser.open) give_up(w);
 }
 
@@ -194,7 +194,7 @@ void FileDesk::give_up(scene::Workspace& w) {
   w.after_saving.reset();
   const bool unopened = std::exchange(w.unopened, std::nullopt).has_value();
   if (std::exchange(waiting_, std::nullopt) || unopened)
-    w.messages.info("Opened nothing; everything is as it was.");
+    w.messages.info("Cancelled opening; nothing was changed.");
 }
 
 void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over_changes) {
@@ -206,11 +206,11 @@ void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over
   }
 }
 
-// A window that was about to close goes on with that when all is written, and stays for what went wrong.
+// Closing continues after all exports, and stops on an error.
 void FileDesk::follow_exports(scene::Workspace& w, bool wait) {
   if (const auto failure = exporter_.follow(w.messages, wait)) {
-    scene::tell_refusal(w, failure->file, failure->problem, "export");
-    closing_ = w.requests.quit = false;  // that is to be read first
+    scene::report_refusal(w, failure->file, failure->problem, "export");
+    closing_ = w.requests.quit = false;  // the error must be read first
   }
   if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;
 }
@@ -226,14 +226,14 @@ void FileDesk::finish_exports(scene::Workspace& w) {
 }
 
 void FileDesk::discard(scene::Workspace& w) {
-  std::erase_if(w.leftovers, [&](const scene::Leftover& leftover) {
+  std::erase_if(w.recovery_files, [&](const scene::RecoveryFile& leftover) {
     std::error_code code;
     if (fs::remove(leftover.file, code) || !code) return true;
     w.messages.error(base::Error(leftover.file.string(), "cannot be removed: " + code.message()).what(),
                      {"discard"});
     return false;
   });
-  if (w.leftovers.empty()) w.messages.succeeded("discard");
+  if (w.recovery_files.empty()) w.messages.succeeded("discard");
 }
 
 void FileDesk::keep(scene::Workspace& w, bool no_drag) {
@@ -243,13 +243,13 @@ void FileDesk::keep(scene::Workspace& w, bool no_drag) {
 }
 
 void FileDesk::remember(scene::Workspace& w) {
-  w.remembered.hints = w.remembered.hints && w.view.hints;
-  if (state_.empty() || w.remembered == written_) return;
-  written_ = w.remembered;
-  writes_.push_back(queue_.add([state = state_, remembered = written_] {
-    std::error_code ignored;  // what it is good for is said when the writing fails
+  w.preferences.hints = w.preferences.hints && w.view.hints;
+  if (state_.empty() || w.preferences == written_) return;
+  written_ = w.preferences;
+  writes_.push_back(queue_.add([state = state_, preferences = written_] {
+    std::error_code ignored;  // a missing folder is reported when writing fails
     fs::create_directories(state, ignored);
-    scene::write_remembered(remembered_file(state), remembered);
+    scene::write_preferences(preferences_file(state), preferences);
   }));
 }
 

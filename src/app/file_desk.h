@@ -1,5 +1,4 @@
-// Everything with files while the viewer runs: requests are carried out, work is kept, what should be
-// remembered is remembered.
+// File handling of the viewer: carries out requests, backs up unsaved work, and stores preferences.
 #pragma once
 
 #include <filesystem>
@@ -16,44 +15,43 @@
 
 namespace viete::app {
 
-/// What outlives a run, in this folder.
-std::filesystem::path remembered_file(const std::filesystem::path& state);
+/// The preferences file in this folder.
+std::filesystem::path preferences_file(const std::filesystem::path& state);
 
 class FileDesk {
 public:
-  /// state: the folder to remember in; empty: nothing is remembered or kept. Fills the workspace with what
-  /// was remembered. program: `viete`, which draws animations aside.
+  /// state: the folder for preferences and recovery; empty: none. Loads the preferences into the workspace.
+  /// program: `viete`, which renders animations in a child process.
   FileDesk(const std::filesystem::path& state, scene::Workspace& workspace,
            std::filesystem::path program = "/proc/self/exe");
 
-  /// Before the frame's work: takes requests and answers, and what was read once no drag runs, so that
-  /// nothing is taken away under a drag. Asks before edits are lost that cannot be kept. Closes when exports
-  /// are written, and not if one fails.
+  /// Call before the frame's work: handles requests and answers, and applies read files unless a drag is
+  /// running. Asks before edits are lost that cannot be backed up. On closing waits for exports; a failed
+  /// export stops closing.
   void take_requests(scene::Workspace& workspace, bool no_drag);
-  /// After it: keeps what is new.
+  /// Call after the frame: backs up new edits.
   void keep(scene::Workspace& workspace, bool no_drag = true);
 
-  /// True once the program may end, as was requested: nothing is unsaved, or it is kept, or the user has said
-  /// so.
+  /// True once a requested close may proceed: no unsaved edits, backed up edits, or the user's consent.
   bool closed() const { return closed_; }
-  /// True if the edits of this moment have been written for the next start.
+  /// True if the current edits have been backed up.
   bool kept() const { return autosave_.kept(); }
-  /// Waits until they are; false if they cannot be.
+  /// Backs them up and waits; false if that fails.
   bool keep_now(scene::Workspace& workspace) { return autosave_.keep_now(workspace); }
-  /// True if something was kept, or could not be, since keep().
+  /// True if a backup has finished or failed since keep().
   bool has_news() const { return autosave_.has_news(); }
   bool loading() const { return loader_.running(); }
-  /// True while it is found out what an animation would take.
+  /// True while the size of an animation is estimated.
   bool measuring() const { return sizes_.running(); }
-  /// True while deformed models are written.
+  /// True while exports are running.
   bool exporting() const { return exporter_.running(); }
-  /// Waits for the files that are being read, and takes them.
+  /// Waits for the files being read and applies them.
   void finish_loading(scene::Workspace& workspace) { take_loaded(workspace, true); }
-  /// Waits for those that are being written, and says so.
+  /// Waits for running exports and reports them.
   void finish_exports(scene::Workspace& workspace);
-  /// The shading of the model that was read last.
+  /// The shading of the last model read.
   ModelShading& shading() { return shading_; }
-  /// What was bound with the document that was taken last; once.
+  /// The binding of the last document applied; returned only once.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
@@ -65,8 +63,8 @@ private:
   void take_loaded(scene::Workspace& workspace, bool wait);
   void take(scene::Workspace& workspace, Loader::Loaded&& loaded);
   void take_answer(scene::Workspace& workspace, scene::Answer answer);
-  void go_on(scene::Workspace& workspace, scene::Question::Kind kind);
-  void go_on_after_saving(scene::Workspace& workspace);
+  void proceed(scene::Workspace& workspace, scene::Question::Kind kind);
+  void proceed_after_saving(scene::Workspace& workspace);
   void give_up(scene::Workspace& workspace);
   void save_session(scene::Workspace& workspace, const std::filesystem::path& file, bool over_changes);
   void close(scene::Workspace& workspace);
@@ -83,13 +81,13 @@ private:
   MorphSizes sizes_;
   ModelShading shading_;
   Bound bound_;
-  std::filesystem::path reading_;          // the first file that was asked for last
-  std::optional<Loader::Loaded> waiting_;  // for the answer whether it may take the place of what is open
+  std::filesystem::path reading_;          // first file of the last request
+  std::optional<Loader::Loaded> waiting_;  // read, and waiting for an answer to replace the document
   bool closing_ = false, closed_ = false;  // closing waits for exports
-  std::vector<std::future<void>> writes_;  // of small files, until it is known how they went
+  std::vector<std::future<void>> writes_;  // writes of small files, until their result is known
   base::BackgroundQueue queue_;
   Autosave autosave_;
-  scene::Remembered written_;
+  scene::Preferences written_;
 };
 
 }  // namespace viete::app

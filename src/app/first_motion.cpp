@@ -33,13 +33,13 @@ bool FirstMotion::begin(scene::Workspace& workspace) {
   const scene::Document& document = workspace.document;
   const std::filesystem::path file = std::exchange(file_, {});
   if (!workspace.view.hints || !document.has_cage() || scene::differs_from_rest(document) ||
-      workspace.offers_leftovers)
+      workspace.offers_recovery)
     return false;
   try {
     std::vector<std::string> warnings;
     goal_ = deform::read_pose(file, *document.cage, warnings);
   } catch (const base::Error&) {
-    return false;  // nothing is missing but a welcome
+    return false;  // harmless without the motion
   }
   return true;
 }

@@ -1,5 +1,4 @@
-// On the first start the bundled model moves once from rest into a pose: what the program does is seen, and
-// every number is alive.
+// On the first start the bundled model moves once from rest into a pose, to show what the program does.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +12,14 @@ class FirstMotion {
 public:
   static constexpr double seconds = 0.6;
 
-  /// pose: of the bundled cage; empty: nothing moves.
+  /// pose: of the bundled cage; empty: no motion.
   explicit FirstMotion(std::filesystem::path pose) : file_(std::move(pose)) {}
 
-  /// Before a frame, that many seconds after the last one. `ready`: the model follows its cage. Begins where
-  /// the hints of the first start are shown and the cage is at rest; what it does is no edit, and is in the
-  /// pose when it ends.
+  /// Call before each frame, `seconds` after the last one. `ready`: the model follows its cage. Starts if the
+  /// hints of the first start are shown and the cage is at rest; the motion is not an edit, and its end is
+  /// the current pose.
   void step(scene::Workspace& workspace, bool ready, double seconds);
-  /// A hand comes: at once what it would have come to, or, before it has begun, nothing.
+  /// On user input: jumps to the end of the motion, or prevents it if it has not started.
   void finish(scene::Workspace& workspace);
   bool moving() const { return goal_.has_value(); }
 
@@ -28,12 +27,12 @@ private:
   bool begin(scene::Workspace& workspace);
   void place(scene::Workspace& workspace, double share) const;
 
-  std::filesystem::path file_;  // empty once it has begun, or never will
+  std::filesystem::path file_;  // empty once started or disabled
   std::optional<deform::Pose> goal_;
   double passed_ = 0;
 };
 
-/// False where motion is not wanted: $VIETE_REDUCED_MOTION is set and not 0.
+/// False if $VIETE_REDUCED_MOTION is set and not 0.
 bool motion_is_wanted();
 
 }  // namespace viete::app

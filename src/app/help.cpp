@@ -29,7 +29,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
 }
 
 std::size_t misspellings(std::string_view a, std::string_view b) {
-  // Row by row of the table of all beginnings of a and b (optimal string alignment).
+  // Row by row of the table over all prefixes of a and b (optimal string alignment).
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -70,13 +70,8 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-namespace {
-
-using OptionList = std::vector<const CLI::Option*>;
-
-constexpr std::size_t text_column = 26;
-
-std::string line(const std::string& name, const std::string& text) {
+std::string help_line(const std::string& name, const std::string& text) {
+  constexpr std::size_t text_column = 26;
   std::string out = "  " + name;
   if (text.empty()) return out + '\n';
   if (out.size() + 2 > text_column) {
@@ -87,6 +82,16 @@ std::string line(const std::string& name, const std::string& text) {
   }
   return out + wrapped(text, text_column, text_column) + '\n';
 }
+
+void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
+  std::string text = "Examples:";
+  for (const std::string& line : lines) text += "\n  viete " + line;
+  command.footer(text);
+}
+
+namespace {
+
+using OptionList = std::vector<const CLI::Option*>;
 
 // "FILE"; empty for a flag.
 std::string value_of(const CLI::Option& option) {
@@ -135,13 +140,13 @@ std::string usage_of(const CLI::App& app) {
   if (app.get_parent()) return "Usage: " + name_of_command(app) + words_of(app) + '\n';
   return "Usage: viete [MODEL [CAGE]] [OPTIONS of view]\n"
          "       viete COMMAND ...\n"
-         "       viete help COMMAND\n";
+         "       viete help COMMAND|deformers\n";
 }
 
 std::string list(const char* title, const OptionList& options) {
   if (options.empty()) return "";
   std::string out = std::string("\n") + title + ":\n";
-  for (const CLI::Option* option : options) out += line(name_of(*option), text_of(*option));
+  for (const CLI::Option* option : options) out += help_line(name_of(*option), text_of(*option));
   return out;
 }
 
@@ -150,18 +155,19 @@ public:
   std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
     const OptionList words = app->get_options([](const CLI::Option* o) { return o->get_positional(); });
     const OptionList options = app->get_options(
-        [](const CLI::Option* o) { return o->nonpositional() && !o->get_group().empty(); });  // or hidden
+        [](const CLI::Option* o) { return o->nonpositional() && !o->get_group().empty(); });  // not hidden
     std::string out = wrapped(app->get_description(), 0, 0) + "\n\n" + usage_of(*app);
     out += list("Files", words);
     const auto commands = app->get_subcommands([](const CLI::App*) { return true; });
     if (!commands.empty()) out += "\nCommands:\n";
-    for (const CLI::App* command : commands) out += line(command->get_name(), command->get_description());
+    for (const CLI::App* command : commands)
+      out += help_line(command->get_name(), command->get_description());
     out += list("Options", options);
-    return out + '\n' + wrapped(app->get_footer(), 0, 0) + '\n';
+    return out + '\n' + app->get_footer() + '\n';
   }
 };
 
-// The command that the words have led to.
+// The last subcommand given.
 const CLI::App& last_command(const CLI::App& app) {
   const CLI::App* last = &app;
   while (!last->get_subcommands().empty()) last = last->get_subcommands().back();
@@ -181,8 +187,8 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return name.empty() ? "" : "; did you mean " + name + "?";
 }
 
-// "--output: 1 required TEXT missing", "--output: At Most 1 required but received 2", or "--compare: At Least
-// 2 required but received 1".
+// CLI11's messages: "--output: 1 required TEXT missing", "--output: At Most 1 required but received 2", or
+// "--compare: At Least 2 required but received 1".
 std::string wrong_count(const std::string& words) {
   const std::string option = words.substr(0, words.find(':'));
   const auto number_after = [&](const std::string& limit) {
@@ -192,9 +198,9 @@ std::string wrong_count(const std::string& words) {
     return words.substr(from, words.find(' ', from) - from);
   };
   if (const std::string least = number_after("At least "); !least.empty())
-    return option + " needs " + least + " values or more";
+    return option + " needs " + least + " or more values";
   if (const std::string most = number_after("At Most "); !most.empty() && most != "1")
-    return option + " takes no more than " + most + " values";
+    return option + " takes at most " + most + " values";
   return option + (words.find("missing") == words.npos ? " is given more than once" : " needs a value");
 }
 
@@ -207,7 +213,7 @@ std::string unknown(const CLI::App& command, const std::vector<std::string>& wor
     return name_of_command(command) + " has no command " + first + suggestion(first, names);
   std::string all;
   for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-  return "more than " + name_of_command(command) + " takes: " + all;
+  return "unexpected arguments of " + name_of_command(command) + ": " + all;
 }
 
 }  // namespace
@@ -239,7 +245,7 @@ std::string usage_error(const CLI::App& app, const CLI::Error& error) {
   } else if (error.get_name() == "ArgumentMismatch") {
     text = wrong_count(text);
   }
-  return "viete: " + text + "\nRun " + name_of_command(command) + " --help for more.\n";
+  return "viete: " + text + "\nTry '" + name_of_command(command) + " --help' for more information.\n";
 }
 
 }  // namespace viete::app

@@ -1,4 +1,4 @@
-// viete info [FILE...] [--cage CAGE]: what surface files hold, and what is odd about them.
+// viete info [FILE...] [--cage CAGE]: contents and defects of surface files.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -7,6 +7,7 @@
 
 #include "app/assets.h"
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/options.h"
 #include "base/error.h"
 #include "base/text.h"
@@ -22,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t named = 12;  // elements of a finding
+constexpr std::size_t named = 12;  // elements listed per finding
 
 void print(const scene::OpenedSurface& surface) {
   const mesh::Summary& f = surface.summary;
@@ -57,8 +58,8 @@ void print(const scene::OpenedSurface& surface) {
   }
 }
 
-// Problems for which deform would refuse the cage.
-void print_why_none(const scene::OpenedSurface& cage) {
+// Prints the problems for which deform would refuse the cage.
+void print_refusal(const scene::OpenedSurface& cage) {
   scene::Document document;
   try {
     scene::set_cage(document, cage);
@@ -79,13 +80,13 @@ void print(const std::vector<scene::Finding>& findings) {
   }
 }
 
-// Every file is looked at, also after one that cannot be read.
+// Continues with the other files after an error.
 int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
   scene::OpenedSurface cage;
   if (!cage_file.empty()) {
     cage = scene::open_surface(cage_file);
     print(cage);
-    print_why_none(cage);
+    print_refusal(cage);
   }
   int code = exit_ok;
   for (const auto& file : files) {
@@ -104,13 +105,13 @@ int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("info", "Say what surface files hold, and what is odd about them");
+  auto* command = app.add_subcommand("info", "Show facts about meshes and check them for problems");
   auto files = std::make_shared<std::vector<fs::path>>();
   auto cage = std::make_shared<fs::path>();
-  command->add_option(
-      "FILE", *files,
-      mesh::format_names(mesh::holds_surface) + " files (default: the bundled model in its cage)");
-  add_file_option(*command, "--cage", *cage, "Check this cage around them too");
+  command->add_option("FILE", *files,
+                      mesh::format_names(mesh::holds_surface) + " files (default: the bundled dragon)");
+  add_file_option(*command, "--cage", *cage, "Cage to check around the meshes");
+  add_examples(*command, {"info model.obj", "info model.obj --cage cage.obj"});
   command->callback([files, cage, &action] {
     action = [files, cage] {
       if (!files->empty()) return info(*files, *cage);

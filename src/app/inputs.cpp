@@ -21,23 +21,19 @@ namespace fs = std::filesystem;
 namespace {
 
 void add_files(CLI::App& app, Inputs& inputs) {
-  auto* model =
-      add_file_option(app, "MODEL", inputs.model,
-                      mesh::a_mesh() + ", or a session (.viete), which names its own cage and pose");
+  auto* model = add_file_option(app, "MODEL", inputs.model, mesh::a_mesh() + " or session (.viete)");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
-  add_file_option(app, "CAGE", inputs.cage, "Cage around it, at rest");
-  add_file_option(app, "--model", inputs.located.model,
-                  "Use this model instead of the one that the session names");
-  add_file_option(app, "--cage", inputs.located.cage,
-                  "Use this cage instead of the one that the session names");
+  add_file_option(app, "CAGE", inputs.cage, "Cage at rest");
+  add_file_option(app, "--model", inputs.located.model, "Model to use instead of the session's");
+  add_file_option(app, "--cage", inputs.located.cage, "Cage to use instead of the session's");
   if (inputs.use == Use::animation) return;
-  add_file_option(app, "--pose", inputs.pose, "Posed version of the cage, same vertices in the same order");
+  add_file_option(app, "--pose", inputs.pose, "Posed cage (same vertices, same order)");
 }
 
 void add_amount_option(CLI::App& app, const std::string& name, const std::string& what,
                        std::optional<double>& amount) {
   add_percent_option(app, name, amount, deform::amount_from_percent, 200,
-                     "How much of the cage's " + what + " acts, in percent, 0 to 200: 0 leaves it out")
+                     "Amount of the cage's " + what + ", 0 to 200")
       ->default_str("100");
 }
 
@@ -64,12 +60,12 @@ void check_usage(const Inputs& inputs) {
   if (inputs.session()) {
     if (inputs.cage.empty() && inputs.pose.empty()) return;
     throw CLI::ValidationError(inputs.cage.empty() ? "--pose" : "CAGE",
-                               "the session " + inputs.model.string() + " names its own: leave it out" +
-                                   (inputs.cage.empty() ? "" : ", or replace it by --cage"));
+                               "the session " + inputs.model.string() + " has its own: omit it" +
+                                   (inputs.cage.empty() ? "" : ", or replace it with --cage"));
   }
   if (!inputs.located.model.empty() || !inputs.located.cage.empty())
     throw CLI::ValidationError(inputs.located.model.empty() ? "--cage" : "--model",
-                               "can only be used with a session (.viete)");
+                               "requires a session (.viete)");
   const bool file = inputs.use == Use::file;
   const bool needs_cage = file || inputs.use == Use::animation;
   if (needs_cage && inputs.cage.empty()) throw CLI::RequiredError("CAGE");
@@ -83,7 +79,7 @@ scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
   try {
     opened = scene::open_files(inputs.request(), {});
   } catch (const scene::SessionFileError& error) {
-    throw base::Error(error.place(), error.problem(), "name it with --" + std::string(error.key) + " FILE");
+    throw base::Error(error.place(), error.problem(), "give it with --" + std::string(error.key) + " FILE");
   }
   check(opened);
   const scene::Document& document = *opened.document;
@@ -91,7 +87,8 @@ scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
   const bool movable = deforms ? document.is_movable() : document.has_cage();
   if (deforms && !movable) {
     print_notes(opened.warnings);
-    throw base::Error(inputs.model.string(), "the session has no cage", "open it and add one");
+    throw base::Error(inputs.model.string(), "the session has no cage",
+                      "open it in the window and add a cage");
   }
   return opened;
 }
@@ -133,13 +130,13 @@ void check(const Output& output, const FilesInUse& files, const scene::FrameStep
   check_output(output.file, *frames, files, force_of(output.force));
 }
 
-// Logs are of triangles.
+// Logs are defined on triangles, which need an area.
 void check_has_area(const std::filesystem::path& file, const mesh::Surface& model) {
   const auto& p = model.positions;
   const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };
   if (std::ranges::none_of(model.triangles, has_area))
-    throw base::Error(file.string(), "no face of this model has an area",
-                      "choose another one as the model at rest");
+    throw base::Error(file.string(), "all faces of this model have zero area",
+                      "choose another model as the rest shape");
 }
 
 }  // namespace
@@ -151,8 +148,8 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
   for (const auto& file : shapes) named.add(file, scene::a_shape);
   check(output, named, frames);
   if (scene::is_session(model))
-    throw base::Error(model.string(), "this is a session, and shapes are of a model",
-                      "name the model itself");
+    throw base::Error(model.string(), "this is a session, but shapes need a mesh file",
+                      "give the mesh file of the model");
   OpenedShapes all;
   {
     TerminalProgress work("Reading " + model.filename().string());
@@ -176,12 +173,12 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
 std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
                                      base::Progress* progress) {
   if (!scene::in_range({{}, {}, what.shape}))
-    throw base::Error(what.file.string(), name + " is larger than can be drawn",
-                      "take smaller weights, and places nearer to the model");
+    throw base::Error(what.file.string(), name + " is too large to be drawn",
+                      "use smaller weights and positions closer to the model");
   return scene::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
 }
 
-int unless_stopped(const std::filesystem::path& output, const std::function<int()>& write) {
+int run_cancellable(const std::filesystem::path& output, const std::function<int()>& write) {
   try {
     return write();
   } catch (const base::Cancelled&) {

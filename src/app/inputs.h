@@ -1,4 +1,4 @@
-// The files that a command opens and writes.
+// The input and output files of a command.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace viete::app {
 
 using scene::check_output, scene::Content, scene::FilesInUse;
 
-/// What a command writes.
+/// The output of a command.
 struct Output {
   std::filesystem::path file;
   Content content;
@@ -32,18 +32,18 @@ class App;
 
 namespace viete::app {
 
-/// What a command makes of what it opens.
+/// The purpose for which a command opens its inputs.
 enum class Use {
-  window,     ///< MODEL may be left out
+  window,     ///< MODEL is optional
   picture,    ///< needs a MODEL
-  file,       ///< needs CAGE and --pose too
-  animation,  ///< needs a CAGE; keys in place of a pose
+  file,       ///< also needs CAGE and --pose
+  animation,  ///< needs a CAGE; keys instead of a pose
 };
 
 struct Inputs {
   Use use = Use::picture;
   std::filesystem::path model{}, cage{}, pose{};  ///< model may be a session
-  scene::AskedSettings settings{};                ///< a session keeps what is left open as it has it
+  scene::RequestedSettings settings{};            ///< unset ones come from the session
   scene::LocatedFiles located{};                  ///< for a session
 
   bool session() const { return scene::is_session(model); }
@@ -51,49 +51,49 @@ struct Inputs {
   std::vector<std::filesystem::path> files() const { return {model, cage, pose}; }
 };
 
-/// MODEL, CAGE, --pose, --model and --cage of a session, --method, --way or --weights and
+/// MODEL, CAGE, --pose, --model and --cage of a session, --method, --deformer or --weights and
 /// --blend, --radius, --turn and --stretch, --stitched and what holds a stitched mesh: those
 /// that the use has. The target must outlive parsing.
 void add_input_options(CLI::App& app, Inputs& inputs);
 
-/// After parsing. Throws CLI::ParseError where something is missing, or is named beside a session that names
-/// it too, and base::Error where the settings do not go together.
+/// Call after parsing. Throws CLI::ParseError if an input is missing or given in addition to a session that
+/// names it, and base::Error for settings that cannot be combined.
 void check_usage(const Inputs& inputs);
 
-/// Throws base::Error if `check` does, or if the inputs' use needs a cage and there is none. Warnings stay in
-/// what is opened.
+/// Throws base::Error if `check` does, or if the use needs a cage and there is none. Warnings are in the
+/// result.
 scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&));
 
-/// The same for a result: throws base::Error too where check_output() does, before anything is read, and
-/// again when all that is read is known. `also`: is read besides.
+/// For a command with an output: also throws base::Error if check_output() does, before anything is read, and
+/// again when all inputs are known. `also`: a further input.
 scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&), const Output& output,
                    const scene::FileInUse& also = {});
 
-/// As they are named.
+/// The files named on the command line.
 FilesInUse files_read(const Inputs& inputs);
 
-/// On stderr, a line each.
+/// Prints to stderr, one line each.
 void print_notes(const std::vector<std::string>& notes);
-/// Of frames that were written, on stdout: a line.
+/// Prints the summary of written frames to stdout, one line.
 void print_summary(const std::filesystem::path& file, const std::string& summary);
 
 struct OpenedShapes {
-  scene::Opened model;                                   ///< with its document
-  std::vector<std::vector<scene::NamedShape>> of_files;  ///< those of each file that was named
+  scene::Opened model;                                   ///< contains a document
+  std::vector<std::vector<scene::NamedShape>> of_files;  ///< one list per named file
 };
 
-/// Reads a model, which is at rest, and its shapes: see read_shapes(). The output is checked before anything
-/// is read, and again when all that is read is known; `frames` are those of an animation's numbered files, or
-/// null. Notes are printed. Throws base::Error.
+/// Reads a model at rest and its shapes: see read_shapes(). Checks the output before reading, and again when
+/// all inputs are known; `frames`: those of an animation's numbered files, or null. Prints notes. Throws
+/// base::Error.
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
                          const Output& output, const scene::FrameSteps* frames = nullptr);
 
-/// Writes the model in its shape, which errors call by the name: "the mix". Throws base::Error where that is
-/// larger than can be drawn, or no numbers. Returns notes.
+/// Writes the model in its shape; errors call it by `name`: "the mix". Throws base::Error if the shape is too
+/// large to draw or not finite. Returns notes.
 std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
                                      base::Progress* progress);
 
-/// What a command of one file makes of Ctrl+C.
-int unless_stopped(const std::filesystem::path& output, const std::function<int()>& write);
+/// Runs `write`; converts a cancellation by Ctrl+C to a message and an exit code.
+int run_cancellable(const std::filesystem::path& output, const std::function<int()>& write);
 
 }  // namespace viete::app

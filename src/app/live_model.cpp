@@ -9,8 +9,8 @@
 #include "deform/maps.h"
 #include "mesh/normals.h"
 #include "scene/document/binding_plan.h"
-#include "scene/document/edit.h"
 #include "scene/document/checks.h"
+#include "scene/document/edit.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
 #include "sym3/small_matrices.h"
@@ -19,13 +19,13 @@ namespace viete::app {
 
 namespace {
 
-// Something moves what is drawn, besides the shape.
+// True if anything besides the shape moves the model.
 bool moves_beyond_shape(const scene::Document& document) {
   const auto is_pin = [](const deform::Probe& probe) { return probe.pin.has_value(); };
   return document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin);
 }
 
-// Its rotation alone, where a hand could not be followed against what a map flattens.
+// Only its rotation if the map flattens, since a drag could not be inverted.
 sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
   constexpr double flattest = 0.05;
   const auto [rotation, stretch] = sym3::polar(map);
@@ -44,17 +44,17 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   if (new_surfaces || new_cage)
     follow_surfaces(workspace, new_surfaces ? files_.take_bound() : std::move(made));
   if (new_surfaces || new_cage || new_weights) follow_weights(document);
-  // Once something can move it: without a cage that is the first probe. While a cage is made, the next one
-  // comes too soon.
+  // Binds once something can move the model: without a cage that is the first probe. Waits while a cage is
+  // being generated.
   if (!deformer_ && !binder_.running() && !workspace.making_cage.running && given_up_ != now.pose &&
       document.is_movable())
     start_binding(document);
-  // Other elements or another blend sum other rows over the same weights.
+  // Other elements or another blend need other sums over the same weights.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
   follow_path(workspace.view.same_path);
-  // The staged engine's weights are made when a method asks for them, and a stitching when a scheme does;
-  // until then method `fast` serves, not stitched.
+  // Staged weights are computed when a method needs them, and a stitching when a scheme does; until then
+  // method `fast` is used, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(workspace, false);
   follow_mask(document);
@@ -71,7 +71,7 @@ void LiveModel::follow_path(bool same) {
   unprepared_ = true;
 }
 
-// What stands for a cage and its scheme where there is none.
+// The cage, or its substitute, and the scheme.
 std::shared_ptr<const deform::Cage> LiveModel::cage_of(const scene::Document& document) {
   if (document.has_cage()) return document.cage;
   if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
@@ -97,7 +97,7 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
   derived_.reset();
 }
 
-// Everything that was derived from the old ones goes.
+// Discards everything derived from the old surfaces.
 void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
   binder_.cancel();
   deformer_.reset();
@@ -121,7 +121,7 @@ void LiveModel::start_binding(const scene::Document& document) {
   binding_text_ = document.has_cage() ? scene::text(scene::binding_plan(document, document.scheme.weighting))
                                       : "Preparing the model for probes";
   binder_.start([model = document.model.surface, cage = cage_of(document), scheme = scheme_of(document),
-                 // Weights of the staged engine are those of any other method than `fast`.
+                 // Every method except `fast` uses the staged weights.
                  method = same_path_ ? sym3::Method::diag : document.method,
                  known = bound_](base::Progress& progress) {
     return app::bind(model, cage, scheme, method, known, progress);
@@ -161,12 +161,12 @@ void LiveModel::make_deformer(const deform::Scheme& scheme) {
 void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
   binder_.cancel();
   scene::Document& document = workspace.document;
-  if (!deformer_) given_up_ = document.revisions().pose;  // the next change of a probe begins anew
+  if (!deformer_) given_up_ = document.revisions().pose;  // the next change of a probe tries again
   if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
     if (!bound_.stitches(served)) served.iterations = 0;
-    scene::give_up_scheme(document, served);
-    weights_ = document.revisions().weights;  // they are those that are bound
+    scene::revert_scheme(document, served);
+    weights_ = document.revisions().weights;  // the revision that is bound
     if (!deformer_->engine(document.method)) {
       workspace.view.same_path = false;
       document.put_method(sym3::Method::fast);
@@ -195,7 +195,7 @@ bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
   if (!deformer_) return false;
   scene::Document& document = workspace.document;
   const auto& drag = workspace.interaction.drag;
-  if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose alone
+  if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose only
   const bool editing = changes_rest(workspace);
   if (editing) derived_ = {document.revisions().pose, document.revisions().method};
   const bool deformed = !editing && deforms(document);
@@ -224,7 +224,7 @@ void LiveModel::take_carried(scene::Document& document) {
   }
 }
 
-// A pin is drawn where the model would have it if the shape had its vertex where it is wanted.
+// A pin is drawn at the model's position if the shape had the vertex at the pin's target.
 scene::Carried LiveModel::carried_pin(const scene::Document& document, const deform::Probe& probe) {
   const std::uint32_t v = probe.pin->vertex;
   const mesh::Surface& surface = *document.model.surface;
@@ -236,7 +236,7 @@ scene::Carried LiveModel::carried_pin(const scene::Document& document, const def
   return carried;
 }
 
-// The mean, by area, of the maps of the triangles about a vertex from the shape to what is drawn.
+// The area-weighted mean of the maps of the triangles at a vertex, from the shape to the drawn model.
 sym3::Mat3<double> LiveModel::map_at(const scene::Document& document, std::uint32_t v) const {
   sym3::Mat3<double> sum{};
   double area = 0;

@@ -1,4 +1,4 @@
-// The open model, bound to its cage and deformed, and frames that follow a drag.
+// The open model, bound to its cage and deformed each frame, with faster frames during a drag.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@
 
 namespace viete::app {
 
-/// The hand changes the cage itself: models stay as they are at rest.
+/// True if a drag changes the cage's rest shape: the model stays at rest.
 inline bool changes_rest(const scene::Workspace& w) {
   const auto& drag = w.interaction.drag;
   return drag && w.document.kept_pose && !drag->vertices().empty();
@@ -29,14 +29,14 @@ class DragFollower {
 public:
   using Drag = std::optional<scene::TransformDrag>;
 
-  /// Before a frame. True where a drag has ended, or moves others than it did: the next frame must be whole.
+  /// Call before a frame. True if a drag has ended or changed its vertices: the next frame must be complete.
   bool before(deform::Deformer& deformer, const Drag& drag) {
     if (!dragging_ || (drag && drag->softened() == softened_)) return false;
     deformer.end_drag();
     dragging_ = false;
     return true;
   }
-  /// After it: from the next frame on only what was deformed whole can be followed in parts.
+  /// Call after a frame: partial frames can only follow a complete one.
   void after(deform::Deformer& deformer, const Drag& drag) {
     if (drag && !dragging_ && deformer.ran() && !drag->vertices().empty())
       deformer.begin_drag(drag->vertices());
@@ -46,51 +46,51 @@ public:
 
 private:
   bool dragging_ = false;
-  int softened_ = 0;  // of the drag that is followed
+  int softened_ = 0;  // soft-selection count of the current drag
 };
 
-/// Follows the document's revisions: surfaces and weights are bound aside, while what was bound before
-/// serves; pose, blend and method are a frame. Call from one thread.
+/// Follows the document's revisions: rebinds in the background for changed surfaces or weights while the old
+/// binding stays in use; pose, blend and method only need a new frame. Call from one thread.
 class LiveModel {
 public:
   explicit LiveModel(FileDesk& files) : files_(files) {}
 
-  /// What is another one than at the last call.
+  /// Changes since the last call.
   struct Changed {
     bool document = false, cage = false;
   };
-  /// Once a frame, before deform(): takes what was bound, and begins what must be bound. `made` may bind
-  /// another cage of the document.
+  /// Call once per frame before deform(): installs a finished binding and starts a needed one. `made` may
+  /// bind another cage of the document.
   Changed follow(scene::Workspace& workspace, Bound made = {});
-  /// Waits until what must be bound is.
+  /// Waits for the needed binding.
   void finish_binding(scene::Workspace& workspace);
-  /// What asked for a binding is given up, if one is being made: the document is again as it is bound.
+  /// Cancels a running binding and reverts the setting that required it.
   void stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity);
 
-  /// Deforms the model if the pose, the blend or the method is another one than in the last frame, or a drag
-  /// has ended. Says whether it did. The first frame after a binding is only a preparation: it fills caches,
-  /// says nothing of the frames to come, and is due again.
+  /// Deforms the model if pose, blend or method changed since the last frame, or a drag has ended. Returns
+  /// true if it did. The first frame after a binding is a warm-up: it fills caches, has no meaningful timing,
+  /// and is repeated.
   bool deform(scene::Workspace& workspace, scene::FrameTimes& times);
 
   /// True if follow() or deform() would do something now.
   bool is_due(const scene::Document& document) const;
   bool binding() const { return binder_.running(); }
   bool has_result() const { return binder_.has_result(); }
-  /// True if the last frame was such a preparation.
+  /// True if the last frame was a warm-up.
   bool prepared() const { return prepared_; }
 
-  /// Of the open document; null while there is none.
+  /// For the open document; null if it has none.
   const deform::Deformer* deformer() const { return deformer_.get(); }
   const Bound& bound() const { return bound_; }
-  /// A binding of the same weights that can serve more methods: the next choice of one finds it made.
+  /// Replaces the binding by one of the same weights that supports more methods, for later use.
   void share(const std::shared_ptr<const deform::Binding>& binding);
-  /// Frames that were deformed so far: whoever measures one remembers which.
+  /// The number of deformed frames, to identify a measured one.
   unsigned long frames() const { return frames_; }
-  /// The last one took exponentials.
+  /// True if the last frame computed exponentials.
   bool takes_exponentials() const {
     return deformer_ && deformer_->ran() && deformer_->scheme().exponential();
   }
-  /// A vertex of the model as it is drawn, in the file's units.
+  /// A vertex of the model as drawn, in the file's units.
   mesh::Point vertex(const scene::Document& document, std::size_t index) const;
 
 private:
@@ -114,21 +114,21 @@ private:
   base::WorkerPool pool_;
   base::BackgroundJob<Bound> binder_;
   std::string binding_text_;
-  std::shared_ptr<const deform::Cage> no_cage_;  // where there is none; null until it is asked for
-  Bound bound_;                                  // what the deformer is made of; nothing while there is none
+  std::shared_ptr<const deform::Cage> no_cage_;  // substitute for a missing cage; null until needed
+  Bound bound_;                                  // input of the deformer; empty without one
   std::unique_ptr<deform::Deformer> deformer_;
 
-  // What was derived last; nothing: it is to be derived anew.
+  // Revisions of the last result; nullopt: derive again.
   scene::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;
   struct Derived {
     scene::Revision pose, method;
     friend bool operator==(const Derived&, const Derived&) = default;
   };
   std::optional<Derived> derived_;
-  mesh::Adjacency around_;  // triangles of vertices; empty until a pin asks
+  mesh::Adjacency around_;  // triangles at each vertex; empty until a pin needs it
   unsigned long frames_ = 0;
   bool same_path_ = false;                   // the staged engine for all methods
-  std::optional<scene::Revision> given_up_;  // pose at which the first binding was stopped
+  std::optional<scene::Revision> given_up_;  // pose at which the first binding was cancelled
   bool unprepared_ = false, prepared_ = false;
   DragFollower drag_;
 };

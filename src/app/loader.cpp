@@ -10,7 +10,7 @@ namespace viete::app {
 
 namespace {
 
-// The undo history stays where it is: it may be large, and no reading needs it.
+// Omits the undo history, which may be large and is not needed for reading.
 scene::Document without_history(const scene::Document& document) {
   scene::Document copy;
   copy.model = document.model;

@@ -1,4 +1,5 @@
-// Opens files aside, so that the view stays live: reads them, and binds the model to its cage.
+// Opens files in the background, so that the view stays responsive: reads them, and binds the model to its
+// cage.
 #pragma once
 
 #include <atomic>
@@ -15,32 +16,32 @@
 
 namespace viete::app {
 
-/// One request at a time in a thread of its own. Starting another stops the one that runs. Call from one
-/// thread. A document comes with its binding or not at all, so that whatever goes wrong, what is open stays.
+/// One request at a time in its own thread; a new one cancels the previous. Call from one thread. A document
+/// is delivered only together with its binding, so that failures leave the open document unchanged.
 class Loader {
 public:
   struct Loaded {
     scene::Opened opened;
-    ModelShading shading;                       ///< of a new model
-    Bound bound;                                ///< of a new model or cage
-    std::optional<scene::Question> question{};  ///< nothing was opened: how it can be
-    scene::OpenRequest request{};               ///< likewise: what was asked for
+    ModelShading shading;                       ///< looks of a new model
+    Bound bound;                                ///< binding of a new model or cage
+    std::optional<scene::Question> question{};  ///< if nothing was opened: how to proceed
+    scene::OpenRequest request{};               ///< if nothing was opened: the request
   };
   using Job = base::BackgroundJob<Loaded>;
 
   void start(const scene::OpenRequest& request, const scene::Document& current);
-  /// Asks the work to stop; it does so within moments, and poll() then says so.
+  /// Cancels the work, which ends soon; poll() then reports it.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
-  /// What is done now, how much of it, and for how long.
+  /// The current step, its progress and duration.
   scene::WorkState state() const;
-  /// The result once it is there, each only once. With wait, waits for it.
+  /// The result once it is available; returned only once. With `wait`, waits for it.
   std::optional<Job::Result> poll(bool wait = false) { return job_.poll(wait); }
-  /// What was done last was binding rather than reading.
+  /// True if the last step was binding, not reading.
   bool was_binding() const { return part_ && part_->binds; }
 
 private:
-  // What is done now, and since when.
+  // The current step and its start.
   struct Part {
     void begin(std::string name);
 

@@ -1,4 +1,4 @@
-// viete: the program's front door.
+// The entry point of viete.
 #include "app/program.h"
 
 int main(int argc, char** argv) {

@@ -6,9 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "app/aside.h"
 #include "app/assets.h"
+#include "app/child_process.h"
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/options.h"
 #include "base/error.h"
 
@@ -23,7 +24,7 @@ fs::path manual_folder() {
   const fs::path program = program_folder();
   for (const fs::path& folder : {program / "manual", program / ".." / "share" / "viete" / "manual"})
     if (fs::exists(folder / "index.html", ignored)) return fs::weakly_canonical(folder);
-  throw base::Error("the manual", "its pages were not made",
+  throw base::Error("the manual", "its pages are not built",
                     "read assets/manual/README.md in the sources, or install cmark-gfm and build again");
 }
 
@@ -49,7 +50,7 @@ fs::path manual_page(const std::string& chapter) {
   throw base::Error("the manual", "there is no chapter " + chapter, "choose one of " + chapters_in(folder));
 }
 
-// viete manual [CHAPTER]: the manual in the browser.
+// viete manual [CHAPTER]: opens the manual in the browser.
 
 namespace {
 
@@ -71,10 +72,11 @@ int show_manual(const std::string& chapter) {
 }  // namespace
 
 void add_manual_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("manual", "Show the manual in the browser");
+  auto* command = app.add_subcommand("manual", "Open the manual in the browser");
   auto chapter = std::make_shared<std::string>();
-  command->add_option("CHAPTER", *chapter, "Such as cages, blending or python")
+  command->add_option("CHAPTER", *chapter, "Chapter, for example cages, blending or python")
       ->default_str("the first page");
+  add_examples(*command, {"manual", "manual cages"});
   command->callback([chapter, &action] { action = [chapter] { return show_manual(*chapter); }; });
 }
 

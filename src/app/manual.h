@@ -1,4 +1,4 @@
-// The manual as pages, which the build makes of assets/manual.
+// The manual's pages, built from assets/manual.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace viete::app {
 
-/// A chapter, "cages"; empty: the first page. Beside the program, or where it is installed. Throws
-/// base::Error where there is no such chapter, naming those there are, or where the pages were not made.
+/// The page of a chapter, "cages"; empty: the first page. Next to the program, or in the install folder.
+/// Throws base::Error for an unknown chapter, listing the existing ones, or if the pages were not built.
 std::filesystem::path manual_page(const std::string& chapter);
 
 }  // namespace viete::app

@@ -58,7 +58,7 @@ void CageMarks::add_faces(const scene::Workspace& workspace, Marks& marks) {
   }
 }
 
-// Edges of selected faces count as selected; the hovered element's come last, over them.
+// Edges of selected faces count as selected; hovered edges are drawn last, on top.
 void CageMarks::add_edges(const scene::Workspace& workspace, const render::Theme& theme, Marks& marks) {
   const auto& document = workspace.document;
   const auto kind = document.selection.kind();
@@ -87,9 +87,9 @@ void CageMarks::draw(const render::View& view, const render::Theme& theme) const
 
 namespace {
 
-constexpr std::size_t most = 20000;  // elements; more would be a carpet
+constexpr std::size_t most = 20000;  // elements drawn; more would cover the surface
 
-// Numbers the vertices of a few elements, so that only those are drawn and moved.
+// Renumbers the vertices of a few elements, so that only those are drawn and updated.
 class Numbering {
 public:
   std::uint32_t operator()(std::uint32_t vertex) {

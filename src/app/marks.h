@@ -1,4 +1,4 @@
-// Marks over model and cage: selected and hovered parts of the cage, and problems found by the checks.
+// Highlights on model and cage: selected and hovered elements of the cage, and findings of the checks.
 #pragma once
 
 #include <functional>
@@ -14,19 +14,19 @@ class CageMarks {
 public:
   explicit CageMarks(const render::Gl& gl) : selected_faces_(gl), hovered_face_(gl), edges_(gl) {}
 
-  /// Every frame, after the cage was posed: what the workspace's selection and pointer say now. Vertices are
-  /// not marked here. Returns whether that is something else than before.
+  /// Call every frame after the cage was posed: updates from the selection and pointer. Vertices are drawn
+  /// elsewhere. Returns true on a change.
   bool set(const scene::Workspace& workspace, const render::Theme& theme);
-  /// The next set() finds something else.
+  /// Forces an update in the next set().
   void forget() { marks_.reset(); }
-  /// After the cage's lines.
+  /// Call after drawing the cage's lines.
   void draw(const render::View& view, const render::Theme& theme) const;
 
 private:
   struct Marks {
     std::vector<render::Triangle> selected, hovered;  // faces
     std::vector<render::Segment> edges;
-    std::vector<glm::vec4> colors;  // of these
+    std::vector<glm::vec4> colors;  // one per edge
     std::vector<mesh::Point> positions;
     friend bool operator==(const Marks&, const Marks&) = default;
   };
@@ -39,17 +39,17 @@ private:
   render::LineLayer edges_;
 };
 
-/// Where a vertex of the model is drawn.
+/// The drawn position of a model vertex.
 using PointOfVertex = std::function<mesh::Point(std::size_t)>;
 
 class FindingMarks {
 public:
   explicit FindingMarks(const render::Gl& gl) : faces_(gl), edges_(gl), vertices_(gl) {}
 
-  /// Every frame: follows what the workspace shows. moved: the positions are others than in the last frame.
-  /// Returns whether there is something else to draw than before.
+  /// Call every frame: updates from the shown finding. moved: positions changed since the last frame. Returns
+  /// true if the drawing changes.
   bool set(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved);
-  /// After everything else: it is seen through what hides it.
+  /// Call last: drawn on top, visible through other objects.
   void draw(const render::View& view, const render::Theme& theme) const;
 
 private:
@@ -58,7 +58,7 @@ private:
   render::FaceLayer faces_;
   render::LineLayer edges_;
   render::DiscLayer vertices_;
-  std::vector<std::uint32_t> used_;  // the surface's vertices that the layers hold, in their order
+  std::vector<std::uint32_t> used_;  // vertices of the surface in the layers, in order
   unsigned long revision_ = 0;
   bool dark_ = true;
 };

@@ -21,7 +21,7 @@ namespace {
 using scene::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
-// Larger weights of the staged engine are made only when a method that needs them is chosen.
+// Larger staged weights are computed only when a method that needs them is chosen.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_weights(const TimedPose& timed) {
@@ -58,7 +58,7 @@ MethodTimings time_methods(TimedPose timed, base::Progress& progress) {
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);
   std::array<std::vector<deform::LinkTimes>, compared_methods.size()> frames;
-  for (std::size_t round = 0; round <= timed_rounds; ++round) {  // the first one fills caches
+  for (std::size_t round = 0; round <= timed_rounds; ++round) {  // the first round fills caches
     for (std::size_t m = 0; m < frames.size(); ++m) {
       progress.report(0);
       if (!deformer.engine(compared_methods[m])) continue;

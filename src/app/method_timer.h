@@ -1,4 +1,4 @@
-// Times and errors of every method, on whole frames and on a sample of the frame's matrices.
+// Times and errors of every method, for whole frames and for a sample of the frame's matrices.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace viete::app {
 
-/// A pose of a bound model, to be timed.
+/// A pose of a bound model to time.
 struct TimedPose {
   Bound bound;
   deform::Scheme scheme;
@@ -28,36 +28,36 @@ struct TimedPose {
 
 struct MethodTimings {
   scene::MethodTimes times;
-  /// The binding, with the weights of the staged engine where these are small enough to be made unasked.
+  /// The binding, including staged weights if they are small enough to compute without being requested.
   std::shared_ptr<const deform::Binding> binding;
 };
 
-/// Medians of interleaved frames, with a deformer and a pool of its own. Throws base::Error where memory is
-/// missing, and base::Cancelled between two frames. Thread-safe.
+/// Medians of interleaved frames, with its own deformer and pool. Throws base::Error if memory does not
+/// suffice, and base::Cancelled between frames. Thread-safe.
 MethodTimings time_methods(TimedPose timed, base::Progress& progress);
 
 inline constexpr std::size_t probe_limit = 2048;
 
-/// NaN where an error is; 0 of none.
+/// NaN if any error is NaN; 0 for an empty list.
 std::pair<double, double> worst_and_median(std::vector<double> errors);
 
-/// At most so many of the matrices, evenly spread.
+/// At most `most` of the matrices, evenly spread.
 std::vector<sym3::Sym3<double>> spread_sample(std::span<const sym3::Sym3<double>> matrices, std::size_t most);
 
-/// Times and errors of all compared methods on these matrices: medians of interleaved runs in processor time,
-/// errors against the reference of 106 bits.
+/// Times and errors of all compared methods on these matrices: medians of interleaved runs in CPU time,
+/// errors against the 106-bit reference.
 scene::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
-/// Measures the newest sample it was given in the background, and rests in between.
+/// Measures the newest sample in the background, with pauses.
 class MethodProbe {
 public:
-  /// True when it would take a new sample now: it is idle and a third of a second has passed.
+  /// True if it accepts a new sample: it is idle and a third of a second has passed.
   bool ready() const;
   /// Copies at most 2,048 of the matrices, evenly spread.
   void offer(std::span<const sym3::Sym3<double>> matrices);
-  /// What is being measured is not wanted any more.
+  /// Discards the running measurement.
   void forget() { job_.cancel(); }
-  /// The newest result, each only once. With wait, waits for the one that is being measured.
+  /// The newest result; returned only once. With `wait`, waits for the running measurement.
   std::optional<scene::MethodStats> poll(bool wait = false);
   /// True when poll() would give a result.
   bool has_result() const { return job_.has_result(); }

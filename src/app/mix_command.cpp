@@ -1,10 +1,11 @@
-// viete mix REST --shape FILE=0.5 ... -o OUT: a model as a mix of its shapes.
+// viete mix REST --shape FILE=0.5 ... -o OUT: a weighted mix of a model's shapes.
 #include <charconv>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
@@ -33,7 +34,7 @@ struct MixOptions {
   mesh::Digits digits;
 };
 
-// "smile.obj=0.5".
+// Parses "smile.obj=0.5".
 Share share_of(const std::string& text) {
   const auto equals = text.rfind('=');
   double weight = 0;
@@ -49,7 +50,7 @@ Share share_of(const std::string& text) {
   return {text.substr(0, equals), weight};
 }
 
-// "face.glb:smile" is a shape of a file that holds several.
+// "face.glb:smile" selects a shape of a file with several.
 void split_name(Share& share) {
   const std::string text = share.file.string();
   std::error_code ignored;
@@ -70,8 +71,8 @@ scene::SharedShape shape_of(const Share& share, const std::vector<scene::NamedSh
   }
   throw base::Error(
       share.file.string(),
-      share.name.empty() ? "it holds several shapes" : "it holds no shape of the name " + share.name,
-      "name one of them behind a colon: " + names + (shapes.size() > most ? " ..." : ""));
+      share.name.empty() ? "it contains several shapes" : "it contains no shape named " + share.name,
+      "append one of these names after a colon: " + names + (shapes.size() > most ? " ..." : ""));
 }
 
 std::vector<std::string> write_mix(MixOptions options) {
@@ -94,7 +95,7 @@ std::vector<std::string> write_mix(MixOptions options) {
 }
 
 int mix(const MixOptions& options) {
-  return unless_stopped(options.output, [&] {
+  return run_cancellable(options.output, [&] {
     print_notes(write_mix(options));
     return exit_ok;
   });
@@ -103,7 +104,7 @@ int mix(const MixOptions& options) {
 }  // namespace
 
 void add_mix_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("mix", "Mix shapes of a model and write it");
+  auto* command = app.add_subcommand("mix", "Combine weighted shapes of a model");
   auto o = std::make_shared<MixOptions>();
   command->add_option("REST", o->rest, mesh::a_mesh())->required();
   command
@@ -112,16 +113,18 @@ void add_mix_command(CLI::App& app, Action& action) {
           [o](const std::vector<std::string>& texts) {
             for (const auto& text : texts) o->shares.push_back(share_of(text));
           },
-          "A shape of the same faces and how much of it, smile.obj=0.5; of a file that holds several, "
-          "face.glb:smile=0.5. As often as there are shapes")
+          "Shape with the same faces and its weight: smile.obj=0.5, or face.glb:smile=0.5 for one of several "
+          "in a file; repeatable")
       ->allow_extra_args(false)
       ->option_text("FILE=WEIGHT ...")
       ->required();
-  add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
+  add_file_option(*command, "-o,--output", o->output, "Mesh file to write; the extension sets the format")
       ->required();
-  command->add_flag("--straight", o->straight, "Vertices go in straight lines, as in other programs");
+  command->add_flag("--straight", o->straight, "Combine vertex positions instead of maps");
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
+  add_examples(*command, {"mix rest.obj --shape smile.obj=0.5 -o mixed.obj",
+                          "mix rest.obj --shape face.glb:smile=1 --shape sad.obj=-0.2 -o mix.ply"});
   command->callback([o, &action] { action = [o] { return mix(*o); }; });
 }
 

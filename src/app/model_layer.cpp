@@ -33,7 +33,7 @@ public:
     make_runs();
     for (const mesh::Color& c : given_.colors) made_.looks.colors.push_back(bytes_of(c));
     made_.looks.colors_of_corners = shows_colors_of_faces();
-    made_.says_something |= !made_.looks.colors.empty();
+    made_.has_looks |= !made_.looks.colors.empty();
     return std::move(made_);
   }
 
@@ -42,7 +42,7 @@ private:
     mesh::Triangle vertices, corners;
     std::uint32_t polygon;
   };
-  using Look = std::pair<std::uint32_t, bool>;  // material, flat
+  using Look = std::pair<std::uint32_t, bool>;  // material, flat shading
 
   void sort_triangles() {
     std::size_t t = 0, g = 0;
@@ -57,10 +57,10 @@ private:
     });
   }
 
-  // Those of vertices go before.
+  // Vertex colours take precedence.
   bool shows_colors_of_faces() const { return given_.colors.empty() && !given_.polygon_colors.empty(); }
 
-  // The file gives its corners the normal of the face, where that of all faces around is another.
+  // The corners have the face normal, while all adjacent faces have another: a sharp edge.
   bool stands_across_an_edge(const Triangle& t) const {
     if (given_.corner_normal.empty()) return false;
     const auto& p = surface_.positions;
@@ -103,10 +103,10 @@ private:
     run.color = {light_of(c[0]), light_of(c[1]), light_of(c[2])};
     run.repeats = material.repeats;
     if (material.base_color_image < given_.images.size()) run.image = image(material.base_color_image);
-    made_.says_something |= run.image >= 0 || c[0] != c[1] || c[1] != c[2];
+    made_.has_looks |= run.image >= 0 || c[0] != c[1] || c[1] != c[2];
   }
 
-  // Its number among those that are shown, or -1.
+  // Its index among the displayed images, or -1.
   int image(std::uint32_t index) {
     const auto [at, added] = images_.try_emplace(index, -1);
     if (!added) return at->second;
@@ -114,7 +114,7 @@ private:
     const mesh::ImageFile& file = given_.images[index];
     const std::string place = file.path.empty() ? file.name : file.path.string();
     try {
-      if (!file.bytes && file.path.empty()) return -1;  // reading has said why
+      if (!file.bytes && file.path.empty()) return -1;  // reported while reading
       render::Image decoded =
           file.bytes
               ? render::decode_image(place, *file.bytes, longest_side)
@@ -122,12 +122,12 @@ private:
                     place, mesh::FileBytes(file.path, nullptr, mesh::most_image_bytes).view(), longest_side);
       pixels_ += static_cast<std::size_t>(decoded.width) * static_cast<std::size_t>(decoded.height);
       if (pixels_ > most_pixels_)
-        throw base::Error(place, "the pictures of the model have more than 128 million pixels together",
-                          "make them smaller");
+        throw base::Error(place, "the model's textures have more than 128 million pixels in total",
+                          "reduce their size");
       made_.looks.images.push_back(std::move(decoded));
       at->second = static_cast<int>(made_.looks.images.size()) - 1;
     } catch (const base::Error& error) {
-      made_.warnings.push_back(std::string(error.what()) + "; shown without it");
+      made_.warnings.push_back(std::string(error.what()) + "; shown without this texture");
     }
     return at->second;
   }
@@ -185,7 +185,7 @@ void ModelLayer::set_rest(const scene::Document& document, const ModelShading& s
   shadow_.set_positions(document.model.surface->positions);
 }
 
-// The rooms do not know each other; their vertices are the same bytes.
+// Both rooms define a vertex type of identical layout.
 void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
   using From = deform::FrameVertex;
   using To = render::SurfaceVertex;

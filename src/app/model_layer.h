@@ -1,4 +1,4 @@
-// The model as one view shows it: its surface, colours and shadow.
+// The model in one view: its surface, colours and shadow.
 #pragma once
 
 #include <memory>
@@ -20,27 +20,27 @@
 namespace viete::app {
 
 struct ModelLooks {
-  std::vector<mesh::Triangle> triangles;  ///< of the surface, those that look alike together
-  render::SurfaceLooks looks;             ///< of these
-  bool says_something = false;            ///< there are colours, images, or materials that are not grey
-  std::vector<std::string> warnings;      ///< of images that cannot be shown, one line each
+  std::vector<mesh::Triangle> triangles;  ///< triangles of the surface, grouped by look
+  render::SurfaceLooks looks;             ///< one look per group
+  bool has_looks = false;                 ///< it has colours, images, or materials that are not grey
+  std::vector<std::string> warnings;      ///< about images that cannot be shown, one line each
 };
 
-/// normals: of the vertices, at rest. Images are decoded, those of files beside are read; what is wrong with
-/// one costs that image. Triangles of a group that is flat in the file, or whose normals there stand across
-/// an edge, are flat. Thread-safe.
+/// normals: of the vertices at rest. Decodes images and reads external image files; a damaged image is
+/// skipped. Triangles are flat shaded if their group is flat in the file, or its normals are perpendicular to
+/// them. Thread-safe.
 ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attributes,
                     std::span<const mesh::Point> normals);
 
-/// What drawing a model needs besides its surface, computed once per model.
+/// Data for drawing a model besides its surface, computed once per model.
 struct ModelShading {
   std::shared_ptr<const mesh::Surface> surface;  ///< the model it belongs to; null: none
   std::vector<mesh::Point> normals;              ///< at rest
   std::vector<float> occlusion;                  ///< see mesh/cavity.h
-  ModelLooks looks;                              ///< empty where the file says nothing
+  ModelLooks looks;                              ///< empty if the file has no materials
 };
 
-/// attributes: null for none. Linear time, a third of a second for a million triangles, and what images take.
+/// attributes may be null. Linear time, a third of a second for a million triangles, plus decoding images.
 /// Thread-safe.
 ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes);
 
@@ -51,14 +51,14 @@ public:
   /// New topology, at rest.
   void set_document(const scene::Document& document, const ModelShading& shading);
   void set_rest(const scene::Document& document, const ModelShading& shading);
-  /// Deformed, relative to origin in the file's coordinates.
+  /// Deformed positions, relative to origin in file coordinates.
   void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
-  /// What the mesh is coloured by: its mask where that is shown, else the field, if there are values of it.
-  /// Says whether that is another one than before.
+  /// Colours the mesh by its mask if that is shown, else by the field if it has values. Returns true on a
+  /// change.
   bool set_colors(const scene::Workspace& workspace, lab::Field field, const scene::FieldView& shown);
-  /// The next set_colors() uploads them anew.
+  /// Forces an upload in the next set_colors().
   void forget() { colored_.reset(); }
-  /// Of the surface's style: what the colours span.
+  /// Sets the colour range in the surface's style.
   void span(render::SurfaceStyle& style, const scene::FieldView& shown) const;
 
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {
@@ -76,7 +76,7 @@ private:
   render::ShadowLayer shadow_;
   render::LineLayer strokes_;
   std::size_t vertices_ = 0;
-  // What the model is coloured by; nothing: it is to be uploaded anew.
+  // The current colouring; nullopt: upload again.
   struct Colored {
     bool by_mask = false, dark = false;
     deform::Mask mask;

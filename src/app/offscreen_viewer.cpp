@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 
 namespace viete::app {
 
@@ -42,7 +42,7 @@ const std::map<std::string, scene::StandardView> looks = {
     {"right", scene::StandardView::right},  {"top", scene::StandardView::top},
     {"bottom", scene::StandardView::bottom}};
 
-// Flags switch on top of what the session, or else the default for pictures, has.
+// Flags are applied on top of the session's options, or of the defaults for pictures.
 scene::ViewOptions view_of(const PictureOptions& options, const std::optional<scene::Session>& session) {
   scene::ViewOptions view = session ? session->view : scene::ViewOptions{.panels = false, .hints = false};
   view.panels = options.panels || (options.panels_of_session && view.panels);
@@ -57,7 +57,7 @@ scene::ViewOptions view_of(const PictureOptions& options, const std::optional<sc
   return view;
 }
 
-// A view each, in the order of the words; what a word does not say is as the document has it.
+// One view per word, in order; unspecified settings are those of the document.
 void split(scene::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
   std::vector<scene::SideWay> views;
@@ -65,14 +65,14 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
     scene::SideWay view{w.document.scheme, w.document.method, w.view.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "straight")
-      view.other_lines = (word == "straight") != w.document.timeline.straight;
+      view.other_blending = (word == "straight") != w.document.timeline.straight;
     const auto way = std::ranges::find(deform::all_ways(), word, &deform::WayEntry::name);
     if (way != deform::all_ways().end()) view.scheme = deform::scheme_of(way->value, w.document.scheme);
     views.push_back(std::move(view));
   }
-  if (views[0].other_lines) {
+  if (views[0].other_blending) {
     scene::set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
-    for (scene::SideWay& view : views) view.other_lines = !view.other_lines;
+    for (scene::SideWay& view : views) view.other_blending = !view.other_blending;
   }
   w.document.put_scheme(views[0].scheme);
   w.document.put_method(views[0].method);
@@ -80,9 +80,9 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
   w.viewport = scene::viewport_of(w.split, w.viewport, 0);
 }
 
-// A session has its own camera, which that of another one or another look replaces.
+// The session's camera, unless --camera or --look replace it.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
-  viewer.frame(0);  // places the viewport that framing needs
+  viewer.frame(0);  // sets the viewport needed for framing
   if (!options.camera.empty()) {
     const auto camera = scene::read_session(options.camera).camera;
     if (!camera)
@@ -97,11 +97,11 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   scene::frame_all(workspace, false);
 }
 
-// What was asked for and is not in the picture.
+// Warns about requested items that are not in the picture.
 void print_missing(const scene::Workspace& w) {
   if (scene::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
-                 " here: it needs a cage and a blend in log space, or something that moves"});
+                 " here: it needs a cage and a blend in log space, or motion"});
   if (!w.field.problem.empty()) throw base::Error("", w.field.problem);
   for (const scene::SideView& side : w.split.sides)
     for (const std::string& problem : {side.problem, side.shown.problem})
@@ -116,17 +116,17 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   if (session && session->window && !options.size_given) viewer.size = *session->window;
   const glm::dvec2 pixels = static_cast<double>(viewer.scale) * glm::dvec2(viewer.size);
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
-    throw base::Error("picture", "it would have more than 268 million pixels",
-                      "ask for a smaller size or scale");
+    throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
   const int most = offscreen->viewer().longest_side();
   if (pixels.x > most || pixels.y > most)
-    throw base::Error("picture", "no side may be longer than " + std::to_string(most) + " pixels here",
-                      "ask for a smaller size or scale");
+    throw base::Error("picture",
+                      "a side is longer than " + std::to_string(most) + " pixels, the limit of this renderer",
+                      "use a smaller --size or --scale");
   scene::Workspace& workspace = offscreen->viewer().workspace();
-  scene::take(workspace, std::move(opened));
+  scene::apply_opened(workspace, std::move(opened));
   workspace.view = view_of(options, session);
-  workspace.attended = workspace.tools = false;
+  workspace.has_user = workspace.tools = false;
   split(workspace, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;
@@ -148,36 +148,35 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   in_range(scale, 0.5, 4)->default_str("1");
   auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
-  add_file_option(command, "--camera", options.camera, "Seen as that session is");
+  add_file_option(command, "--camera", options.camera, "Camera of this session");
   auto* shading = command.add_option("--shading", options.shading,
-                                     "clay, porcelain, jade, file (as it says), checker, normals or zebra");
+                                     "clay, porcelain, jade, file, checker, normals or zebra");
   one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
   command.add_flag("--show-cage", options.cage, "Draw the cage");
-  command.add_flag("--panels", options.panels, "With the panels");
+  command.add_flag("--panels", options.panels, "Draw the panels of the window");
   command.add_flag("--light", options.light, "Light theme");
-  command.add_flag("--wireframe", options.wireframe, "With the edges of the mesh");
+  command.add_flag("--wireframe", options.wireframe, "Draw the edges of the mesh");
   std::vector<std::string> maps;
   for (const base::Choice& choice : choices(lab::Field::none)) maps.emplace_back(choice.word);
-  auto* map = command.add_option("--map", options.map, "Colour the mesh by this map");
+  auto* map = command.add_option("--map", options.map, "Colour map, see 'viete help deformers'");
   one_of(map, maps)->default_str("none");
   std::vector<std::string> compared;
   for (const deform::WayEntry& entry : deform::all_ways()) compared.emplace_back(entry.name);
   for (const sym3::Method method : scene::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "straight"});
-  auto* compare = command.add_option(
-      "--compare", options.compare,
-      "Two to four ways or methods, such as smooth,rigid; or log,straight: a view of each");
+  auto* compare = command.add_option("--compare", options.compare,
+                                     "Compare 2 to 4 deformers or methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
-  command.add_flag("--error-map", options.error_map, "The same as --map exp-error");
+  command.add_flag("--error-map", options.error_map, "Same as --map exp-error");
   auto* width = command.add_option_function<double>(
       "--line-width",
       [&options](double points) {
         constexpr double pixels_per_point = 96.0 / 72;
         options.viewer.cage_width = options.viewer.wire_width = static_cast<float>(points * pixels_per_point);
       },
-      "Of the cage and the edges of the mesh, in points: 72 are an inch, as 96 logical pixels are");
+      "Line width in points");
   in_range(width, 0.05, 20)->default_str("0.94");
-  command.add_flag("--no-grid", options.no_grid, "Without the ground grid");
+  command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }
 
 void take_given(const CLI::App& command, PictureOptions& options) {

@@ -13,12 +13,12 @@ namespace viete::app {
 
 class OffscreenViewer {
 public:
-  /// OffscreenContext::create() throws base::Error when there is no such context.
+  /// OffscreenContext::create() throws base::Error if there is no such context.
   explicit OffscreenViewer(const ViewerOptions& options, std::unique_ptr<platform::OffscreenContext> context =
                                                              platform::OffscreenContext::create());
 
   Viewer& viewer() { return viewer_; }
-  /// Frames of 1/60 s until the picture is at rest: fonts and windows settled, model bound, nothing moving.
+  /// Renders frames of 1/60 s until nothing changes: fonts and windows settled, model bound, no motion.
   void settle();
 
 private:
@@ -39,22 +39,22 @@ struct PictureOptions {
   ViewerOptions viewer{.samples = 4};
   bool panels = false, light = false, error_map = false, cage = false, wireframe = false, no_grid = false;
   std::string look = "home", shading, map;
-  std::vector<std::string> compare;             ///< ways or methods, a view each
-  std::filesystem::path camera;                 ///< a session whose camera is taken; empty: none
-  bool panels_of_session = true;                ///< are shown where its window had them
-  bool size_given = false, look_given = false;  ///< after parsing, see take_given()
+  std::vector<std::string> compare;             ///< deformers or methods, one view each
+  std::filesystem::path camera;                 ///< a session to take the camera from; empty: none
+  bool panels_of_session = true;                ///< show panels if the session's window did
+  bool size_given = false, look_given = false;  ///< set after parsing, see take_given()
 };
 
 /// --size, --scale, --look, --shading and flags. The target must outlive parsing.
 void add_picture_options(CLI::App& command, PictureOptions& options);
-/// What was given, and not left as it is.
+/// Records which options were given explicitly.
 void take_given(const CLI::App& command, PictureOptions& options);
 
-/// A viewer of what was opened, with the camera and the view of its session where these are not asked for
-/// otherwise. Its first picture is there once it has settled.
+/// A viewer of the opened document, with the camera and view of its session unless options override them. Its
+/// first picture is ready after settle().
 std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene::Opened&& opened);
 
-/// What the viewer has to say, on stderr. Throws base::Error where it could not do its work.
+/// Prints the viewer's messages to stderr. Throws base::Error if it failed.
 void print_messages(const scene::Workspace& workspace);
 
 }  // namespace viete::app

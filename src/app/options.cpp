@@ -8,7 +8,9 @@
 
 #include "app/help.h"
 #include "base/text.h"
+#include "deform/probe.h"
 #include "deform/scheme.h"
+#include "lab/field.h"
 #include "scene/document/range.h"
 #include "scene/workspace/frame_stats.h"
 
@@ -23,7 +25,7 @@ bool read_whole_text(const std::string& text, Number& number) {
   return code == std::errc() && stop == end;
 }
 
-// "0.5", "1,000,000".
+// Formats "0.5", "1,000,000".
 std::string number_text(double number) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
@@ -38,7 +40,7 @@ CLI::Option* limit(CLI::Option* option, Number low, Number high, const std::stri
   option->option_text("NUMBER")->description(option->get_description() + ", " + range);
   return option->check([=](const std::string& text) -> std::string {
     Number number{};
-    if (read_whole_text(text, number) && number >= low && number <= high) return {};  // NaN is neither
+    if (read_whole_text(text, number) && number >= low && number <= high) return {};  // NaN is out of range
     return "needs " + what + " from " + range + ", not " + text;
   });
 }
@@ -68,8 +70,7 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
 }
 
 void add_force_option(CLI::App& app, bool& force) {
-  app.add_flag("--force", force,
-               "Also replace a file that is read, or one that holds something else than what is written");
+  app.add_flag("--force", force, "Allow overwriting inputs and files of other kinds");
 }
 
 scene::Force force_of(bool given) {
@@ -81,26 +82,45 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
   std::vector<std::string> words;
   for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));
   auto* option = app.add_option_function<std::string>(
-      "--method", [take](const std::string& word) { take(*sym3::method_from_name(word)); },
-      "How exp is computed: " + listed(words));
+      "--method", [take](const std::string& word) { take(*sym3::method_from_name(word)); }, listed(words));
   one_of(option, words)->default_str("fast");
 }
 
 CLI::Option* add_way_option(CLI::App& app, std::optional<deform::Way>& way) {
-  return add_choice(app, "--way", "How the cage moves the mesh", deform::all_ways(), way)
+  return add_choice(app, "--deformer", "Deformer, see 'viete help deformers'", deform::all_ways(), way)
       ->default_str("smooth");
 }
 
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
-  add_choice(app, "--weights", "How much of each face or vertex of the cage a vertex takes",
-             deform::all_weights(), choice.weights);
-  add_choice(app, "--blend", "What of the maps is summed", deform::all_blends(), choice.blend);
+  add_choice(app, "--weights", "Weights, see 'viete help deformers'", deform::all_weights(), choice.weights);
+  add_choice(app, "--blend", "Blend of maps, see 'viete help deformers'", deform::all_blends(), choice.blend);
+}
+
+std::string deformers_help() {
+  std::string text = "Choices of the options of viete\n";
+  const auto list = [&text](const char* title, const auto& table) {
+    text += std::string("\n") + title + ":\n";
+    for (const auto& e : table) text += help_line(std::string(e.name), std::string(e.sentence));
+  };
+  list("Deformers (--deformer)", deform::all_ways());
+  list("Weights (--weights)", deform::all_weights());
+  list("Blends (--blend)", deform::all_blends());
+  list("Falloffs of probes", deform::all_falloffs());
+  text += "\nMethods (--method):\n";
+  for (const sym3::Method method : scene::compared_methods)
+    text += help_line(std::string(sym3::name(method)),
+                      std::ranges::find(sym3::methods(), method, &sym3::MethodEntry::method)->sentence);
+  text += "\nMaps (--map):\n";
+  for (const base::Choice& map : choices(lab::Field::none))
+    text += help_line(std::string(map.word), std::string(map.hint));
+  text.pop_back();
+  return text;
 }
 
 void add_radius_option(CLI::App& app, std::optional<double>& asked) {
   auto* radius = app.add_option_function<double>(
       "--radius", [&asked](double percent) { asked = deform::radius_from_percent(percent); },
-      "Of cut-off weights: where they end, in percent of the cage's size");
+      "Radius of cutoff weights in percent of the cage's size");
   in_range(radius, 100 * deform::least_radius, 100 * deform::largest_radius)
       ->option_text("PERCENT")
       ->default_str("25");
@@ -115,24 +135,20 @@ CLI::Option* add_percent_option(CLI::App& app, const std::string& name, std::opt
   return app.add_option_function<double>(name, take, text)->option_text("PERCENT");
 }
 
-// The second option counts, where it is given.
-void add_stitching_options(CLI::App& app, scene::AskedSettings& asked) {
+// The second option takes precedence.
+void add_stitching_options(CLI::App& app, scene::RequestedSettings& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
-      "As rigid as possible: triangles follow the blended maps, and the mesh's vertices are solved for");
+      "As-rigid-as-possible solve over the whole mesh");
   auto* number = app.add_option_function<int>(
-      "--iterations", [&iterations](int n) { iterations = n; },
-      "Of --stitched: how often they are solved for, rotations being fitted anew in between");
+      "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
-  add_percent_option(
-      app, "--pins", asked.pins, deform::share_from_percent, 100,
-      "Of a stitched mesh: vertices so near to an element of the cage follow it, the nearer the more, in "
-      "percent of the cage's size")
+  add_percent_option(app, "--pins", asked.pins, deform::share_from_percent, 100,
+                     "Stitching: distance of attached vertices")
       ->default_str("0");
-  add_percent_option(
-      app, "--hold", asked.hold, deform::share_from_percent, 100,
-      "Of a stitched mesh: how firmly every vertex is held where it would be if it was not stitched")
+  add_percent_option(app, "--hold", asked.hold, deform::share_from_percent, 100,
+                     "Stitching: pull to the unstitched shape")
       ->default_str("0");
 }
 
@@ -149,11 +165,9 @@ void add_digits_option(CLI::App& app, mesh::Digits& digits) {
       throw CLI::ValidationError("--digits", "needs a number from 0 to 17, or all, not " + text);
     }
   };
-  app.add_option_function<std::string>(
-         "--digits", take,
-         "Decimals of what moved in text files, or all: as many as give the very same numbers again")
+  app.add_option_function<std::string>("--digits", take, "Decimals in text files, or all")
       ->option_text("NUMBER|all")
-      ->default_str("as many as the model's file has");
+      ->default_str("as in MODEL");
 }
 
 void add_size_option(CLI::App& app, glm::ivec2& size) {
@@ -169,7 +183,7 @@ void add_size_option(CLI::App& app, glm::ivec2& size) {
              throw CLI::ValidationError("--size", "needs at most as many pixels as 16384x16384, not " + text);
            size = {w, h};
          },
-         "Size of the picture in logical pixels, each 16 to 32768")
+         "Picture size, 16 to 32768 pixels")
       ->option_text("WIDTHxHEIGHT")
       ->default_str("1280x800");
 }

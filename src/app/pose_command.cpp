@@ -1,4 +1,4 @@
-// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: a model posed by its examples.
+// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: poses a model by pins and example shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/command_line.h"
+#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
@@ -41,7 +42,7 @@ struct PoseOptions {
   mesh::Digits digits;
 };
 
-// "1234=0.1,2,-3".
+// Parses "1234=0.1,2,-3".
 Pin pin_of(const std::string& text, const std::string& option, bool holds) {
   unsigned vertex = 0;
   mesh::Point p;
@@ -63,7 +64,7 @@ void add_pins_option(CLI::App& command, const std::string& name, bool holds, con
           [o, name, holds](const std::vector<std::string>& texts) {
             for (const auto& t : texts) o->pins.push_back(pin_of(t, name, holds));
           },
-          text + ". As often as there are such pins")
+          text + "; repeatable")
       ->allow_extra_args(false)
       ->option_text("VERTEX=x,y,z ...");
 }
@@ -73,23 +74,24 @@ void check_pins(const PoseOptions& options, const mesh::Surface& model) {
   for (const Pin& pin : options.pins) {
     if (pin.vertex >= model.positions.size())
       throw base::Error(options.rest.string(),
-                        "there is no vertex " + std::to_string(pin.vertex) +
-                            ": they are numbered from 0 to " + std::to_string(model.positions.size() - 1),
-                        "pin one of them");
+                        "vertex " + std::to_string(pin.vertex) +
+                            " does not exist: vertices are numbered 0 to " +
+                            std::to_string(model.positions.size() - 1),
+                        "choose one of these");
     vertices.push_back(pin.vertex);
   }
   std::ranges::sort(vertices);
   const auto twice = std::ranges::adjacent_find(vertices);
   if (twice != vertices.end())
     throw base::Error(options.rest.string(), "vertex " + std::to_string(*twice) + " is pinned twice",
-                      "pin it to one place");
+                      "pin it to a single position");
 }
 
 struct Posed {
   std::vector<mesh::Point> positions;
   std::vector<double> weights;
   int steps;
-  double farthest;  // of a pin from its target, in diagonals of the model
+  double farthest;  // largest distance of a pin to its target, in diagonals of the model
 };
 
 Posed posed(const PoseOptions& options, const mesh::Surface& model,
@@ -143,48 +145,45 @@ int write_pose(const PoseOptions& options) {
   const Posed result = posed(options, *what.model, examples, work->progress());
   what.shape = std::make_shared<const std::vector<mesh::Point>>(result.positions);
   std::vector<std::string> notes = write_shape(what, "the pose", &work->progress());
-  work.reset();  // its line gives way to what is said
+  work.reset();  // removes the progress line before output
   if (result.steps == most_steps)
-    notes.push_back("it still moves after " + std::to_string(most_steps) + " steps, and was left there");
+    notes.push_back("not converged after " + std::to_string(most_steps) + " steps; this is the last step");
   print_notes(notes);
   say(options, result, examples);
   return exit_ok;
 }
 
 int pose(const PoseOptions& options) {
-  return unless_stopped(options.output, [&] { return write_pose(options); });
+  return run_cancellable(options.output, [&] { return write_pose(options); });
 }
 
 }  // namespace
 
 void add_pose_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("pose", "Pose a model by its vertices and by examples and write it");
+  auto* command = app.add_subcommand("pose", "Pose a model by pinned vertices and example shapes");
   auto o = std::make_shared<PoseOptions>();
   command->add_option("REST", o->rest, mesh::a_mesh())->required();
   command
-      ->add_option(
-          "--examples", o->examples,
-          "Shapes of the model whose ways it has: a model of the same faces, numbered ones (pose_##.obj), a "
-          "point cache, a glTF file with morph targets; as often as wanted. Without any it is as rigid as "
-          "possible")
+      ->add_option("--examples", o->examples,
+                   "Example shapes: meshes, numbered meshes (pose_##.obj), point cache or glTF morph "
+                   "targets; repeatable (default: none, as rigid as possible)")
       ->allow_extra_args(false)
       ->option_text("FILE ...");
-  add_pins_option(*command, "--pin", true, "A vertex (from 0) and the place where it is held", o);
-  add_pins_option(*command, "--pull", false, "The same of a vertex that is pulled there", o);
-  auto* firmness = command->add_option("--firmness", o->firmness, "How much vertices are pulled");
-  in_range(firmness, 1e-6, 1e6)->default_str("1; about as much as neighbours hold each other");
-  auto* freedom =
-      command->add_option("--freedom", o->settings.freedom,
-                          "How freely it turns off the blend of examples: 0 near them, 1 stretches "
-                          "least");
+  add_pins_option(*command, "--pin", true, "Vertex number, from 0, and its exact position", o);
+  add_pins_option(*command, "--pull", false, "Vertex number and the position it is pulled to", o);
+  auto* firmness = command->add_option("--firmness", o->firmness, "Strength of --pull");
+  in_range(firmness, 1e-6, 1e6)->default_str("1");
+  auto* freedom = command->add_option("--freedom", o->settings.freedom, "Freedom to leave the examples");
   in_range(freedom, 0, 1)->default_str("0.3; 1 without examples");
   auto* restraint =
-      command->add_option("--restraint", o->settings.restraint, "How near to 0 weights of examples stay");
+      command->add_option("--restraint", o->settings.restraint, "Regularisation of the example weights");
   in_range(restraint, 0, 1e3)->default_str("0.001");
-  add_file_option(*command, "-o,--output", o->output, "File to write; the extension chooses the format")
+  add_file_option(*command, "-o,--output", o->output, "Mesh file to write; the extension sets the format")
       ->required();
   add_digits_option(*command, o->digits);
   add_force_option(*command, o->force);
+  add_examples(*command, {"pose rest.obj --pin 0=0,0,0 --pin 1234=0.1,2,-3 -o posed.obj",
+                          "pose rest.obj --examples pose_##.obj --pin 1234=0.1,2,-3 -o posed.obj"});
   command->callback([o, freedom, &action] {
     if (o->pins.empty()) throw CLI::RequiredError("--pin");
     if (o->examples.empty() && freedom->count() == 0) o->settings.freedom = 1;

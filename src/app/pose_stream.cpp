@@ -16,16 +16,16 @@ namespace viete::app {
 
 namespace {
 
-constexpr double largest_number = 1e60;  // as poses of files
+constexpr double largest_number = 1e60;  // as for poses in files
 
-// The next one; nothing where the input ends.
+// Reads the next pose; nullopt at the end of the input.
 std::optional<std::vector<mesh::Point>> next_pose(std::FILE* in, std::size_t vertices, std::size_t number) {
   std::vector<mesh::Point> positions(vertices);
   static_assert(sizeof(mesh::Point) == 3 * sizeof(double));
   const std::size_t bytes = vertices * sizeof(mesh::Point), got = std::fread(positions.data(), 1, bytes, in);
   if (std::ferror(in))
     throw base::Error("standard input", std::string("cannot be read: ") + std::strerror(errno),
-                      "send poses through a pipe, or from a file");
+                      "send poses through a pipe or from a file");
   if (got == 0) return std::nullopt;
   const auto refuse = [&](const std::string& problem, const std::string& advice) {
     throw base::Error("pose " + std::to_string(number), problem, advice);
@@ -36,7 +36,7 @@ std::optional<std::vector<mesh::Point>> next_pose(std::FILE* in, std::size_t ver
   for (std::size_t v = 0; v < vertices; ++v)
     for (const double x : positions[v])
       if (!(std::abs(x) <= largest_number))
-        refuse("vertex " + std::to_string(v) + " is at no place", "send numbers that are finite, up to 1e60");
+        refuse("vertex " + std::to_string(v) + " has no finite position", "send finite numbers up to 1e60");
   return positions;
 }
 
@@ -49,11 +49,11 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
     for (std::size_t k = 0; k < 3; ++k) {
       floats.push_back(static_cast<float>(origin[k] + vertex.position[k]));
       if (!std::isfinite(floats.back()))
-        throw base::Error("pose " + std::to_string(number), "a position is beyond what floats hold",
+        throw base::Error("pose " + std::to_string(number), "a position is out of the range of float32",
                           "scale the cage and the model");
     }
   if (std::fwrite(floats.data(), sizeof(float), floats.size(), out) != floats.size() || std::fflush(out) != 0)
-    throw base::Error("standard output", "it takes no more", "look whether the disk is full");
+    throw base::Error("standard output", "it cannot be written", "check the disk space");
 }
 
 }  // namespace

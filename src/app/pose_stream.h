@@ -1,4 +1,4 @@
-// Poses of a cage that another program sends, and the model for each: viete deform --stream.
+// Streaming deformation for other programs: viete deform --stream.
 #pragma once
 
 #include <cstdio>
@@ -7,10 +7,10 @@
 
 namespace viete::app {
 
-/// Binds once, then reads poses, three float64 a vertex of the cage, and writes positions, three float32 a
-/// vertex of the model, both in the machine's byte order, each as soon as it is made, until `in` ends. As the
-/// window draws: each part of the cage turns on from the pose before. Throws base::Error where a pose is none
-/// or ends before it is whole, or leads beyond floats, and where `out` takes no more.
+/// Binds once, then reads poses, three float64 per cage vertex, and writes positions, three float32 per model
+/// vertex, both in native byte order, each immediately, until `in` ends. As in the window, turns of the
+/// cage's parts continue from the previous pose. Throws base::Error if a pose is invalid or incomplete, or
+/// exceeds float, and if writing to `out` fails.
 void stream_poses(const scene::Export& what, std::FILE* in, std::FILE* out);
 
 }  // namespace viete::app

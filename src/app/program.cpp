@@ -15,10 +15,12 @@ namespace viete::app {
 namespace {
 
 constexpr const char* footer =
-    "Exit codes: 0 done; 1 a file could not be read or written, or the work failed (the reason is on "
-    "stderr); 2 wrong command line.";
+    "Exit codes:\n"
+    "  0  success\n"
+    "  1  a file could not be read or written, or the work failed (see stderr)\n"
+    "  2  wrong command line";
 
-// A value that is wrong is told before what is missing, in every version of CLI11.
+// Reports an invalid value before missing ones, in every version of CLI11.
 void values_first([[maybe_unused]] CLI::App& app) {
 #if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
   app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
@@ -28,29 +30,28 @@ void values_first([[maybe_unused]] CLI::App& app) {
 void note_kernel() {
   const char* kernel = std::getenv("VIETE_KERNEL");
   if (kernel && sym3::kernel_name() != kernel) {
-    std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is no kernel of this machine; running %s\n", kernel,
+    std::fprintf(stderr, "viete: note: VIETE_KERNEL=%s is not available on this machine; using %s\n", kernel,
                  std::string(sym3::kernel_name()).c_str());
   }
 }
 
 int run(const Program& program, std::vector<std::string> arguments) {
-  CLI::App app("Viete: deform a mesh by its cage, through the exponential of symmetric 3x3 matrices",
-               "viete");
+  CLI::App app("Viete: cage-based mesh deformation with exponentials of symmetric 3x3 matrices", "viete");
   app.set_version_flag("--version",
                        std::string("viete ") + version() + "\n" + build_type() + ", kernel " +
                            std::string(sym3::kernel_name()),
-                       "Say version, build, compiler and kernel, and exit");
+                       "Show version information and exit");
   app.footer(footer);
   app.formatter(help_formatter());
-  app.set_help_flag("-h,--help", "Say this and exit");
+  app.set_help_flag("-h,--help", "Show this help and exit");
   app.require_subcommand(1);
-  values_first(app);  // before the commands, which take it over
+  values_first(app);  // before the subcommands, which inherit it
   Action action;
   program.add_commands(app, action);
   try {
     std::vector<std::string> words = program.words(std::move(arguments), app);
     note_kernel();
-    std::reverse(words.begin(), words.end());  // CLI11 takes its arguments from the back
+    std::reverse(words.begin(), words.end());  // CLI11 takes its arguments in reverse order
     app.parse(words);
   } catch (const CLI::Success& help) {
     return app.exit(help);
@@ -60,7 +61,7 @@ int run(const Program& program, std::vector<std::string> arguments) {
   }
   const int code = action();
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-    std::fprintf(stderr, "viete: the output could not be written\n");
+    std::fprintf(stderr, "viete: standard output could not be written; check the disk space\n");
     return exit_failed;
   }
   return code;
@@ -72,7 +73,7 @@ int run_program(int argc, char** argv, const Program& program) {
   try {
     return run(program, {argv + 1, argv + argc});
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "viete: there is not enough memory; close other programs, or use a smaller model\n");
+    std::fprintf(stderr, "viete: not enough memory; close other programs or use a smaller model\n");
     return exit_failed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "viete: %s\n", error.what());

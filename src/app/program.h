@@ -1,4 +1,4 @@
-// What the main() of `viete` and that of `viete-bench` have in common.
+// Common code of the main() of `viete` and `viete-bench`.
 #pragma once
 
 #include <string>
@@ -8,20 +8,20 @@
 
 namespace viete::app {
 
-/// Said of `viete bench` and `viete report` by both.
+/// Descriptions of `viete bench` and `viete report`, used by both.
 inline constexpr const char* bench_text = "Measure speed and accuracy on this machine";
-inline constexpr const char* report_text = "Write a page of figures, measured on this machine";
+inline constexpr const char* report_text = "Write a report of figures measured on this machine";
 
 struct Program {
   void (*add_commands)(CLI::App& app, Action& action);
-  /// The words of a command, made of what was typed.
+  /// Converts the typed words to those of a command.
   std::vector<std::string> (*words)(std::vector<std::string> typed, const CLI::App& app);
 };
 
-/// That of `viete`, which becomes another program for these two.
+/// The program `viete`, which executes another program for these two commands.
 Program viete_program();
 
-/// Parses the command line and runs its command. Returns the exit code; what is wrong is on stderr.
+/// Parses the command line and runs its command. Returns the exit code; errors go to stderr.
 int run_program(int argc, char** argv, const Program& program);
 
 }  // namespace viete::app

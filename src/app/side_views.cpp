@@ -12,10 +12,10 @@ namespace viete::app {
 
 namespace {
 
-// Where it cannot be made, the document's own serves.
+// Falls back to the document's own pose if it fails.
 scene::SharedPose other_pose(scene::Workspace& w) {
   try {
-    return scene::pose_by_other_lines(w);
+    return scene::pose_by_other_blending(w);
   } catch (const base::Error&) {
     return nullptr;
   }
@@ -25,7 +25,7 @@ scene::SharedPose other_pose(scene::Workspace& w) {
 
 SideModel::Made SideModel::made_of(const scene::SideView& side, const scene::Workspace& w) {
   const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method, w.view.same_path};
-  return {need, w.document.revisions().pose, w.document.mask, side.other_lines};
+  return {need, w.document.revisions().pose, w.document.mask, side.other_blending};
 }
 
 bool SideModel::serves(const Need& need) const {
@@ -51,7 +51,7 @@ void SideModel::install(const Need& need, base::WorkerPool& pool) {
   drag_ = {};
 }
 
-// What is asked for may be another thing by now: then it is bound next.
+// The requirement may have changed since: then binds again.
 void SideModel::take_binding(scene::SideView& side, const Need& need, base::WorkerPool& pool, bool wait) {
   auto result = binder_.poll(wait);
   if (!result) return;
@@ -63,7 +63,7 @@ void SideModel::take_binding(scene::SideView& side, const Need& need, base::Work
   if (asked_ == need && !serves(need)) refused_ = need;
 }
 
-// True if a frame can be made at once; else it is being bound.
+// True if a frame can be computed now; otherwise starts binding.
 bool SideModel::prepare(const Need& need, const Bound& known, base::WorkerPool& pool) {
   if (serves(need)) return true;
   if (bound_.binding->weighting == need.scheme.weighting) install(need, pool);
@@ -105,14 +105,14 @@ bool SideModel::follow(scene::SideView& side, scene::Workspace& w, const LiveMod
   if (side.binding) return false;
   const auto& drag = w.interaction.drag;
   drag_.before(*deformer_, drag);
-  const scene::SharedPose other = side.other_lines ? other_pose(w) : nullptr;
+  const scene::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
   const deform::Pose& pose = other ? other->cage : w.document.pose;
   deformer_->set_mask(w.document.mask);
   deformer_->set_probes(w.document.probes);
   deformer_->set_shape(other ? other->shape : w.document.shape);
   base::Stopwatch watch;
   deformer_->deform(w.document.has_cage() ? pose : deform::rest_pose(*bound_.cage), side.method);
-  if (!side.other_lines) drag_.after(*deformer_, drag);  // another mix may move all of the cage
+  if (!side.other_blending) drag_.after(*deformer_, drag);  // another mix may move the whole cage
   side.stats.add({.when = base::wall_seconds(), .links = deformer_->times(), .frame = watch.lap_ms()});
   made_ = wanted;
   ++frames_;
@@ -166,7 +166,7 @@ bool SideViews::measure(scene::Workspace& w) {
   return any;
 }
 
-// Deformers end before the pool that they use.
+// Deformers must be destroyed before their pool.
 void SideViews::forget() {
   for (SideModel& model : models_) model.forget();
   pool_.reset();

@@ -1,4 +1,4 @@
-// The views beside the first one: the same document, bound and deformed once more for each.
+// The additional views: the same document, bound and deformed separately for each.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@
 
 namespace viete::app {
 
-/// One of them. What the first view is bound by is shared where it serves here too.
+/// The model of one view. Shares the first view's binding if possible.
 class SideModel {
 public:
-  /// After a frame of the first view. Says whether this one has another frame, too.
+  /// Call after a frame of the first view. Returns true if this view has a new frame too.
   bool follow(scene::SideView& side, scene::Workspace& workspace, const LiveModel& first,
               base::WorkerPool& pool, bool wait = false);
   /// True if follow() would do something now.
@@ -31,19 +31,19 @@ public:
   unsigned long frames() const { return frames_; }
 
 private:
-  // What decides how it is bound.
+  // Everything that determines the binding.
   struct Need {
     deform::Scheme scheme;
     sym3::Method method = sym3::Method::fast;
     bool staged = false;
     friend bool operator==(const Need&, const Need&) = default;
   };
-  // What a frame is of.
+  // Everything that determines a frame.
   struct Made {
     Need need;
     scene::Revision pose = 0;
     deform::Mask mask;
-    bool other_lines = false;
+    bool other_blending = false;
     friend bool operator==(const Made&, const Made&) = default;
   };
   static Made made_of(const scene::SideView& side, const scene::Workspace& workspace);
@@ -56,34 +56,35 @@ private:
   base::BackgroundJob<Bound> binder_;
   Bound bound_;
   std::unique_ptr<deform::Deformer> deformer_;
-  std::optional<Made> made_;     // of the last frame
-  Need asked_;                   // what is being bound
-  std::optional<Need> refused_;  // what could not be
+  std::optional<Made> made_;     // last frame
+  Need asked_;                   // the running binding
+  std::optional<Need> refused_;  // the last binding that failed
   DragFollower drag_;
   unsigned long frames_ = 0;
 };
 
 class SideViews {
 public:
-  /// See SideModel. Says whether any has another frame.
+  /// See SideModel. Returns true if any view has a new frame.
   bool follow(scene::Workspace& workspace, const LiveModel& first);
   void finish(scene::Workspace& workspace, const LiveModel& first);
   void forget();
   bool is_due(const scene::Workspace& workspace, const LiveModel& first) const;
   bool binding(const scene::Workspace& workspace) const;
   const SideModel& operator[](std::size_t side) const { return models_[side]; }
-  /// Errors of the frames, a few times a second: into the workspace. Says whether there are others.
+  /// Measures the frames' errors a few times a second and stores them in the workspace. Returns true on a
+  /// change.
   bool measure(scene::Workspace& workspace);
-  /// Has another frame since the last call.
+  /// True if it has a new frame since the last call.
   bool take_news(std::size_t side) { return std::exchange(news_[side], false); }
 
 private:
   bool follow(scene::Workspace& workspace, const LiveModel& first, bool wait);
 
-  std::unique_ptr<base::WorkerPool> pool_;  // while there are any
+  std::unique_ptr<base::WorkerPool> pool_;  // exists while there are side views
   std::array<SideModel, scene::Split::most_sides> models_;
   std::array<bool, scene::Split::most_sides> news_{};
-  std::array<unsigned long, scene::Split::most_sides> measured_{};  // which frame
+  std::array<unsigned long, scene::Split::most_sides> measured_{};  // index of the measured frame
   double measured_at_ = -1;                                         // wall seconds
 };
 

@@ -42,7 +42,7 @@ TerminalProgress::~TerminalProgress() {
 void TerminalProgress::watch(const std::stop_token& stop) {
   constexpr timespec tick{0, 50'000'000};
   constexpr double shown_every = 0.2;
-  constexpr double time_to_stop = 2;  // and to take away what is half done
+  constexpr double time_to_stop = 2;  // including cleanup of unfinished files
   const double begun = base::wall_seconds();
   double shown = begun;
   std::optional<double> told;
@@ -70,7 +70,7 @@ void TerminalProgress::show(double seconds) const {
 }
 
 std::string progress_text(double done, double seconds) {
-  constexpr double known = 0.01, surely = 1;  // before these nothing is foreseen
+  constexpr double known = 0.01, surely = 1;  // no estimate before these
   std::string text = std::to_string(static_cast<int>(100 * done)) + " %";
   if (done < known || seconds < surely) return text;
   const double left = std::ceil(seconds * (1 - done) / done);

@@ -1,4 +1,4 @@
-// Long work of a command: how far it is, on a terminal, and Ctrl+C.
+// Progress of a command's long work on a terminal, and Ctrl+C.
 #pragma once
 
 #include <csignal>
@@ -9,11 +9,11 @@
 
 namespace viete::app {
 
-/// While it lives, Ctrl+C and SIGTERM cancel the work, which then throws base::Cancelled where it reports
-/// next; one that comes two seconds later, or more, ends the program at once. Where stderr is a terminal, a
-/// line there shows what is done, how far it is and how long it will take; else, with $VIETE_PROGRESS set,
-/// there is a line a percent, "37 %". To be made before other threads are: these then leave the signals to
-/// it. If the system allows no thread for this, nothing is shown and a signal ends the program at once.
+/// During its lifetime Ctrl+C and SIGTERM cancel the work, which throws base::Cancelled at its next report; a
+/// second signal at least two seconds later ends the program at once. If stderr is a terminal, a line shows
+/// the task, its progress and the remaining time; otherwise, with $VIETE_PROGRESS set, it prints a line per
+/// percent, "37 %". Create it before other threads, which then leave the signals to it. If no thread can be
+/// created, nothing is shown and a signal ends the program at once.
 class TerminalProgress {
 public:
   explicit TerminalProgress(std::string what);
@@ -34,7 +34,7 @@ private:
   std::jthread watcher_;
 };
 
-/// "37 %", "37 %, 12 s left", "37 %, 3 min left": after so many seconds of work.
+/// "37 %", "37 %, 12 s left", "37 %, 3 min left"; `seconds` is the elapsed time.
 std::string progress_text(double done, double seconds);
 
 }  // namespace viete::app

@@ -16,7 +16,7 @@ namespace {
 
 using sym3::Method;
 
-// GLM counts columns.
+// GLM matrices are column-major.
 glm::dmat3 map_of(const sym3::Sym3<double>& stretch, const mesh::Vec3& turn) {
   const auto r = sym3::exp_rotation<double>({turn[0], turn[1], turn[2]});
   const auto s = sym3::exp(stretch);
@@ -27,13 +27,13 @@ glm::dmat3 map_of(const sym3::Sym3<double>& stretch, const mesh::Vec3& turn) {
 std::string words_of(Method method, const sym3::Route& route) {
   if (method == Method::diag) return "eigenvectors by QR";
   if (method == Method::fast) {
-    if (route.by_jacobi) return "left to Jacobi's method";
+    if (route.by_jacobi) return "Jacobi's method";
     const std::string degree = "degree " + std::to_string(route.degree);
-    if (route.squarings == 0) return degree + ", not halved";
+    if (route.squarings == 0) return degree + ", without squaring";
     return degree + ", squared " + std::to_string(route.squarings) +
            (route.squarings == 1 ? " time" : " times");
   }
-  constexpr const char* cases[] = {"", "all equal: case 1", "two equal: case 2", "three apart: case 3"};
+  constexpr const char* cases[] = {"", "all equal: case 1", "two equal: case 2", "three distinct: case 3"};
   return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
 }
 

@@ -1,4 +1,4 @@
-// The sum at the vertex that a person has picked: computed with each frame that shows it.
+// Data of the vertex inspector, computed with each displayed frame.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace viete::app {
 
-/// Well under a millisecond. Call from one thread.
+/// Takes well under a millisecond. Call from one thread.
 class VertexInspector {
 public:
-  /// After a frame is deformed. Says whether what the workspace shows is another sum than before.
+  /// Call after a frame is deformed. Returns true if the displayed data changed.
   bool follow(scene::Workspace& workspace, const LiveModel& model);
   bool is_due(const scene::Workspace& workspace, const LiveModel& model) const;
 

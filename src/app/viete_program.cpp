@@ -12,6 +12,7 @@
 #include "app/assets.h"
 #include "app/command_line.h"
 #include "app/help.h"
+#include "app/options.h"
 #include "base/error.h"
 
 namespace viete::app {
@@ -23,18 +24,18 @@ bool is_command(const std::string& word, const CLI::App& app) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-// A word that is neither a command nor looks like a file, nor is one, was meant as a command.
+// A word that is neither a command nor a file, nor looks like one, was meant as a command.
 void check_first_word(const std::string& word, const CLI::App& app) {
   std::error_code ignored;
   if (word.find_first_of("./") != word.npos || std::filesystem::exists(word, ignored)) return;
   const std::string meant = nearest(word, command_names(app));
-  throw CLI::ParseError(word + ": there is neither a command nor a file of this name" +
-                            (meant.empty() ? "" : "; did you mean viete " + meant + "?"),
-                        exit_usage);
+  throw CLI::ParseError(
+      word + ": no such command or file" + (meant.empty() ? "" : "; did you mean viete " + meant + "?"),
+      exit_usage);
 }
 
-// The benchmarks are a program of their own, beside this one, which takes over.
-[[noreturn]] void become_bench(const std::vector<std::string>& arguments) {
+// The benchmarks are a separate program next to this one, which replaces the process.
+[[noreturn]] void exec_bench(const std::vector<std::string>& arguments) {
   const std::string program = program_folder() / "viete-bench";
   std::vector<char*> words = {const_cast<char*>(program.c_str())};
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
@@ -49,12 +50,13 @@ void check_first_word(const std::string& word, const CLI::App& app) {
 std::vector<std::string> with_command(std::vector<std::string> words, const CLI::App& app) {
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
+    if (!words.empty() && words.front() == "deformers") throw CLI::CallForVersion(deformers_help(), exit_ok);
     if (!words.empty() && !is_command(words.front(), app)) check_first_word(words.front(), app);
     words.emplace_back("--help");
   }
   const std::string first = words.empty() ? "" : words.front();
-  if (first == "bench") become_bench({words.begin() + 1, words.end()});
-  if (first == "report") become_bench(words);
+  if (first == "bench") exec_bench({words.begin() + 1, words.end()});
+  if (first == "report") exec_bench(words);
   if (first == "-h" || first == "--help" || first == "--version" || is_command(first, app)) return words;
   if (!first.empty() && first[0] != '-') check_first_word(first, app);
   words.insert(words.begin(), "view");

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "app/aside.h"
 #include "app/assets.h"
 #include "app/build_facts.h"
+#include "app/child_process.h"
 #include "app/manual.h"
 #include "base/atomic_file.h"
 #include "base/clock.h"
@@ -65,7 +65,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
   try {
     workspace_.example = bundled_model().loop;
-  } catch (const std::exception&) {  // it is not offered then
+  } catch (const std::exception&) {  // then it is not offered
   }
   place_viewport();
 }
@@ -75,7 +75,7 @@ glm::ivec2 Viewer::device_size() const {
 }
 
 void Viewer::resize(glm::ivec2 logical_size) {
-  if (options_.size != logical_size) settle(3);  // panels take some frames to find their sizes
+  if (options_.size != logical_size) settle(3);  // panels need some frames to settle their sizes
   options_.size = logical_size;
   place_viewport();
 }
@@ -85,7 +85,7 @@ void Viewer::drop(std::vector<fs::path> files) {
 }
 
 void Viewer::place_viewport() {
-  const scene::Viewport whole = scene::view_between(workspace_.remembered.layout, glm::vec2(options_.size),
+  const scene::Viewport whole = scene::view_between(workspace_.preferences.layout, glm::vec2(options_.size),
                                                     workspace_.view.panels, workspace_.notice_height);
   workspace_.viewport = scene::viewport_of(workspace_.split, whole, workspace_.split.active);
 }
@@ -100,26 +100,26 @@ void Viewer::frame(float seconds) {
   scene::follow_time(workspace_, seconds);
   scene::follow_pins(workspace_);
   follow_document();
-  settle_messages();
+  scope_messages();
   deform(times);
   const bool new_fields = follow_fields(), inspected = inspector_.follow(workspace_, model_);
   if (new_fields || inspected) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
-  const std::pair shown(workspace_.attended, workspace_.tools);
-  // A picture without the panels has neither notices nor tools.
-  if (take_screenshot_ && !workspace_.view.panels) workspace_.attended = workspace_.tools = false;
+  const std::pair shown(workspace_.has_user, workspace_.tools);
+  // A picture without panels has neither notices nor tools.
+  if (take_screenshot_ && !workspace_.view.panels) workspace_.has_user = workspace_.tools = false;
   upload(times);
   panels(times);
-  const bool seen_anew = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
-  moves_ = seen_anew || deformed_ || cage_moved;
+  const bool camera_moved = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
+  moves_ = camera_moved || deformed_ || cage_moved;
   draw(times);
-  std::tie(workspace_.attended, workspace_.tools) = shown;
+  std::tie(workspace_.has_user, workspace_.tools) = shown;
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
-  if ((deformed_ && !model_.prepared()) || (seen_anew && !deformed_)) workspace_.stats.add(times);
+  if ((deformed_ && !model_.prepared()) || (camera_moved && !deformed_)) workspace_.stats.add(times);
   files_.keep(workspace_, !pointer_.active());
-  settle_notices();
+  follow_notices();
   analysis_.follow_frame(workspace_, model_, moves_);
   const bool news = analysis_.shows_news(), measured = sides_.measure(workspace_);
   if (news || measured) settle(2);
@@ -144,7 +144,7 @@ void Viewer::take_input(float seconds) {
   place_viewport();
 }
 
-// A software rasteriser draws moving pictures without multisampling and the picture at rest with it.
+// Software rendering draws motion without multisampling and the view at rest with it.
 bool Viewer::wants_refinement() const {
   return view_.fineness() < view_.finest() && base::wall_seconds() - last_change_ > still_seconds;
 }
@@ -157,24 +157,24 @@ bool Viewer::finish_keeping() {
   return scene::has_unsaved_edits(workspace_) && files_.keep_now(workspace_);
 }
 
-// What appears in front of the panels takes a few frames to find its size.
-void Viewer::settle_notices() {
-  const Notices now{workspace_.question.has_value(), workspace_.farewell, workspace_.messages.revision(),
-                    workspace_.notice_height};
+// Windows in front of the panels need a few frames to settle their size.
+void Viewer::follow_notices() {
+  const Notices now{workspace_.question.has_value(), workspace_.closing_notice,
+                    workspace_.messages.revision(), workspace_.notice_height};
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
-// What was said since the last frame is of what is there now.
-void Viewer::settle_messages() {
+// New messages belong to the current document.
+void Viewer::scope_messages() {
   auto& messages = workspace_.messages;
   const auto& now = workspace_.document.revisions();
-  if (now.surfaces != said_of_.surfaces) {
-    messages.forget(scene::Scope::model, said_);
-  } else if (now.cage != said_of_.cage) {
-    messages.forget(scene::Scope::cage, said_);
+  if (now.surfaces != message_revisions_.surfaces) {
+    messages.forget(scene::Scope::model, message_revision_);
+  } else if (now.cage != message_revisions_.cage) {
+    messages.forget(scene::Scope::cage, message_revision_);
   }
-  said_of_ = now;
-  said_ = messages.revision();
+  message_revisions_ = now;
+  message_revision_ = messages.revision();
   messages.expire(base::wall_seconds());
 }
 
@@ -184,7 +184,7 @@ bool Viewer::wants_frame() const {
                        sides_.binding(workspace_) || cages_.running() || analysis_.reports();
   const double passed = base::wall_seconds() - last_frame_;
   if (reports && passed > progress_seconds) return true;
-  if (workspace_.browser.open && passed > 1) return true;  // files come and go
+  if (workspace_.browser.open && passed > 1) return true;  // files may have changed
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
          analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
@@ -217,14 +217,14 @@ void Viewer::take_requests() {
   }
   cages_.follow(workspace_, !pointer_.active());
   if (std::exchange(workspace_.requests.stop_work, false) && model_.binding()) {
-    model_.stop_binding(workspace_, "Stopped binding; everything is as it was.", scene::Severity::info);
+    model_.stop_binding(workspace_, "Cancelled binding; nothing was changed.", scene::Severity::info);
     settle(3);
   }
 }
 
 void Viewer::follow_document() {
   const scene::Document& document = workspace_.document;
-  settle_cage_edit();
+  commit_cage_edit();
   if (model_.is_due(document) || model_.has_result()) settle(3);
   const LiveModel::Changed changed = model_.follow(workspace_, cages_.take_bound());
   if (changed.document || changed.cage) {
@@ -248,11 +248,11 @@ void Viewer::follow_document() {
   if (analysis_.shows_news()) settle(3);
 }
 
-// What the hand has done is done.
-void Viewer::settle_cage_edit() {
+// Commits the pending cage edit.
+void Viewer::commit_cage_edit() {
   if (workspace_.interaction.drag) return;
   try {
-    if (!scene::settle_cage_edit(workspace_.document)) return;
+    if (!scene::commit_cage_edit(workspace_.document)) return;
     workspace_.messages.succeeded("change the cage");
     settle(3);
   } catch (const std::exception& error) {
@@ -292,7 +292,7 @@ void Viewer::deform(scene::FrameTimes& times) {
   workspace_.posed = posed_in(workspace_.split.active);
 }
 
-// What the model is drawn as; nothing: at rest. Until a side has a frame it is as the first view.
+// The model as drawn; empty: at rest. A side view without a frame uses the first view's.
 scene::PosedModel Viewer::posed_in(std::size_t view) const {
   const deform::Deformer* deformer = view > 0 ? sides_[view - 1].deformer() : nullptr;
   const bool own = deformer && deformer->ran();
@@ -337,7 +337,7 @@ bool Viewer::follow_fields() {
   return news;
 }
 
-// One colour says the same in all views that show the same field.
+// A colour means the same in all views of one field.
 void Viewer::share_ranges() {
   for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
     scene::FieldView& shown = field_view(view);
@@ -361,7 +361,7 @@ void Viewer::finish_views() {
   if (workspace_.split.on()) share_ranges();
 }
 
-// A drag goes on in the view where it began.
+// A drag continues in the view where it began.
 void Viewer::enter_view_under_cursor() {
   if (workspace_.split.active >= workspace_.split.count()) scene::enter_view(workspace_, 0);
   if (!workspace_.split.on() || pointer_.active() || workspace_.camera.moving()) return;
@@ -403,15 +403,15 @@ void Viewer::panels(scene::FrameTimes& times) {
   times.panels = watch.lap_ms();
 }
 
-// Coarse is what has moved in the last picture too: a single step is sharp at once.
+// Coarse only for repeated motion: the last picture moved too; a single step is drawn sharp at once.
 Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (take_screenshot_) return view_.finest();
   if (view_.shows(wanted)) return refines_ ? view_.finest() : view_.fineness();
   last_change_ = base::wall_seconds();
   if (!moves_) return Fineness::plain;
-  const bool goes_on = last_frame_ - last_motion_ < still_seconds;
-  return options_.may_be_coarse && goes_on && scene::draws_coarsely(workspace_) ? Fineness::coarse
-                                                                                : Fineness::plain;
+  const bool repeated = last_frame_ - last_motion_ < still_seconds;
+  return options_.may_be_coarse && repeated && scene::draws_coarsely(workspace_) ? Fineness::coarse
+                                                                                 : Fineness::plain;
 }
 
 ViewDrawing Viewer::drawing() const {
@@ -443,10 +443,10 @@ void Viewer::draw_whole() {
   framebuffer_.begin_with(view_.picture(), device_size());
   imgui_renderer_.draw(*ImGui::GetDrawData());
   if (gl_.software)
-    gl_.Finish();  // a software rasteriser works in the background: count its work where it belongs
+    gl_.Finish();  // software rendering is asynchronous: wait for it, so that it is timed here
 }
 
-void Viewer::draw_anew() {
+void Viewer::redraw() {
   renderer_.forget();
   view_.forget();
   cage_drawn_.reset();

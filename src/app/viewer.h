@@ -1,5 +1,4 @@
-// The viewer without a window: one frame from input to picture, the same in a window, in a test and for the
-// command line.
+// The viewer without a window: one frame from input to picture; shared by window, tests and command line.
 #pragma once
 
 #include <algorithm>
@@ -28,20 +27,20 @@ struct ViewerOptions {
   glm::ivec2 size{1280, 800};  ///< logical pixels
   float scale = 1;             ///< device pixels per logical pixel
   int samples = 0;             ///< multisampling; 0 none
-  int still_samples = 0;  ///< of one more picture once the view has rested for a quarter of a second; 0 none
-  bool may_be_coarse = false;  ///< what moves is drawn at half the resolution, as the workspace says
-  bool transparent = false;    ///< pictures have no background
-  float cage_width = 1.25f;    ///< of the cage's lines, logical pixels
-  float wire_width = 1;        ///< of edges of the mesh
-  bool builtin_font = false;   ///< the same text on every machine, for picture tests
-  bool probe = true;           ///< measure the methods aside
-  std::filesystem::path
-      state{};  ///< where to remember files and keep unsaved work, see FileDesk; empty: nowhere
+  int still_samples = 0;       ///< samples of a refined picture after a quarter of a second at rest; 0 none
+  bool may_be_coarse = false;  ///< draw motion at half the resolution if the workspace says so
+  bool transparent = false;    ///< pictures without background
+  float cage_width = 1.25f;    ///< line width of the cage, logical pixels
+  float wire_width = 1;        ///< line width of mesh edges, logical pixels
+  bool builtin_font = false;   ///< identical text on every machine, for picture tests
+  bool probe = true;           ///< measure the methods in the background
+  std::filesystem::path state{};  ///< folder for preferences and recovery, see FileDesk; empty: none
   std::filesystem::path program =
-      "/proc/self/exe";  ///< `viete`, which draws animations and makes reports aside
+      "/proc/self/exe";  ///< `viete`, for rendering animations and reports in a child process
 };
 
-/// Needs a current GL context, which must outlive it; use in that context's thread. Owns ImGui's context.
+/// Needs a current GL context, which must outlive it; use only in that context's thread. Owns ImGui's
+/// context.
 class Viewer {
 public:
   Viewer(const render::Gl& gl, const ViewerOptions& options);
@@ -54,60 +53,60 @@ public:
   ui::Recorder& recorder() { return recorder_; }
 
   void resize(glm::ivec2 logical_size);
-  /// Opens files that were dropped on the window.
+  /// Opens files dropped on the window.
   void drop(std::vector<std::filesystem::path> files);
   glm::ivec2 device_size() const;
 
-  /// One frame: input, commands, deformation, drawing, panels, into the framebuffer. seconds since the last
-  /// one.
+  /// Renders one frame into the framebuffer: input, commands, deformation, drawing, panels. `seconds` since
+  /// the last one.
   void frame(float seconds);
-  /// True if a frame now would show something new: a change, or the picture at rest, refined.
+  /// True if a new frame would differ: after a change, or to refine the view at rest.
   bool wants_frame() const;
-  /// True if the last frame has made another picture than the one before it.
+  /// True if the last frame produced a new picture.
   bool has_drawn() const { return has_drawn_; }
-  /// How often model, cage and ground were drawn, and how finely at last: panels change without them.
+  /// The number of times the view was drawn, and its last fineness; panels change without it.
   unsigned long views_drawn() const { return view_.count(); }
   Fineness view_fineness() const { return view_.fineness(); }
-  /// The last frame once more, without what is kept from frame to frame.
-  void draw_anew();
-  /// Measures every method in this pose, and waits for the results.
+  /// Redraws the last frame without cached pictures.
+  void redraw();
+  /// Measures every method in this pose and waits for the results.
   void finish_measuring() { analysis_.finish_measuring(workspace_, model_); }
-  /// True while edits are unsaved and kept for the next start.
+  /// True while unsaved edits are backed up.
   bool keeping() const;
-  /// Waits until unsaved edits are; false if there are none, or if they cannot be.
+  /// Waits for the backup of unsaved edits; false if there are none or it fails.
   bool finish_keeping();
-  /// True once the program may end, as was requested.
+  /// True once a requested close may proceed.
   bool closed() const { return files_.closed(); }
-  /// True while files are being read, and what they hold is bound, aside.
+  /// True while files are read and bound in the background.
   bool loading() const { return files_.loading(); }
-  /// True while deformed models are written aside.
+  /// True while exports are running.
   bool exporting() const {
     return files_.exporting() || workspace_.requests.save_model || workspace_.requests.save_animation;
   }
-  /// True while something is read, bound or written aside that a person waits for.
+  /// True while background work that the user waits for is running.
   bool working() const {
     return loading() || exporting() || model_.binding() || sides_.binding(workspace_) || cages_.running();
   }
-  /// Waits for the files that are being read.
+  /// Waits for the files being read.
   void finish_loading() { files_.finish_loading(workspace_); }
-  /// Waits for the deformed models that are being written.
+  /// Waits for running exports.
   void finish_exports() { files_.finish_exports(workspace_); }
-  /// Waits until the model is bound, without drawing: the next frame deforms it.
+  /// Waits for the binding without drawing: the next frame deforms the model.
   void finish_binding();
-  /// True while model and cage are being checked aside.
+  /// True while model and cage are being checked in the background.
   bool checking() const { return analysis_.checking(); }
-  /// Waits until they are.
+  /// Waits for the checks.
   void finish_checks();
-  /// Waits until all views, and the maps that they show, are those of this pose.
+  /// Waits until all views and their maps show this pose.
   void finish_views();
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture();
-  /// The most that the driver draws, in device pixels.
+  /// The driver's largest picture side, in device pixels.
   int longest_side() const { return render::longest_side(gl_); }
-  /// As the view is drawn.
+  /// The current drawing of the view.
   ViewDrawing drawing() const;
-  /// The deformer of the open document; null while there is none.
+  /// The deformer of the open document; null without one.
   const deform::Deformer* deformer() const { return model_.deformer(); }
 
 private:
@@ -118,11 +117,11 @@ private:
   void take_requests();
   void show_manual(const std::string& chapter);
   void follow_document();
-  void settle_cage_edit();
-  void settle_messages();
+  void commit_cage_edit();
+  void scope_messages();
   void frame_finding();
-  mesh::Point vertex(std::size_t index) const;  // of the model, as it is drawn
-  void settle_notices();
+  mesh::Point vertex(std::size_t index) const;  // a drawn model vertex
+  void follow_notices();
   void deform(scene::FrameTimes& times);
   void enter_view_under_cursor();
   scene::PosedModel posed_in(std::size_t view) const;
@@ -160,27 +159,27 @@ private:
   platform::ImGuiRenderer imgui_renderer_;
   render::Framebuffer framebuffer_;
   WorkspaceRenderer renderer_;
-  KeptView view_;
+  ViewCache view_;
   ui::FieldColors field_colors_;
 
   struct Notices {
-    bool question = false, farewell = false;
+    bool question = false, closing_notice = false;
     unsigned messages = 0;
     float row = 0;  ///< its height
     bool operator==(const Notices&) const = default;
   };
-  Notices notices_;           ///< of the last frame
-  scene::Revisions said_of_;  ///< what the messages up to this revision may be of
-  unsigned said_ = 0;
-  std::optional<scene::Revision> cage_drawn_;  ///< which pose; nothing: none of this cage
+  Notices notices_;                     ///< in the last frame
+  scene::Revisions message_revisions_;  ///< revisions that the messages up to message_revision_ refer to
+  unsigned message_revision_ = 0;
+  std::optional<scene::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn
   bool deformed_ = false, first_deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
-  double last_change_ = 0, last_frame_ = 0;  ///< seconds of wall time; of the view alone, and of all
-  double last_motion_ = 0;                   ///< when the last picture of something that moves was there
-  bool refines_ = false, moves_ = false;     ///< in this frame: the view at rest, what is seen in it
-  unsigned settle_frames_ = 3;               ///< ImGui needs a few frames after a change until sizes rest
+  double last_change_ = 0, last_frame_ = 0;  ///< wall time in seconds; of the view alone, and of all
+  double last_motion_ = 0;                   ///< time of the last picture with motion
+  bool refines_ = false, moves_ = false;     ///< in this frame: refining the view at rest; the view is moving
+  unsigned settle_frames_ = 3;               ///< ImGui needs a few frames after a change to settle sizes
   std::optional<bool> theme_seen_;
   scene::CameraPose camera_seen_;
-  bool at_rest_ = false;  // the model that is drawn, whatever moves it
+  bool at_rest_ = false;  // the drawn model is at rest, although something could move it
 };
 
 }  // namespace viete::app

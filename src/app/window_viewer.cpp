@@ -31,7 +31,7 @@ ViewerOptions viewer_options(const platform::Window& window) {
   return options;
 }
 
-// The viewer in its window, drawn when something changed.
+// The viewer in its window, redrawn on changes.
 class WindowViewer {
 public:
   WindowViewer(platform::Window& window, const WindowOptions& options)
@@ -39,13 +39,13 @@ public:
         viewer_(window.gl(), viewer_options(window)),
         first_motion_(motion_is_wanted() ? options.first_pose : std::filesystem::path()) {
     listen();
-    scene::Remembered& remembered = viewer_.workspace().remembered;
-    viewer_.workspace().ask_keys = std::exchange(remembered.ask_keys, false) && remembered.hints;
+    scene::Preferences& preferences = viewer_.workspace().preferences;
+    viewer_.workspace().ask_keys = std::exchange(preferences.ask_keys, false) && preferences.hints;
     window_.share_clipboard();
   }
 
   Viewer& viewer() { return viewer_; }
-  /// Until it is closed, or that many frames were drawn; 0: any.
+  /// Runs until it is closed, or for that many frames; 0: unlimited.
   void run(int frames);
 
 private:
@@ -53,8 +53,8 @@ private:
   void draw(float seconds, bool exposed = false);
   void set_title();
   void follow_full_screen();
-  void call_for_attention();
-  void say_farewell();
+  void request_attention();
+  void show_closing_notice();
 
   platform::Window& window_;
   Viewer viewer_;
@@ -75,7 +75,7 @@ void WindowViewer::listen() {
   };
   events.exposed = [this] {
     viewer_.resize(window_.size());
-    if (!window_.full_screen()) viewer_.workspace().remembered.window = window_.size();
+    if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
     exposed_ = true;
   };
   window_.listen(std::move(events));
@@ -85,21 +85,21 @@ void WindowViewer::set_title() {
   window_.set_title(scene::window_title(viewer_.workspace()));
 }
 
-// Without a title bar nothing says how to come back, so that is said.
+// Without a title bar a message tells how to leave full screen.
 void WindowViewer::follow_full_screen() {
   scene::Workspace& w = viewer_.workspace();
   if (w.full_screen == window_.full_screen()) return;
   window_.set_full_screen(w.full_screen);
-  w.full_screen = window_.full_screen();  // as far as there is a screen to fill
+  w.full_screen = window_.full_screen();  // may fail without a suitable screen
   exposed_ = true;
   if (!w.full_screen) return;
   const scene::Command& command = *scene::find_command("toggle_full_screen");
-  const std::string key = scene::text(w.remembered.keymap.of(command).first);
-  w.messages.info(key.empty() ? "The menu View leaves full screen." : key + " leaves full screen.");
+  const std::string key = scene::text(w.preferences.keymap.of(command).first);
+  w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
 }
 
-// The window may be behind others when the program is asked to end.
-void WindowViewer::call_for_attention() {
+// The window may be hidden when closing is requested.
+void WindowViewer::request_attention() {
   const bool asks = viewer_.workspace().question.has_value();
   if (asks && !asks_) window_.call_for_attention();
   asks_ = asks;
@@ -111,16 +111,16 @@ void WindowViewer::draw(float seconds, bool exposed) {
   viewer_.frame(seconds);
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
   set_title();
-  call_for_attention();
+  request_attention();
   follow_full_screen();
 }
 
-// That edits are kept is said where they were made, for as long as it takes to read.
-void WindowViewer::say_farewell() {
+// Shows for a moment that edits were backed up.
+void WindowViewer::show_closing_notice() {
   constexpr double seconds = 1.5;
   if (!viewer_.keeping()) return;
-  viewer_.workspace().farewell = true;
-  for (int i = 0; i < 3; ++i) draw(0.02f);  // a new window of the panels takes a frame to find its size
+  viewer_.workspace().closing_notice = true;
+  for (int i = 0; i < 3; ++i) draw(0.02f);  // new windows of the panels need a frame to settle their size
   const double end = base::wall_seconds() + seconds;
   while (base::wall_seconds() < end) window_.wait_for_events(0.1);
 }
@@ -136,39 +136,39 @@ void WindowViewer::run(int frames) {
     const double now = base::wall_seconds();
     draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
     last = now;
-    if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // nothing was shown that a screen would pace
-    if (viewer_.closed()) return say_farewell();
+    if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // nothing was presented, so there is no vsync
+    if (viewer_.closed()) return show_closing_notice();
     if (!viewer_.loading()) ++drawn;
   }
 }
 
 }  // namespace
 
-// As it was left; what cannot be read is told of by the viewer.
-glm::ivec2 remembered_size() {
+// The last size; read errors are reported by the viewer.
+glm::ivec2 last_window_size() {
   constexpr glm::ivec2 usual{1440, 900};
   try {
-    return scene::read_remembered(remembered_file(state_folder())).window.value_or(usual);
+    return scene::read_preferences(preferences_file(state_folder())).window.value_or(usual);
   } catch (const base::Error&) {
     return usual;
   }
 }
 
 bool run_window(const WindowOptions& options, std::string& reason) {
-  const auto window = platform::Window::open(remembered_size(), options.scale, reason);
+  const auto window = platform::Window::open(last_window_size(), options.scale, reason);
   if (!window) return false;
   WindowViewer shown(*window, options);
   Viewer& viewer = shown.viewer();
   scene::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
-    workspace.messages.warn("There is no home folder: unsaved work is not kept; save often.");
+    workspace.messages.warn("There is no home folder: unsaved edits cannot be recovered. Save often.");
   // Also for what is opened instead, if this cannot be.
   if (!options.inputs.session()) scene::put_settings(workspace.document, options.inputs.settings);
   workspace.requests.open = options.inputs.request();
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
   if (viewer.keeping()) {
-    std::fprintf(stderr, "viete: unsaved edits are kept; the next start offers to bring them back\n");
+    std::fprintf(stderr, "viete: unsaved edits were saved; the next start offers to restore them\n");
   }
   return true;
 }

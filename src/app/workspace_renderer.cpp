@@ -42,7 +42,7 @@ render::Paint paint_of(scene::Shading shading, bool file_says_something) {
   }
 }
 
-// How much of the motion each vertex of the cage makes; nothing where nothing goes along softly.
+// The share of the motion for each cage vertex; empty without soft selection.
 std::vector<float> soft_shares(const scene::Workspace& w) {
   if (!w.tools || !w.handling.soft.on || scene::moving_vertices(w.document).empty()) return {};
   std::vector<float> shares(w.document.pose.positions.size(), 0.0f);
@@ -52,7 +52,7 @@ std::vector<float> soft_shares(const scene::Workspace& w) {
   return shares;
 }
 
-// A ramp from the cage's colour to that of the selection, by what goes along.
+// A gradient from the cage's colour to the selection's, by share.
 glm::vec4 ramp(const render::Theme& theme, float share) {
   return opaque(glm::mix(theme.cage, theme.selection, share));
 }
@@ -119,7 +119,7 @@ void WorkspaceRenderer::set_views(std::size_t count, const scene::Document& docu
 
 void WorkspaceRenderer::set_document(const scene::Document& document, const ModelShading& shading) {
   for (const auto& model : models_) model->set_document(document, shading);
-  file_says_something_ = shading.looks.says_something;
+  file_has_looks_ = shading.looks.has_looks;
   set_another_cage(document, shading);
 }
 
@@ -134,7 +134,7 @@ void WorkspaceRenderer::set_another_cage(const scene::Document& document, const 
   ghost_lines_.set_positions(cage.positions);
 }
 
-// An edge between hidden vertices is hidden, too.
+// An edge between hidden vertices is hidden too.
 void WorkspaceRenderer::set_shown_edges(const scene::Document& document) {
   hidden_ = document.groups.hidden;
   const auto hidden = scene::hidden_elements(document, scene::ElementKind::edge);
@@ -169,7 +169,7 @@ void WorkspaceRenderer::set_cage(const scene::Workspace& workspace) {
 void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
   const render::Theme theme = theme_of(workspace);
   const auto& document = workspace.document;
-  // Vertices stand back where edges or faces are what is selected.
+  // Vertices are less prominent if edges or faces are selected.
   const bool vertices = !workspace.tools || document.selection.kind() == scene::ElementKind::vertex;
   const auto selected = workspace.tools ? scene::selected_vertices(*document.cage, document.selection)
                                         : std::vector<std::uint32_t>{};
@@ -200,12 +200,12 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
 render::SurfaceStyle WorkspaceRenderer::surface_style(const scene::Workspace& w) const {
   render::SurfaceStyle style;
   style.wireframe = w.view.wireframe ? 0.3f : 0.0f;
-  // A closed surface hides its backs: a software rasteriser draws it in half the time. A graphics card need
-  // not care.
+  // Back faces of a closed surface are culled: software rendering then takes half the time. For a GPU it
+  // makes no difference.
   const auto& summary = w.document.model.summary;
   style.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
-  style.paint = paint_of(w.view.shading, file_says_something_);
+  style.paint = paint_of(w.view.shading, file_has_looks_);
   return style;
 }
 
@@ -220,7 +220,7 @@ ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(scene::viewport_of(w.split, v, view)));
   part.surface = surface_style(w);
-  part.cage = view == 0 || !w.split.sides[view - 1].other_lines;
+  part.cage = view == 0 || !w.split.sides[view - 1].other_blending;
   models_[view]->span(part.surface, view == 0 ? w.field : w.split.sides[view - 1].shown);
   return part;
 }
@@ -257,7 +257,7 @@ void WorkspaceRenderer::draw(const ViewDrawing& d) {
   }
 }
 
-// Rows of pixels are counted from below.
+// OpenGL counts rows from the bottom.
 void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& part) const {
   const glm::ivec2 low(glm::round(part.low * glm::vec2(d.size))),
       high(glm::round(part.high * glm::vec2(d.size)));
@@ -303,7 +303,7 @@ ViewDrawing coarse(ViewDrawing drawing) {
 
 }  // namespace
 
-bool KeptView::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness) {
+bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness) {
   if (shows(drawing) && fineness_ >= fineness) return false;
   const ViewDrawing now = fineness == Fineness::coarse ? coarse(drawing) : drawing;
   const int samples[] = {0, samples_.plain, samples_.smooth};

@@ -1,4 +1,4 @@
-// Draws a workspace through the layers of the render room, and keeps the picture while nothing changes.
+// Draws a workspace with the layers of the render room, and caches the picture until something changes.
 #pragma once
 
 #include <memory>
@@ -19,26 +19,26 @@
 
 namespace viete::app {
 
-/// All that decides how the view looks: the same drawing again gives the same picture.
+/// Everything that determines the view's picture: equal drawings give equal pictures.
 struct ViewDrawing {
-  /// One of the views that it is split in.
+  /// One pane of a split view.
   struct Part {
-    glm::vec2 low{0, 0}, high{1, 1};  ///< where, as parts of the window from its upper left
+    glm::vec2 low{0, 0}, high{1, 1};  ///< corners as fractions of the window from its upper left
     glm::dmat4 view{1}, projection{1};
     render::SurfaceStyle surface;
-    bool cage = true;  ///< stands where this view's pose has it
+    bool cage = true;  ///< at the position in this view's pose
 
     friend bool operator==(const Part&, const Part&) = default;
   };
-  std::vector<Part> parts;  ///< none: there is no model, and only the backdrop is drawn
-  glm::ivec2 size{1, 1};    ///< of the window, device pixels
+  std::vector<Part> parts;  ///< empty: no model, only the backdrop is drawn
+  glm::ivec2 size{1, 1};    ///< window size in device pixels
   float scale = 1;          ///< device pixels per logical pixel
   bool dark = true, transparent = false;
-  float cage_width = 1.25f;                                       ///< of its lines, logical pixels
-  bool model = false, grid = false, cage = false, ghost = false;  ///< are shown
+  float cage_width = 1.25f;                                       ///< line width, logical pixels
+  bool model = false, grid = false, cage = false, ghost = false;  ///< visible
   render::ShadowStyle shadow;
   render::GridStyle ground;
-  unsigned long content = 0;  ///< of the layers; grows with each change of what they hold
+  unsigned long content = 0;  ///< increases with each change of the layers' data
 
   friend bool operator==(const ViewDrawing&, const ViewDrawing&) = default;
 };
@@ -51,30 +51,30 @@ public:
   void set_document(const scene::Document& document, const ModelShading& shading);
   /// Another cage around the same model, which is at rest again.
   void set_another_cage(const scene::Document& document, const ModelShading& shading);
-  /// The model of that document, at rest again.
+  /// The document's model, at rest again.
   void set_rest(const scene::Document& document, const ModelShading& shading);
-  /// In so many views; the model of new ones is at rest.
+  /// Sets the number of views; models of new views are at rest.
   void set_views(std::size_t count, const scene::Document& document, const ModelShading& shading);
-  /// The deformed model of that view, relative to origin in the file's coordinates.
+  /// The deformed model of that view, relative to origin in file coordinates.
   void set_model(std::size_t view, std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
-  /// The map, or what of the model follows the cage, where these are shown: before draw().
+  /// Updates the colours of the map or mask; call before draw().
   void set_colors(const scene::Workspace& workspace);
-  /// The posed cage and how its vertices look now.
+  /// The posed cage and the colours of its vertices.
   void set_cage(const scene::Workspace& workspace);
   void set_hand(const scene::Workspace& workspace);
-  /// The next set_hand() and set_colors() upload all anew.
+  /// Forces a complete upload in the next set_hand() and set_colors().
   void forget() {
     hand_.reset(), marks_.forget();
     for (const auto& model : models_) model->forget();
   }
-  /// What the checks found; see FindingMarks::set().
+  /// Findings of the checks; see FindingMarks::set().
   void set_findings(const scene::Workspace& workspace, const PointOfVertex& model_vertex, bool moved) {
     if (findings_.set(workspace, model_vertex, moved)) ++content_;
   }
 
-  /// How the workspace is to be drawn on `size` device pixels, with what the layers hold now.
+  /// The drawing of the workspace on `size` device pixels with the layers' current data.
   ViewDrawing drawing(const scene::Workspace& workspace, glm::ivec2 size, float scale) const;
-  /// Into the bound framebuffer of that size. Depends on nothing but the drawing.
+  /// Draws into the bound framebuffer of that size. Depends only on the drawing.
   void draw(const ViewDrawing& drawing);
 
 private:
@@ -89,52 +89,52 @@ private:
   const render::Gl& gl_;
   render::Backdrop backdrop_;
   render::Grid grid_;
-  std::vector<std::unique_ptr<ModelLayer>> models_;  // one a view
+  std::vector<std::unique_ptr<ModelLayer>> models_;  // one per view
   render::FaceLayer cage_faces_;
   render::LineLayer cage_lines_, ghost_lines_;
   render::DiscLayer cage_vertices_;
   CageMarks marks_;
   FindingMarks findings_;
-  bool file_says_something_ = false;
-  // How the cage's vertices and lines look; nothing: it is to be uploaded anew.
+  bool file_has_looks_ = false;
+  // Appearance of the cage's vertices and lines; nullopt: upload again.
   struct Hand {
     bool dark = true;
     std::vector<render::Disc> discs;
-    std::vector<glm::vec4> ends;  // colours of the ends of lines; empty: all as the cage
+    std::vector<glm::vec4> ends;  // colours of line ends; empty: all in the cage's colour
     friend bool operator==(const Hand&, const Hand&) = default;
   };
   std::optional<Hand> hand_;
   unsigned long content_ = 0;
-  std::vector<std::uint32_t> hidden_;         // vertices of the cage, as its lines are drawn
-  std::vector<render::Segment> shown_edges_;  // which those are
+  std::vector<std::uint32_t> hidden_;         // hidden vertices of the cage in the drawn lines
+  std::vector<render::Segment> shown_edges_;  // the drawn edges
 };
 
-/// How finely a picture is drawn: a software rasteriser draws what moves at half the resolution.
+/// Quality of a picture: software rendering draws motion at half the resolution.
 enum class Fineness { coarse, plain, smooth };
 
-class KeptView {
+class ViewCache {
 public:
   struct Samples {
-    int plain = 0, smooth = 0;  ///< 0 none; smooth: no finer than plain
+    int plain = 0, smooth = 0;  ///< samples; 0 none; smooth: no refinement
   };
-  KeptView(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
+  ViewCache(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
 
   bool shows(const ViewDrawing& drawing) const { return drawn_ == drawing; }
-  /// Draws, unless that is what it shows and as finely. Returns whether it did.
+  /// Draws unless it already shows that drawing at this fineness. Returns true if it drew.
   bool draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness);
   const render::Framebuffer& picture() const { return picture_; }
 
-  /// How often it was drawn.
+  /// The number of times it was drawn.
   unsigned long count() const { return count_; }
   Fineness fineness() const { return fineness_; }
   Fineness finest() const { return samples_.smooth > 0 ? Fineness::smooth : Fineness::plain; }
-  /// The next draw() does.
+  /// Forces the next draw().
   void forget() { drawn_.reset(); }
 
 private:
   Samples samples_;
   render::Framebuffer picture_;
-  std::optional<ViewDrawing> drawn_;  // what it shows, whatever the fineness
+  std::optional<ViewDrawing> drawn_;  // the drawing it shows, at any fineness
   Fineness fineness_ = Fineness::plain;
   unsigned long count_ = 0;
 };

@@ -28,7 +28,7 @@ namespace {
               full ? "free some space" : "choose a folder that exists and can be written");
 }
 
-// The file that a link leads to; a link that leads nowhere is replaced.
+// The target of a link; a broken link is replaced itself.
 fs::path target_of(const fs::path& path) {
   std::error_code code;
   const fs::path real = fs::canonical(path, code);
@@ -43,7 +43,7 @@ fs::path part_of(const fs::path& target, int number) {
          std::string(part_extension);
 }
 
-// The process that such a name tells of; empty for a name of another form.
+// The process in the name of a part; empty for a name of another form.
 std::string_view process_of_part(std::string_view name) {
   if (!name.ends_with(part_extension)) return "";
   name.remove_suffix(part_extension.size());
@@ -59,7 +59,7 @@ std::string_view process_of_part(std::string_view name) {
   return ours ? process : "";
 }
 
-// What a running program writes is locked.
+// Parts that a running program writes are locked.
 void remove_if_left(const fs::path& part) {
   const int handle = open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (handle < 0) return;
@@ -69,13 +69,13 @@ void remove_if_left(const fs::path& part) {
   close(handle);
 }
 
-// A process in another container, or on another machine that shares the folder, is not in our list of
-// processes, but its part is locked.
+// A process in another container, or on another machine that shares the folder, is not in our process list,
+// but its part is locked.
 void remove_if_stale(const fs::path& part) {
   if (!process_runs(process_of_part(part.filename().string()))) remove_if_left(part);
 }
 
-// The names of a folder that are wanted; what cannot be read holds none.
+// The matching file names of a folder; an unreadable folder has none.
 template <class Wanted>
 std::vector<fs::path> files_in(const fs::path& folder, const Wanted& wanted) {
   std::vector<fs::path> files;
@@ -87,7 +87,7 @@ std::vector<fs::path> files_in(const fs::path& folder, const Wanted& wanted) {
   return files;
 }
 
-// Those of one target, or of any for an empty name.
+// Removes stale parts of one target, or of all for an empty name.
 void remove_stale_parts(const fs::path& folder, const std::string& target) {
   const auto parts = files_in(folder, [&](const std::string& name) {
     const std::string_view process = process_of_part(name);
@@ -96,8 +96,7 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::ranges::for_each(parts, remove_if_stale);
 }
 
-// What may be kept of an existing file's mode: a program that was handed other rights (setuid, setgid) loses
-// them with its content.
+// Permission bits kept from an existing file: setuid and setgid programs lose these bits with their content.
 constexpr mode_t kept_mode = 0777;
 
 }  // namespace
@@ -115,7 +114,7 @@ public:
       if (handle_ < 0 && errno != EEXIST) break;
     }
     if (handle_ < 0) fail(target, errno);
-    flock(handle_, LOCK_EX | LOCK_NB);  // tells others that it is at work, where the file system can
+    flock(handle_, LOCK_EX | LOCK_NB);  // marks it as in use, if the file system supports locks
   }
 
   NewFile(const NewFile&) = delete;
@@ -135,7 +134,7 @@ public:
     }
   }
 
-  // All of it is on the disk, with the rights that it is to have.
+  // Syncs the content and sets permissions.
   void settle(Durability durability) {
     struct stat existing {};
     if (stat(target_.c_str(), &existing) == 0) {
@@ -158,7 +157,7 @@ public:
   fs::path folder() const { return target_.parent_path(); }
 
 private:
-  // Only root may give a file away, and only members of a group may give it to the group.
+  // Only root may change a file's owner, and only members of a group may assign it to the group.
   bool keep_owner(const struct stat& existing) {
     return fchown(handle_, existing.st_uid, existing.st_gid) == 0 ||
            fchown(handle_, static_cast<uid_t>(-1), existing.st_gid) == 0;
@@ -171,7 +170,7 @@ private:
 
 namespace {
 
-// So that the new name outlives a power cut; some file systems cannot, which is no error.
+// Makes the rename durable; file systems that do not support this are no error.
 void sync_folder(const fs::path& folder) {
   const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (handle < 0) return;
@@ -179,13 +178,13 @@ void sync_folder(const fs::path& folder) {
   close(handle);
 }
 
-// Root may write everywhere; what its owner has protected stays all the same.
+// Root could write anywhere, but write-protected files are respected.
 void check_rights(const fs::path& path, const fs::path& target) {
   struct stat existing {};
   if (stat(target.c_str(), &existing) != 0) return;
   if ((existing.st_mode & S_IWUSR) == 0 || access(target.c_str(), W_OK) != 0)
     throw Error(path.string(), "this file is write-protected",
-                "choose another name, or give the right to write it (chmod u+w)");
+                "choose another name, or make it writable (chmod u+w)");
 }
 
 void check_names(const fs::path& path, const fs::path& target) {
@@ -193,21 +192,21 @@ void check_names(const fs::path& path, const fs::path& target) {
   if (stat(target.c_str(), &existing) != 0 || existing.st_nlink == 1) return;
   throw Error(path.string(),
               "this file has " + std::to_string(existing.st_nlink) +
-                  " names (hard links), which replacing it would part",
+                  " names (hard links), which replacing it would separate",
               "choose another name, or remove this one first");
 }
 
-// Where the bytes go; throws where no file can be.
+// The path to write; throws if it cannot be a file.
 fs::path checked_target(const fs::path& path) {
   const fs::path target = target_of(path);
   std::error_code code;
   const fs::file_status status = fs::status(target, code);
   if (status.type() == fs::file_type::directory)
-    throw Error(path.string(), "this is a folder", "name a file in it");
+    throw Error(path.string(), "this is a folder", "choose a file in it");
   if (fs::exists(status) && status.type() != fs::file_type::regular) {
     throw Error(path.string(), "this is not a regular file", "choose another name");
   }
-  if (target.empty()) throw Error("", "no file is named", "name a file");
+  if (target.empty()) throw Error("", "no file name is given", "give a file name");
   check_rights(path, target);
   return target;
 }
@@ -238,7 +237,7 @@ void remove_leftovers_beside(const fs::path& path) {
 void check_replaceable(const fs::path& path) {
   const fs::path target = checked_target(path);
   check_names(path, target);
-  NewFile probe(target);  // removed again: it never becomes the target
+  NewFile probe(target);  // removed again; never renamed to the target
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {

@@ -33,7 +33,7 @@ void BackgroundQueue::serve() {
       tasks_.pop_front();
       lock.unlock();
       task();
-    }  // what it held goes before the next one begins
+    }  // frees the task's resources before the next one begins
     lock.lock();
   }
 }

@@ -1,4 +1,4 @@
-// Work that is done in the background, so that no frame waits for it.
+// Background work that does not delay frames.
 #pragma once
 
 #include <chrono>
@@ -20,15 +20,15 @@
 
 namespace viete::base {
 
-/// True if the future has its value, or has it within so many seconds.
+/// True if the future has its value now, or gets it within this many seconds.
 template <class Value>
 bool is_ready(const std::future<Value>& future, double seconds = 0) {
   return future.valid() &&
          future.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
-/// One thread that does what it is given, in order; it begins with the first work. If the system allows no
-/// thread, add() does the work itself. Call from one other thread. The destructor waits until all is done.
+/// A thread that runs work in order; it starts with the first work. If the system cannot create a thread,
+/// add() runs the work itself. Call from one other thread. The destructor waits for all work.
 class BackgroundQueue {
 public:
   BackgroundQueue() = default;
@@ -36,7 +36,7 @@ public:
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
 
-  /// The future has what the work returns or throws; the next work is done all the same.
+  /// The future gets the result or exception of the work; later work runs in either case.
   template <class Work>
   std::future<std::invoke_result_t<Work>> add(Work work) {
     auto task = std::make_shared<std::packaged_task<std::invoke_result_t<Work>()>>(std::move(work));
@@ -56,14 +56,15 @@ private:
   std::jthread thread_;
 };
 
-/// One job at a time. Call from one thread. Starting another one, or cancelling, does not wait for the one
-/// that runs: it ends when it next reports, and then the other one begins. The destructor cancels and waits.
+/// Runs one job at a time. Call from one thread. Starting another job, or cancelling, does not wait for the
+/// running job: that ends at its next progress report, then the next job begins. The destructor cancels and
+/// waits.
 template <class Value>
 class BackgroundJob {
 public:
   struct Result {
-    std::optional<Value> value{};  ///< nothing when it failed or was stopped
-    std::string problem{};         ///< what(), when it failed
+    std::optional<Value> value{};  ///< empty if it failed or was stopped
+    std::string problem{};         ///< what() of the exception, if it failed
     bool stopped = false;
   };
 
@@ -77,34 +78,34 @@ public:
     progress_ = std::make_shared<Progress>();
     begun_ = wall_seconds();
     value_ = queue_.add([progress = progress_, work = std::move(work)] {
-      progress->report(0);  // where it was cancelled before it began
+      progress->report(0);  // throws if it was cancelled before it began
       return work(*progress);
     });
   }
 
-  /// Its result will not come.
+  /// Cancels the job and discards its result.
   void cancel() {
     stop();
     value_ = {};
   }
 
-  /// Asks it to stop: its result comes all the same, and says whether it did or was finished before.
+  /// Asks the job to stop; its result still arrives, stopped or complete.
   void stop() {
     if (running()) progress_->cancel();
   }
 
-  /// True from its start until its result is taken.
+  /// True from start() until the result is taken.
   bool running() const { return value_.valid(); }
-  /// In [0, 1].
+  /// Progress in [0, 1].
   double done() const { return running() ? progress_->done() : 0; }
-  /// Since it was started.
+  /// Seconds since the start.
   double seconds() const { return running() ? wall_seconds() - begun_ : 0; }
   bool has_result() const { return is_ready(value_); }
   void wait() const {
     if (running()) value_.wait();
   }
 
-  /// The result once it is there, each only once. With wait, waits for it.
+  /// The result, once it is available; each is returned only once. With wait, waits for it.
   std::optional<Result> poll(bool wait = false) {
     if (!running() || (!wait && !has_result())) return std::nullopt;
     try {

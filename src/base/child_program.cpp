@@ -21,7 +21,7 @@ namespace {
 
 constexpr int look_again_ms = 20;
 
-// What it inherits: no more than its three files, no signal that is held back, and a group of its own.
+// Inherited state: only its three files, no blocked signals, and a process group of its own.
 struct SpawnSettings {
   posix_spawn_file_actions_t files{};
   posix_spawnattr_t attributes{};
@@ -104,7 +104,7 @@ void ChildProgram::finish() {
 
 namespace {
 
-// Its lines as one: "this; that".
+// Joins lines: "this; that".
 std::string in_one_line(const std::string& lines) {
   std::string text;
   for (const char c : lines) {
@@ -121,8 +121,8 @@ std::string in_one_line(const std::string& lines) {
 
 void ChildProgram::fail() {
   const std::string text = in_one_line(said());
-  throw Error(name_, text.empty() ? "it ended before its work was done" : "it says: " + printable(text, 600),
-              "check that its installation is whole, and the disk has space");
+  throw Error(name_, text.empty() ? "it ended unexpectedly" : "it reported: " + printable(text, 600),
+              "check its installation and the free disk space");
 }
 
 std::string ChildProgram::said() const {

@@ -1,4 +1,4 @@
-// Another program that is run.
+// Runs another program.
 #pragma once
 
 #include <optional>
@@ -7,34 +7,34 @@
 
 namespace viete::base {
 
-/// It reads nothing; its standard output is thrown away, its standard error kept to be said. Ctrl+C in a
-/// terminal does not reach it: who runs it ends it. One thread at a time.
+/// A child process without input; its standard output is discarded, its standard error is kept for messages.
+/// Ctrl+C in a terminal does not reach it; the caller must end it. Use from one thread at a time.
 class ChildProgram {
 public:
-  /// words: the program, looked for in PATH, and its arguments, as they are: no shell. variables:
-  /// "NAME=value", beside those of this program. Throws Error where it is not installed, with this advice, or
-  /// cannot be run.
+  /// words: the program, searched in PATH, and its arguments, passed without a shell. variables:
+  /// "NAME=value", in addition to the environment of this program. Throws Error if the program is not
+  /// installed, with this advice, or cannot be run.
   ChildProgram(const std::vector<std::string>& words, const std::string& advice,
                const std::vector<std::string>& variables = {});
-  /// One that still runs is killed, with what it has started.
+  /// Kills the program, with its own children, if it is still running.
   ~ChildProgram();
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  /// Of its standard error the first 4 KB, so far.
+  /// The first 4 KB of its standard error, so far.
   std::string said() const;
-  /// False once it has ended: finish() says how.
+  /// False once it has ended; finish() reports how.
   bool running();
-  /// Asks it to end, by SIGTERM.
+  /// Asks it to end by SIGTERM.
   void stop();
-  /// Waits for its end. Throws Error where that is no success, with what it has said.
+  /// Waits for its end. Throws Error with its standard error if it failed.
   void finish();
 
 private:
   [[noreturn]] void fail();
   std::string name_;
   int process_ = 0, errors_ = -1;
-  std::optional<int> status_;  // once it has ended
+  std::optional<int> status_;  // set once it has ended
 };
 
 }  // namespace viete::base

@@ -1,4 +1,4 @@
-// What a person chooses from: the values of an enumeration, by number, in words.
+// User choices: the values of an enumeration with names and descriptions.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace viete::base {
 
 struct Choice {
-  std::string_view word;   ///< in files, and in names of commands
+  std::string_view word;   ///< in files and command names
   std::string_view label;  ///< in lists
   std::string_view hint;   ///< one sentence
 };
 
-/// Of an enumeration: each that is chosen from has its own beside it, in its namespace.
+/// The choices of an enumeration; each enumeration overloads it in its namespace.
 template <class Value>
 std::span<const Choice> choices(Value) = delete;
 
@@ -33,7 +33,7 @@ std::optional<Value> value_of_word(std::string_view word) {
   return static_cast<Value>(found - all.begin());
 }
 
-/// The one that follows; the first one after the last.
+/// The next value, cyclically.
 template <class Value>
 Value next_choice(Value value) {
   return static_cast<Value>((static_cast<std::size_t>(value) + 1) % choices(value).size());

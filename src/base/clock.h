@@ -1,4 +1,4 @@
-// Clocks: wall time for what a person waits for, thread time for what a computation costs.
+// Clocks: wall time for waiting, thread time for the cost of a computation.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ inline double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Seconds of processor time that the calling thread has used. On shared machines steadier than wall time.
+/// Seconds of processor time used by the calling thread. Less noisy than wall time on shared machines.
 double thread_seconds();
 
 /// Wall time in milliseconds since construction or the last lap.

@@ -1,4 +1,4 @@
-// The one error that readers, the deformer and the commands throw: what, where, and what to do.
+// The error type of readers, the deformer and the commands: problem, place, and advice.
 #pragma once
 
 #include <stdexcept>
@@ -6,9 +6,9 @@
 
 namespace viete::base {
 
-/// An expected failure (bad input, a full disk), never a bug. what() is one line a person can act on:
-/// `place: problem; advice`, for example
-/// `dragon.obj:1042: face refers to vertex 70000, the file has 50000; export the model again`.
+/// An expected failure (bad input, a full disk), never a bug. what() is one actionable line, `place: problem;
+/// advice`, for example `dragon.obj:1042: face refers to vertex 70000, the file has 50000; export the model
+/// again`.
 class Error : public std::runtime_error {
 public:
   /// place: a file, `file:line` or `file: element 12`; may be empty. advice: an imperative; may be empty.

@@ -6,8 +6,7 @@
 
 namespace viete::base {
 
-/// Of an even number of values the upper one of the two in the middle. values must not be empty, nor hold
-/// NaN.
+/// For an even number of values, the upper of the two middle ones. values must not be empty or contain NaN.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

@@ -26,7 +26,7 @@ void* allocate_aligned(std::size_t bytes) {
   void* memory = nullptr;
   if (size < bytes || posix_memalign(&memory, alignment, size) != 0) throw std::bad_alloc();
 #if defined(__linux__)
-  if (alignment == large_page) madvise(memory, size, MADV_HUGEPAGE);  // a refusal costs time alone
+  if (alignment == large_page) madvise(memory, size, MADV_HUGEPAGE);  // failure only costs time
 #endif
   return memory;
 }

@@ -1,4 +1,4 @@
-// Arrays aligned for vector code, and how much memory is left.
+// Arrays aligned for vector code, and checks of free memory.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,8 @@
 
 namespace viete::base {
 
-/// Starts at a cache line. From some megabytes on the system is asked for large pages, which spare it looking
-/// up addresses: arrays that are read from memory once a frame come up to a third faster. Throws
-/// std::bad_alloc.
+/// Aligned to a cache line. Requests large pages for some megabytes or more, which reduces TLB misses: arrays
+/// that are read from memory once per frame are up to a third faster. Throws std::bad_alloc.
 void* allocate_aligned(std::size_t bytes);
 void free_aligned(void* memory);
 
@@ -25,7 +24,7 @@ struct CacheLineAllocator {
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  // Elements that are given no value get none: large arrays are first written where they are computed.
+  // Default initialisation: large arrays are first written by the threads that compute them.
   template <class U>
   void construct(U* p) {
     ::new (static_cast<void*>(p)) U;
@@ -46,10 +45,10 @@ struct CacheLineAllocator {
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 
-/// Bytes that the system can give without swapping; nothing where it does not say. Thread-safe.
+/// Bytes available without swapping; nothing if the system does not report it. Thread-safe.
 std::optional<double> free_memory();
 
-/// What memory is wanted for, as base::Error says it.
+/// A memory requirement, with the texts of its base::Error.
 struct MemoryNeed {
   double bytes;
   std::string taker;   ///< "1000 matrices take"
@@ -57,11 +56,11 @@ struct MemoryNeed {
   std::string place;
 };
 
-/// Throws base::Error when more than nine tenths of the memory that is free are needed. Passes where the
-/// system does not say how much that is. Thread-safe.
+/// Throws base::Error if it exceeds nine tenths of the free memory. Passes if the system does not report free
+/// memory. Thread-safe.
 void require_memory(const MemoryNeed& need);
 
-/// The same error, when memory has run out.
+/// Throws the same error after an allocation failed.
 [[noreturn]] void refuse_memory(const MemoryNeed& need);
 
 }  // namespace viete::base

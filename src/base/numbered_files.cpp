@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_digits = 18;  // of a whole number of 64 bits
+constexpr int most_digits = 18;  // digits that fit into 64 bits
 constexpr std::string_view decimal = "0123456789";
 
 struct NumberPlace {
@@ -23,7 +23,7 @@ struct NumberPlace {
   int digits = 1;
 };
 
-// "%d" or "%04d" at this place of the name; nothing for another use of the sign.
+// "%d" or "%04d" at this position of the name; nothing for other uses of the percent sign.
 std::optional<NumberPlace> printf_place(std::string_view name, std::size_t at) {
   const std::size_t d = name.find_first_not_of(decimal, at + 1);
   if (d == name.npos || name[d] != 'd') return std::nullopt;
@@ -63,8 +63,8 @@ NumberedName::NumberedName(const fs::path& pattern) : folder_(pattern.parent_pat
   const auto places = places_in(name);
   if (places.size() != 1)
     throw Error(pattern.string(),
-                places.empty() ? "its name has no place for the number of a frame"
-                               : "its name has more than one place for the number of a frame",
+                places.empty() ? "its name has no placeholder for the frame number"
+                               : "its name has more than one placeholder for the frame number",
                 "write the number as ####, for example frame_####" + fs::path(name).extension().string());
   before_ = name.substr(0, places[0].begin);
   after_ = name.substr(places[0].end);

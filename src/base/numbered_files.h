@@ -1,4 +1,4 @@
-// Files of one sequence: a pattern with a place for the number, to names and back.
+// Numbered file sequences: patterns to file names and back.
 #pragma once
 
 #include <cstdint>
@@ -15,32 +15,31 @@ struct NumberedFile {
   std::filesystem::path path;
 };
 
-/// `frame_####.obj`, as many digits as there are marks, more where the number needs them; or as printf has
-/// it: `frame_%04d.obj`, `frame_%d.obj`. The place is in the file's name, not in its folder. Immutable.
+/// A pattern `frame_####.obj`, with at least as many digits as marks, or in printf style: `frame_%04d.obj`,
+/// `frame_%d.obj`. The number is in the file's name, not in its folder. Immutable.
 class NumberedName {
 public:
-  /// Throws Error where there is no place for the number, or more than one.
+  /// Throws Error unless the pattern has exactly one place for the number.
   explicit NumberedName(const std::filesystem::path& pattern);
 
   /// True if it has a place for the number.
   static bool is_pattern(const std::filesystem::path& path);
 
-  /// Of the sequence that this file is of: the last digits of its name are the number. `a_10` may be of
-  /// `a_##` or of `a_#`: of that which has more files. Nothing where its name has no digits. Throws what
-  /// find() does.
+  /// The pattern of this file's sequence: the last digits of its name are the number. For `a_10` that is
+  /// `a_##` or `a_#`, whichever has more files. Nothing if its name has no digits. Throws errors of find().
   static std::optional<NumberedName> of_file(const std::filesystem::path& file);
 
-  /// -7 of `a_####` is `a_-007`, as printf has it.
+  /// -7 of `a_####` is `a_-007`, as in printf.
   std::filesystem::path file(std::int64_t number) const;
 
-  /// The number of a name that file() gives, and of no other: `a_1` is none of `a_##`.
+  /// The number of a name; nothing unless file() gives this name: `a_1` does not match `a_##`.
   std::optional<std::int64_t> number(const std::string& name) const;
 
-  /// Those that are there, by number. A folder that is not there holds none. Throws Error if it cannot be
+  /// Existing files, sorted by number. A missing folder counts as empty. Throws Error if the folder cannot be
   /// read.
   std::vector<NumberedFile> find() const;
 
-  /// The pattern with marks.
+  /// The pattern with `#` marks.
   std::string pattern() const;
 
 private:

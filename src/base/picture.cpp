@@ -14,8 +14,8 @@ namespace viete::base {
 
 namespace {
 
-// PNG, JPEG, BMP, and TGA, which has no mark of its own. The library decodes further ones, less soundly: PSD,
-// PIC, HDR, PNM and GIF.
+// PNG, JPEG, BMP, and TGA, which has no signature. The library also decodes PSD, PIC, HDR, PNM and GIF, but
+// less robustly.
 bool is_known(std::string_view bytes) {
   using namespace std::string_view_literals;
   constexpr auto others =
@@ -27,8 +27,8 @@ std::size_t byte_at(std::string_view bytes, std::size_t i) {
   return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0;
 }
 
-// The codes of a JPEG are counted, 256 of them at most. The library of Debian 12 believes the counts, and
-// writes past its tables. at: behind the marker.
+// A JPEG has at most 256 Huffman codes. The library version of Debian 12 does not check the counts, and
+// overflows its tables. at: position after the marker.
 bool counts_fit(std::string_view bytes, std::size_t at) {
   std::size_t left = 256 * byte_at(bytes, at) + byte_at(bytes, at + 1);
   at += 2;
@@ -42,12 +42,11 @@ bool counts_fit(std::string_view bytes, std::size_t at) {
   return true;
 }
 
-// Segments that tell their length follow each other up to the first scan. From there on, and where they do
-// not, whatever looks like tables must be sound.
+// Segments with a length follow each other up to the first scan. After it, or if the sequence is broken,
+// anything that looks like tables must be valid.
 bool has_sound_tables(std::string_view bytes) {
   constexpr std::size_t tables = 0xC4, scan = 0xDA, mark = 0xFF;
-  std::size_t at =
-      std::min(bytes.find_first_not_of('\xFF'), bytes.size() - 1) + 1;  // behind the first marker
+  std::size_t at = std::min(bytes.find_first_not_of('\xFF'), bytes.size() - 1) + 1;  // after the first marker
   while (byte_at(bytes, at) == mark && byte_at(bytes, at + 1) != mark) {
     const std::size_t kind = byte_at(bytes, at + 1);
     const std::size_t length = 256 * byte_at(bytes, at + 2) + byte_at(bytes, at + 3);
@@ -62,7 +61,7 @@ bool has_sound_tables(std::string_view bytes) {
   return true;
 }
 
-// The highest byte first. The library refuses large PNG files without a word of their size.
+// Big-endian. The library rejects large PNG files without reporting their size.
 std::size_t word_at(std::string_view bytes, std::size_t i) {
   return byte_at(bytes, i) << 24 | byte_at(bytes, i + 1) << 16 | byte_at(bytes, i + 2) << 8 |
          byte_at(bytes, i + 3);
@@ -76,7 +75,7 @@ std::size_t check_size(const std::string& place, std::size_t width, std::size_t 
     return width * height;
   throw Error(place,
               "the picture is " + std::to_string(width) + " x " + std::to_string(height) +
-                  " pixels large, 64 million are shown",
+                  " pixels large, the limit is 64 million",
               "make it smaller");
 }
 
@@ -98,7 +97,7 @@ Picture decode_picture(const std::string& place, std::string_view bytes, int cha
     check_size(place, word_at(bytes, 16), word_at(bytes, 20));
   if (!is_known(bytes) ||
       stbi_info_from_memory(data, size, &picture.width, &picture.height, &picture.channels) == 0)
-    throw Error(place, "this is not a picture that can be read here", "save it as PNG or JPEG");
+    throw Error(place, "this is not a picture in a supported format", "save it as PNG or JPEG");
   const std::size_t pixels =
       check_size(place, static_cast<std::size_t>(picture.width), static_cast<std::size_t>(picture.height));
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(

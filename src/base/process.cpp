@@ -12,8 +12,8 @@ namespace viete::base {
 
 namespace {
 
-// The 22nd field of /proc/PID/stat; the second, the program's name in parentheses, may hold anything. Empty
-// if there is no such process, or if it has ended and nobody has asked how (in containers for good).
+// The 22nd field of /proc/PID/stat; the second, the program's name in parentheses, may contain any
+// characters. Empty if there is no such process, or if it is a zombie (permanent in some containers).
 std::string start_of(const std::string& pid) {
   std::ifstream file("/proc/" + pid + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -43,10 +43,10 @@ bool process_runs(std::string_view name) {
 
 namespace {
 
-// One for the process, as fork() is.
-std::mutex entrance;          // held during fork()
-std::atomic<int> inside = 0;  // threads that have a ForkDelay
-thread_local int own = 0;     // of this thread
+// Global, since fork() is per process.
+std::mutex entrance;          // locked during fork()
+std::atomic<int> inside = 0;  // number of threads with a ForkDelay
+thread_local int own = 0;     // nested ForkDelays of this thread
 
 void before_fork() {
   entrance.lock();

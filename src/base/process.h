@@ -1,4 +1,4 @@
-// This process: its name for other processes, and fork() beside running threads.
+// The name of this process, and fork() with running threads.
 #pragma once
 
 #include <string>
@@ -6,15 +6,14 @@
 
 namespace viete::base {
 
-/// "PID-START", START in clock ticks since the machine was started, so that a reused number is another name.
+/// "PID-START", START in clock ticks since boot, so that a reused process ID has another name.
 std::string process_name();
 
-/// False for a name that is not of this form, and of a zombie. A process that cannot be looked at counts as
-/// ended.
+/// False for a name of another form and for a zombie. A process that cannot be inspected counts as ended.
 bool process_runs(std::string_view name);
 
-/// While one lives, fork() in another thread waits, so that the child inherits no half-changed state and no
-/// lock that nobody will release. In one thread they may be nested; its own do not delay its fork().
+/// While one exists, fork() in other threads waits, so that the child does not inherit half-changed state or
+/// locks that are never released. May be nested in one thread; does not delay fork() of its own thread.
 class ForkDelay {
 public:
   ForkDelay();

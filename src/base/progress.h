@@ -1,4 +1,4 @@
-// How long work reports how far it is, and how it is told to stop.
+// Progress reports and cancellation of long work.
 #pragma once
 
 #include <atomic>
@@ -6,31 +6,31 @@
 
 namespace viete::base {
 
-/// Thrown by Progress::report once cancel() was called; whoever started the work catches it.
+/// Thrown by Progress::report() after cancel(); must be caught by the caller that started the work.
 class Cancelled : public std::runtime_error {
 public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Shared by the thread that works and the one that watches; what the watcher calls is thread-safe.
+/// Shared by the working and the watching thread; the watcher's functions are thread-safe.
 class Progress {
 public:
-  /// Called by the work, often: done in [0, 1]. Throws Cancelled when the watcher asked for it.
+  /// Call often from the work: done in [0, 1]. Throws Cancelled after cancel().
   void report(double done) {
     const double of_part = from_ + (to_ - from_) * done;
     done_.store(part_from_ + (part_to_ - part_from_) * of_part, std::memory_order_relaxed);
     if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
   }
 
-  /// Called by the work: what is reported from now on counts as the part [from, to] of the whole.
+  /// Called by the work: later reports map to the part [from, to] of the whole.
   void section(double from, double to) {
     from_ = from;
     to_ = to;
     report(0);
   }
 
-  /// Called by work made of works that have sections: these are of the part [from, to] of the whole from now
-  /// on.
+  /// For work made of steps with sections of their own: later sections map to the part [from, to] of the
+  /// whole.
   void part(double from, double to) {
     part_from_ = from;
     part_to_ = to;

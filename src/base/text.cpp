@@ -21,7 +21,7 @@ void append_visible(unsigned char code, std::string& line) {
   }
 }
 
-// Those of 0x80 to 0x9F are two bytes in UTF-8.
+// Control characters 0x80 to 0x9F take two bytes in UTF-8.
 std::string visible(std::string_view text) {
   std::string line;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -7,9 +7,9 @@
 
 namespace viete::base {
 
-/// The text as it may stand in a line that is shown or printed, whatever it holds: control characters become
-/// visible ("\x1B", "\n"), so that no file moves the cursor of a terminal or begins a line; of more than
-/// `most` bytes the middle gives way to "...". Letters of UTF-8 stay whole.
+/// The text in a form that is safe to show or print on one line: control characters become visible ("\x1B",
+/// "\n"), so that file contents cannot move a terminal's cursor or start a line; text longer than `most`
+/// bytes has its middle replaced by "...". UTF-8 characters stay whole.
 std::string printable(std::string_view text, std::size_t most = 2000);
 
 /// "50,000".

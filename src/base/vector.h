@@ -1,4 +1,4 @@
-// Vectors of three numbers, from files to the frame, and their algebra.
+// Vectors of three numbers, and their algebra.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 
 namespace viete::base {
 
-/// A type of its own, so that its operators are found wherever it goes; an array, so that whoever knows no
-/// meshes takes and makes it.
+/// A separate type, so that argument-dependent lookup finds its operators; derived from an array, so that
+/// code without meshes can use it.
 template <class T>
 struct Vector : std::array<T, 3> {
   Vector() = default;
   constexpr Vector(T x, T y, T z) : std::array<T, 3>{x, y, z} {}
-  /// Not of braces, which are its own three numbers.
+  /// A template, so that braces always mean three numbers.
   template <std::same_as<std::array<T, 3>> Array>
   constexpr Vector(const Array& a) : std::array<T, 3>(a) {}
 };
@@ -24,7 +24,7 @@ struct Vector : std::array<T, 3> {
 using Vec3 = Vector<double>;
 using Vec3f = Vector<float>;
 
-// In the numbers of the arguments; where these are only braces, in double.
+// Arithmetic in the type of the arguments; double for plain braces.
 template <class T = double>
 Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
@@ -59,7 +59,7 @@ T norm(const Vector<T>& a) {
   return std::sqrt(squared_norm(a));
 }
 
-/// For any length; several times as slow.
+/// For any length; several times slower.
 inline double stable_norm(const Vec3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
@@ -68,7 +68,7 @@ inline double largest_abs(const Vec3& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
 }
 
-/// Of the angle between them; -1 where one has no length.
+/// Cosine of the angle between the vectors; -1 if one has length 0.
 inline double cosine(const Vec3& a, const Vec3& b) {
   const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
   return lengths > 0 ? dot(a, b) / lengths : -1;

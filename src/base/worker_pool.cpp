@@ -20,7 +20,7 @@ struct WorkerPool::State {
   std::condition_variable wake, finished;
   std::uint64_t generation = 0;
   int busy = 0;
-  std::size_t last = 0;  // threads of higher numbers end
+  std::size_t last = 0;  // threads with higher numbers end
   std::exception_ptr error;
   Cost cost;
   double longest = 0;  // seconds of processor time of the slowest thread in this loop
@@ -35,7 +35,7 @@ struct WorkerPool::State {
     return thread_seconds() - begun;
   }
 
-  // Thread t of n takes a contiguous run of blocks: neighbours in memory stay on one core.
+  // Thread t of n takes a contiguous run of blocks, so that adjacent memory stays on one core.
   void work_on_blocks(std::size_t t, std::size_t n) {
     const std::size_t blocks = (count + block - 1) / block;
     try {
@@ -64,12 +64,12 @@ struct WorkerPool::State {
     }
   }
 
-  // As many threads as the system allows. If it refuses one, half of them end: the rest of the program needs
-  // address space and threads too.
+  // Starts as many threads as the system allows. If it refuses one, half of them end, to leave address space
+  // and threads to the rest of the program.
   void start(std::size_t wanted) {
     threads.reserve(wanted);
     {
-      const std::lock_guard lock(mutex);  // no thread reads the list before it is complete
+      const std::lock_guard lock(mutex);  // threads wait until the list is complete
       while (threads.size() < wanted) {
         std::jthread thread = try_thread([this, index = threads.size() + 1] { serve(index); });
         if (!thread.joinable()) break;
@@ -92,7 +92,7 @@ WorkerPool::WorkerPool(int threads) : state_(std::make_unique<State>()) {
 }
 
 WorkerPool::~WorkerPool() {
-  if (state_->process != getpid()) {  // the threads are another process's, and would be waited for
+  if (state_->process != getpid()) {  // the threads belong to the parent process; waiting for them would hang
     for (auto& thread : state_->threads) thread.detach();
     static_cast<void>(state_.release());
     return;

@@ -1,4 +1,4 @@
-// Threads, and a pool of them that lives as long as the program and shares loops over fixed blocks.
+// Threads, and a persistent pool for loops over fixed blocks.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace viete::base {
 
-/// A thread that runs the work, which may take a std::stop_token; not joinable if the system refuses it.
+/// A thread that runs the work, which may take a std::stop_token; not joinable if the system cannot create
+/// it.
 template <class Work>
 std::jthread try_thread(Work work) {
   try {
@@ -20,12 +21,12 @@ std::jthread try_thread(Work work) {
   }
 }
 
-/// A persistent pool for data-parallel loops. Blocks have a fixed size that does not depend on the number
-/// of threads, and each block is computed by one thread alone, so results are the same for any number. In a
-/// child of fork(), where there are no other threads, the caller does all of it.
+/// A persistent pool for data-parallel loops. Blocks have a fixed size, and each is computed by one thread,
+/// so results do not depend on the number of threads. In a child of fork(), which has no other threads, the
+/// caller runs all blocks.
 class WorkerPool {
 public:
-  /// threads: at most, as the system allows; the caller included. 0 means one for each processor.
+  /// threads: upper limit, including the caller, if the system allows. 0 means one per processor.
   explicit WorkerPool(int threads = 0);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -33,16 +34,16 @@ public:
 
   int threads() const;
 
-  /// Seconds of processor time in all loops so far: of the thread that called for_blocks, and of whichever
-  /// thread took longest in each. What a loop would take on a machine that does nothing else is the second.
+  /// Seconds of processor time in all loops so far: of the thread that called for_blocks, and of the slowest
+  /// thread in each loop. The second estimates the time of a loop on an idle machine.
   struct Cost {
     double caller = 0, longest = 0;
   };
   Cost cost() const;
 
-  /// Calls body(begin, end) for consecutive blocks that cover [0, count), on all threads; returns when all
-  /// are done. The first exception that a body throws is rethrown here. Only one thread may call it at a
-  /// time; not reentrant.
+  /// Calls body(begin, end) for consecutive blocks that cover [0, count), on all threads; returns after all
+  /// are done. Rethrows the first exception of a body. Must not be called by two threads at once or from a
+  /// body.
   void for_blocks(std::size_t count, std::size_t block,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 

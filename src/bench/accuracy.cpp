@@ -18,8 +18,8 @@ namespace {
 using Matrix = sym3::Sym3<double>;
 using Matrices = std::vector<Matrix>;
 
-// Not inline: where it sees both conversions, GCC 12 makes vectors of double, float and double again, and
-// then leaves the rounding of one entry out.
+// Not inline: otherwise GCC 12 vectorises both conversions, double to float and back, and skips the rounding
+// of one entry.
 template <class To, class From>
 [[gnu::noinline]] sym3::Sym3<To> rounded(const sym3::Sym3<From>& s) {
   const auto to = [](From x) { return static_cast<To>(x); };
@@ -38,7 +38,7 @@ Matrices diagonals(std::size_t count) {
   return all;
 }
 
-// v v^T: the double eigenvalue 0.
+// v v^T: has the double eigenvalue 0.
 Matrices rank_one(std::size_t count) {
   Matrices all = ensembles::uniform_entries<double>(-1, 1, count);
   for (Matrix& s : all) {
@@ -99,7 +99,7 @@ std::vector<Plan> plans(bool in_float) {
   const std::vector<double> gaps = {1e-1, 1e-2, 1e-3,  1e-4,  1e-5,  1.01e-6, 1e-6,
                                     1e-7, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16};
   std::vector<double> sizes = {0.1, 1, 3, 4.9, 6, 10, 20, 50, 100, 300, 600};
-  if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // beyond, exp overflows
+  if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // exp overflows beyond
   return {
       ensembles_plan(),
       by_value("two eigenvalues so close, the third anywhere in [0, 3]", "gap", gaps,

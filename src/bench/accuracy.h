@@ -1,4 +1,4 @@
-// How exact each way to exp is, by ensemble, eigenvalue gap, spread and scale.
+// Accuracy of each method for exp, by ensemble, eigenvalue gap, spread and scale.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +10,24 @@
 
 namespace viete::bench {
 
-/// Of one method on one ensemble.
+/// Results of one method on one ensemble.
 struct Accuracy {
-  double worst = 0;      ///< largest relative Frobenius error over those that gave numbers
-  double nan_share = 0;  ///< of answers with NaN or infinity, where the true answer is in range
+  double worst = 0;      ///< largest relative Frobenius error of the finite results
+  double nan_share = 0;  ///< share of results with NaN or infinity although the true result is in range
 };
 
 struct AccuracyTable {
-  std::string title, by;  ///< what the rows are
+  std::string title, by;  ///< title, and the meaning of the rows
   struct Row {
     std::string name;
     double value = 0;             ///< the gap, spread or scale; 0 for ensembles
-    std::vector<Accuracy> cells;  ///< one for each of exp_methods()
+    std::vector<Accuracy> cells;  ///< one per exp_methods() entry
   };
   std::vector<Row> rows;
 };
 
-/// All tables, `samples` matrices a row, against the 106 bits of sym3/reference.h. In float the input is
-/// rounded to float first, and the error is that of the rounded input's exp. Throws base::Cancelled.
+/// All tables, `samples` matrices per row, against the 106 bits of sym3/reference.h. In float the input is
+/// first rounded to float, and the error refers to exp of the rounded input. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
 /// As Markdown, in units of the roundoff u: 2^-53, for float 2^-24.

@@ -26,7 +26,7 @@ constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform
     harmonics{deform::Elements::face, deform::Weights::harmonic},
     biharmonics{deform::Elements::face, deform::Weights::biharmonic};
 
-/// One model in one cage, and every way to bind them.
+/// One model in one cage, and every method of binding.
 class BindRuns {
 public:
   explicit BindRuns(const BindOptions& options) {
@@ -79,7 +79,7 @@ private:
     for (const auto& p : model_.positions) weights(cage_, p, row);
   }
 
-  // As compression takes them, leaf by leaf: the full matrix never exists.
+  // Leaf by leaf, as for compression: the full matrix never exists.
   void weigh(const deform::Weighting& weighting) {
     const deform::Weigher weigher(cage_, weighting);
     std::vector<deform::Vec3> sums(deform::leaf_slots);
@@ -125,7 +125,7 @@ void bench_bind(const BindOptions& options) {
   const auto faster = [&](const char* slow, const char* fast) {
     return time_of(results, slow) / time_of(results, fast);
   };
-  const bool promised = options.cage.empty();  // of cages that are made
+  const bool promised = options.cage.empty();  // limits apply to generated cages
   if (promised && time_of(results, "plain loops") > 0) {
     bars.check("weights: plain loops / vectors", faster("plain loops", "vectors"), 45, true);
     bars.check("bound, compressed: plain loops /", faster("plain loops", "bound, compressed"), 5, true);

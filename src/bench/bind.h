@@ -1,4 +1,4 @@
-// viete bench bind: what binding costs, against plain loops, in time and memory.
+// viete bench bind: time and memory of binding, compared with plain loops.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@ namespace viete::bench {
 
 struct BindOptions {
   std::filesystem::path model;
-  std::filesystem::path cage;  ///< empty: one of `faces` triangles is made for the model
-  std::size_t count = 0;       ///< vertices at least, by subdivision; 0: those of the model
+  std::filesystem::path cage;  ///< empty: a cage of `faces` triangles is generated for the model
+  std::size_t count = 0;       ///< minimum number of vertices, by subdivision; 0: the model's
   std::size_t faces = 300;
   std::size_t rounds = 5;
-  std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
+  std::filesystem::path json;  ///< output of the numbers; empty: none
 };
 
 /// Prints the table. Throws base::Error.

@@ -29,10 +29,10 @@ namespace {
 using namespace ensembles;
 using sym3::SymView;
 
-constexpr std::size_t matrices_in_cache = 1024;  // with six directions and their answers: 640 KB in double
+constexpr std::size_t matrices_in_cache = 1024;  // with six directions and their results: 640 KB in double
 constexpr double pow_exponent = 0.4;
 
-/// A function with its derivative in planes, and as numbers for the formula that it is compared with.
+/// A function with its derivative in planes, and as numbers for the reference formula.
 template <class T>
 struct Differentiable {
   std::string name;
@@ -70,8 +70,8 @@ std::vector<Differentiable<T>> differentiable() {
            [](T x) { return T(pow_exponent) * std::pow(x, T(pow_exponent - 1)); }}};
 }
 
-/// As finite element codes do it: eigenvectors by QR, differences of the function over those of eigenvalues,
-/// its slope where these are closer than a millionth.
+/// The usual method of finite element codes: eigenvectors by QR, divided differences of the function, its
+/// derivative for eigenvalues closer than a millionth.
 template <class T>
 void by_eigenvectors(const Differentiable<T>& f, const sym3::Sym3<T>& s,
                      std::span<const sym3::Sym3<T>> directions, std::span<sym3::Sym3<T>> out) {
@@ -94,11 +94,11 @@ void by_eigenvectors(const Differentiable<T>& f, const sym3::Sym3<T>& s,
   }
 }
 
-/// Matrices, six directions at each, and room for the answers, in planes.
+/// Matrices, six directions for each, and space for the results, in planes.
 template <class T>
 struct Planes {
   std::vector<sym3::Sym3<T>> matrices, directions;
-  std::vector<MatrixArray<T>> arrays;  // of matrices, six of directions, six of answers
+  std::vector<MatrixArray<T>> arrays;  // matrices, six of directions, six of results
   std::vector<SymView<const T>> from;
   std::vector<SymView<T>> to;
   sym3::TangentView<T> tangents;
@@ -117,7 +117,7 @@ struct Planes {
   }
 };
 
-/// Returns the time of one direction.
+/// Returns the time per direction.
 template <class T>
 double time_derivative(const Differentiable<T>& f, const std::string& type, Planes<T>& p, Bars& report) {
   const std::size_t count = p.matrices.size();
@@ -157,7 +157,7 @@ double time_derivative(const Differentiable<T>& f, const std::string& type, Plan
   return time_of(r, "1 direction");
 }
 
-/// ns a matrix of SciPy's expm_frechet, one direction, where /usr/bin/python3 has SciPy.
+/// ns per matrix of SciPy's expm_frechet, one direction, if /usr/bin/python3 has SciPy.
 std::optional<double> time_of_scipy() {
   constexpr const char* program = R"(
 import sys, time
@@ -188,7 +188,7 @@ void compare_with_scipy(double ours) {
   }
 }
 
-/// How far the formula by eigenvectors is from ours, which tests pin, where two eigenvalues are nearly equal.
+/// Difference between the eigenvector formula and ours (which tests verify) for nearly equal eigenvalues.
 void print_differences(const Differentiable<double>& exp) {
   for (const double gap : {1e-2, 1e-4, 2e-6, 1e-7}) {
     const auto matrices = pairs<double>(gap, 2000), directions = uniform_entries<double>(-1, 1, 2000);
@@ -205,7 +205,7 @@ void print_differences(const Differentiable<double>& exp) {
 
 template <class T>
 void derivatives(const std::string& type, Bars& report) {
-  // Positive definite, for all functions: the paper's ensemble is hardly that.
+  // Positive definite with margin, for all functions; the paper's ensemble nearly is not.
   Random random(12);
   std::vector<sym3::Sym3<T>> matrices(matrices_in_cache);
   for (auto& s : matrices)

@@ -18,7 +18,7 @@ namespace {
 using Matrix = sym3::Sym3<double>;
 using Values = std::array<double, 3>;
 
-constexpr std::size_t piece = 100'000;  // matrices a round
+constexpr std::size_t piece = 100'000;  // matrices per round
 
 Values eigenvalues_direct(const Matrix& s) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;

@@ -1,4 +1,4 @@
-// What eigenvalues cost: by QR, by Eigen's closed form, by Viete's formula, and by ours.
+// Cost of eigenvalues: by QR, by Eigen's closed form, by Viete's formula, and by our method.
 #pragma once
 
 #include "base/progress.h"

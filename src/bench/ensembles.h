@@ -1,5 +1,4 @@
-// The matrices that errors and times are measured on: the paper's ensemble, clusters, spreads; all from fixed
-// seeds.
+// Matrix ensembles for measuring errors and times: the paper's ensemble, clusters, spreads; with fixed seeds.
 #pragma once
 
 #include <array>
@@ -15,12 +14,12 @@ namespace viete::bench::ensembles {
 using sym3::Sym3;
 using Random = std::mt19937_64;
 
-/// Not std::uniform_real_distribution, whose numbers differ between libraries.
+/// Replaces std::uniform_real_distribution, whose numbers differ between libraries.
 inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Uniform over the rotations: that of a quaternion uniform in the ball.
+/// Uniformly distributed rotation: from a quaternion uniform in the ball.
 inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
   double w, x, y, z, norm2;
   do {
@@ -34,7 +33,7 @@ inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
            {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)}}};
 }
 
-/// Eigenvalues as given, up to the rounding of the entries; eigenvectors the columns of a random rotation.
+/// Matrix with these eigenvalues, up to rounding, and the columns of a random rotation as eigenvectors.
 template <class T>
 Sym3<T> with_eigenvalues(const std::array<double, 3>& values, Random& random) {
   const auto v = random_rotation(random);
@@ -46,7 +45,7 @@ Sym3<T> with_eigenvalues(const std::array<double, 3>& values, Random& random) {
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-/// So many matrices, number i by make(random, i).
+/// `count` matrices, number i by make(random, i).
 template <class T, class Make>
 std::vector<Sym3<T>> made(std::size_t count, unsigned seed, const Make& make) {
   Random random(seed);
@@ -57,7 +56,7 @@ std::vector<Sym3<T>> made(std::size_t count, unsigned seed, const Make& make) {
 
 inline constexpr unsigned usual_seed = 20160101;
 
-/// The paper's: S = M M^T, entries of M uniform in [-1, 1].
+/// The paper's ensemble: S = M M^T, entries of M uniform in [-1, 1].
 template <class T>
 std::vector<Sym3<T>> paper_ensemble(std::size_t count, unsigned seed = usual_seed) {
   return made<T>(count, seed, [](Random& random, std::size_t) -> Sym3<T> {
@@ -82,7 +81,7 @@ std::vector<Sym3<T>> uniform_entries(double low, double high, std::size_t count)
   });
 }
 
-/// Two eigenvalues `gap` apart, the third anywhere; all within [0, 3].
+/// Two eigenvalues `gap` apart, the third arbitrary; all within [0, 3].
 template <class T>
 std::vector<Sym3<T>> pairs(double gap, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -91,7 +90,7 @@ std::vector<Sym3<T>> pairs(double gap, std::size_t count) {
   });
 }
 
-/// Three eigenvalues, each `gap` from the next, within [0, 3].
+/// Three eigenvalues with gaps of `gap`, within [0, 3].
 template <class T>
 std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -100,7 +99,7 @@ std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   });
 }
 
-/// Largest minus smallest eigenvalue = spread; the middle one at either end, near it, half-way or anywhere;
+/// Largest minus smallest eigenvalue = spread; the middle one at either end, near it, halfway or arbitrary;
 /// the smallest at `lowest`.
 template <class T>
 std::vector<Sym3<T>> spreads(double spread, double lowest, std::size_t count) {

@@ -63,10 +63,10 @@ namespace {
 using sym3::Layout;
 
 constexpr std::array layouts = {Layout::planes, Layout::blocks, Layout::packed, Layout::full};
-constexpr std::size_t distinct = 1 << 16;  // matrices, repeated where more are asked for
-constexpr std::size_t window = 1024;  // that the slow methods do at a time: their time is not the memory's
+constexpr std::size_t distinct = 1 << 16;  // matrices, repeated for larger counts
+constexpr std::size_t window = 1024;       // batch of the slow methods, small enough to exclude memory time
 
-/// So many matrices of those at the round's turn.
+/// The window of matrices of this round.
 template <class T>
 std::span<const Sym3<T>> turn(const std::vector<Sym3<T>>& matrices, std::size_t round) {
   return std::span(matrices).subspan(round % (matrices.size() / window) * window, window);
@@ -98,8 +98,7 @@ LayoutResult measure_layout(const std::vector<Sym3<T>>& matrices, Layout layout,
   MatrixArray<T> in(layout, count), result(layout, count);
   in.fill(matrices), result.fill(matrices);
   std::vector<Sym3<T>> out(window);
-  // Short runs are repeated until the clock can tell, and done once before, so that what fits is in the
-  // cache.
+  // Short runs are repeated to exceed the clock resolution, after one run to fill the cache.
   const std::size_t times = std::max<std::size_t>(1, 200'000 / count);
   const auto repeated = [=](auto once) {
     return [=](std::size_t) {
@@ -148,7 +147,7 @@ void measure(ExpBench& bench, base::Progress& progress) {
   }
 }
 
-/// The shortest time among what fits in the second cache.
+/// The shortest time among sizes that fit the second-level cache.
 double best_in_cache(const ExpBench& bench) {
   double best = bench.layouts.front().fast;
   for (const LayoutResult& r : bench.layouts) {
@@ -157,7 +156,7 @@ double best_in_cache(const ExpBench& bench) {
   return best;
 }
 
-// Rows that are not a method keep their own name.
+// Rows that are not methods keep their own name.
 std::string shown_name(const std::string& name) {
   const auto method = sym3::method_from_name(name);
   return method ? std::string(sym3::label(*method)) : name;

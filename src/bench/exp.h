@@ -1,4 +1,4 @@
-// The methods for exp, and their cost by layout and size against a copy of the same bytes.
+// The methods for exp, and their cost by layout and size, compared with a copy of the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,11 @@ struct ExpMethod {
   sym3::Sym3<float> (*in_float)(const sym3::Sym3<float>&);
 };
 
-/// Diag, Direct (Eigen's closed-form computeDirect in place of QR), SD, Improved SD as printed and guarded,
-/// Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp), and Fast, one matrix a call.
+/// Diag, Direct (Eigen's closed-form computeDirect instead of QR), SD, Improved SD as printed and guarded,
+/// Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp), and Fast, one matrix per call.
 std::span<const ExpMethod> exp_methods();
 
-/// One layout and size; nanoseconds a matrix, all from the same interleaved run.
+/// One layout and size; nanoseconds per matrix, all from the same interleaved run.
 struct LayoutResult {
   sym3::Layout layout;
   std::size_t count = 0;
@@ -40,17 +40,17 @@ struct ExpBench {
   std::vector<LayoutResult> layouts;  ///< by layout, then by size from 1024 to `count`
 };
 
-/// The paper's ensemble, one thread, processor time, medians. About 1 kB of memory for each 10 matrices, 30 s
-/// for 10^7. Throws base::Cancelled.
+/// The paper's ensemble, one thread, processor time, medians. About 100 bytes of memory per matrix, 30 s for
+/// 10^7. Throws base::Cancelled.
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
 
 struct ExpBar {
   std::string name;
-  double ns = 0;      ///< a matrix
-  bool ours = false;  ///< else what we are compared with
+  double ns = 0;      ///< per matrix
+  bool ours = false;  ///< false: a reference
 };
 
-/// To be shown side by side: the methods, matrices from memory, and ours in the cache.
+/// Bars for one plot: the methods, matrices from memory, and our method in the cache.
 std::vector<ExpBar> bars_of(const ExpBench& bench);
 
 /// "planes".

@@ -18,7 +18,7 @@ namespace viete::bench {
 
 namespace {
 
-constexpr std::size_t moments = 21;  // of a way from shape to shape
+constexpr std::size_t moments = 21;  // moments between two shapes
 
 std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base::Progress& progress) {
   FrameOptions options;
@@ -34,7 +34,7 @@ ModeComparison ways_of(const Figures& figures, const scene::Document& opened, ba
   return measure_modes(*opened.model.surface, opened.cage, figures.poses, settings, progress);
 }
 
-// From above and aside, without what faces away.
+// View from above and from the side, with back faces removed.
 ShapePicture picture_of(std::string name, const mesh::Surface& rest,
                         const std::vector<mesh::Point>& positions) {
   constexpr std::size_t most_dots = 3000;
@@ -76,14 +76,14 @@ ReportSizes quick_sizes() {
 
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
   Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
-  // First what may be wrong with files.
+  // Checks files first.
   const scene::Document opened = open_model(files.model, files.cage);
   std::vector<std::string> warnings;
   figures.poses = read_poses(files.poses, *opened.cage, warnings);
   if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});
   const ShapesOfModel shapes = read_shapes_of_model(files.rest, files.shapes);
   const struct {
-    double seconds;  // about, of all matrices
+    double seconds;  // approximate, of all matrices
     std::function<void()> measure;
   } works[] = {{10, [&] { figures.eigen = measure_eigen(sizes.matrices, progress); }},
                {25, [&] { figures.exp = measure_exp(sizes.matrices, false, progress); }},

@@ -1,4 +1,4 @@
-// The figures of a report: the paper's three and ours, measured one after the other.
+// Measures the figures of a report one after the other: the paper's three and ours.
 #pragma once
 
 #include <array>
@@ -18,24 +18,24 @@
 
 namespace viete::bench {
 
-/// How much of each is measured.
+/// Sizes of the measurements.
 struct ReportSizes {
   std::size_t matrices = 10'000'000;
-  std::size_t samples = 16'384;  ///< matrices a row of errors
+  std::size_t samples = 16'384;  ///< matrices per row of errors
   std::vector<std::size_t> faces = {50, 100, 300, 600};
-  std::size_t rounds = 7;  ///< of frames
+  std::size_t rounds = 7;  ///< rounds of frames
 };
-/// A tenth of the time, and noisier.
+/// A tenth of the time, with more noise.
 ReportSizes quick_sizes();
 
 struct ReportFiles {
   std::filesystem::path model, cage;
-  std::vector<std::filesystem::path> poses;  ///< of the cage; empty: one that is made
-  std::filesystem::path rest;                ///< a model at rest, and shapes of it: by default the dragon's
+  std::vector<std::filesystem::path> poses;  ///< poses of the cage; empty: a generated one
+  std::filesystem::path rest;                ///< a model at rest, and shapes of it; default: the dragon's
   std::vector<std::filesystem::path> shapes;
 };
 
-/// Dots of a model as it is seen, about 0, y up; lengths in diagonals of the model at rest.
+/// Dots of a model in a view, centred at 0, y up; lengths in diagonals of the model at rest.
 struct ShapePicture {
   std::string name;
   std::vector<std::array<double, 2>> dots;
@@ -47,36 +47,36 @@ struct Figures {
   EigenBench eigen;
   ExpBench exp, exp_in_float;
   std::vector<AccuracyTable> accuracy, accuracy_in_float;
-  std::vector<FrameTime> deformation;  ///< of the model in its cage
-  std::vector<FrameTime> frames;       ///< in cages that are made, by number of triangles
+  std::vector<FrameTime> deformation;  ///< frames of the model in its cage
+  std::vector<FrameTime> frames;       ///< frames in generated cages, by number of triangles
   std::vector<NamedPose> poses;
-  ModeComparison ways;                 ///< that have names
+  ModeComparison ways;                 ///< named deformers
   nlohmann::json shapes;               ///< see measure_halfway()
-  std::vector<ShapePicture> pictures;  ///< from rest to the shape that straight lines lose most volume to
+  std::vector<ShapePicture> pictures;  ///< from rest to the shape that loses most volume on straight lines
 };
 
-/// One after the other, so that none disturbs another. Throws base::Error, base::Cancelled.
+/// Sequential, so that measurements do not disturb each other. Throws base::Error, base::Cancelled.
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress);
 
-/// All that was measured, as the benchmarks write it.
+/// All measurements, in the format of the benchmarks.
 nlohmann::json to_json(const Figures& figures);
 
-/// Triangles of the cage that frames are quoted of.
+/// Number of cage triangles of the quoted frame times.
 inline constexpr std::size_t usual_faces = 300;
 
-/// How much less time than `than`: 76 of 0.24 and 1.
+/// Time saved relative to `than`, in percent: 76 for 0.24 and 1.
 double percent_less(double time, double than);
-/// "76 %", which no line parts.
+/// "76 %", with a no-break space.
 std::string percent(double value);
-/// Null where there is none; of one thread.
+/// The single-threaded time of this name; null if there is none.
 const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces);
-/// The frame by links, with exp by that method.
+/// The frame by links, with exp by this method.
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method);
-/// Over all gaps of two and of three eigenvalues; by the method of this label.
+/// Largest error over all gaps of two and three eigenvalues, of the method with this label.
 double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method);
-/// Of a way in a row of measure_halfway(): "27 %", "nothing".
+/// Volume loss of a deformer in a row of measure_halfway(): "27 %", "nothing".
 std::string lost_volume(const nlohmann::json& way);
-/// A path as a shell takes it.
+/// A path quoted for the shell.
 std::string shell_word(const std::filesystem::path& path);
 
 }  // namespace viete::bench

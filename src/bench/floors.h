@@ -1,4 +1,4 @@
-// What no frame can be faster than: the machine's speed of reading memory and of multiply-adds, measured.
+// Lower bounds of frame times: the machine's memory read speed and multiply-add throughput, measured.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,10 @@
 
 namespace viete::bench {
 
-/// Reads `count` floats, a multiple of 64, from aligned memory, and does next to nothing with them.
+/// Reads `count` floats, a multiple of 64, from aligned memory, with almost no computation.
 float run_read_floor(const float* data, std::size_t count, const sym3::Kernel& kernel = sym3::kernel());
 
-/// At least `count` multiply-adds of floats on registers alone, with as many in flight as the machine has
-/// registers for.
+/// At least `count` multiply-adds of floats in registers, with as many in flight as there are registers.
 float run_multiply_add_floor(std::size_t count, const sym3::Kernel& kernel = sym3::kernel());
 
 }  // namespace viete::bench

@@ -27,7 +27,7 @@ namespace {
 
 using namespace frame_names;
 
-/// Of one number of vertices; null where it was not measured.
+/// Times for one number of vertices; null if not measured.
 class Times {
 public:
   Times(std::span<const FrameTime> all, std::size_t vertices) : all_(all), vertices_(vertices) {}
@@ -89,7 +89,7 @@ void check_speed(const Times& times, Bars& bars) {
   }
 }
 
-// The larger of the two: what the slower of memory and arithmetic allows.
+// The larger of memory and arithmetic time, the lower bound of a frame.
 void check_floor(const Times& times, Bars& bars) {
   const auto *frame = times.of(dense, 300), *read = times.of(read_floor, 300),
              *sums = times.of(multiply_add_floor, 300);
@@ -139,9 +139,9 @@ namespace {
 using deform::Link;
 using sym3::Method;
 
-constexpr std::size_t exp_portion = 4096;  // matrices that stay in cache
+constexpr std::size_t exp_portion = 4096;  // matrices that fit the cache
 
-// The model, its first vertices, or subdivided until it has about as many.
+// The model, truncated or subdivided to about this number of vertices.
 mesh::Surface of_size(mesh::Surface model, std::size_t count) {
   while (count > 2 * model.positions.size()) model = subdivided(model);
   if (count == 0 || 2 * count > model.positions.size()) return model;
@@ -153,21 +153,21 @@ mesh::Surface of_size(mesh::Surface model, std::size_t count) {
   return mesh::from_triangles(std::move(model.positions), kept);
 }
 
-/// Something that is timed, and what it found out on the way.
+/// A timed case with its results.
 struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
-  std::function<deform::LinkTimes()> links;  ///< empty: it has none
+  std::function<deform::LinkTimes()> links;  ///< empty: none
   std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
-  std::size_t bytes = 0;                     ///< read once a frame
-  int repeats = 1;                           ///< in a row, for what is too short to time
+  std::size_t bytes = 0;                     ///< read once per frame
+  int repeats = 1;                           ///< repetitions, for short cases
   std::vector<double> cpu_ms{}, wall_ms{};
   std::vector<deform::LinkTimes> link_ms{};
 };
 
-// Frames follow each other for as long as a hand drags: what the caches hold then is the frame before. A
-// short frame takes a few to get there, a long one flushes them anyway.
+// In a drag each frame finds the caches as the previous one left them. Short frames need a few repetitions to
+// reach that state; long ones flush the caches anyway.
 void warm_up(const Case& c) {
   constexpr int frames = 8;
   constexpr double seconds = 0.02;
@@ -175,7 +175,7 @@ void warm_up(const Case& c) {
   for (int n = 0; n < frames && (n == 0 || base::wall_seconds() < end); ++n) c.run();
 }
 
-// Processor time, where several threads share the work of the one that took longest.
+// Processor time; with several threads that of the slowest.
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
   const double wall = base::wall_seconds(), cpu = base::thread_seconds();
@@ -205,7 +205,7 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
-/// The fused engine alone, of tiles that need no other binding.
+/// The fused engine alone, with tiles that need no other binding.
 struct FusedFrame {
   FusedFrame(std::shared_ptr<const deform::Cage> cage,
              const std::shared_ptr<const deform::TiledBinding>& tiles, base::WorkerPool& pool)
@@ -225,7 +225,7 @@ struct FusedFrame {
   deform::FusedEngine engine;
 };
 
-/// One model in one cage: everything that is compared, bound and ready.
+/// One model in one cage, with all compared paths bound.
 class FrameRuns {
 public:
   FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage, double tolerance)
@@ -259,11 +259,11 @@ public:
   void print(std::span<const FrameTime> times) const;
 
 private:
-  // Not if it does not fit the memory: then there is nothing staged to compare with.
+  // Skipped if memory does not suffice: then there is no staged reference.
   void bind_staged(const mesh::Surface& model) try {
     binding_ = std::make_shared<const deform::Binding>(deform::bind(model, *cage_, weighting_, all_));
     staged_ = std::make_unique<deform::Deformer>(cage_, binding_, deform::Scheme{binding_->weighting}, one_);
-    staged_->deform(pose_, Method::diag);  // an exponential that shares nothing with ours
+    staged_->deform(pose_, Method::diag);  // an exponential without code in common with ours
     expected_ = staged_->positions();
   } catch (const base::Error& error) {
     std::printf("  no staged frame: %s\n", error.what());
@@ -285,7 +285,7 @@ private:
     add_exponentials();
   }
 
-  // As many as a frame has, of matrices that it has, in cache: what the fused pass cannot do without.
+  // As many exponentials as in a frame, of its matrices, in cache: a lower bound of the fused pass.
   void add_exponentials() {
     staged_->deform(pose_, Method::fast);
     const auto matrices = staged_->sample_matrices(expected_.size());
@@ -422,7 +422,7 @@ nlohmann::json to_json(const FrameTime& t) {
 
 using Cages = std::vector<std::shared_ptr<const deform::Cage>>;
 
-// The one that was opened, or those that are made.
+// The opened cage, or generated ones.
 Cages cages_around(const mesh::Surface& model, const scene::Document& opened,
                    const std::vector<std::size_t>& faces) {
   if (opened.has_cage()) return {opened.cage};
@@ -432,7 +432,7 @@ Cages cages_around(const mesh::Surface& model, const scene::Document& opened,
   return cages;
 }
 
-// show(runs, times) after each.
+// Calls show(runs, times) after each.
 template <class Show>
 std::vector<FrameTime> measured(const FrameOptions& options, const scene::Document& opened, const Show& show,
                                 base::Progress& progress) {
@@ -443,7 +443,7 @@ std::vector<FrameTime> measured(const FrameOptions& options, const scene::Docume
   for (const std::size_t count : options.counts) {
     const mesh::Surface model = of_size(*opened.model.surface, count);
     const auto share =
-        std::max<std::size_t>(1, model.positions.size() / 50'000);  // of the rounds, for large models
+        std::max<std::size_t>(1, model.positions.size() / 50'000);  // rounds, reduced for large models
     for (const auto& cage : cages_around(model, opened, options.faces)) {
       progress.section(done / total, (done + 1) / total);
       ++done;
@@ -478,7 +478,7 @@ void bench_frame(const FrameOptions& options) {
   const std::vector<FrameTime> all = measured(options, opened, show, progress);
   std::printf("\n");
   Bars bars;
-  // They are of cages that are made.
+  // The limits apply to generated cages.
   if (!opened.has_cage()) check_frame(all, bars);
   write_json(options.json, {{"figure", "frame"}, {"results", to_json(all)}, {"bars", bars.rows}});
 }

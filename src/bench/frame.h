@@ -17,14 +17,14 @@
 
 namespace viete::bench {
 
-/// One thing that was measured at one size: a path, on one thread or all, or a floor.
+/// One measurement at one size: a path, on one thread or all, or a lower bound.
 struct FrameTime {
   std::size_t vertices, faces;
-  std::string name;  ///< as below
+  std::string name;  ///< see below
   int threads;
   double cpu_ms, wall_ms;  ///< medians; processor time of the slower thread
-  double error;       ///< largest distance from the staged frame by QR in diagonals of the cage; NaN: none
-  std::size_t bytes;  ///< read once a frame
+  double error;  ///< largest distance from the staged frame by QR in diagonals of the cage; NaN: not measured
+  std::size_t bytes;        ///< read once per frame
   deform::LinkTimes links;  ///< medians, wall
 };
 
@@ -39,20 +39,20 @@ inline constexpr const char* read_floor = "floor: reading";
 inline constexpr const char* multiply_add_floor = "floor: multiply-adds";
 }  // namespace frame_names
 
-/// Those bars that these times say anything about. Sizes are the smallest number of vertices and the largest.
+/// Checks the limits that these times cover. Sizes are the smallest number of vertices and the largest.
 void check_frame(std::span<const FrameTime> times, Bars& bars);
 
 struct FrameOptions {
   std::filesystem::path model;
-  std::filesystem::path cage;             ///< empty: cages of `faces` triangles are made for the model
-  std::vector<std::size_t> counts = {0};  ///< vertices: the model is cut off or subdivided; 0: as it is
+  std::filesystem::path cage;             ///< empty: cages of `faces` triangles are generated for the model
+  std::vector<std::size_t> counts = {0};  ///< vertices: the model is truncated or subdivided; 0: unchanged
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   std::size_t rounds = 11;
   double tolerance = deform::usual_tolerance;
-  std::filesystem::path json;  ///< the numbers go here too; empty: nowhere
+  std::filesystem::path json;  ///< output of the numbers; empty: none
 };
 
-/// Each number of vertices in each cage, all paths interleaved. Throws base::Error, base::Cancelled.
+/// Measures each number of vertices in each cage, all paths interleaved. Throws base::Error, base::Cancelled.
 std::vector<FrameTime> measure_frames(const FrameOptions& options, base::Progress& progress);
 nlohmann::json to_json(std::span<const FrameTime> times);
 

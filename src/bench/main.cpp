@@ -1,4 +1,4 @@
-// viete-bench: what `viete bench` and `viete report` become.
+// viete-bench: runs `viete bench` and `viete report`.
 #include <string>
 #include <vector>
 
@@ -13,7 +13,7 @@ void add_commands(CLI::App& app, viete::app::Action& action) {
   viete::bench::add_report_command(app, action);
 }
 
-// A benchmark may be named by itself.
+// Allows a benchmark name without `bench`.
 std::vector<std::string> with_command(std::vector<std::string> typed, const CLI::App&) {
   if (typed.empty() || typed.front() != "report") typed.insert(typed.begin(), "bench");
   return typed;

@@ -12,7 +12,7 @@
 
 namespace viete::bench {
 
-/// Starts at a page, as large arrays do. Not initialised.
+/// Starts at a page boundary, like large arrays. Not initialised.
 template <class T>
 class MatrixArray {
 public:
@@ -27,12 +27,12 @@ public:
     return sym3::SymView<T>(layout_, data_.get());
   }
 
-  /// These matrices, again and again.
+  /// Fills the array with these matrices, repeated.
   void fill(std::span<const sym3::Sym3<T>> matrices) {
     for (std::size_t i = 0; i < count_; ++i) set(i, matrices[i % matrices.size()]);
   }
 
-  /// The copy that a computation is compared with: the same bytes, read once and written once.
+  /// The copy as a reference for computations: the same bytes, read once and written once.
   void copy_to(MatrixArray& other) const {
     if (layout_ != sym3::Layout::planes) {
       std::memcpy(other.data_.get(), data_.get(), size_ * sizeof(T));

@@ -37,7 +37,7 @@ bool sees(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) 
   return dot(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), x - p[t[0]]) > 0;
 }
 
-// Convex hull, one point after the other: what a point sees is replaced by a fan over its rim.
+// Convex hull by insertion: replaces the triangles visible from a point by a fan over their rim.
 std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 1}};
   for (std::uint32_t i = 3; i < p.size(); ++i) {
@@ -56,7 +56,7 @@ std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   return triangles;
 }
 
-// x as a non-negative combination of a triangle's corners, if it lies in its cone.
+// x as a non-negative combination of a triangle's corners, if it lies in their cone.
 std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) {
   const Point &a = p[t[0]], &b = p[t[1]], &c = p[t[2]];
   const double volume = dot(a, cross(b, c));
@@ -65,7 +65,7 @@ std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& 
   return w;
 }
 
-// A triangle whose corners are as far out as w_0 + w_1 + w_2 of each point above it has them all inside.
+// A triangle encloses the points in its cone if its corners are as far out as w_0 + w_1 + w_2 of each.
 std::vector<double> radii_around(const mesh::Surface& model, const Point& center,
                                  const std::vector<Point>& directions,
                                  const std::vector<mesh::Triangle>& triangles) {
@@ -156,7 +156,7 @@ double area_of(std::span<const Point> p, const mesh::Triangle& t) {
   return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
 }
 
-// Of tetrahedra from one of its points, so that nothing is lost far from the origin.
+// Sum of tetrahedra from one of its points, so that no digits are lost far from the origin.
 double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
   const Point& apex = p[triangles[0][0]];
   double sum = 0;
@@ -164,7 +164,7 @@ double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> trian
   return sum / 6;
 }
 
-// Between the normals of the triangles a b c and b a d; 0 where they lie in a plane.
+// Angle between the normals of the triangles a b c and b a d; 0 if they are coplanar.
 double hinge_angle(std::span<const Point> p, const std::array<std::uint32_t, 4>& corners) {
   const auto& [a, b, c, d] = corners;
   const Point edge = p[b] - p[a], n = cross(edge, p[c] - p[a]), m = cross(p[d] - p[a], edge);
@@ -196,7 +196,7 @@ void RestModel::add_faces(const mesh::Surface& model) {
     area_ += faces_.back().area();
     for (const auto corner : t) shares_[corner] += faces_.back().area();
   }
-  if (faces_.empty()) throw base::Error("", "the model has no triangle with area", "choose another one");
+  if (faces_.empty()) throw base::Error("", "the model has no triangle with area", "choose another model");
   for (double& share : shares_) share /= 3 * area_;
 }
 
@@ -224,13 +224,13 @@ Distortion RestModel::distortion(std::span<const Point> positions) const {
     const auto [x, y] = lab::plane_map(f, positions);  // columns of J, in space
     const double xx = squared_norm(x), yy = squared_norm(y);
     const bool lost = !has_area(positions, f.corners);
-    const double stretch = lost ? 0 : norm(cross(x, y));                       // of area: det J
+    const double stretch = lost ? 0 : norm(cross(x, y));                       // area ratio: det J
     const double larger = (xx + yy + std::hypot(xx - yy, 2 * dot(x, y))) / 2;  // squared
     shears.push_back(larger / stretch);
     result.energy += f.area() / area_ * ((xx + yy) * (1 + 1 / (stretch * stretch)) - 4);
     result.collapsed += lost;
   }
-  // A triangle that has shrunk to a point has no shear to speak of, but has collapsed all the same.
+  // A triangle collapsed to a point has no defined shear, but counts as collapsed.
   for (double& shear : shears) shear = std::isnan(shear) ? std::numeric_limits<double>::infinity() : shear;
   if (result.collapsed) result.energy = std::numeric_limits<double>::infinity();
   result.worst_shear = *std::max_element(shears.begin(), shears.end());

@@ -46,7 +46,7 @@ sym3::Mat3<double> turned(double scale) {
   return m;
 }
 
-// Vertices of the cage's triangles, spread evenly over their numbers.
+// Vertices of the cage's triangles, spread evenly over their indices.
 std::vector<std::uint32_t> spread_cage_vertices(const deform::Cage& cage, std::size_t limit) {
   std::vector<std::uint32_t> used;
   for (const auto& t : cage.surface.triangles) used.insert(used.end(), t.begin(), t.end());
@@ -85,7 +85,7 @@ double deviation(const WholePose& pose, const deform::Cage& cage, std::span<cons
   double largest = 0;
   for (std::size_t v = 0; v < model.size(); ++v) {
     const double off = norm(positions[v] - moved_by(pose, middle, cage.diagonal, model[v]));
-    largest = std::isnan(largest) || off <= largest ? largest : off;  // NaN counts
+    largest = std::isnan(largest) || off <= largest ? largest : off;  // keeps NaN
   }
   return largest / mesh::used_bounds(posed).diagonal();
 }
@@ -103,7 +103,7 @@ double leak(const deform::Cage& cage, std::span<const Point> model, const Deform
     for (std::size_t i = 0; i < model.size(); ++i) {
       if (norm(model[i] - from) <= 0.25 * cage.diagonal) continue;
       const double motion = norm(positions[i] - rest[i]);
-      motions.push_back(std::isnan(motion) ? HUGE_VAL : motion);  // the median takes no NaN
+      motions.push_back(std::isnan(motion) ? HUGE_VAL : motion);  // the median does not accept NaN
     }
     if (!motions.empty()) medians.push_back(base::median(std::move(motions)) / cage.diagonal);
   }
@@ -145,7 +145,7 @@ namespace {
 
 using mesh::norm;
 
-constexpr double nearby = 0.01, touching = 0.001;  // of the diagonal
+constexpr double nearby = 0.01, touching = 0.001;  // relative to the diagonal
 constexpr std::size_t most_starts = 20000;
 
 }  // namespace
@@ -191,10 +191,10 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-// Of energies per area, and of bending: below it they are rounding.
+// Limit for energies per area and bending; smaller values are rounding.
 constexpr double next_to_none = 1e-10;
 
-/// Everything that is measured of one model in one cage.
+/// Measures one model in one cage.
 class ModeRuns {
 public:
   ModeRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
@@ -204,7 +204,7 @@ public:
     near_pairs_ = near_pairs(surface_, all_);
   }
 
-  // In double, link by link. One binding at a time: those of all vertices are large.
+  // Measures in double, link by link, with one binding at a time, since those of all vertices are large.
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {
@@ -236,7 +236,7 @@ public:
   const std::vector<std::string>& warnings() const { return warnings_; }
   void forget_shapes() { staged_.reset(); }
 
-  // What the program would bind, timed, and a frame of it.
+  // Times the binding and a frame as in the program.
   void add_frame(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     const Bound& bound = fused(weighting);
@@ -252,7 +252,7 @@ public:
     frames_.push_back({&mode, std::move(frame)});
   }
 
-  // Of each a few frames in a row, as under a hand.
+  // Times a few consecutive frames of each, as in a drag.
   void time_frames(std::size_t rounds, base::Progress& progress) {
     constexpr std::size_t in_a_row = 4;
     std::vector<RoundCase> cases;
@@ -287,7 +287,7 @@ private:
     return bound_.back();
   }
 
-  // Held alike in all modes.
+  // Uses the same constraints in all modes.
   std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
     if (!stitching_)
       stitching_ = std::make_shared<const deform::Stitching>(
@@ -325,13 +325,13 @@ private:
   std::vector<CagePoint> nearest_;
   std::vector<mesh::Edge> near_pairs_;
   std::shared_ptr<const deform::Binding> staged_;
-  std::deque<Bound> bound_;  // what is made stays where it is
+  std::deque<Bound> bound_;  // a deque keeps references valid
   std::shared_ptr<const deform::Stitching> stitching_;
   std::vector<Frame> frames_;
   std::vector<std::string> warnings_;
 };
 
-// What is to be measured: ways that have names come first.
+// The schemes to be measured, named deformers first.
 std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   std::vector<deform::Scheme> all, schemes;
   for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
@@ -350,7 +350,7 @@ std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   return schemes;
 }
 
-// Those of the same weights one after the other, so that these are made once.
+// Groups schemes with equal weights, so that these are computed once.
 std::vector<Mode> modes_by_weights(const std::vector<deform::Scheme>& schemes) {
   std::vector<Mode> modes;
   for (const deform::Scheme& scheme : schemes) {
@@ -363,7 +363,7 @@ std::vector<Mode> modes_by_weights(const std::vector<deform::Scheme>& schemes) {
   return modes;
 }
 
-// As in measured_schemes().
+// Restores the order of measured_schemes().
 void sort(std::vector<Mode>& modes, const std::vector<deform::Scheme>& schemes) {
   std::ranges::sort(modes, {}, [&](const Mode& mode) { return std::ranges::find(schemes, mode.scheme); });
 }
@@ -387,7 +387,7 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
   }
 }
 
-// A way of blending that this cage does not allow is left out, and why is said.
+// Leaves out a scheme that this cage does not support, and reports the reason.
 template <class Measure>
 void attempt(Mode& mode, const Measure& measure) {
   if (!mode.problem.empty()) return;
@@ -399,7 +399,7 @@ void attempt(Mode& mode, const Measure& measure) {
   }
 }
 
-// By the file: "pose_alert.obj" is alert.
+// Pose name from its file: "pose_alert.obj" is alert.
 std::string name_of_pose(const std::filesystem::path& file) {
   const std::string stem = file.stem().string(), prefix = "pose_";
   return stem.starts_with(prefix) ? stem.substr(prefix.size()) : stem;
@@ -413,7 +413,7 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
   ModeRuns runs(model, std::move(cage), poses, settings.method);
   const std::vector<deform::Scheme> schemes = measured_schemes(settings);
   std::vector<Mode> modes = modes_by_weights(schemes);
-  // As long as they take, about.
+  // Approximate shares of the time.
   constexpr double shapes = 0.6, bound = 0.7;
   const auto each = [&](double from, double to, const auto& measure) {
     const auto count = static_cast<double>(modes.size());

@@ -13,7 +13,7 @@ namespace viete::bench {
 
 namespace {
 
-// Lines fit 130 columns where names of schemes are no longer than 36.
+// Lines fit 130 columns if names of schemes have at most 36 characters.
 constexpr int column = 9;
 
 void print_cell(double value, const char* format) {
@@ -39,7 +39,7 @@ int name_width(std::span<const Mode> modes) {
   return static_cast<int>(longest) + 2;
 }
 
-/// A line for each way of blending that could be measured.
+/// A line for each scheme that was measured.
 template <class Row>
 void print_rows(const std::string& title, std::initializer_list<const char*> columns,
                 std::span<const Mode> modes, const Row& row) {

@@ -1,4 +1,4 @@
-// What was measured of all ways of blending, as tables and as JSON.
+// The results of all schemes, as tables and as JSON.
 #pragma once
 
 #include <functional>
@@ -9,30 +9,30 @@
 
 namespace viete::bench {
 
-/// What the columns are.
+/// Explains the columns.
 inline constexpr const char* modes_legend =
-    R"(  moved, rigid, similar, affine: the cage is posed as a whole by a map of that kind, and this is how far
-    the model is from that map, in diagonals; exact: below 1e-9
-  leak: motion of what is more than a quarter of the diagonal away when one vertex of the cage is moved
-    by a tenth of it, in diagonals; median of the model, and of 8 vertices of the cage
+    R"(  moved, rigid, similar, affine: deviation of the model from the map of this kind that poses the whole
+    cage, in diagonals; exact: below 1e-9
+  leak: motion of vertices more than a quarter of the diagonal away when one vertex of the cage moves
+    by a tenth of it, in diagonals; median over the model, and over 8 vertices of the cage
   frame, bind: ms, processor time of one thread; *: link by link, in double
-  volume: over that at rest
-  energy: symmetric Dirichlet energy of the triangles, 0 at rest, mean by area; x mvc: over that of mean
+  volume: relative to rest
+  energy: symmetric Dirichlet energy of the triangles, 0 at rest, mean by area; x mvc: relative to mean
     value coordinates
   shear: longest over shortest stretch (singular values) of a triangle, median and worst
-  bending: energy of the changes of angle between triangles (discrete shells); kinks make it large
-  gap: mean distance of the surface from where the nearest point of the cage has gone, in diagonals
-  torn: largest change of distance of vertices within 1 % of the diagonal that are of different parts, or
-    within 0.1 % and joined by no short path of edges, in diagonals
+  bending: energy of the changes of angle between triangles (discrete shells); kinks increase it
+  gap: mean distance of the surface from the posed nearest point of the cage, in diagonals
+  torn: largest change of distance of vertices within 1 % of the diagonal in different parts, or within
+    0.1 % without a short path of edges between them, in diagonals
 )";
 
-/// Of those poses that have a number; NaN where none has.
+/// Over the poses with a number; NaN if there are none.
 struct OverPoses {
   double least, middle, most;
 };
 OverPoses over_poses(const Mode& mode, const std::function<double(const ShapeQuality&)>& value);
 
-/// A table of the modes by themselves, one a pose, and one over all poses where there are several.
+/// One table of the schemes, one per pose, and a summary if there are several poses.
 void print(const ModeComparison& compared, std::span<const NamedPose> poses);
 nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses);
 

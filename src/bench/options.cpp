@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/assets.h"
+#include "app/help.h"
 #include "app/options.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -32,12 +33,13 @@ void BenchFiles::check(const FilesInUse& inputs) const {
 }
 
 void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual) {
-  app::whole_in_range(app.add_option("--rounds", rounds, "Repetitions"), 1, 1000)->default_str(usual);
+  app::whole_in_range(app.add_option("--rounds", rounds, "Number of repetitions"), 1, 1000)
+      ->default_str(usual);
 }
 
 void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot) {
-  app::add_file_option(app, "--json", files.json, "Also write the numbers to this file");
-  if (has_plot) app::add_file_option(app, "--plot", files.plot, "Also draw them: an SVG file");
+  app::add_file_option(app, "--json", files.json, "JSON file for the numbers");
+  if (has_plot) app::add_file_option(app, "--plot", files.plot, "SVG file for a plot");
   app::add_force_option(app, files.force);
 }
 
@@ -56,7 +58,7 @@ struct BenchOptions {
 constexpr std::size_t paper_count = 10'000'000;
 constexpr std::int64_t most_matrices = 1'000'000'000;
 
-// Before the system stops the program for it. A matrix comes in and goes out, as nine doubles at most.
+// Fails before the system kills the program. A matrix needs input and output, at most nine doubles each.
 void require_memory_for(std::size_t count) {
   base::require_memory({160.0 * static_cast<double>(count), base::with_thousands(count) + " matrices take",
                         "give a smaller number", "--count"});
@@ -95,15 +97,15 @@ int run_accuracy(const BenchOptions& options) {
   return exit_ok;
 }
 
-// A benchmark of a model: what it is asked and what it writes.
+// A benchmark of a model: its options and outputs.
 template <class Options>
 struct ModelBench {
   Options options{};
   BenchFiles files{};
 };
 
-// The last options, and what runs: `prepare` checks the files and takes the bundled model where none is
-// named; `check` completes what was asked, or refuses it.
+// The last options, and the run: `prepare` checks the files and takes the bundled model if none is given;
+// `check` completes the options, or rejects them.
 template <class Options, class Prepare>
 void finish(
     CLI::App& command, Action& action, const std::shared_ptr<ModelBench<Options>>& bench,
@@ -127,7 +129,7 @@ CLI::Option* add_model(CLI::App& command, std::filesystem::path& model) {
 template <class Options>
 CLI::Option* add_model_and_cage(CLI::App& command, Options& options, const char* usual_cage) {
   add_model(command, options.model);
-  return add_file_option(command, "CAGE", options.cage, "Cage around it, at rest")->default_str(usual_cage);
+  return add_file_option(command, "CAGE", options.cage, "Cage at rest")->default_str(usual_cage);
 }
 
 template <class Options>
@@ -140,10 +142,11 @@ void add_frame_bench(CLI::App& command, Action& action) {
   auto bench = std::make_shared<ModelBench<FrameOptions>>();
   auto& options = bench->options;
   auto* cage = add_model_and_cage(command, options, "generated cages, see --faces");
-  auto* counts = command.add_option("--count", options.counts,
-                                    "Vertices, several with commas; 200000 and 800000 subdivide");
+  auto* counts =
+      command.add_option("--count", options.counts,
+                         "Numbers of vertices, comma-separated; 200000 and 800000 subdivide the model");
   whole_in_range(counts, 1, most_vertices)->delimiter(',')->allow_extra_args(false)->default_str("all");
-  auto* faces = command.add_option("--faces", options.faces, "Cage triangles, several with commas");
+  auto* faces = command.add_option("--faces", options.faces, "Numbers of cage triangles, comma-separated");
   whole_in_range(faces, 8, 10'000)
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -160,9 +163,9 @@ void add_bind_bench(CLI::App& command, Action& action) {
   auto bench = std::make_shared<ModelBench<BindOptions>>();
   auto& options = bench->options;
   auto* cage = add_model_and_cage(command, options, "a generated cage, see --faces");
-  auto* count = command.add_option("--count", options.count, "Vertices at least, by subdivision");
+  auto* count = command.add_option("--count", options.count, "Minimum number of vertices, by subdivision");
   whole_in_range(count, 1, most_vertices)->default_str("all");
-  auto* faces = command.add_option("--faces", options.faces, "Cage triangles");
+  auto* faces = command.add_option("--faces", options.faces, "Number of cage triangles");
   whole_in_range(faces, 8, 10'000)->default_str("300")->excludes(cage);
   add_rounds_option(command, options.rounds, "5");
   finish(command, action, bench, bench_bind, prepare_model<BindOptions>);
@@ -186,19 +189,18 @@ void add_modes_bench(CLI::App& command, Action& action) {
   auto& options = bench->options;
   auto& settings = options.settings;
   add_model_and_cage(command, options, "the dragon's cage");
-  command.add_option("POSE", options.poses, "Posed cages, same vertices in the same order")
+  command.add_option("POSE", options.poses, "Posed cages (same vertices, same order)")
       ->default_str("the dragon's poses");
   add_method_option(command, [&settings](sym3::Method method) { settings.method = method; });
   add_choice_options(command, settings.choice);
   add_radius_option(command, settings.radius);
-  auto asked = std::make_shared<scene::AskedSettings>();
+  auto asked = std::make_shared<scene::RequestedSettings>();
   add_stitching_options(command, *asked);
   add_rounds_option(command, settings.rounds, "11");
   const auto check = [&options, asked] {
     options.settings.iterations = asked->iterations.value_or(0);
     if ((asked->pins || asked->hold) && !asked->iterations)
-      throw CLI::ValidationError(asked->pins ? "--pins" : "--hold",
-                                 "only stitched models are held: add --stitched");
+      throw CLI::ValidationError(asked->pins ? "--pins" : "--hold", "needs --stitched");
     options.settings.holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
     require_pose(options.model, options.cage, !options.poses.empty());
   };
@@ -218,11 +220,11 @@ struct MatrixBench {
 constexpr MatrixBench matrix_benches[] = {
     {"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices, true, true,
      run_exp},
-    {"eigen", "Time of eigenvalues by QR, by Viete's formula and by ours", "Matrices", paper_count,
-     most_matrices, true, false, run_eigen},
-    {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices a row", 4096,
+    {"eigen", "Time of eigenvalues: QR, Viete's formula and ours", "Matrices", paper_count, most_matrices,
+     true, false, run_eigen},
+    {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices per row", 4096,
      1'000'000, false, true, run_accuracy},
-    {"sym3", "Every promise of the core, by kernel and layout", "Matrices from memory", paper_count,
+    {"sym3", "Check every guarantee of exp by kernel and layout", "Matrices in memory", paper_count,
      most_matrices, false, false, run_sym3}};
 
 }  // namespace
@@ -230,6 +232,7 @@ constexpr MatrixBench matrix_benches[] = {
 void add_bench_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("bench", "Measure speed and accuracy on this machine");
   command->require_subcommand(1);
+  add_examples(*command, {"bench exp --plot exp.svg", "bench frame --json frame.json"});
   for (const MatrixBench& bench : matrix_benches) {
     auto* sub = command->add_subcommand(bench.name, bench.text);
     auto options = std::make_shared<BenchOptions>();
@@ -237,7 +240,7 @@ void add_bench_command(CLI::App& app, Action& action) {
     whole_in_range(sub->add_option("--count", options->count, bench.count), 1, bench.most)
         ->default_str(base::with_thousands(bench.usual_count));
     add_bench_files(*sub, options->files, bench.has_plot);
-    if (bench.has_float) sub->add_flag("--float", options->in_float, "In single precision");
+    if (bench.has_float) sub->add_flag("--float", options->in_float, "Use single precision");
     sub->callback([options, &action, run = bench.run] {
       action = [options, run] {
         options->files.check();
@@ -250,11 +253,9 @@ void add_bench_command(CLI::App& app, Action& action) {
     const char* name;
     const char* text;
     void (*add)(CLI::App&, Action&);
-  } model_benches[] = {
-      {"frame", "A frame of a model: by path, cage and stage", add_frame_bench},
-      {"bind", "Binding a model: time against plain loops, and memory", add_bind_bench},
-      {"modes", "Every way of blending, side by side: what it reproduces, how it distorts, what it costs",
-       add_modes_bench}};
+  } model_benches[] = {{"frame", "Time of a frame by path, cage and stage", add_frame_bench},
+                       {"bind", "Time and memory of binding a model", add_bind_bench},
+                       {"modes", "Exactness, distortion and cost of every deformer", add_modes_bench}};
   for (const auto& bench : model_benches) bench.add(*command->add_subcommand(bench.name, bench.text), action);
 }
 

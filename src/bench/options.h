@@ -11,20 +11,20 @@
 
 namespace viete::bench {
 
-/// Where the numbers of a benchmark go; empty: nowhere.
+/// Output files of a benchmark; empty: none.
 struct BenchFiles {
   std::filesystem::path json, plot;
   bool force = false;
 
-  /// As check_output(); neither may be the other, nor one of `inputs`.
+  /// As check_output(); the files must differ from each other and from `inputs`.
   void check(const app::FilesInUse& inputs = {}) const;
 };
 
 /// --rounds, 1 to 1,000.
 void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual);
-/// Vertices of a benchmark's model, which is subdivided until it has so many.
+/// Limit of the subdivision of a benchmark's model.
 constexpr std::int64_t most_vertices = 10'000'000;
-/// --json, --force and, if asked for, --plot.
+/// Adds --json, --force and, if requested, --plot.
 void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 
 void add_bench_command(CLI::App& app, app::Action& action);

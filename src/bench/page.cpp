@@ -105,7 +105,7 @@ nlohmann::json to_json(const Made& made) {
 
 namespace {
 
-// A colour of the plots, and what it is on a dark ground.
+// Colours of the plots, with their replacements in the dark theme.
 constexpr const char* night[][2] = {{"#ffffff", "none"},    {"#1f2933", "#e3e7ec"}, {"#6b7785", "#9aa5b1"},
                                     {"#e4e8ec", "#2b333c"}, {"#cfd6dd", "#3b4651"}, {"#9aa5b1", "#6b7785"},
                                     {"#c77700", "#f0a13a"}, {"#0072b2", "#56b4e9"}, {"#009e73", "#3fc79a"},
@@ -168,7 +168,7 @@ using base::few_digits;
 
 using Glance = std::vector<std::pair<std::string, std::string>>;
 
-// What is worth knowing if nothing else is read: a value, and what it is of.
+// The summary: values with their descriptions.
 Glance glance_of(const Figures& figures) {
   const double diag = time_of(figures.exp.methods, "diag"), fast = time_of(figures.exp.methods, "fast");
   Glance glance = {

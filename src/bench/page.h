@@ -11,14 +11,14 @@
 
 namespace viete::bench {
 
-/// <p class="...">, a paragraph of text; no class where that is empty.
+/// A paragraph of text, <p class="...">; without a class if `kind` is empty.
 std::string paragraph(std::string_view text, std::string_view kind = "");
 
-/// A command that is typed.
+/// A command line to copy.
 std::string command_line(std::string_view command);
 
-/// The first column is of names; the others are of numbers and stand to the right, but for those that are
-/// called by `words`. Scrolls by itself where the page is narrow.
+/// The first column has names; the others have numbers and are right-aligned, except columns listed in
+/// `words`. Scrolls horizontally on narrow pages.
 struct HtmlTable {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
@@ -26,31 +26,31 @@ struct HtmlTable {
 };
 std::string html(const HtmlTable& table);
 
-/// A drawing with its title, which it is also read out by.
+/// A drawing with its title, which is also its accessible name.
 std::string figure(std::string_view title, std::string_view svg);
 
 struct Made {
-  std::string command;    ///< as it was typed
+  std::string command;    ///< as typed
   std::string date;       ///< "2026-11-26 11:18 UTC"
   std::string program;    ///< version, build, compiler
-  std::string kernel;     ///< of the vector code
-  std::string processor;  ///< with the number of its threads
+  std::string kernel;     ///< kernel of the vector code
+  std::string processor;  ///< with its number of threads
   std::string memory, system;
-  double seconds = 0;  ///< that it took
+  double seconds = 0;  ///< duration
 };
 
-/// Of this machine, now.
+/// The facts about this machine and run.
 Made made_here(std::string command, double seconds);
 
-/// Each with what it is called, in the order of reading.
+/// The facts with their labels, in reading order.
 std::vector<std::pair<std::string, std::string>> facts_of(const Made& made);
 nlohmann::json to_json(const Made& made);
 
-/// What page and file have as raw numbers.
+/// The raw numbers of the page and of report.json.
 nlohmann::json report_json(const Figures& figures, const Made& made);
-/// CSS: how the page looks on a screen by day and by night, on a phone, on paper.
+/// CSS for screens in light and dark themes, for phones, and for print.
 std::string page_style();
-/// Well-formed as XML. Its tables and plots are of the figures, and so are its sentences.
+/// Well-formed XML. Tables, plots and text are derived from the figures.
 std::string report_page(const Figures& figures, const Made& made);
 
 }  // namespace viete::bench

@@ -89,12 +89,12 @@ void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
 
 namespace {
 
-constexpr double width = 1000, top = 116, small_width = 400, letter = 7.7;  // letter: wider than most
+constexpr double width = 1000, top = 116, small_width = 400, letter = 7.7;  // letter: wider than most letters
 constexpr const char *paper = "#ffffff", *ink = "#1f2933", *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
   char text[32];
-  if (count > 0 && count < 5e-3) {  // 10^-5, raised
+  if (count > 0 && count < 5e-3) {  // 10^-5 with superscripts
     constexpr const char* raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                       "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
     std::string power = "10\u207b";
@@ -139,7 +139,7 @@ void add_bars(Svg& svg, const Plot& plot, const Area& area, double label) {
   }
 }
 
-/// From a value to a place.
+/// Maps values to pixels.
 struct Scale {
   bool logarithmic;
   double low, high, from, to;  ///< values, or their logarithms; pixels
@@ -165,7 +165,7 @@ struct Tick {
   bool strong;
 };
 
-// Few enough to be read: of many decades some, of few also what is between them.
+// Few enough to be readable: a subset of many decades; for few decades also intermediate ticks.
 std::vector<Tick> ticks(const Scale& scale, bool between) {
   std::vector<Tick> found;
   const double length = scale.high - scale.low;
@@ -206,7 +206,7 @@ std::string value_text(double value) {
   return value < 1e-3 ? error_text(value) : base::few_digits(value);
 }
 
-/// Names at the ends of the curves, moved apart so that none covers another.
+/// Names at the ends of the curves, shifted to avoid overlap.
 void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area, double end) {
   struct Name {
     const PlotCurve* curve;

@@ -1,4 +1,4 @@
-// The benchmarks as SVG pictures: bars of times beside curves of time against size.
+// Benchmarks as SVG pictures: bars of times next to curves of time against size.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace viete::bench {
 
-/// `&`, `<`, `>` and `"` written out, for text and attributes of XML.
+/// Escapes `&`, `<`, `>` and `"` for text and attributes of XML.
 std::string escaped(std::string_view text);
 
 struct SvgPoint {
@@ -32,11 +32,11 @@ public:
   void line(SvgPoint from, SvgPoint to, const char* color, double width);
   void curve(std::span<const SvgPoint> points, const char* color, double width, bool dashed);
   void disc(SvgPoint center, double radius, const char* color);
-  /// Many small round ones, each as wide as `size`.
+  /// Draws small discs of diameter `size`.
   void dots(std::span<const SvgPoint> centers, const char* color, double size);
   void bar(SvgPoint corner, double width, double height, const char* color);
 
-  /// The whole document so far.
+  /// The complete document so far.
   std::string document() const { return body_ + "</svg>\n"; }
 
 private:
@@ -47,7 +47,7 @@ struct PlotBar {
   std::string name;
   double ns = 0;
   const char* color;
-  double part = 0;  ///< of it, which alone has the colour then; 0: all of it has
+  double part = 0;  ///< coloured part; 0: all of it
 };
 
 struct PlotCurve {
@@ -63,26 +63,26 @@ struct PlotCurve {
 struct Plot {
   std::string title, subtitle;
   std::string bars_title;
-  std::vector<PlotBar> bars;  ///< the first is what the others are compared with
+  std::vector<PlotBar> bars;  ///< the first one is the reference
   std::string curves_title;
   std::vector<PlotCurve> curves;
-  std::string unit = " ns";  ///< of bars; curves are of the same, or of what their title says
-  bool compared = true;      ///< bars with the first one
+  std::string unit = " ns";  ///< unit of bars; that of curves is in their title, or the same
+  bool compared = true;      ///< show bars relative to the first one
   std::string across = "matrices in a batch";
-  bool linear = false;  ///< curves from 0 to 1, without values at their ends; else both axes are logarithmic,
-                        ///< and what is not above 0 is not drawn
+  bool linear = false;  ///< curves from 0 to 1, without end values; else both axes are logarithmic, and
+                        ///< values that are not positive are not drawn
 };
 
-/// Colours that stay apart for colour-blind eyes and in grey (Okabe and Ito's, darkened for white paper).
+/// Colours distinguishable for colour-blind readers and in grey (Okabe and Ito, darkened for white paper).
 namespace plot_color {
 inline constexpr const char* reference = "#6b7785";
 inline constexpr const char* rival = "#c77700";
 inline constexpr const char* copy = "#9aa5b1";
-inline constexpr const char* rest = "#cfd6dd";  ///< of a bar, beside its part
+inline constexpr const char* rest = "#cfd6dd";  ///< the rest of a bar with a coloured part
 inline constexpr const char* ours[] = {"#0072b2", "#009e73", "#b3589a", "#3a3f9e"};
 }  // namespace plot_color
 
-/// The same for a method in every plot; of others that of what ours is compared with.
+/// The colour of a method, the same in every plot; other names get that of references.
 const char* color_of_method(const std::string& name);
 
 /// "4.3e-16".
@@ -90,7 +90,7 @@ std::string error_text(double error);
 
 /// An SVG document, 1000 pixels wide.
 std::string draw_plot(const Plot& plot);
-/// The bars, or the curves, by themselves, 400 pixels wide and without titles.
+/// Only the bars, or only the curves, 400 pixels wide and without titles.
 std::string draw_bars(const Plot& plot);
 std::string draw_curves(const Plot& plot);
 

@@ -82,7 +82,7 @@ std::array<Eigen::Vector3d, 3> corners(const mesh::Triangle& t, std::span<const 
   return {vector(positions[t[0]]), vector(positions[t[1]]), vector(positions[t[2]])};
 }
 
-// Two edges and a normal as long as the root of their cross product.
+// Two edges and a normal scaled to the square root of their cross product's length.
 Eigen::Matrix3d frame_of(const std::array<Eigen::Vector3d, 3>& t) {
   const Eigen::Vector3d u = t[1] - t[0], v = t[2] - t[0], n = u.cross(v);
   Eigen::Matrix3d frame;

@@ -1,4 +1,4 @@
-// Plain loops for weights and frames, as published tools have them: the reference of the benchmarks.
+// Plain loops for weights and frames as in published tools: the baseline of the benchmarks.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace viete::bench {
 
-/// Loops over vertices and cage triangles, in double: distance to the triangle's plane, by barycentric
-/// coordinates, and to its three edges; the least of them to the power of -exponent; then each row divided by
-/// its sum. Two arrays, distances and weights, of n rows of k each.
+/// Loops over vertices and cage triangles, in double: distance to the triangle's plane by barycentric
+/// coordinates, and to its three edges; the smallest of them to the power of -exponent; then each row divided
+/// by its sum. Two arrays, distances and weights, of n rows of k each.
 class PlainWeights {
 public:
   PlainWeights(std::size_t vertices, std::size_t elements)
@@ -25,13 +25,13 @@ private:
   std::vector<double> distances_, weights_;
 };
 
-/// Per element: map, polar decomposition by SVD, logs of stretch and rotation, the rotation's principal one:
-/// for poses whose elements turn by less than 180 degrees and keep their area. Per vertex: whole matrices
-/// summed with weights in double (9 + 9 + 3 numbers a cage triangle), improved SD, Rodrigues' formula, the
-/// affine product; normals scattered from triangles. Buffers are allocated once.
+/// Per element: map, polar decomposition by SVD, logs of stretch and rotation (principal, so poses must
+/// rotate elements by less than 180 degrees and keep their area). Per vertex: full matrices summed with
+/// weights in double (9 + 9 + 3 numbers per cage triangle), improved SD, Rodrigues' formula, the affine
+/// product; normals scattered from triangles. Buffers are allocated once.
 class ReferenceFrame {
 public:
-  /// cage and binding are kept by reference; the binding has weights.
+  /// Keeps references to cage and binding; the binding must have weights.
   ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding);
 
   void deform(const deform::Pose& pose);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/assets.h"
+#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/program.h"
@@ -34,15 +35,17 @@ struct ReportOptions {
   fs::path numbers() const { return folder / "report.json"; }
 };
 
-/// The folder, made where it is not there; taken away again where nothing was written to it.
+/// The output folder, created if missing; removed again if it stays empty.
 class ReportFolder {
 public:
   explicit ReportFolder(const fs::path& folder) : folder_(folder) {
     std::error_code code;
     if (fs::is_directory(folder, code)) return;
-    if (fs::exists(folder, code)) throw base::Error(folder.string(), "this is no folder", "name another one");
+    if (fs::exists(folder, code))
+      throw base::Error(folder.string(), "this is not a folder", "choose another folder");
     if (!fs::create_directory(folder, code))
-      throw base::Error(folder.string(), "the folder cannot be made: " + code.message(), "name another one");
+      throw base::Error(folder.string(), "the folder cannot be created: " + code.message(),
+                        "choose another folder");
     made_ = true;
   }
   ~ReportFolder() {
@@ -57,7 +60,7 @@ private:
   bool made_ = false;
 };
 
-// The bundled dragon where no model is named; its shapes always.
+// Uses the bundled dragon if no model is given; its shapes always.
 void complete(ReportFiles& files) {
   const app::BundledModel bundled = app::bundled_model();
   if (files.model.empty())
@@ -121,15 +124,15 @@ void add_report_command(CLI::App& app, app::Action& action) {
   auto options = std::make_shared<ReportOptions>();
   auto& files = options->files;
   app::add_file_option(*command, "MODEL", files.model, mesh::a_mesh())->default_str("the bundled dragon");
-  app::add_file_option(*command, "CAGE", files.cage, "Cage around it, at rest")
-      ->default_str("the dragon's cage");
-  command->add_option("POSE", files.poses, "Posed cages, same vertices in the same order")
+  app::add_file_option(*command, "CAGE", files.cage, "Cage at rest")->default_str("the dragon's cage");
+  command->add_option("POSE", files.poses, "Posed cages (same vertices, same order)")
       ->default_str("the dragon's poses, or one generated pose");
   app::add_file_option(*command, "-o,--output", options->folder, "Folder for index.html and report.json")
       ->option_text("FOLDER")
       ->required();
-  command->add_flag("--quick", options->quick, "Fewer matrices, cages and rounds: seconds, not minutes");
+  command->add_flag("--quick", options->quick, "Use fewer matrices, cages and rounds; takes half a minute");
   app::add_force_option(*command, options->force);
+  app::add_examples(*command, {"report -o report --quick", "report model.obj cage.obj pose.obj -o report"});
   command->callback([options, &action] {
     if (!options->files.model.empty() && options->files.cage.empty()) throw CLI::RequiredError("CAGE");
     action = [options] { return run_report(*options); };

@@ -34,7 +34,7 @@ HtmlTable errors_table(const AccuracyTable& accuracy) {
   return table;
 }
 
-// Of the four methods; scales so small that all matrices are zero by rounding are left out.
+// Errors of the four methods, without scales so small that all matrices are zero by rounding.
 std::string errors_plot(const AccuracyTable& accuracy) {
   constexpr double least = 1e-20;
   Plot plot;
@@ -188,7 +188,7 @@ double ns_of(const ExpBench& bench, Method method) {
   return time_of(bench.methods, std::string(sym3::name(method)));
 }
 
-// Each against the first and against the copy.
+// Ratios to the first row and to the copy.
 HtmlTable times_table(const std::vector<PlotBar>& bars, double copy, const std::string& unit) {
   HtmlTable table{{"", unit, "times faster than " + bars.front().name}, {}};
   if (copy > 0) table.columns.emplace_back("times the copy");

@@ -9,14 +9,14 @@
 namespace viete::bench {
 
 struct Section {
-  std::string id, origin, title;  ///< origin: whose figure it is
-  std::string seen;               ///< in a sentence or two, of what was measured
+  std::string id, origin, title;  ///< origin: the source of the figure
+  std::string seen;               ///< one or two sentences on the result
   std::string why;
   std::string body;  ///< HTML: drawings and tables
   std::vector<std::string> commands;
 };
 
-/// The paper's three figures and what it says of them; then ours.
+/// The paper's three figures and its claims, then ours.
 std::vector<Section> sections_of(const Figures& figures);
 Section eigenvalues_section(const Figures& figures);
 Section exponentials_section(const Figures& figures);

@@ -121,7 +121,7 @@ Plot volumes_of(const nlohmann::json& row) {
   return plot;
 }
 
-// All as large as each other.
+// Draws all at the same scale.
 std::string drawn(const std::vector<ShapePicture>& pictures) {
   constexpr double width = 200, height = 170, margin = 6;
   double reach_x = 1e-9, reach_y = 1e-9;

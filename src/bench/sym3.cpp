@@ -35,7 +35,7 @@ using sym3::View;
 constexpr std::size_t in_cache = 4096;  // matrices: 400 KB in double, in and out
 constexpr std::size_t pieces = 10;
 
-/// Numbers that start at a page, as large arrays do, none of them touched yet.
+/// Page-aligned numbers like large arrays, not yet written.
 template <class T>
 class Numbers {
 public:
@@ -50,7 +50,7 @@ private:
   std::unique_ptr<T, Free> data_;
 };
 
-/// The same matrices, again and again, in planes, blocks or nine.
+/// The same matrices, repeated, in planes, blocks or nine.
 template <class T>
 void fill(const std::vector<Sym3<T>>& from, const View<T, 6>& to, std::size_t count) {
   constexpr std::size_t line = 64 / sizeof(T);
@@ -67,14 +67,14 @@ void fill(const std::vector<Sym3<T>>& from, const View<T, 6>& to, std::size_t co
   }
 }
 
-/// One thing that is measured: run(i) does the i-th piece of the work.
+/// A measured case: run(i) does the i-th piece of the work.
 struct BenchCase {
   std::string name;
   std::function<void(std::size_t piece)> run;
-  std::size_t repeats = 1;  ///< times in a row, for what is too short to time
+  std::size_t repeats = 1;  ///< repetitions, for short cases
 };
 
-/// Each of `parts` pieces of `size` matrices in turn, `passes` times over.
+/// Runs `parts` pieces of `size` matrices each in turn, `passes` times.
 std::vector<BenchResult> measure(const std::string& title, const std::vector<BenchCase>& cases,
                                  std::size_t parts, std::size_t size, std::size_t passes,
                                  const std::string& reference) {
@@ -94,7 +94,7 @@ double faster(const std::vector<BenchResult>& results, const std::string& slow, 
   return time_of(results, slow) / time_of(results, fast);
 }
 
-/// Planes that stay in the second cache.
+/// Planes that fit the second-level cache.
 template <class T>
 void in_second_cache(const std::string& type, Bars& report) {
   const auto matrices = paper_ensemble<T>(in_cache);
@@ -111,8 +111,7 @@ void in_second_cache(const std::string& type, Bars& report) {
   cases.push_back({"one by one", [&](std::size_t) {
                      for (std::size_t i = 0; i < in_cache; ++i) answers[i] = sym3::exp(matrices[i]);
                    }});
-  // Many in a row: for the first 20 us or so a processor runs wide instructions slowly until their units are
-  // awake.
+  // Repeated, because a processor runs wide instructions slowly for the first 20 us or so.
   for (const Kernel& k : sym3::kernels()) {
     cases.push_back({std::string(k.name),
                      [&, kernel = &k](std::size_t) { sym3::exp(from, to, in_cache, {kernel}); }, 100});
@@ -140,7 +139,7 @@ void in_second_cache(const std::string& type, Bars& report) {
   }
 }
 
-/// One layout from memory, against a copy of it piece by piece.
+/// One layout from memory, compared with a copy of it piece by piece.
 template <class T>
 std::vector<BenchResult> from_memory(const std::string& title, Layout layout, std::size_t count) {
   const std::size_t size = std::max<std::size_t>(64, count / pieces / 64 * 64), total = size * pieces;
@@ -203,14 +202,14 @@ sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
 }
 
 /// w = a / (2 sin a) times the antisymmetric part of R, cos a = (tr R - 1) / 2, with a case for small angles;
-/// wrong near half turns.
+/// inaccurate near half turns.
 sym3::Vec3<double> textbook_log(const sym3::Mat3<double>& r) {
   const double a = std::acos(std::clamp((r[0] + r[4] + r[8] - 1) / 2, -1.0, 1.0));
   const double f = a > 1e-8 ? a / (2 * std::sin(a)) : 0.5;
   return {f * (r[7] - r[5]), f * (r[2] - r[6]), f * (r[3] - r[1])};
 }
 
-/// By the quaternion's largest component and the arc tangent of half the angle, right at every angle.
+/// By the quaternion's largest component and the arc tangent of half the angle; accurate at every angle.
 sym3::Vec3<double> log_by_quaternion(const sym3::Mat3<double>& r) {
   const double x = r[0], y = r[4], z = r[8], trace = x + y + z;
   const double dx = r[7] - r[5], dy = r[2] - r[6], dz = r[3] - r[1], sx = r[7] + r[5], sy = r[2] + r[6],

@@ -1,4 +1,4 @@
-// Interleaved rounds of measurements, and how their results are printed and written.
+// Interleaved rounds of measurements; printing and writing of their results.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace viete::bench {
 
-/// One thing that is measured: run(round) does `items` of it, of which there may be others each round.
+/// One measured case: run(round) processes `items` items, which may differ per round.
 struct RoundCase {
   std::string name;
   std::size_t items;
@@ -24,15 +24,15 @@ struct BenchResult {
   double ns_per_item = 0;  ///< median over the rounds, processor time of the calling thread
 };
 
-/// The time of the case of that name; 0 if there is none.
+/// The time of the case with this name; 0 if there is none.
 double time_of(const std::vector<BenchResult>& results, const std::string& name);
 
-/// Every case once a round, so that a disturbance hits all alike; one round more before, which does not
-/// count. Processor time of the calling thread, medians. Throws base::Cancelled.
+/// Runs every case once per round, so that disturbances affect all alike, after one warm-up round. Processor
+/// time of the calling thread, medians. Throws base::Cancelled.
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
 
-/// name, ns per item, and how many times the time of `copy` and how much faster than `reference`.
+/// Prints name, ns per item, the ratio to the time of `copy`, and the speedup over `reference`.
 void print_table(const std::string& title, const std::vector<BenchResult>& results,
                  const std::string& reference, const std::string& copy);
 
@@ -40,14 +40,14 @@ nlohmann::json to_json(const std::vector<BenchResult>& results);
 /// Atomic. Throws base::Error. Does nothing for an empty path.
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);
 
-/// "AMD EPYC 9654", or nothing where the system does not say.
+/// "AMD EPYC 9654"; empty if the system does not report it.
 std::string processor_name();
 
-/// The bars of one run, in the order in which they were checked.
+/// The checked limits of one run, in order.
 struct Bars {
   nlohmann::json rows = nlohmann::json::array();
 
-  /// Prints a line: at least, or at most, `bar`; met or not.
+  /// Prints whether `measured` is at least, or at most, `bar`.
   void check(const std::string& what, double measured, double bar, bool at_least);
 };
 

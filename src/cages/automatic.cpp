@@ -20,7 +20,7 @@ namespace viete::cages {
 
 namespace {
 
-// How many parts and handles a closed shell has.
+// Number of components and handles of a closed shell.
 struct Topology {
   std::size_t parts = 0;
   std::size_t handles = 0;
@@ -34,18 +34,18 @@ Topology topology_of(const Shell& shell) {
   }
   Topology found;
   for (std::uint32_t v = 0; v < shell.positions.size(); ++v) found.parts += parts.find(v) == v ? 1 : 0;
-  // V = E - F + 2 parts - 2 handles, 2 E = 3 F; parts that touch count as less than one each.
+  // V = E - F + 2 components - 2 handles, 2 E = 3 F; components that touch count as less than one.
   const std::size_t spheres = 2 * found.parts + shell.triangles.size() / 2;
   found.handles = (spheres - std::min(spheres, shell.positions.size())) / 2;
   return found;
 }
 
-// Each stage is reported as what leads up to its end: it never falls, however many attempts there are.
+// Progress in stages. Each report leads up to the stage's end, so that it never falls, however many attempts.
 class Stages {
 public:
   explicit Stages(base::Progress* progress) : progress_(progress) { begin(); }
 
-  // Another attempt, in so much of what is left.
+  // Begins another attempt, which takes `share` of the rest.
   void begin(double share = 1) {
     from_ = progress_ ? progress_->done() : 0;
     to_ = from_ + share * (1 - from_);
@@ -76,7 +76,7 @@ public:
         target_(mirror_ ? wish.triangles / 2 : wish.triangles) {}
 
   std::optional<Made> make() {
-    constexpr double most_closed = 0.5;  // of the diagonal: no more is open then
+    constexpr double most_closed = 0.5;  // fraction of the diagonal beyond which nothing stays open
     for (double gap = wish_.gap; gap <= most_closed;) {
       if (const auto shell = try_with(gap)) return finish(*shell, mirror_.has_value(), gap);
       if (!keeps_farther_from_passed_over()) gap = std::max(2 * gap, 0.5 * size() / cells());
@@ -89,12 +89,12 @@ private:
 
   double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
 
-  // Along the model: one is about a seventh as wide as the triangles will be.
+  // Cells along the model: a cell is about a seventh as wide as the final triangles.
   double cells() const {
     return std::clamp(3.2 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
   }
 
-  // The surface around the model at an offset, and what it was found by. It stays where it is.
+  // The offset surface of the model and the clearance it was extracted from. Must not be moved.
   struct Offset {
     Clearance field;
     double margin;
@@ -125,8 +125,8 @@ private:
     return topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30;
   }
 
-  // Nothing if there is no sound cage of that size. Where the size does not suffice for what the model is
-  // like, a coarse grid and a preview tell soon whether a gap is wide enough.
+  // Empty if no sound cage of that size was found. If the size is too small for the model's shape, a coarse
+  // grid and a preview quickly show whether a gap is wide enough.
   std::optional<Shell> try_with(double gap) {
     const bool coarse = is_preview() || gap > wish_.gap;
     stages_.begin(coarse && !is_preview() ? 0.3 : 1);
@@ -153,8 +153,8 @@ private:
     double volume;
   };
 
-  // Which edges go first depends on where the grid's nodes are, and few triangles do not make up for it: then
-  // two grids are tried, and the one that leads to less volume is gone on with.
+  // The order of collapses depends on the grid's position, which matters with few triangles: then tries two
+  // grids and continues with the smaller volume.
   std::optional<Shell> carefully_made(const Offset& from, double gap) {
     std::optional<Offset> other;
     if (wish_.triangles <= few_triangles) other = offset(1.1 * size() / from.field.grid().step, gap);
@@ -198,13 +198,13 @@ private:
     if (!collapse_to(cage, target_, Accuracy::quadrics, stages_.until(0.7))) return std::nullopt;
     refine_to(cage, target_, stages_.until(0.7));
     tighten(cage, 2, stages_.until(0.8));
-    // A preview that moves with a slider keeps it as far as the grid tells.
+    // A preview, which follows a slider, keeps the margin only as far as the grid resolves it.
     if (!is_preview()) too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
     return cage.shell();
   }
 
-  // Drawn in between, so that what is enclosed more than needed does not mislead what follows. False if not
-  // so few triangles are left. `share` of what leads up to that is done with it.
+  // Tightens between collapses, so that excess volume does not mislead later ones. False if that number of
+  // triangles was not reached. `share`: fraction of the attempt's progress.
   bool reduced(WorkingCage& cage, double share) {
     const auto until = [&](double end) { return stages_.until(0.1 + share * (end - 0.1)); };
     collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, until(0.3));
@@ -219,7 +219,7 @@ private:
     return true;
   }
 
-  // The margin was kept as far as the grid tells: now exactly, where there is room.
+  // Enforces the margin exactly, where there is room. Before, it was kept as far as the grid resolves it.
   Shell settled(WorkingCage& cage) {
     too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.85));
     cage.be_exact(wish_.margin);
@@ -227,8 +227,8 @@ private:
     return cage.shell();
   }
 
-  // Vertices are added where they save most volume and taken where they cost least: with few triangles, where
-  // they are is nearly all.
+  // Splits edges that save most volume and collapses those that cost least: with few triangles their
+  // placement matters most.
   Shell exchanged(WorkingCage& cage) {
     constexpr int cycles = 2;
     Shell best = cage.shell();
@@ -246,7 +246,7 @@ private:
     return best;
   }
 
-  // As it will be read: with the rounding of the way out of the frame.
+  // Checks the cage as it will be read, with the rounding of the transform out of the frame.
   bool is_sound(const Shell& half, bool mirrored) {
     Shell shell = mirrored ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.into(frame_.out_of(p));
@@ -257,7 +257,7 @@ private:
     return found.sound();
   }
 
-  // Of parts that lie outside, whole, each is told by one vertex.
+  // Records the components outside of the cage, each given by one vertex.
   void note_passed_over(const std::vector<std::uint32_t>& outside) {
     if (outside.empty()) return;
     mesh::UnionFind parts(model_.positions.size());
@@ -272,7 +272,7 @@ private:
     }
   }
 
-  // Around these parts first, then everywhere. False if that is no reason to try again.
+  // Keeps a distance around these components first, then everywhere. False if another attempt cannot help.
   bool keeps_farther_from_passed_over() {
     constexpr int rounds = 3;
     const std::size_t known = std::exchange(known_passed_over_, passed_over_.size());
@@ -294,26 +294,25 @@ private:
     made_.gap = gap;
     if (mirrored) made_.mirror = mirror_;
     if (shell.triangles.size() > wish_.triangles)
-      made_.notes.push_back("no fewer than " + base::counted(shell.triangles.size(), "triangle") +
-                            " were found to enclose the model so");
+      made_.notes.push_back("enclosing the model with these settings takes " +
+                            base::counted(shell.triangles.size(), "triangle"));
     if (wish_.kind == Kind::automatic && 10 * shell.triangles.size() < 9 * wish_.triangles)
       made_.notes.push_back("it has " + base::counted(shell.triangles.size(), "triangle") + ", not " +
                             base::with_thousands(wish_.triangles) +
-                            ": no place for more was found that draws it in");
+                            ", because more would not make it tighter");
     tell(gap);
     return std::move(made_);
   }
 
   void tell(double gap) {
     if (too_near_ > 0)
-      made_.notes.push_back("no room for the margin at " + base::counted(too_near_, "triangle") +
-                            ", which the model is nearer to");
+      made_.notes.push_back("the margin could not be kept at " + base::counted(too_near_, "triangle"));
     if (gap > wish_.gap && first_ && (first_->handles > last_.handles || first_->parts > last_.parts)) {
       made_.notes.push_back("closed gaps up to " + percent(2 * gap) + " of the model's diagonal: of " +
                             base::counted(first_->parts, "part") + " and " +
                             base::counted(first_->handles, "handle") + " the cage keeps " +
                             std::to_string(last_.parts) + " and " + std::to_string(last_.handles) +
-                            "; more triangles keep more");
+                            "; use more triangles to keep more");
     }
   }
 
@@ -332,11 +331,11 @@ private:
   Stages stages_;
   Made made_;
   std::size_t target_;
-  std::size_t too_near_ = 0;  // triangles
-  // Parts of the model that are smaller than a step may be passed over, unless the cage keeps a step away.
+  std::size_t too_near_ = 0;  // triangles nearer than the margin
+  // Components smaller than a grid step may be missed unless the cage keeps this distance, in steps.
   static constexpr double parts_margin_steps = 1.25;
-  static constexpr std::size_t few_triangles = 150;  // with which more care is taken
-  static constexpr double coarser = 0.62;            // the grid of what has to be quick
+  static constexpr std::size_t few_triangles = 150;  // cages below this size are made more carefully
+  static constexpr double coarser = 0.62;            // relative resolution of the grid for quick attempts
   double margin_steps_ = 0.1;
   std::vector<Point> passed_over_;
   std::size_t known_passed_over_ = 0;

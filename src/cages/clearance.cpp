@@ -8,11 +8,11 @@ namespace viete::cages {
 
 namespace {
 
-constexpr std::size_t block = 8;  // nodes along a side of those that are looked at together
+constexpr std::size_t block = 8;  // nodes along a side of a block
 
 using Index3 = std::array<std::size_t, 3>;
 
-// The distance to the model, on both sides of the mirror.
+// The distance to the model and its mirror image.
 class Distances {
 public:
   Distances(const Obstacle& model, const Grid& grid, double enough)
@@ -21,7 +21,7 @@ public:
   std::vector<float> measure(base::WorkerPool& pool, base::Progress* progress) {
     const Index3 blocks = {blocks_along(0), blocks_along(1), blocks_along(2)};
     const std::size_t all = blocks[0] * blocks[1] * blocks[2];
-    constexpr std::size_t portion = 64;  // blocks between two looks at the progress
+    constexpr std::size_t portion = 64;  // blocks between progress checks
     for (std::size_t first = 0; first < all; first += portion) {
       const std::size_t some = std::min(all - first, portion);
       pool.for_blocks(some, 4, [&](std::size_t begin, std::size_t end) {
@@ -48,8 +48,8 @@ private:
     return std::sqrt(squared);
   }
 
-  // Of a block whose middle is far from the model only that is measured; a distance changes no faster than
-  // the place, which bounds those of its nodes from below. Others are halved.
+  // Measures only the centre of a block far from the model: distances change no faster than position, which
+  // bounds those of the nodes from below. Other blocks are halved.
   void measure_block(const Index3& low, std::size_t size, double below) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (low[k] >= grid_.size[k]) return;
@@ -93,7 +93,7 @@ Index3 place_of(const Grid& grid, std::size_t index) {
   return {index % grid.size[0], index / grid.size[0] % grid.size[1], index / grid.size[0] / grid.size[1]};
 }
 
-// Calls visit(index) for the nodes beside this one along the axes.
+// Calls visit(index) for the neighbours of this node along the axes.
 template <class Visit>
 void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   const Index3 at = place_of(grid, index);
@@ -104,7 +104,7 @@ void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   }
 }
 
-// 1 where the model winds around a node that is farther from it than `least`.
+// 1 for nodes farther from the model than `least` with nonzero winding number.
 std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const std::vector<float>& distances,
                                 double least, base::WorkerPool& pool) {
   std::vector<std::uint8_t> inside(grid.node_count(), 0);
@@ -122,7 +122,7 @@ std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const s
   return inside;
 }
 
-// 1 where a node is reached from the border.
+// 1 for nodes reachable from the border.
 std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vector<float>& distances,
                                                const std::vector<std::uint8_t>& inside, double least) {
   std::vector<std::uint8_t> reached(grid.node_count(), 0);
@@ -146,8 +146,8 @@ std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vect
   return reached;
 }
 
-// Distances from what was reached, to nodes that were not: from points of its border, handed on from node to
-// node (Danielsson 1980, Euclidean distance mapping). Beyond `most`: most.
+// Distances from the reached region to other nodes: propagated from points on its border from node to node
+// (Danielsson 1980, Euclidean distance mapping), at most `most`.
 class Depths {
 public:
   Depths(const Grid& grid, const std::vector<std::uint8_t>& reached, const std::vector<float>& distances,
@@ -162,8 +162,8 @@ public:
   std::vector<float> take() { return std::move(values_); }
 
 private:
-  // Where the distance to the model is `least` on the edges from reached nodes to others; halfway where it is
-  // not, at the border of a hole.
+  // Border points on the edges from reached to other nodes: at distance `least` from the model, or halfway if
+  // there is none, at the border of a hole.
   void find_border(const std::vector<float>& distances, double least) {
     for (std::size_t n = 0; n < reached_.size(); ++n) {
       if (!reached_[n]) continue;
@@ -207,9 +207,9 @@ private:
   std::vector<std::size_t> queue_;
 };
 
-// Of a node that was not reached, from how far it is from the model and how far at least by what was: the
-// first is exact where they agree but for what the grid resolves, within the model with the other sign. In
-// closed gaps they do not agree.
+// The signed distance of an unreached node, from its distance to the model and its lower bound from the
+// reached region. If both agree within grid resolution, the first is exact inside the model, with negative
+// sign. In closed gaps they differ.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;
@@ -249,7 +249,7 @@ float Clearance::at(const Place& p) const {
   std::array<std::size_t, 3> cell;
   Place t;
   for (std::size_t k = 0; k < 3; ++k) {
-    const float clamped = std::max(0.0F, std::min(p[k], last_[k]));  // 0 of what is no number
+    const float clamped = std::max(0.0F, std::min(p[k], last_[k]));  // NaN clamps to 0
     beyond += (p[k] - clamped) * (p[k] - clamped);
     cell[k] = std::min(static_cast<std::size_t>(clamped), grid_.size[k] - 2);
     t[k] = clamped - static_cast<float>(cell[k]);

@@ -1,4 +1,4 @@
-// How far places around a model are from it: what the making of a cage asks thousands of times.
+// Fast, sampled distances to a model, used in cage making.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace viete::cages {
 
 using mesh::Point, mesh::Vec3;
 
-/// Nodes of a regular grid. With `mirrored`, the nodes i = 0 lie in the plane x = 0 and stand for both sides.
+/// Nodes of a regular grid. With `mirrored`, nodes i = 0 lie in x = 0 and only x >= 0 is covered.
 struct Grid {
   Point origin{};
   double step = 1;
@@ -32,18 +32,17 @@ struct Grid {
   }
 };
 
-/// Nodes around a box: `padding` more on every side, and about `cells` along its longest side. With mirrored,
-/// of the half x >= 0 of a box that is symmetric about x = 0.
+/// A grid around a box: `padding` on every side, about `cells` along the longest side. With mirrored, covers
+/// the half x >= 0 of a box that is symmetric about x = 0.
 Grid grid_around(const mesh::Bounds& box, std::size_t cells, double padding, bool mirrored);
 
 struct Closing {
-  double offset = 0;  ///< of the surface that is extracted from the model
-  double gap = 0;     ///< gaps narrower than twice this are closed; 0: none
+  double offset = 0;  ///< distance of the extracted surface from the model
+  double gap = 0;     ///< closes gaps narrower than twice this; 0: none
 };
 
-/// Distances to a model, sampled on a grid and interpolated: positive outside, about the distance to the
-/// model; smaller in gaps that are closed, and negative within the model and in what it encloses.
-/// Thread-safe.
+/// Distances to a model, sampled on a grid and interpolated: positive outside, approximately the distance to
+/// the model; smaller in closed gaps; negative inside the model and in enclosed cavities. Thread-safe.
 class Clearance {
 public:
   Clearance(const Grid& grid, std::vector<float> values);
@@ -51,41 +50,38 @@ public:
   const Grid& grid() const { return grid_; }
   float at_node(std::size_t index) const { return values_[index]; }
 
-  /// Anywhere. Outside of the grid, which holds the model: no more than the distance.
+  /// Interpolated at any point. Outside of the grid, a lower bound of the distance to the model.
   double at(const Point& p) const;
 
-  /// True if it is at least `margin` on all of the triangle, as far as samples a step apart tell; its
-  /// corners are not looked at. A sample says the same of all around it that is nearer than what it has to
-  /// spare.
+  /// True if the clearance is at least `margin` at samples on the triangle about a step apart, without its
+  /// corners. A sample's clearance beyond the margin also covers the points within that distance.
   bool is_clear(const mesh::Corners& t, double margin) const;
 
 private:
-  using Place = mesh::Vec3f;  // in steps from the grid's origin
+  using Place = mesh::Vec3f;  // in grid steps from the origin
   Place in_steps(const Point& p) const;
   float at(const Place& p) const;
   bool is_clear(const Place& a, const Place& b, const Place& c, float radius, float margin) const;
 
   Grid grid_;
-  std::array<float, 3> last_;  // node along each axis
+  std::array<float, 3> last_;  // last node along each axis
   std::vector<float> values_;
 };
 
-/// What is asked about the model: its triangles in a tree, and whether it has holes, so that its inside is
-/// told by winding numbers.
+/// The model as a tree of its triangles. If it is open, winding numbers decide what is inside.
 struct Obstacle {
   const mesh::TriangleTree& tree;
   bool closed = false;
 };
 
-/// Outside is what is reached from the border of the grid through places farther from the model than offset +
-/// gap around which the model does not wind; all that is nearer to it than gap counts to it again, so that
-/// gaps stay closed. Distances beyond a few steps more are lower bounds. Same bits for any pool. Throws
-/// base::Cancelled.
+/// The outside is the region reached from the grid's border through points farther from the model than offset
+/// + gap with winding number 0, grown by gap, so that gaps stay closed. Distances beyond a few more steps are
+/// lower bounds. Same bits for any pool. Throws base::Cancelled.
 Clearance clearance(const Obstacle& model, const Grid& grid, const Closing& closing, base::WorkerPool& pool,
                     base::Progress* progress = nullptr);
 
-/// The same with balls around these points taken for parts of the model, where it is less than `most`: what
-/// is smaller than the grid's step is not passed over then.
+/// Adds balls around these points to the model where the clearance is less than `most`, so that details
+/// smaller than a grid step are not missed.
 Clearance with_balls(const Clearance& clearance, std::span<const Point> centers, double radius, double most);
 
 }  // namespace viete::cages

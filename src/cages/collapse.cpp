@@ -12,7 +12,7 @@ namespace viete::cages {
 
 namespace {
 
-// The sum of squared distances to planes, by area: x'Ax - 2b'x + c.
+// The area-weighted sum of squared distances to planes: x'Ax - 2b'x + c.
 struct Quadric {
   std::array<double, 6> a{};  // xx xy xz yy yz zz
   Vec3 b{};
@@ -44,7 +44,7 @@ struct Quadric {
                        2 * (a[1] * x[0] * x[1] + a[2] * x[0] * x[2] + a[4] * x[1] * x[2]);
     return std::max(0.0, xax - 2 * mesh::dot(b, x) + c);
   }
-  // Positive definite, since points are among what it sums.
+  // Positive definite, because the sum includes points.
   Point minimum() const {
     const Vec3 r0{a[0], a[1], a[2]}, r1{a[1], a[3], a[4]}, r2{a[2], a[4], a[5]};
     const Vec3 c0 = mesh::cross(r1, r2), c1 = mesh::cross(r2, r0), c2 = mesh::cross(r0, r1);
@@ -52,14 +52,14 @@ struct Quadric {
   }
 };
 
-// Each lets more through than the one before.
+// Each level permits more than the previous one.
 constexpr std::array<Shape, 3> shapes = {{{0.05, -0.8, 13}, {0.03, -0.85, 14}, {0.01, -0.95, 16}}};
 
 struct Candidate {
   double cost;
   int edge;
-  std::uint32_t stamps;  // of both ends, when it was priced
-  bool placed;           // the cost is that of the place that was found
+  std::uint32_t stamps;  // sum of both ends' stamps when the cost was computed
+  bool placed;           // the cost belongs to the final position
   Point place{};
 
   bool operator<(const Candidate& other) const {
@@ -119,7 +119,7 @@ private:
     for (auto v = mesh_.fv_iter(f); v.is_valid(); ++v) {
       quadric(*v).add_plane((1 / length) * n, cage_.at(*v), area / 3);
       quadric(*v).add_point(cage_.at(*v),
-                            1e-3 * area / 3);  // triangles that are even where planes do not tell
+                            1e-3 * area / 3);  // keeps triangles even in flat regions
     }
   }
 
@@ -128,7 +128,7 @@ private:
     return stamp(mesh_.from_vertex_handle(h)) + stamp(mesh_.to_vertex_handle(h));
   }
 
-  // Its `to` end stays: the one on the mirror.
+  // Keeps the `to` end: the one on the mirror.
   HalfEdgeId direction(Connectivity::EdgeHandle e) const {
     const auto h = mesh_.halfedge_handle(e, 0);
     return mesh_.is_boundary(mesh_.from_vertex_handle(h)) ? mesh_.opposite_halfedge_handle(h) : h;
@@ -179,7 +179,7 @@ private:
     renew_wide(to);
   }
 
-  // The neighbours moved too: all of their edges changed.
+  // Updates all edges of the neighbours as well, because these moved.
   void renew_wide(VertexId v) {
     ++stamp(v);
     std::vector<int> changed;
@@ -192,7 +192,7 @@ private:
     for (const int e : changed) push(Connectivity::EdgeHandle(e));
   }
 
-  // An inner edge between two vertices on the mirror would be there twice.
+  // Such an edge would coincide with its mirror image.
   bool makes_chord(HalfEdgeId h) const {
     const VertexId from = mesh_.from_vertex_handle(h), to = mesh_.to_vertex_handle(h);
     if (!mesh_.is_boundary(to)) return false;
@@ -227,14 +227,14 @@ private:
     renew(to);
   }
 
-  // A volume: the root of the squared distances, by the area that they are of.
+  // The cost as a volume: root of the mean squared distance times area.
   static double price(const Quadric& q, const Point& x) {
     return std::sqrt(q(x) * (q.a[0] + q.a[3] + q.a[5]));
   }
 
   void block(Connectivity::EdgeHandle e) { blocked_[static_cast<std::size_t>(e.idx())] = 1; }
 
-  // Edges that changed, and those that were blocked by what changed.
+  // Updates changed edges, and those that were blocked by the changed ones.
   void renew(VertexId v) {
     for (auto e = mesh_.cve_iter(v); e.is_valid(); ++e) push(*e);
     for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) {
@@ -244,8 +244,8 @@ private:
     }
   }
 
-  // Where the quadric is least, then outward of it in growing steps and back by halves; else at one of the
-  // ends.
+  // Tries the quadric's minimum, then positions farther outward with growing steps and bisection; otherwise
+  // one of the ends.
   std::optional<Point> find_place(HalfEdgeId h, const Quadric& q) {
     cage_.star_of(h, star_);
     const Point best = best_place(q, star_.on_mirror);

@@ -22,7 +22,7 @@ mesh::Edge edge_of(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// A cage as it is edited: a list of polygons.
+// An editable cage: a list of polygons.
 class Polygons {
 public:
   explicit Polygons(const Surface& cage) : positions_(cage.positions), around_(cage.positions.size()) {
@@ -31,15 +31,14 @@ public:
       put({cage.corners.begin() + cage.polygon_starts[p], cage.corners.begin() + cage.polygon_starts[p + 1]});
   }
 
-  std::vector<Polygon> all;  // empty ones are gone
+  std::vector<Polygon> all;  // removed ones are empty
 
   void put(Polygon p) {
     for (const auto v : p) around_[v].push_back(static_cast<std::uint32_t>(all.size()));
     all.push_back(std::move(p));
   }
 
-  // Of the polygons put at v those that is_one(polygon) names, in order. A polygon's corners are not to have
-  // changed since.
+  // The polygons at v for which is_one(polygon) is true, in order. Their corners must not have changed since.
   template <class IsOne>
   std::vector<std::uint32_t> around(std::uint32_t v, IsOne is_one) const {
     std::vector<std::uint32_t> found;
@@ -58,7 +57,7 @@ public:
     return static_cast<std::uint32_t>(positions_.size() - 1);
   }
 
-  // In the middle of vertices.
+  // Adds a vertex at the mean of the vertices.
   std::uint32_t add_middle(const Polygon& of) {
     Point sum{0, 0, 0};
     Origin origin;
@@ -72,18 +71,18 @@ public:
 
   const Origin& origin(std::uint32_t v) const { return origins_[v]; }
 
-  // A polygon that comes back to this corner becomes several, which all have it.
+  // Splits a polygon that visits this corner several times.
   void part_at(std::uint32_t v, std::size_t number) {
     for (std::ptrdiff_t left = std::ranges::count(all[number], v); left > 1; --left) {
       Polygon& p = all[number];
       const auto first = std::ranges::find(p, v), again = std::find(first + 1, p.end(), v);
       Polygon loop(first, again);
       p.erase(first, again);
-      all.push_back(std::move(loop));  // p is not valid behind this
+      all.push_back(std::move(loop));  // invalidates p
     }
   }
 
-  // Without polygons of two corners, and vertices of no polygon.
+  // Removes polygons of two corners and unused vertices.
   Edited finish(const std::vector<std::uint32_t>& selection) {
     std::erase_if(all, [](const Polygon& p) { return p.size() < 3; });
     std::vector<std::uint8_t> used(positions_.size(), 0);
@@ -130,7 +129,7 @@ std::vector<Polygon> triangles_of(const Polygons& cage, const Polygon& p) {
   return triangles;
 }
 
-// Whether triangles about the mean of its corners are the polygon.
+// True if the triangles about the mean of the corners cover the polygon.
 bool is_about_its_middle(const Polygons& cage, const Polygon& p) {
   std::vector<Point> fan = places_of(cage, p);
   Point sum{0, 0, 0};
@@ -147,8 +146,8 @@ Vec3 area_of(const Polygons& cage, const Polygon& p) {
   return sum;
 }
 
-// The loop around polygons that hang together: of their half-edges those whose other side is not among them,
-// one after the other. Empty if they are more than one loop.
+// The boundary loop of connected polygons: half-edges whose opposite is not among theirs, in order. Empty if
+// there are several loops.
 Polygon rim_of(const std::vector<Polygon>& polygons) {
   std::set<std::array<std::uint32_t, 2>> sides;
   for (const Polygon& p : polygons) {
@@ -175,7 +174,7 @@ std::size_t side_of(const Polygon& p, const mesh::Edge& edge) {
   return p.size();
 }
 
-// With a corner in the middle wherever it runs along the edge, and that first.
+// Inserts the middle vertex on the edge wherever it occurs, and starts there.
 Polygon split(const Polygon& p, const mesh::Edge& edge, std::uint32_t middle) {
   Polygon with;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -186,7 +185,7 @@ Polygon split(const Polygon& p, const mesh::Edge& edge, std::uint32_t middle) {
   return with;
 }
 
-// These polygons become the one that they fill, without corners that go; without a loop they stay.
+// Merges the polygons into one, without the corners for which Goes is true; without a single loop they stay.
 template <class Goes>
 void unite(Polygons& cage, const std::vector<std::uint32_t>& numbers, Goes goes) {
   std::vector<Polygon> united;
@@ -284,7 +283,7 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
     for (const auto v : p) normals[v] = normals[v] + area;
     for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
   }
-  // Faces that look to many sides go each their own way.
+  // Faces of different orientation each move along their own normal.
   const double length = mesh::norm(normal);
   const bool together = length > 0.1 * areas;
   const auto up = [&](std::uint32_t v) {
@@ -342,7 +341,7 @@ Edited subdivide(const Surface& surface) {
 
 namespace {
 
-// A polygon that a plane has cut off, and that has come apart: chains of corners from the plane to the plane.
+// Pieces of a polygon cut by a plane: chains of corners that start and end on the plane.
 std::vector<Polygon> chains_of(const Polygon& p, const std::function<bool(std::uint32_t)>& above) {
   std::vector<Polygon> chains;
   const std::size_t n = p.size();
@@ -356,8 +355,8 @@ std::vector<Polygon> chains_of(const Polygon& p, const std::function<bool(std::u
   return chains;
 }
 
-// The pieces of such a polygon. Along the line in which it meets the plane one goes in and out in turn: what
-// the first and the second place bound is within, and so is what the third and the fourth do.
+// Joins the chains to polygons. Inside and outside alternate along the cutting line: the intervals between
+// the first and second point, the third and fourth, and so on are inside.
 std::vector<Polygon> pieces_of(const Polygon& p, const std::function<bool(std::uint32_t)>& above,
                                const Polygons& cage) {
   const std::vector<Polygon> chains = chains_of(p, above);
@@ -380,11 +379,11 @@ std::vector<Polygon> pieces_of(const Polygon& p, const std::function<bool(std::u
     places.push_back({c, true, mesh::dot(line, cage.at(chains[c].back()) - origin)});
   }
   std::ranges::stable_sort(places, {}, &Place::along);
-  std::vector<std::size_t> next(chains.size());  // the chain that goes on where one ends
+  std::vector<std::size_t> next(chains.size());  // the chain that continues this one
   for (std::size_t k = 0; k < places.size(); k += 2) {
     const bool tied = k + 2 < places.size() && places[k + 1].along == places[k + 2].along;
     if (tied && places[k].is_end == places[k + 1].is_end) std::swap(places[k + 1], places[k + 2]);
-    if (places[k].is_end == places[k + 1].is_end) return {p};  // bent so far that it has no line
+    if (places[k].is_end == places[k + 1].is_end) return {p};  // too bent to have a cutting line
     const auto [begin, end] =
         places[k].is_end ? std::pair(places[k + 1], places[k]) : std::pair(places[k], places[k + 1]);
     next[end.chain] = begin.chain;
@@ -408,7 +407,8 @@ std::vector<Polygon> pieces_of(const Polygon& p, const std::function<bool(std::u
 
 Edited mirrored(const Surface& surface, const Plane& plane) {
   Polygons cage(surface);
-  const double near = 1e-3 * mesh::used_bounds(surface).diagonal();  // what is nearer lies in the plane
+  const double near =
+      1e-3 * mesh::used_bounds(surface).diagonal();  // vertices nearer than this lie in the plane
   const auto height = [&](std::uint32_t v) { return mesh::dot(plane.normal, cage.at(v)) - plane.offset; };
   const auto count = static_cast<std::uint32_t>(surface.positions.size());
   for (std::uint32_t v = 0; v < count; ++v) {
@@ -416,7 +416,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   }
   const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
   const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
-  // In steps of so many corners, past those in the plane.
+  // Walks in steps of `step` corners past those in the plane.
   const auto comes_out_above = [&](const Polygon& p, std::size_t i, std::size_t step) {
     while (!above(p[i]) && !below(p[i])) i = (i + step) % p.size();
     return above(p[i]);
@@ -455,7 +455,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   cage.all = half;
   for (const Polygon& p : half) {
     Polygon turned;
-    turned.push_back(image(p.front()));  // so that it is cut into triangles as its image
+    turned.push_back(image(p.front()));  // for a mirrored triangulation
     for (std::size_t i = p.size() - 1; i > 0; --i) turned.push_back(image(p[i]));
     cage.all.push_back(std::move(turned));
   }

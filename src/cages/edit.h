@@ -1,4 +1,4 @@
-// Changes of a cage's polygons by hand. Whatever is not named stays as it is.
+// Manual edits of a cage's polygons. Everything not named stays unchanged.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace viete::cages {
 
-/// Where a vertex comes from: the mean of these of the cage before, or, mirrored, of their images.
+/// Source of a vertex: the mean of these old vertices, or, if mirrored, of their mirror images.
 struct Origin {
   std::vector<std::uint32_t> of;
   bool mirrored = false;
@@ -19,31 +19,31 @@ struct Origin {
 
 struct Edited {
   mesh::Surface surface;
-  std::vector<Origin> origins;           ///< of each vertex
-  std::vector<std::uint32_t> selection;  ///< vertices that were made, or that a hand goes on with; ascending
+  std::vector<Origin> origins;           ///< one per vertex
+  std::vector<std::uint32_t> selection;  ///< new vertices and those to edit next; ascending
 };
 
-/// All are pure and thread-safe. Vertices, edges and polygons are those of `cage`; each at most once.
-/// Vertices that no polygon has any more go. Whether the result is a cage is for make_cage() to say.
+/// All functions are pure and thread-safe. Vertices, edges and polygons refer to `cage`, each given at most
+/// once. Vertices left without polygons are removed. make_cage() checks whether the result is a valid cage.
 
-/// A vertex in the middle of each edge, joined to the corners of its polygons, which become triangles.
+/// Adds a vertex at each edge's midpoint. The adjacent polygons become triangles around it.
 Edited split_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);
-/// A vertex in the middle of each polygon, joined to its corners; if it does not see all sides, the polygon
-/// becomes triangles, and the vertex is in the largest one.
+/// Adds a vertex at each polygon's centre and joins it to the corners. If the centre does not see all sides,
+/// triangulates the polygon and adds the vertex to the largest triangle.
 Edited cut_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
-/// One vertex in the middle of these. What is left of a polygon with fewer than three corners goes.
+/// Merges the vertices into one at their mean. Polygons left with fewer than three corners are removed.
 Edited merge_vertices(const mesh::Surface& cage, std::span<const std::uint32_t> vertices);
-/// Without these vertices; the hole of each is one polygon, so that a closed cage stays closed.
+/// Removes the vertices. Each hole becomes one polygon, so that a closed cage stays closed.
 Edited dissolve_vertices(const mesh::Surface& cage, std::span<const std::uint32_t> vertices);
-/// The two polygons of each edge become one.
+/// Merges the two polygons at each edge.
 Edited dissolve_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);
 Edited remove_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
-/// The polygons are moved along the mean of their normals, by so much, and quads join them to what is left.
+/// Moves the polygons along the mean of their normals by `distance`; quads join them to the rest.
 Edited extrude(const mesh::Surface& cage, std::span<const std::uint32_t> polygons, double distance);
-/// The same surface: of each triangle four, of every other polygon a quad for each of its corners; if its
-/// middle does not see all sides, four of each of its triangles.
+/// Subdivides without changing the shape: a triangle into four, any other polygon into one quad per corner;
+/// if its centre does not see all sides, each of its triangles into four.
 Edited subdivide(const mesh::Surface& cage);
-/// The side of the plane where its normal points, cut off there, and its image.
+/// Keeps the side that the plane's normal points to, cuts it at the plane and adds its mirror image.
 Edited mirrored(const mesh::Surface& cage, const Plane& plane);
 
 }  // namespace viete::cages

@@ -29,12 +29,12 @@ double signed_volume(const Surface& cage) {
   return six / 6;
 }
 
-// How far each vertex is to go so that the points that are outside come within.
+// The outward motion of each vertex that encloses the outside points.
 std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
   const mesh::TriangleTree tree(cage.positions, cage.triangles);
   std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
   std::vector<double> farthest(cage.positions.size(), 0);
-  const double side = signed_volume(cage) < 0 ? -1 : 1;  // of an inside-out cage the normals point inward
+  const double side = signed_volume(cage) < 0 ? -1 : 1;  // normals of an inside-out cage point inward
   for (const Point& p : outside) {
     const auto nearest = tree.nearest(p);
     const mesh::Triangle& t = cage.triangles[nearest.triangle];
@@ -52,9 +52,9 @@ std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& ou
   return ways;
 }
 
-// Where to go from p to be at this distance outside of the model by the shortest way; p itself, if it is.
+// The nearest point at this distance outside of the model; p itself if it is already there.
 Point way_out(const Point& p, const Surface& model, const mesh::TriangleTree& tree, double distance) {
-  constexpr double enough = 0.999;  // it is met up to rounding
+  constexpr double enough = 0.999;  // reached up to rounding
   const mesh::Triangle& t = model.triangles[tree.nearest(p).triangle];
   const Point &a = model.positions[t[0]], &b = model.positions[t[1]], &c = model.positions[t[2]];
   const mesh::Closest closest = mesh::closest_on_triangle(p, a, b, c);
@@ -64,7 +64,7 @@ Point way_out(const Point& p, const Surface& model, const mesh::TriangleTree& tr
   const Vec3& share = closest.barycentric;
   const Point border = share[0] * a + share[1] * b + share[2] * c;
   Vec3 way = within ? border - p : p - border;
-  // On the surface there is no way; then its normal is.
+  // On the surface the direction is undefined; uses its normal.
   if (gap < 1e-6 * distance) way = mesh::cross(b - a, c - a);
   const double length = mesh::norm(way);
   return length > 0 ? border + (distance / length) * way : p;
@@ -89,7 +89,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   constexpr int most_rounds = 40;
   const double distance = margin * mesh::used_bounds(model).diagonal();
   Surface moved = cage;
-  // Those that were outside are asked about until none is; then all, since what moved may have left others.
+  // Rechecks the vertices that were outside until none is; then all, because the motion may expose others.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
     const auto outside = mesh::points_outside(moved, asked);
@@ -135,7 +135,7 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-constexpr std::size_t few = 100, many = 300;  // samples of each surface: to choose, and to fit
+constexpr std::size_t few = 100, many = 300;  // samples of each surface, for the choice and for the fit
 
 Vector3d vector(const Point& p) {
   return {p[0], p[1], p[2]};
@@ -153,7 +153,7 @@ struct Similarity {
   Point back(const Point& p) const { return point(rotation.transpose() * (vector(p) - shift) / scale); }
 };
 
-// Spread evenly over the areas, in the order of the triangles; of vertices, where there are no areas.
+// Samples spread evenly over the area, in triangle order; vertices if there is no area.
 std::vector<Point> samples_of(const FramedModel& surface, std::size_t count) {
   std::vector<double> areas;
   double total = 0;
@@ -170,7 +170,7 @@ std::vector<Point> samples_of(const FramedModel& surface, std::size_t count) {
     const double at = (static_cast<double>(n) + 0.5) / static_cast<double>(count) * total;
     const auto t = std::min<std::size_t>(
         static_cast<std::size_t>(std::ranges::lower_bound(areas, at) - areas.begin()), areas.size() - 1);
-    // A sequence that fills the square evenly, folded into the triangle.
+    // A low-discrepancy sequence in the square, folded into the triangle.
     double unused = 0, u = std::modf(0.5 + 0.7548776662466927 * static_cast<double>(n), &unused),
            v = std::modf(0.5 + 0.5698402909980532 * static_cast<double>(n), &unused);
     if (u + v > 1) u = 1 - u, v = 1 - v;
@@ -181,7 +181,7 @@ std::vector<Point> samples_of(const FramedModel& surface, std::size_t count) {
   return samples;
 }
 
-// A finer surface is as well told by points of it.
+// Reduces a fine surface to samples.
 FramedModel coarse(FramedModel surface) {
   constexpr std::size_t enough = 20'000;
   if (surface.triangles.size() <= enough) return surface;
@@ -190,7 +190,7 @@ FramedModel coarse(FramedModel surface) {
   return points;
 }
 
-// A surface that is asked for the places nearest to others, and its samples.
+// A surface for nearest-point queries, and its samples.
 class Sampled {
 public:
   explicit Sampled(FramedModel surface)
@@ -225,7 +225,7 @@ double radius_of(const std::vector<Point>& points, const Vector3d& mean) {
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-// The rotations that lay the axes of one frame upon those of another.
+// The rotations that align the axes of the frames.
 std::vector<Matrix3d> rotations(const Frame& from, const Frame& to) {
   Matrix3d a, b;
   for (int k = 0; k < 3; ++k) {
@@ -244,7 +244,7 @@ std::vector<Matrix3d> rotations(const Frame& from, const Frame& to) {
   return all;
 }
 
-// The cage in its own frame, laid upon the model in its.
+// Fits the cage to the model, each in its own frame.
 class Fitting {
 public:
   Fitting(const Sampled& cage, const Sampled& model, base::Progress* progress)
@@ -261,10 +261,10 @@ public:
     return {{rotation, scale, to - scale * (rotation * from)}};
   }
 
-  // The mean squared distance.
+  // Mean squared distance.
   double squared(const Similarity& similarity) const { return pairs_of(similarity, false).squared; }
 
-  // Iterated closest points, until it hardly comes nearer.
+  // Iterated closest points until the improvement is small.
   void refine(Laid& laid, bool choosing, int rounds) const {
     for (int round = 0; round < rounds; ++round) {
       const double before = laid.squared;
@@ -303,7 +303,7 @@ private:
     return pairs;
   }
 
-  // The one before, where there is none.
+  // The similarity before, if undefined.
   static Similarity similarity_of(const Pairs& pairs, const Similarity& before) {
     const Eigen::Matrix4d best = Eigen::umeyama(pairs.cage, pairs.model, true);
     const Matrix3d linear = best.topLeftCorner<3, 3>();
@@ -323,7 +323,7 @@ double angle_of(const Laid& laid) {
   return Eigen::AngleAxisd(laid.similarity.rotation).angle();
 }
 
-// The nearest; of those that are as near, the least turned.
+// The best fit; the smallest rotation among nearly equal ones.
 const Laid& chosen(const std::vector<Laid>& all) {
   constexpr double as_good = 1.05, rounding = 1e-12;
   const double best = std::ranges::min_element(all, {}, &Laid::squared)->squared;

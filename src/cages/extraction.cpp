@@ -14,8 +14,8 @@ namespace viete::cages {
 
 namespace {
 
-// Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 k + n runs along axis k from the n-th
-// of the corners whose bit k is 0.
+// Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 k + n runs along axis k from the n-th
+// corner whose bit k is 0.
 struct Edge {
   int low, axis;
 };
@@ -39,14 +39,14 @@ constexpr int edge_between(int a, int b) {
   return -1;
 }
 
-// Corners of each face, counter-clockwise from outside of the cell.
+// Corners of each face, counter-clockwise as seen from outside the cell.
 constexpr std::array<std::array<int, 4>, 6> faces = {
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-using Next = std::array<std::int8_t, 12>;  // of each edge the one where the loop goes on; -1: it is not cut
+using Next = std::array<std::int8_t, 12>;  // next edge of the loop for each edge; -1: not cut
 
-// On a face, the loop leads around each run of corners above the level: from where walking around the face
-// enters the run to where it leaves it, or backwards.
+// On a face, the loop surrounds each run of corners above the level: from the edge where a walk around the
+// face enters the run to the edge where it leaves it, or in reverse.
 constexpr Next loops_of(unsigned above) {
   Next next{};
   next.fill(-1);
@@ -72,7 +72,7 @@ constexpr std::array<Next, 256> all_loops = [] {
   return all;
 }();
 
-// Some face of the cell has both edges.
+// True if a face of the cell contains both edges.
 constexpr std::array<std::array<bool, 12>, 12> on_one_face = [] {
   std::array<std::array<bool, 12>, 12> all{};
   for (const auto& face : faces) {
@@ -129,8 +129,8 @@ private:
     }
   }
 
-  // An inner edge of a fan that runs along a face of the cell might be one of the next cell too: then all
-  // triangles meet in the middle instead. Nor may it join two vertices in the mirror, which are on one face.
+  // A fan's inner edge on a face of the cell might coincide with one of the next cell; then triangulates
+  // about the centre instead. It also must not join two vertices on the mirror, which share a face.
   void close_loop() {
     const std::size_t n = loop_.size();
     for (std::size_t first = 0; first < n; ++first) {
@@ -155,7 +155,7 @@ private:
     if (made != unmade) return made;
     made = static_cast<std::uint32_t>(shell_.positions.size());
     const double a = clearance_.at_node(from), b = clearance_.at_node(to);
-    // Kept off the nodes, so that no triangle is without area.
+    // Stays away from the nodes, so that every triangle has area.
     const double t = std::clamp((level_ - a) / (b - a), 0.05, 0.95);
     Point p = grid_.place(i + (edge.low & 1), j + (edge.low >> 1 & 1), k + (edge.low >> 2 & 1));
     p[static_cast<std::size_t>(edge.axis)] += t * grid_.step;
@@ -168,7 +168,7 @@ private:
   float level_;
   std::vector<std::uint32_t> vertices_;  // on the edge from each node along each axis
   std::vector<std::uint32_t> loop_;      // around a patch in a cell
-  std::vector<std::size_t> cut_;         // and the edges of the cell that it runs across
+  std::vector<std::size_t> cut_;         // and the cell edges that it crosses
   Shell shell_;
 };
 
@@ -182,20 +182,20 @@ namespace {
 
 using Quad = std::array<std::uint32_t, 4>;
 
-// From one end of the shared edge around both triangles; its diagonal is from the first to the third.
+// Corners of both triangles from one end of the shared edge; its diagonal runs from the first to the third.
 Quad quad_of(const mesh::Triangle& s, const mesh::Triangle& t) {
-  std::size_t i = 0;  // the corner of s that t does not have
+  std::size_t i = 0;  // the corner of s that is not in t
   while (std::ranges::find(t, s[i]) != t.end()) ++i;
   std::size_t j = 0;
   while (std::ranges::find(s, t[j]) != s.end()) ++j;
   return {s[(i + 1) % 3], t[j], s[(i + 2) % 3], s[i]};
 }
 
-// 0 for a flat rectangle; above 1 where it should not be a quad.
+// 0 for a flat rectangle; above 1 for an unsuitable quad.
 double badness(const Shell& shell, const Quad& quad) {
   const auto at = [&](std::size_t i) { return shell.positions[quad[i % 4]]; };
   const Vec3 n = mesh::cross(at(1) - at(0), at(2) - at(0)), m = mesh::cross(at(2) - at(0), at(3) - at(0));
-  const double bend = (1 - mesh::cosine(n, m)) / 0.3;  // 1 where the halves are 45 degrees apart
+  const double bend = (1 - mesh::cosine(n, m)) / 0.3;  // 1 at an angle of 45 degrees between the halves
   double worst = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3 before = at(i + 3) - at(i), after = at(i + 1) - at(i);

@@ -1,4 +1,4 @@
-// The surface at a given clearance, as triangles and as quads.
+// Extraction of the surface at a given clearance, as triangles and as quads.
 #pragma once
 
 #include <array>
@@ -11,27 +11,26 @@
 
 namespace viete::cages {
 
-/// Triangles that work goes on with: they refer to positions by number.
+/// An indexed triangle mesh for further processing.
 struct Shell {
   std::vector<Point> positions;
   std::vector<mesh::Triangle> triangles;
 };
 
-/// The triangles between nodes above the level and others, counter-clockwise from where the clearance is
-/// larger. An oriented manifold: closed, or, on a mirrored grid, ending in the plane x = 0, with no vertex
-/// beyond. Marching cubes (Lorensen and Cline 1987) whose loops are traced along the faces of each cell: what
-/// is below the level is joined across a face where both ways are possible, so that neighbours agree. About
-/// two triangles for each cell that the surface runs through.
+/// The isosurface at `level`, counter-clockwise as seen from larger clearance. An oriented manifold: closed,
+/// or, on a mirrored grid, ending in the plane x = 0 with no vertex beyond. Marching cubes (Lorensen and
+/// Cline 1987) with loops traced on the faces of each cell: ambiguous faces join the nodes below the level,
+/// so that neighbouring cells agree. About two triangles per cell on the surface.
 Shell extract(const Clearance& clearance, double level);
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
-/// Neighbours that make a good quad together, the best first: nearly flat, convex, and with angles near 90
-/// degrees. Each triangle is in one pair at most.
+/// Pairs of neighbours that form a good quad, best first: nearly flat, convex, angles near 90 degrees. Each
+/// triangle is in at most one pair.
 std::vector<TrianglePair> quad_pairs(const Shell& shell);
 
-/// The shell with its pairs as quads, which are cut along the edge that the pair shares: the triangles for
-/// work are those of the shell, in another order.
+/// The shell with its pairs as quads, triangulated along the shared edge: the triangles are those of the
+/// shell, in another order.
 mesh::Surface with_quads(const Shell& shell, std::span<const TrianglePair> pairs);
 
 }  // namespace viete::cages

@@ -18,7 +18,7 @@ namespace {
 
 using Cell = std::array<std::size_t, 3>;
 
-// The surface of a grid of cells, corners numbered as they come.
+// The surface of a grid of cells; numbers corners on first use.
 class Lattice {
 public:
   Lattice(const Frame& frame, const mesh::Bounds& box, const Cell& cells)
@@ -45,7 +45,7 @@ private:
           corner[v] = j + dv;
           surface_.corners.push_back(vertex(corner));
         };
-        const bool high = at > 0;  // seen from outside, u to v is counter-clockwise there
+        const bool high = at > 0;  // from outside, u to v is counter-clockwise there
         add(0, 0);
         add(high ? 1 : 0, high ? 0 : 1);
         add(1, 1);
@@ -92,8 +92,8 @@ Made make_box(const mesh::Surface& model, const Wish& wish) {
 struct Maker::Kept {
   std::shared_ptr<const mesh::Surface> model;
   mesh::Bounds box;
-  std::optional<std::optional<Plane>> own_plane;  // once it was looked for
-  std::unique_ptr<const Subject> subject;         // of the last wish
+  std::optional<std::optional<Plane>> own_plane;  // empty until first computed
+  std::unique_ptr<const Subject> subject;         // belongs to the last wish
 
   std::optional<Plane> plane_of(Symmetry symmetry, base::Progress* progress) {
     if (symmetry == Symmetry::none) return std::nullopt;
@@ -126,13 +126,13 @@ Wish in_range(Wish wish) {
   return wish;
 }
 
-// A box, with a note: no cage that follows the model was found.
+// A box with a note, used if no cage that follows the model was found.
 Made box_instead(const mesh::Surface& model, Wish wish) {
   wish.cells = {1, 1, 1};
   wish.own_axes = false;
   Made made = make_box(model, wish);
   made.notes.push_back("no cage of " + base::counted(wish.triangles, "triangle") +
-                       " that follows the model was found: this is its box; ask for more triangles");
+                       " that follows the model was found, so a box was made; use more triangles");
   return made;
 }
 
@@ -145,7 +145,7 @@ void section(base::Progress* progress, double from, double to) {
 Maker::Maker(std::shared_ptr<const mesh::Surface> model) : kept_(std::make_unique<Kept>()) {
   kept_->box = model->triangles.empty() ? mesh::bounds(model->positions) : mesh::used_bounds(*model);
   if (!(kept_->box.diagonal() > 0))
-    throw base::Error("", "the model is a single point, around which no cage is made",
+    throw base::Error("", "the model is a single point and cannot have a cage",
                       "open a model with an extent");
   kept_->model = std::move(model);
 }

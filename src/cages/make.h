@@ -1,4 +1,4 @@
-// Makes a cage of any kind around a model; boxes.
+// Makes a cage of any kind around a model; box cages.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace viete::cages {
 
-/// The sides of a box as quads, cells[0] x cells[1] x cells[2], wish.margin away from the model's own box,
-/// which is along the file's axes or, with own_axes, along those of its inertia. The model has an extent.
+/// The sides of a box as quads, cells[0] x cells[1] x cells[2], wish.margin away from the model's box along
+/// the file's axes or, with own_axes, along the axes of inertia. The model must have an extent.
 Made make_box(const mesh::Surface& model, const Wish& wish);
 
-/// Makes cages around one model, one after another: where its plane of symmetry is and the tree over its
-/// triangles are kept from one wish to the next. The same cages as by make(). For one thread at a time.
+/// Makes several cages around one model. Keeps its plane of symmetry and tree of triangles between calls.
+/// Gives the same cages as the function make(). Not thread-safe.
 class Maker {
 public:
   /// Quick: all work is left to the first make(). Throws base::Error if the model is a single point or has

@@ -40,7 +40,7 @@ Closeness closeness(const mesh::Surface& cage, const mesh::Surface& model, base:
     found.most = std::max(found.most, distances[v]);
   }
   found.mean /= static_cast<double>(count);
-  // What is wound oddly, or lies within itself, has no such volume; then it can seem larger than the cage's.
+  // Inconsistently oriented or nested surfaces have no valid volume; it may seem larger than the cage's.
   const mesh::Summary summary = mesh::summarize(model);
   const double whole = mesh::summarize(cage).volume, part = std::abs(summary.volume);
   if (summary.closed() && summary.oriented() && part > 0 && part <= whole) found.volume = whole / part;
@@ -64,11 +64,11 @@ std::vector<std::uint32_t> one_vertex_a_part(std::size_t vertices,
   return firsts;
 }
 
-// Those that a quick look does not find within the cage: an exact one takes as long as the cage has
-// triangles, and a soup has as many parts as triangles.
+// Points that a quick test does not place inside the cage. The exact test is linear in the cage's triangles,
+// and a triangle soup has as many components as triangles.
 std::vector<std::uint32_t> in_doubt(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                                     const std::vector<std::uint32_t>& vertices, base::WorkerPool& pool) {
-  constexpr double certain = 0.75;  // the quick look is a few hundredths off
+  constexpr double certain = 0.75;  // the quick test is accurate to a few hundredths
   if (cage.triangles.empty()) return vertices;
   const mesh::TriangleTree tree(cage.positions, cage.triangles);
   std::vector<char> doubt(vertices.size(), 0);
@@ -139,7 +139,7 @@ public:
   }
 
 private:
-  // Which triangles are too near, and where their corners should go.
+  // Finds triangles that are too near, and where to move their corners.
   template <class Report>
   std::size_t look(Report&& report) {
     away_.assign(mesh_.n_vertices(), {0, 0, 0});
@@ -158,7 +158,7 @@ private:
     return found;
   }
 
-  // False if none could move.
+  // False if no vertex could move.
   template <class Report>
   bool push_all(Report&& report) {
     bool moved = false;
@@ -192,8 +192,8 @@ private:
   double margin_;
   base::Progress* progress_;
   Star star_;
-  std::vector<Vec3> away_;                  // of each vertex
-  std::vector<std::uint8_t> stale_, near_;  // of each triangle: not looked at since it moved; too near then
+  std::vector<Vec3> away_;                  // per vertex
+  std::vector<std::uint8_t> stale_, near_;  // per triangle: moved since checked; too near when checked
 };
 
 }  // namespace

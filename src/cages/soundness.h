@@ -1,4 +1,4 @@
-// Exact checks of a cage: closed, free of self-intersections, around the whole model, and how close it is.
+// Exact checks of a cage: closed, without self-intersections, around the model; and its closeness.
 #pragma once
 
 #include <cstddef>
@@ -16,38 +16,38 @@
 namespace viete::cages {
 
 struct Closeness {
-  double least = 0, mean = 0, most = 0;  ///< distances of the model's vertices to the cage, of its diagonal
-  double volume = 0;  ///< of the cage, by that of the model; 0 where the model is not closed and has none
+  double least = 0, mean = 0, most = 0;  ///< distances of model vertices to the cage, in model diagonals
+  double volume = 0;                     ///< cage volume / model volume; 0 for an open or flat model
 };
 
-/// Of the vertices that triangles use, or of all points. Both are not empty. Same bits for any pool.
+/// Measures used vertices, or all points of a point set. Neither may be empty. Same bits for any pool.
 Closeness closeness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
 
-/// What is wrong with a cage; all empty or 0 if it is sound.
+/// Defects of a cage; all empty or 0 if it is sound.
 struct Soundness {
-  std::size_t open_edges = 0;           ///< with one triangle, three or more, or two of opposite orientation
-  std::size_t pinched_vertices = 0;     ///< where fans of triangles touch
-  std::vector<std::uint32_t> crossing;  ///< triangles of the cage that others of it cross
-  std::vector<std::uint32_t> cutting;   ///< triangles of the cage that the model crosses
-  std::vector<std::uint32_t> outside;   ///< a vertex of each part of the model that lies outside
+  std::size_t open_edges = 0;           ///< one triangle, three or more, or two of opposite orientation
+  std::size_t pinched_vertices = 0;     ///< vertices with several triangle fans
+  std::vector<std::uint32_t> crossing;  ///< cage triangles that cross other cage triangles
+  std::vector<std::uint32_t> cutting;   ///< cage triangles that cross the model
+  std::vector<std::uint32_t> outside;   ///< one vertex of each model component outside
 
   bool sound() const {
     return open_edges == 0 && pinched_vertices == 0 && crossing.empty() && cutting.empty() && outside.empty();
   }
 };
 
-/// The tree is of the model's triangles; parts of it that hang together by triangles are told by one vertex
-/// each. Exact but for vertices within 1e-9 of the cage's diagonal from it. progress may be null; throws
+/// The tree must contain the model's triangles. Each component of the model is tested by one vertex. Exact,
+/// except for vertices within 1e-9 of the cage's diagonal from it. progress may be null; throws
 /// base::Cancelled.
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
                     base::WorkerPool& pool, base::Progress* progress = nullptr);
 
-/// The same of any cage and model, in their own coordinates.
+/// Checks any cage and model in their own coordinates.
 Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
 
-/// Moves vertices of triangles that are nearer to the model than the margin outward, until none is, or as far
-/// as the cage stays sound: the clearance is interpolated, this is exact. Returns how many are left. progress
+/// Moves vertices of triangles that are nearer to the model than the margin outward until all keep it, or as
+/// far as the cage stays sound. Exact, unlike the interpolated clearance. Returns the number left. progress
 /// may be null; throws base::Cancelled.
 std::size_t keep_margin(WorkingCage& cage, double margin, base::Progress* progress);
 

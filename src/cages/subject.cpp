@@ -12,7 +12,7 @@ namespace viete::cages {
 namespace {
 
 constexpr std::size_t samples = 200;
-constexpr double tolerance = 0.02, fine = 1e-3;  // of the diagonal
+constexpr double tolerance = 0.02, fine = 1e-3;  // fractions of the diagonal
 
 Point reflected(const Point& p, const Plane& plane) {
   return p - (2 * (mesh::dot(plane.normal, p) - plane.offset)) * plane.normal;
@@ -23,7 +23,7 @@ Vec3 unit(const Vec3& v) {
   return length > 0 ? (1 / length) * v : Vec3{1, 0, 0};
 }
 
-// Planes are looked for where the model is unit in size.
+// Searches planes of symmetry of the model scaled to unit size.
 class Search {
 public:
   Search(const std::vector<Point>& positions, const mesh::TriangleTree& tree, base::Progress* progress)
@@ -31,7 +31,7 @@ public:
     for (std::size_t n = 0; n < samples; ++n) points_.push_back(positions[n * positions.size() / samples]);
   }
 
-  // The largest distance of a sample's image to the model, or any number above `most` if it is above that.
+  // The largest distance of a mirrored sample to the model; stops at any value above `most`.
   double error(const Plane& plane, double most) const {
     double worst = 0;
     for (const Point& p : points_) {
@@ -52,7 +52,7 @@ public:
     return sum / count;
   }
 
-  // Steps along the offset and two tilts, shorter when none is better.
+  // Searches along the offset and two tilts; shortens the steps without improvement.
   Plane fitted(Plane plane) const {
     double best = mean_error(plane, tolerance);
     for (double step = 0.02; step > 2e-4; step *= 0.5) {
@@ -116,8 +116,8 @@ std::optional<Plane> symmetry_plane(const mesh::Surface& surface, base::Progress
   double least = tolerance;
   for (std::size_t k = 0; k < 6; ++k) {
     Vec3 normal{0, 0, 0};
-    normal[k % 3] = 1;                                                           // of inertia
-    if (k < 3) normal = {frame.axes[0][k], frame.axes[1][k], frame.axes[2][k]};  // of the file
+    normal[k % 3] = 1;                                                           // axes of inertia
+    if (k < 3) normal = {frame.axes[0][k], frame.axes[1][k], frame.axes[2][k]};  // axes of the file
     Plane plane{normal, mesh::dot(normal, k < 3 ? file_middle : mean)};
     if (search.error(plane, fine) > fine && search.mean_error(plane, tolerance) < tolerance)
       plane = search.fitted(plane);
@@ -136,7 +136,7 @@ namespace {
 
 using Matrix = std::array<Vec3, 3>;
 
-// Columns of the eigenvectors, by rotations (Jacobi).
+// Eigenvectors as columns, by Jacobi rotations.
 Matrix eigenvectors(Matrix a) {
   Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < 12; ++sweep) {
@@ -167,8 +167,8 @@ mesh::Bounds extent_of(const mesh::Surface& surface) {
   return surface.triangles.empty() ? mesh::bounds(surface.positions) : mesh::used_bounds(surface);
 }
 
-// Calls visit(place, weight) so that moments up to the second are those of the triangles' areas; of points
-// where there are no areas.
+// Calls visit(position, weight) so that moments up to the second are those of the triangles' area; of the
+// points if there is no area.
 template <class Visit>
 void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area, Visit&& visit) {
   if (!has_area) {
@@ -240,8 +240,8 @@ FramedModel shape_in(const Frame& frame, const mesh::Surface& surface) {
 
 namespace {
 
-// Of triangles with the same corners in the same direction, as a polygon that goes round more than once has
-// them, the first.
+// Keeps the first of triangles with equal corners and orientation, which polygons that revisit corners
+// produce.
 void drop_copies(std::vector<mesh::Triangle>& triangles) {
   const auto from_lowest = [&](std::uint32_t i) {
     mesh::Triangle t = triangles[i];
@@ -272,7 +272,7 @@ FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
 
 namespace {
 
-// With a mirror, as wide on both sides of x = 0.
+// With a mirror, makes the box symmetric about x = 0.
 FramedModel centered(FramedModel model, bool mirrored) {
   if (!mirrored) return model;
   const double x = std::max(-model.box.low[0], model.box.high[0]);

@@ -1,4 +1,4 @@
-// A model as cages are made around it: its frame of unit diagonal, and its plane of symmetry.
+// The model in the form used by cage making: scaled to unit diagonal, with its plane of symmetry.
 #pragma once
 
 #include <array>
@@ -22,12 +22,12 @@ struct Plane {
   friend bool operator==(const Plane&, const Plane&) = default;
 };
 
-/// The half and its image, joined where x is 0. Vertices of the half keep their numbers.
+/// The half and its mirror image, joined at x = 0. Vertices of the half keep their numbers.
 Shell whole(const Shell& half);
 
-/// The plane about which the model is most nearly symmetric, if its image is nowhere farther from it than 2 %
-/// of its diagonal: across an axis of its coordinates or of its inertia, moved to fit. Told by a few hundred
-/// of its triangles' middles. progress may be null; throws base::Cancelled.
+/// The best plane of symmetry, if the mirrored model stays within 2 % of its diagonal: perpendicular to a
+/// coordinate axis or an axis of inertia, with adjusted position. Tests the centres of a few hundred
+/// triangles. progress may be null; throws base::Cancelled.
 std::optional<Plane> symmetry_plane(const mesh::Surface& model, base::Progress* progress);
 
 struct Frame {
@@ -44,31 +44,31 @@ struct Frame {
   }
 };
 
-/// Along the file's axes, or, with a mirror, with it in the plane x = 0. The model has an extent.
+/// A frame along the file's axes; a mirror becomes the plane x = 0. The model must have an extent.
 Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror);
-/// Along the axes of inertia of the model's triangles, or of its points where these have no area.
+/// A frame along the axes of inertia of the triangles, or of the points if these have no area.
 Frame own_frame(const mesh::Surface& model);
 
-/// The model in a frame; its points as triangles without area where it has no others.
+/// The model in a frame. A point set becomes triangles without area.
 struct FramedModel {
   std::vector<Point> positions;
   std::vector<mesh::Triangle> triangles;
-  mesh::Bounds box{};  ///< of what triangles use
+  mesh::Bounds box{};  ///< box of used vertices
   bool closed = false;
 };
 
 FramedModel model_in(const Frame& frame, const mesh::Surface& surface);
-/// The same, but whether it is closed is not asked, which takes longest.
+/// Leaves `closed` unset, which takes longest to compute.
 FramedModel shape_in(const Frame& frame, const mesh::Surface& surface);
 
-/// What does not depend on the wish but for the mirror: made once, asked by many. Thread-safe once made.
+/// Data that depend on the model and mirror only; computed once. Thread-safe after construction.
 struct Subject {
-  /// The surface has an extent. progress may be null; throws base::Cancelled.
+  /// The surface must have an extent. progress may be null; throws base::Cancelled.
   Subject(const mesh::Surface& surface, const std::optional<Plane>& mirror, base::Progress* progress);
 
   std::optional<Plane> mirror;
   Frame frame;
-  FramedModel model;  ///< with a mirror, its box is as wide on both sides
+  FramedModel model;  ///< with a mirror, its box is symmetric
   mesh::TriangleTree tree;
 };
 

@@ -1,4 +1,4 @@
-// A cage drawn in against its model, and made even.
+// Tightens a cage around its model and evens out its triangles.
 #pragma once
 
 #include "base/progress.h"
@@ -6,12 +6,12 @@
 
 namespace viete::cages {
 
-/// Moves each vertex inward as far as the cage stays sound (see WorkingCage), and along the surface towards
-/// the middle of its neighbours; turns edges where that makes better triangles or a smaller cage. So many
-/// rounds; more of them change less. Throws base::Cancelled.
+/// For each round: moves each vertex inward as far as the cage stays sound (see WorkingCage) and along the
+/// surface towards the mean of its neighbours; flips edges for better triangles or a smaller cage. Later
+/// rounds change less. Throws base::Cancelled.
 void tighten(WorkingCage& cage, int rounds, base::Progress* progress);
 
-/// Splits the edges from which most volume can be drawn in, until there are so many triangles. Throws
+/// Splits the edges that allow the largest decrease in volume, until there are that many triangles. Throws
 /// base::Cancelled.
 void refine_to(WorkingCage& cage, std::size_t triangles, base::Progress* progress);
 

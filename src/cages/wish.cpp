@@ -5,14 +5,14 @@ namespace viete::cages {
 namespace {
 
 constexpr KindEntry kinds[] = {
-    {Kind::automatic, "automatic", "follows the model with as many triangles as asked for"},
-    {Kind::box, "box", "a box of quads, cut into cells"},
+    {Kind::automatic, "automatic", "encloses the model with the given number of triangles"},
+    {Kind::box, "box", "box of quads, divided into cells"},
 };
 
 constexpr SymmetryEntry symmetries[] = {
-    {Symmetry::automatic, "auto", "about the model's plane of symmetry, if it has one"},
+    {Symmetry::automatic, "auto", "the model's plane of symmetry, if any"},
     {Symmetry::none, "none", "no plane"},
-    {Symmetry::x, "x", "across x, through the middle of the model's box"},
+    {Symmetry::x, "x", "across x through the centre of the model's box"},
     {Symmetry::y, "y", "across y"},
     {Symmetry::z, "z", "across z"},
 };

@@ -1,4 +1,4 @@
-// A cage while it is made: what changes it asks here whether the change is sound.
+// A cage under construction. It checks whether a change keeps it sound.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
@@ -18,17 +18,17 @@ using VertexId = Connectivity::VertexHandle;
 using FaceId = Connectivity::FaceHandle;
 using HalfEdgeId = Connectivity::HalfedgeHandle;
 
-/// What triangles must be like. A quality is 4 sqrt(3) area / (sum of squared sides): 1 if equilateral.
+/// Limits of triangle shape. Quality is 4 sqrt(3) area / (sum of squared sides): 1 if equilateral.
 struct Shape {
   double least_quality = 0.1;
-  double least_cosine = -0.5;      ///< between the normals of neighbours
-  std::size_t most_triangles = 9;  ///< around a vertex
+  double least_cosine = -0.5;      ///< between normals of neighbours
+  std::size_t most_triangles = 9;  ///< per vertex
 };
 
 double quality(const mesh::Corners& t);
 
-/// Triangles around a place that is to be moved or made: each runs from it along one of the rim's edges, and
-/// together they replace some of the cage's.
+/// The triangle fan around a vertex to be moved or created: one triangle per rim edge. The fan replaces some
+/// triangles of the cage.
 struct Star {
   std::vector<std::array<std::uint32_t, 2>> rim;
   std::vector<FaceId> replaced;
@@ -41,9 +41,9 @@ struct Star {
   }
 };
 
-/// An oriented manifold with positions, of which any change that is asked about keeps: at least `margin` of
-/// clearance everywhere, as the grid resolves it, no triangle through another or through the model, these
-/// points on the side where they are, and with a mirror no vertex beyond x = 0. Not thread-safe.
+/// An oriented manifold with positions. Checked changes keep at least `margin` of clearance everywhere
+/// (within grid resolution), no triangle crosses another or the model, the `enclosed` points stay on their
+/// side, and with a mirror no vertex lies beyond x = 0. Not thread-safe.
 class WorkingCage {
 public:
   WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin,
@@ -62,39 +62,39 @@ public:
   mesh::Triangle vertices(FaceId f) const;
   mesh::Corners corners(FaceId f) const { return corners(vertices(f)); }
   mesh::Corners corners(const mesh::Triangle& t) const { return {at(t[0]), at(t[1]), at(t[2])}; }
-  /// Not a unit vector: twice the area long.
+  /// Its length is twice the area.
   Vec3 normal(FaceId f) const;
 
-  /// Of the triangles that a vertex has.
+  /// The star of a vertex's triangles.
   void star_of(VertexId v, Star& star) const;
-  /// Of those that it and the other end of the half-edge have together, after it is collapsed.
+  /// The star of both ends of the half-edge after its collapse.
   void star_of(HalfEdgeId h, Star& star) const;
 
-  /// The mean of the replaced triangles' normals by area, a unit vector, or 0; in the mirror where the star
-  /// is.
+  /// The area-weighted mean normal of the replaced triangles, a unit vector or 0; within the mirror plane if
+  /// the star lies on it.
   Vec3 outward(const Star& star) const;
-  /// Around a new vertex on an edge.
+  /// The star of a new vertex on an edge.
   void star_of(Connectivity::EdgeHandle e, Star& star) const;
   double volume() const;
-  /// From x, where the star fits, to where it encloses less, as far as it fits: inward, or to the middle of
-  /// the rim. A few steps each time it is asked.
+  /// Moves x, where the star must fit, to a position that encloses less, as far as it fits: inward, or
+  /// towards the rim's centre. Takes a few steps per call.
   Point drawn_in(const Star& star, const Point& x, const Shape& shape);
-  /// What the star around x adds to the volume of what it replaces.
+  /// Volume of the star around x minus the volume of the triangles it replaces.
   double added_volume(const Star& star, const Point& x) const;
   /// True if the star around x is sound.
   bool fits(const Star& star, const Point& x, const Shape& shape);
-  /// True if these two may replace those of an edge.
+  /// True if these two triangles may replace the two at an edge.
   bool fits(const std::array<mesh::Triangle, 2>& now, const std::array<FaceId, 2>& replaced,
             const Shape& shape);
 
-  /// From now on, what fits keeps this margin exactly too; it takes several times as long.
+  /// From now on checks this margin exactly as well; several times slower.
   void be_exact(double margin) { exact_margin_ = margin; }
-  /// The model is nearer to the triangle than that, exactly.
+  /// True if the model is nearer to the triangle than `distance`, exactly.
   bool is_near_model(FaceId f, double distance) const { return is_near_model(corners(f), distance); }
 
-  // Changes that were found to fit.
+  // Apply changes that fit.
   void move(VertexId v, const Point& x);
-  /// Its `to` vertex stays, at x.
+  /// Keeps the half-edge's `to` vertex and moves it to x.
   void collapse(HalfEdgeId h, const Point& x);
   void flip(Connectivity::EdgeHandle e);
   VertexId split(Connectivity::EdgeHandle e, const Point& x);
@@ -102,7 +102,7 @@ public:
   Shell shell() const;
 
 private:
-  // A triangle that might come to be.
+  // A triangle to be checked.
   struct Candidate {
     mesh::Triangle vertices;
     mesh::Corners corners;
@@ -111,11 +111,11 @@ private:
   bool passes_over_a_point(std::span<const FaceId> replaced) const;
   static bool cross(const Candidate& s, const Candidate& t);
   bool crosses(std::span<const Candidate> now, std::span<const FaceId> replaced);
-  // A triangle as it was placed: where it is looked for, and what for.
+  // A triangle in the search grid.
   struct Placed {
     Candidate triangle{};
     mesh::Bounds box{};
-    std::uint32_t seen = 0;  // the last question that it was looked at for
+    std::uint32_t seen = 0;  // number of the last query that visited it
     bool is_placed = false;
   };
   void place(FaceId f);
@@ -130,9 +130,9 @@ private:
   double margin_;
   std::span<const Point> enclosed_;
   std::size_t faces_;
-  double exact_margin_ = 0;                        // 0: it does not cut the model
-  std::vector<Placed> placed_;                     // of each face
-  std::vector<std::vector<std::uint32_t>> cells_;  // the faces in each part of the grid's box
+  double exact_margin_ = 0;                        // 0: only checks that it does not cut the model
+  std::vector<Placed> placed_;                     // one per face
+  std::vector<std::vector<std::uint32_t>> cells_;  // the faces in each cell of the grid's box
   std::uint32_t question_ = 0;
   std::vector<Candidate> now_;
 };

@@ -19,9 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
 constexpr std::size_t row_lanes = 16;
-constexpr float farthest = 1e24f;  // squared distance in diagonals, for floats
-constexpr std::size_t summed_at_once =
-    16;  // so that sums of floats lose a few of their roundings, not hundreds
+constexpr float farthest = 1e24f;           // squared distance in diagonals, for floats
+constexpr std::size_t summed_at_once = 16;  // keeps the rounding errors of float sums small
 
 using PointTag = hn::CappedTag<double, bind_lanes>;
 using PointV = hn::Vec<PointTag>;
@@ -48,14 +47,14 @@ static HWY_INLINE V linear(D d, const hn::TFromD<D>* c, V x, V y) {
   return hn::MulAdd(hn::Set(d, c[0]), x, hn::MulAdd(hn::Set(d, c[1]), y, hn::Set(d, c[2])));
 }
 
-// In the plane, to an edge that the point is at `along` and `beside`.
+// Squared distance in the plane to an edge, for a point at `along` and `beside` in its coordinates.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V squared_distance_to_edge(D d, V along, V beside, hn::TFromD<D> length) {
   const V beyond = hn::Sub(along, hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, length)));
   return hn::MulAdd(beyond, beyond, hn::Mul(beside, beside));
 }
 
-// To the plane where the foot lies inside, else to the nearest edge: no matter which where it lies on one.
+// Squared distance: to the plane if the foot lies inside, else to the nearest edge. Both agree on an edge.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const DistanceTriangle<T>& t,
                                               const T* shift) {
@@ -97,10 +96,10 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
 
 template <class V>
 struct CutOffSum {
-  V weights, near;  // where near is not 0 a distance is not known well enough in floats
+  V weights, near;  // near != 0: float precision does not suffice for the distance
 };
 
-// (1 - d cut)^2 to weights [triangle][stride], 0 beyond.
+// Writes (1 - d cut)^2, 0 beyond the radius, to weights [triangle][stride].
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& job, const Points<D>& p,
                                                       T* weights, std::size_t stride) {
@@ -122,7 +121,7 @@ static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& j
   return sum;
 }
 
-// What makes sums 1; 0 where there is nothing.
+// Factor that scales a sum to 1; 0 for an empty sum.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V share_of_sum(D d, V sum) {
   return hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), hn::Div(hn::Set(d, 1), sum));
@@ -142,7 +141,7 @@ static void cut_off(const WeightJob<double>& job, double* weights, double* total
   }
 }
 
-// weight(i) as floats to rows [i], from a lane on, and their sums.
+// Writes weight(i) as floats to rows [i], starting at a lane, and their sums.
 template <class Weight>
 static HWY_INLINE void fill_rows(const RowJob& job, std::size_t lane, const Weight& weight) {
   const PointTag d;
@@ -174,7 +173,7 @@ static void to_rows(const double* weights, const RowJob& job) {
 using RowTag = hn::CappedTag<float, row_lanes>;
 using RowV = hn::Vec<RowTag>;
 
-// 1 / x to an ulp or two: a step of third order from the machine's estimate, a third of the time of a
+// 1 / x to one or two ulp: a third-order step from the hardware estimate, in a third of the time of a
 // division.
 static HWY_INLINE RowV inverse(RowV x) {
   const RowTag d;
@@ -182,7 +181,7 @@ static HWY_INLINE RowV inverse(RowV x) {
   return hn::MulAdd(y, hn::MulAdd(e, e, e), y);
 }
 
-// Rows of a tile times a factor a lane, and their sums.
+// Multiplies the rows of a tile by one factor per lane, and their sums too.
 static void normalise_rows(const float* shares, const RowJob& out) {
   const hn::Rebind<float, PointTag> half;
   for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(half)) {
@@ -226,7 +225,7 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
 }
 
 static bool cut_off_rows(const WeightJob<float>& job, const RowJob& out) {
-  constexpr float least_total = 1e-30f;  // its inverse has digits
+  constexpr float least_total = 1e-30f;  // its inverse is accurate
   const RowTag d;
   HWY_ALIGN float shares[row_lanes];
   for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(d)) {
@@ -241,7 +240,7 @@ static bool cut_off_rows(const WeightJob<float>& job, const RowJob& out) {
   return true;
 }
 
-// Four chains of sums: one would wait for itself.
+// Four chains of sums hide the latency of each.
 static HWY_INLINE RowV product_with(const float* rows, std::size_t columns, const float* unit_row) {
   const RowTag d;
   RowV s[4] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};

@@ -15,12 +15,13 @@ inline constexpr std::size_t bind_lanes = 8;  ///< points at once
 template <class T>
 struct DistanceTriangle {
   T axes[3][3];
-  T length[3];  ///< of the edges
-  /// Along its second and third edge a point is at along . (x, y, 1), and left of it by inward . (x, y, 1).
+  T length[3];  ///< edge lengths
+  /// A point lies at along . (x, y, 1) along the second and third edge, and inward . (x, y, 1) to the left of
+  /// it.
   T along[2][3], inward[2][3];
-  T outside;  ///< 0; infinity where there is no area: nothing is inside
-  T near;  ///< squared, a sixteenth of the longest edge, or a little: nearer distances lose digits in float
-  bool degenerate;  ///< without influence
+  T outside;        ///< 0; infinity without area: no point is inside
+  T near;           ///< squared, about a sixteenth of the longest edge; nearer distances lose digits in float
+  bool degenerate;  ///< has no weight
 };
 
 template <class T>
@@ -28,8 +29,8 @@ struct WeightJob {
   const DistanceTriangle<T>* triangles;
   const T (*shifts)[3];
   std::size_t count;
-  T least_square;   ///< of an inverse distance: the squared contact
-  T cut;            ///< of cut-off ones 1 / radius
+  T least_square;   ///< squared contact distance, for inverse distances
+  T cut;            ///< 1 / radius, for cut-off weights
   const T* points;  ///< [3][lane]
 };
 
@@ -44,7 +45,7 @@ struct MeanValueJob {
   std::size_t corner_count;
   const std::uint32_t (*edges)[2];  ///< the lower corner first
   std::size_t edge_count;
-  const MeanValueTriangle* triangles;  ///< those that have area
+  const MeanValueTriangle* triangles;  ///< triangles with area
   std::size_t triangle_count;
   const double* points;  ///< [3][lane]
   double* scratch;       ///< scratch_size() numbers
@@ -59,39 +60,40 @@ struct RowJob {
   const double (*handles)[3];  ///< positions
   std::size_t count;
   float* rows;              ///< [handle][16 lanes]
-  double* sums;             ///< [3][16 lanes]: sum of weight times position, of the weights as floats
-  float* totals = nullptr;  ///< [16 lanes], of cut-off weights: their sums before they are made 1
+  double* sums;             ///< [3][16 lanes]: sums of weight times position, with weights as floats
+  float* totals = nullptr;  ///< [16 lanes], for cut-off weights: their sums before normalisation
 };
 
-/// A leaf that is being compressed.
+/// A leaf during compression.
 struct LeafRows {
-  float* rows;  ///< [tile][column][16 lanes], aligned; what is left of them
+  float* rows;  ///< [tile][column][16 lanes], aligned; replaced by residuals
   std::size_t tiles, columns;
 };
 
 struct BindKernel {
   /// weights [triangle][8 lanes]: inverse_distance_weights().
   void (*inverse_distance)(const WeightJob<double>& job, double* weights);
-  /// The same of 16 lanes in floats, and their sums. Returns false, rows being of no use, where a point is so
-  /// near to a triangle that its distance is not known well enough.
+  /// The same for 16 lanes in floats, with their sums. Returns false, with rows undefined, if a point is too
+  /// near to a triangle for an accurate distance.
   bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// weights [triangle][8 lanes]: cut_off_weights(); totals [8 lanes]: what that returns.
+  /// weights [triangle][8 lanes]: cut_off_weights(); totals [8 lanes]: its return values.
   void (*cut_off)(const WeightJob<double>& job, double* weights, double* totals);
-  /// As inverse_distance_rows, of these.
+  /// As inverse_distance_rows, for cut-off weights.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// weights [corner][lane], each lane summing to 1. Returns a bit for each lane that mean_value_weights()
-  /// must decide: its point lies in or next to a triangle's plane, or the weights vanish.
+  /// weights [corner][lane], each lane with sum 1. Returns a bit mask of lanes that need
+  /// mean_value_weights(): their point lies in or next to a triangle's plane, or the weights vanish.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
   /// weights [handle][8 lanes] as floats, into eight lanes of the rows, and their sums.
   void (*to_rows)(const double* weights, const RowJob& rows);
-  /// coefficients [slot] of a unit row, which is taken out of every row; squared_norms [slot] of what is
-  /// left.
+  /// Subtracts from every row its projection on a unit row: coefficients [slot] of the projection,
+  /// squared_norms [slot] of the residuals.
   void (*take_out)(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms);
-  /// Coefficients [tile][t][lane] become factors of the pivots' rows, in place: lower is [s][t], rank x rank.
+  /// Turns coefficients [tile][t][lane] into factors of the pivots' rows, in place: lower is [s][t], rank x
+  /// rank.
   void (*solve)(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower);
 };
 
-/// That of the same instruction set.
+/// The kernel for the same instruction set.
 const BindKernel& bind_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

@@ -46,7 +46,7 @@ base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t 
 
 namespace {
 
-// Triangles of the cage that mesh::one_sided() turned or left out.
+// Number of cage triangles that mesh::one_sided() flipped or left out.
 std::size_t seen_otherwise(const Cage& cage) {
   const auto& [triangles, of, closed] = cage.sides;
   std::size_t alike = 0;
@@ -62,13 +62,12 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
   if (weights != Weights::mean_value) return warnings;
   if (!cage.sides.closed) {
     warnings.push_back(
-        "mean value coordinates need a closed cage; with this one the model does not follow rotations and "
-        "stretches exactly");
+        "mean value coordinates need a closed cage; the model follows rotation and stretch of this one only "
+        "approximately");
   }
   if (const std::size_t other = seen_otherwise(cage); other > 0) {
-    warnings.push_back("mean value coordinates turn, or leave out, " + std::to_string(other) + " of " +
-                       std::to_string(cage.element_count()) +
-                       " cage triangles, so that all show one side outwards");
+    warnings.push_back("mean value coordinates flip, or leave out, " + std::to_string(other) + " of " +
+                       std::to_string(cage.element_count()) + " cage triangles, so that all face outwards");
   }
   if (failed > 0) {
     warnings.push_back(std::to_string(failed) + " of " + std::to_string(vertices) +
@@ -110,7 +109,7 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
         break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
       case Weights::harmonic:
-      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // solved for before
+      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // already solved
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }
@@ -155,7 +154,7 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
   const double slots = n + slot_block - 1;
   const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
-  // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and the lists around
+  // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and adjacency of
   // vertices
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
   // weights; rest, offset, position, vertex, neighbours; rest in double
@@ -178,9 +177,10 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
              const Binding* known, base::WorkerPool& pool, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   if (weighting.weights == Weights::mean_value && cage.sides.triangles.empty())
-    throw base::Error(
-        "", "mean value coordinates need a cage with an outside, and faces of this one cannot agree on it",
-        "turn or remove the faces that disagree, or use other weights");
+    throw base::Error("",
+                      "mean value coordinates need a cage with an outside; faces of this cage are not "
+                      "consistently oriented",
+                      "flip or remove the faces that disagree, or use other weights");
   Binding binding;
   binding.weighting = weighting;
   binding.vertices = model.positions.size();

@@ -8,163 +8,36 @@
 #include <utility>
 
 #include "mesh/adjacency.h"
-#include "mesh/repair.h"
 #include "mesh/union_find.h"
 
 namespace viete::deform {
 
 namespace {
 
-constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t exact_center_limit = 4096;
-
-bool is_fin(std::span<const mesh::HalfEdge> sides, std::span<const std::uint8_t> skip) {
-  if (sides.size() < 3 || sides.size() % 2 == 0) return false;
-  return std::none_of(sides.begin(), sides.end(), [&](const mesh::HalfEdge& h) { return skip[h.triangle]; });
-}
-
-void sort_unique(std::vector<mesh::Edge>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
-
-// Breadth first from `start` over its part: the order of visits, and how far each is.
-struct Sweep {
-  std::vector<std::uint32_t> order, distance, parent;
-
-  explicit Sweep(std::size_t nodes) : distance(nodes, unseen), parent(nodes, unseen) {}
-
-  void run(const mesh::Adjacency& graph, std::uint32_t start) {
-    for (const auto i : order) distance[i] = unseen;
-    order.assign(1, start);
-    distance[start] = 0;
-    parent[start] = start;
-    for (std::size_t n = 0; n < order.size(); ++n) {
-      for (const auto j : graph.of(order[n])) {
-        if (distance[j] != unseen) continue;
-        distance[j] = distance[order[n]] + 1;
-        parent[j] = order[n];
-        order.push_back(j);
-      }
-    }
-  }
-
-  std::uint32_t eccentricity() const { return distance[order.back()]; }
-};
-
-std::uint32_t exact_center(const mesh::Adjacency& graph, std::vector<std::uint32_t> part, Sweep& sweep) {
-  std::sort(part.begin(), part.end());
-  std::uint32_t best = part.front(), least = unseen;
-  for (const auto i : part) {
-    sweep.run(graph, i);
-    if (sweep.eccentricity() < least) {
-      least = sweep.eccentricity();
-      best = i;
-    }
-  }
-  return best;
-}
-
-std::uint32_t middle_of_longest_path(const mesh::Adjacency& graph, Sweep& sweep) {
-  sweep.run(graph, sweep.order.back());
-  const std::uint32_t half = sweep.eccentricity() / 2;
-  std::uint32_t i = sweep.order.back();
-  while (sweep.distance[i] > half) i = sweep.parent[i];
-  return i;
-}
-
-}  // namespace
-
-std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip) {
-  mesh::UnionFind clusters(skip.size());
-  for (const auto& [i, j] : pairs) {
-    if (skip[i] && skip[j]) clusters.join(i, j);
-  }
-  std::vector<mesh::Edge> kept, rim;  // rim: cluster and neighbour
-  for (const auto& [i, j] : pairs) {
-    if (!skip[i] && !skip[j]) kept.push_back({i, j});
-    if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});
-  }
-  sort_unique(rim);
-  for (std::size_t n = 1; n < rim.size(); ++n) {
-    if (rim[n][0] == rim[n - 1][0]) kept.push_back({rim[n - 1][1], rim[n][1]});
-  }
-  sort_unique(kept);
-  return kept;
-}
-
-DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip) {
-  const auto table = mesh::half_edges(surface.positions.size(), mesh::welded(surface).triangles);
-  DualGraph graph;
-  std::vector<mesh::Edge> pairs;
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto sides = table.of(e);
-    for (std::size_t n = 1; n < sides.size(); ++n)
-      pairs.push_back({sides[n - 1].triangle, sides[n].triangle});
-    graph.open += sides.size() == 1;
-    graph.nonmanifold += sides.size() > 2;
-    graph.misoriented += sides.size() == 2 && sides[0].forward == sides[1].forward;
-    if (is_fin(sides, skip)) graph.fins.push_back(table.edges[e]);
-  }
-  graph.edges = without_skipped(std::move(pairs), skip);
-  return graph;
-}
-
-std::vector<std::uint32_t> graph_centers(std::size_t elements, std::span<const mesh::Edge> edges,
-                                         std::span<const std::uint8_t> skip) {
-  const mesh::Adjacency graph = mesh::adjacency(elements, edges);
-  std::vector<std::uint8_t> seen(skip.begin(), skip.end());
-  std::vector<std::uint32_t> centers;
-  Sweep sweep(elements);
-  for (std::uint32_t i = 0; i < elements; ++i) {
-    if (seen[i]) continue;
-    sweep.run(graph, i);
-    for (const auto j : sweep.order) seen[j] = 1;
-    centers.push_back(sweep.order.size() <= exact_center_limit ? exact_center(graph, sweep.order, sweep)
-                                                               : middle_of_longest_path(graph, sweep));
-  }
-  return centers;
-}
-
-std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
-                                       std::span<const std::uint32_t> centers) {
-  const mesh::Adjacency graph = mesh::adjacency(elements, edges);
-  std::vector<std::uint32_t> parts(elements, static_cast<std::uint32_t>(centers.size()));
-  Sweep sweep(elements);
-  for (std::uint32_t p = 0; p < centers.size(); ++p) {
-    sweep.run(graph, centers[p]);
-    for (const auto i : sweep.order) parts[i] = p;
-  }
-  return parts;
-}
-
-namespace {
-
 using Rotations = std::span<const sym3::Mat3<double>>;
 
-// A rotation by theta about the unit vector n has the logs (theta + 2 pi k) n for all whole k. Logs are
-// blended linearly, so that neighbours must take logs that are near each other. Along a spanning forest of
-// the pairs that turn least against each other every element takes the branch nearest to its parent's; what
-// is left is one choice a part, the branch of its root, tried at the nearest to the reference and one turn to
-// either side.
+// A rotation by theta about the unit vector n has the logs (theta + 2 pi k) n for all integers k. Logs are
+// blended linearly, so neighbours need logs near each other. Along a spanning forest of the pairs with the
+// smallest relative rotations, every element takes the branch nearest to its parent's; the remaining choice
+// per part is the branch of its root, tried at the one nearest to the reference and one turn to either side.
 
 constexpr double turn = 2 * std::numbers::pi;
-// Half a turn from the reference two branches are equally near, and rounding would decide, otherwise from
-// frame to frame and part to part. Within so many radians, half a degree, they count as equally near.
+// Half a turn from the reference two branches are equally near, and rounding would choose differently from
+// frame to frame and part to part. Within this many radians, half a degree, they count as equally near.
 constexpr double half_turn_tie = 1e-2;
-// Another branch of the root must not set neighbours farther apart: by a tenth at most, or, where they turn
-// as one and the distances are rounding, by so many radians.
+// Another branch of the root may increase the distances of neighbours by at most a tenth or, for rigid
+// rotations with distances of rounding size, by this many radians.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
-// Radians across the axis of a part's turns that are not rounding.
+// Radians off the axis of a part's turns that exceed rounding.
 constexpr double off_axis = 1e-6;
-// So many times as far from each other neighbours' logs are no longer coherent.
+// Neighbours' logs this many times farther apart are no longer coherent.
 constexpr double incoherent = 3;
-// Radians that rounding may not bridge where a comparison is to hold for certain.
+// Safety margin in radians for comparisons that must hold despite rounding.
 constexpr double to_spare = 1e-6;
 
-// The maps that hang together with a root, parents first.
+// The maps connected to a root, parents first.
 struct Tree {
-  std::vector<std::uint32_t> maps, parents;  // parents: places in maps
+  std::vector<std::uint32_t> maps, parents;  // parents: indices of maps
 };
 
 Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
@@ -180,13 +53,13 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// What the logs of a tree are compared with.
+// The reference values of a tree's logs.
 struct Anchors {
   Vec3 reference, leader;
 };
 
-// The logs of a tree for one branch of the root's log. Distances are root mean squares: unlike that of the
-// mean they cannot be small by cancelling.
+// The logs of a tree for one branch of the root's log. Distances are root mean squares, which cannot cancel
+// as means can.
 struct Branching {
   std::vector<Vec3> logs;
   double roughness = 0;  // distance from the parents
@@ -218,7 +91,7 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
   return b;
 }
 
-// Half a turn from the reference two branches are equally near: then the one nearer to the leader is better.
+// Half a turn from the reference two branches are equally near: prefers the one nearer to the leader.
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
@@ -246,22 +119,22 @@ std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs) {
     sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
     ++counts[cage.parts[e]];
   }
-  sums.pop_back();  // of elements without area
+  sums.pop_back();  // elements without area
   for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
   return sums;
 }
 
-// True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, whatever the
+// True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, regardless of
 // rounding.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// True if all logs are principal whatever the forest: every one is what its neighbours choose, and any other
-// branch of it is farther than the principal one from all that roots are compared with, the references and
-// the leader. Let r be the longest of these. The principal log v is at most |v| + r away from them, its other
-// branches, which are at least 2 pi - |v| long, at least 2 pi - |v| - r: more, if |v| + r < pi.
+// True if all logs are principal for any forest: each is its neighbours' choice, and its other branches are
+// farther than the principal one from all values that roots are compared with, the references and the leader.
+// Let r be the length of the longest of these. The principal log v is at most |v| + r away from them; its
+// other branches, at least 2 pi - |v| long, are at least 2 pi - |v| - r away: more, if |v| + r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -280,7 +153,7 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// Kruskal.
+// Kruskal's algorithm.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotations rotations) {
   std::vector<std::pair<double, std::uint32_t>> order(edges.size());
   for (std::uint32_t n = 0; n < edges.size(); ++n) {
@@ -313,7 +186,7 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
   return result;
 }
 
-// True if the mean of a part's logs is not what its turns tell, or not for certain.
+// True if the mean of a part's logs may differ from its turns.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;
@@ -321,14 +194,14 @@ bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   return norm(mean - dot(mean, axis) * axis) > off_axis || whole_turns(turn_of_part, mean) > 0;
 }
 
-// Of each part the squares of the distances between neighbours' logs.
+// Per part the sum of squared distances between neighbours' logs.
 std::vector<double> roughness(const Cage& cage, std::span<const Vec3> logs) {
   std::vector<double> rough(cage.roots.size());
   for (const auto& [a, b] : cage.dual_edges) rough[cage.parts[a]] += squared_norm(logs[a] - logs[b]);
   return rough;
 }
 
-// The logs of a part as they are in another choice of branches.
+// Copies the logs of a part from another choice of branches.
 void take_logs(const Cage& cage, std::size_t part, const Branches& from, Branches& to) {
   for (std::size_t e = 0; e < to.logs.size(); ++e)
     if (cage.parts[e] == part) to.logs[e] = from.logs[e];
@@ -371,7 +244,7 @@ namespace {
 using mesh::Vec3;
 
 constexpr int most_sweeps = 30;
-constexpr double better_by = 1e-9;  // radians, that rounding may not decide
+constexpr double better_by = 1e-9;  // radians, above rounding
 
 double distance(const Vec3& a, const Vec3& b) {
   return mesh::norm(a - b);
@@ -420,7 +293,7 @@ private:
   mesh::Adjacency tree_;
 };
 
-// Takes other logs where they differ, of each connected set of triangles all or none.
+// Takes the other logs for each connected set of differing triangles, if that is better.
 void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& others, std::vector<Vec3>& logs) {
   const auto differs = [&](std::uint32_t t) { return logs[t] != others[t]; };
   mesh::UnionFind sets(logs.size());
@@ -446,7 +319,7 @@ double cost(const WeightedPairs& neighbours, std::uint32_t t, const Vec3& log, s
   return sum;
 }
 
-// The branch of a triangle that its neighbours like best.
+// Switches a triangle to the branch nearest to its neighbours' logs.
 bool follow_neighbours(const WeightedPairs& neighbours, std::uint32_t t, std::vector<Vec3>& logs) {
   Vec3 best = logs[t];
   double least = cost(neighbours, t, best, logs);
@@ -466,7 +339,7 @@ bool is_torn(const mesh::Edge& pair, std::span<const Vec3> logs) {
   return distance(logs[pair[0]], logs[pair[1]]) > std::numbers::pi;
 }
 
-// Until no triangle beside a tear changes.
+// Repeats until no triangle at a tear changes.
 void smooth(const WeightedPairs& neighbours, std::vector<Vec3>& logs) {
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     bool changed = false;

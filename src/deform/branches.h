@@ -14,34 +14,6 @@
 
 namespace viete::deform {
 
-struct DualGraph {
-  std::vector<mesh::Edge> edges;  ///< pairs of elements i < j, sorted, each once
-  std::size_t open = 0;           ///< edges with one triangle
-  std::size_t nonmanifold = 0;    ///< edges with three or more
-  std::size_t misoriented = 0;    ///< edges that two triangles run through in the same direction
-  /// Edges of the surface with an odd number of triangles beyond one, all of them with area: a fin
-  /// sticks out there, and neither side of it is inside.
-  std::vector<mesh::Edge> fins;
-};
-
-/// Vertices at exactly the same place count as one. Skipped elements have no edges; their neighbours are
-/// joined.
-DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip);
-
-/// Pairs i < j of what is not skipped, sorted, each once; the neighbours of each cluster of skipped elements
-/// are joined in a chain.
-std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip);
-
-/// The centre of each connected part, in the order of the parts' lowest elements: the element of least
-/// eccentricity, lowest index first. Exact up to 4,096 elements in a part, beyond that the middle of a
-/// longest path found by two sweeps, so that the cost stays O(4096 edges). Skipped elements have no part.
-std::vector<std::uint32_t> graph_centers(std::size_t elements, std::span<const mesh::Edge> edges,
-                                         std::span<const std::uint8_t> skip);
-
-/// Of each element the place in `centers` of the one it hangs together with; centers.size() if with none.
-std::vector<std::uint32_t> graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
-                                       std::span<const std::uint32_t> centers);
-
 inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
   return sym3::nearest_branch(v, reference);
 }
@@ -49,52 +21,53 @@ inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
 /// trace(A^T B) = 1 + 2 cos(angle between the two rotations).
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
-/// The pairs of a spanning forest with the smallest relative angles; ties: lowest place.
+/// The pairs of a spanning forest with the smallest relative angles; ties: lowest index.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges,
                                         std::span<const sym3::Mat3<double>> rotations);
 
-/// How many whole turns about its own axis `turn` has beyond `least`, the least rotation of the same pose.
+/// Number of whole turns about its own axis that `turn` has beyond `least`, the least rotation of the same
+/// pose.
 double whole_turns(const Vec3& turn, const Vec3& least);
-/// So many about an axis of length 1, and of the least rotation what is about it.
+/// This many turns about an axis of length 1, plus the component of the least rotation along it.
 Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
 
 struct Branches {
-  std::vector<Vec3> logs;  ///< of each map
+  std::vector<Vec3> logs;  ///< log of each map
   std::vector<Vec3>
-      turns;  ///< mean log of each part of the cage, or with_whole_turns() that logs cannot tell
+      turns;  ///< mean log of each part of the cage, or with_whole_turns() that logs cannot represent
 };
 
-/// Logs of the elements' rotations, from their principal logs. Within a component all follow their neighbour,
-/// from the root on, along a minimum spanning forest of the graph by relative angle (ties: lowest pair).
-/// Which whole turns the component has made is decided by all its logs together: their root mean square
-/// distance to turns[its part] (missing: 0) is the least, as long as neighbours stay as close, so that one
-/// map that was turned over, even the root, cannot pull the others round. Components that are half a turn
-/// from their references take the same side as the first.
+/// Logs of the elements' rotations, from their principal logs. Within a component each follows its neighbour,
+/// from the root on, along a minimum spanning forest of the graph by relative angle (ties: lowest pair). All
+/// logs of a component together determine its whole turns: their root mean square distance to turns[its part]
+/// (missing: 0) is minimal among choices that keep neighbours as close, so that a single flipped map, even
+/// the root, does not rotate the others. Components half a turn from their references take the same side as
+/// the first one.
 ///
-/// Logs can have whole turns about the axes of their rotations alone. Where a part's rotations are not about
-/// the axis of its turns, and these are of more than half a turn, the whole ones of them stay as they are;
-/// the logs are those without them where only these are coherent. A pure function of its inputs. O(k log k).
+/// Logs can only have whole turns about the axes of their rotations. If a part's rotations are about another
+/// axis than its turns, and these are more than half a turn, their whole turns stay unchanged, and the logs
+/// are taken without them if only these are coherent. A pure function of its inputs. O(k log k).
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 
-/// Triangles and their neighbours.
+/// Pairs of neighbouring triangles.
 struct WeightedPairs {
   std::vector<mesh::Edge> pairs;  ///< i < j, sorted, each once
-  std::vector<double> weights;    ///< of each pair, how much it counts
-  mesh::Adjacency around;         ///< of each triangle its pairs
+  std::vector<double> weights;    ///< weight of each pair
+  mesh::Adjacency around;         ///< pairs of each triangle
 };
 WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas);
 
-/// Makes the sum of the distances between neighbours' logs, by weight, small, by other branches than the
-/// given ones. Tried are those along the tree of least relative rotations, from the triangle of each part
-/// that turns least: they are taken where the sum over what differs, and hangs together, is less; then what
-/// is nearest to each triangle's neighbours. So the sum never grows: what is coherent stays, bit for bit, and
-/// a single triangle that was turned over turns no others. Near a whole turn other than 0 logs have no clear
-/// axis, and no choice is coherent. Thread-safe. O(n log n).
+/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. First tries the
+/// branches along the tree of least relative rotations, from the triangle of each part that rotates least,
+/// and takes them per connected set of changed triangles if the sum decreases; then the branch nearest to
+/// each triangle's neighbours. The sum never grows: coherent logs stay, bit for bit, and a single flipped
+/// triangle does not rotate others. Near a nonzero whole turn logs have no clear axis, and no choice is
+/// coherent. Thread-safe. O(n log n).
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
                    std::vector<mesh::Vec3>& logs);
 
-/// Pairs whose logs are more than half a turn apart.
+/// Number of pairs whose logs are more than half a turn apart.
 std::size_t torn_pairs(const WeightedPairs& neighbours, std::span<const mesh::Vec3> logs);
 
 }  // namespace viete::deform

@@ -42,7 +42,7 @@ void check_pose(const Cage& cage, const Pose& pose) {
   const std::size_t expected = cage.surface.positions.size();
   if (pose.positions.size() == expected) return;
   throw base::Error("",
-                    "the pose has " + std::to_string(pose.positions.size()) + " vertices, the cage " +
+                    "the pose has " + std::to_string(pose.positions.size()) + " vertices, the cage has " +
                         std::to_string(expected),
                     "use a pose of this cage");
 }
@@ -184,8 +184,8 @@ void CageState::write_row_of(std::uint32_t h) {
   form_ == RowForm::logs ? write_log_row(log, row) : write_map_row(map_of(log), rest_centers_[h], row);
 }
 
-// A map that no vertex of moved can still take another branch of its log. What floats do not tell apart
-// is the same: an axis may follow that of its neighbour in its last bits.
+// A map without moved vertices can still change the branch of its log. Logs that are equal as floats count as
+// unchanged: an axis may follow its neighbour's in the last bits.
 bool CageState::others_stayed() const {
   const auto* now = reinterpret_cast<const double*>(logs_.data());
   const auto* before = reinterpret_cast<const double*>(logs_before_.data());

@@ -1,4 +1,4 @@
-// What a pose of the cage is in log space: maps of its elements, their logs, and the rows that engines sum.
+// A pose of the cage in log space: maps of its elements, their logs, and the rows that engines sum.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@
 
 namespace viete::deform {
 
-/// Throws base::Error if the pose has not one position per cage vertex.
+/// Throws base::Error unless the pose has one position per cage vertex.
 void check_pose(const Cage& cage, const Pose& pose);
 
-/// What rows are, of these elements with this blend.
+/// The row form for these elements and this blend.
 RowForm row_form(Elements elements, Blend blend);
 const RowShape& shape(RowForm form);
 
@@ -28,53 +28,52 @@ std::size_t handle_count(const Cage& cage, Elements elements);
 /// Rest centres of the handles.
 std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements);
 
-/// The numbers of all handles in a pose, lengths relative to origin.
+/// The rows of all handles in a pose; lengths are relative to origin.
 struct Rows {
   RowForm form = RowForm::positions;
   std::span<const double> values;  ///< [handle][column]
   Vec3 origin{0, 0, 0};
-  double moment_length = 1;  ///< of moments: l of moments.h
+  double moment_length = 1;  ///< l of moments.h, for moment forms
 
   std::size_t columns() const { return shape(form).columns; }
   std::size_t count() const { return values.size() / columns(); }
 };
 
-/// Owns what a pose is in log space, and nothing of the model. Not thread-safe.
+/// Owns the log-space data of a pose; independent of the model. Not thread-safe.
 ///
-/// While a few vertices are dragged only the maps of their elements are computed anew, and the origin stays,
-/// so that all other rows keep their bits, unless their elements take other branches or are raised to
-/// another floor.
+/// During a drag only the maps of the moved vertices' elements are recomputed, and the origin stays. All
+/// other rows keep their bits, unless their elements change branches or are raised to another floor.
 class CageState {
 public:
   /// cage must not be null.
   CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend)
       : CageState(std::move(cage), elements, row_form(elements, blend)) {}
-  /// Maps of points are those of the patches about them.
+  /// Maps of points are the maps of the patches around them.
   CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form);
 
-  /// Throws base::Error if pose.positions is not one per cage vertex.
+  /// Throws base::Error unless pose.positions has one entry per cage vertex.
   void set_pose(const Pose& pose);
-  /// From now on poses differ from the last one in these vertices alone.
+  /// Until end_drag(), poses must differ from the last one in these vertices only.
   void begin_drag(std::span<const std::uint32_t> vertices);
   void end_drag();
-  /// Of the next poses, whole ones first.
+  /// Applies to the next poses; the first of them must be set in full.
   void set_amounts(const Amounts& amounts);
-  /// Whether the origin of the next poses is the middle of the rest cage, wherever they are.
+  /// True keeps the origin of the next poses at the middle of the rest cage.
   void keep_origin(bool keep);
 
   const Cage& cage() const { return *cage_; }
   Rows rows() const;
   /// The handles that a drag moves, ascending; empty if there is no drag.
   std::span<const std::uint32_t> moving() const { return moving_; }
-  /// Grows whenever rows change that no drag moves.
+  /// Increases whenever rows of handles that are not dragged change.
   unsigned long resting_revision() const { return resting_revision_; }
-  /// Of the last pose, naming handles; without logs only its turns, handed on.
+  /// Report of the last pose, by handle; without logs only its turns, passed through.
   const LogReport& report() const { return report_; }
   /// Milliseconds of the last pose.
   const LinkTimes& times() const { return times_; }
 
 private:
-  // Both, of all or of the few that a drag moves: whether rows changed that no drag moves.
+  // Each updates all handles, or only the dragged ones (`few`); true if rows of other handles changed.
   bool set_positions(const Pose& pose, bool few);
   bool set_maps(const Pose& pose, bool few);
   bool takes_logs() const;
@@ -88,7 +87,7 @@ private:
   double moment_length_;
   Amounts amounts_;
   bool keeps_origin_ = false;
-  std::optional<VertexPatches> patches_;     // of points that have maps
+  std::optional<VertexPatches> patches_;     // for points that have maps
   std::vector<std::uint32_t> all_, moving_;  // handles
   Vec3 origin_{0, 0, 0};
   bool posed_ = false;

@@ -96,7 +96,7 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   if (!layer_.moves()) carry_probes();
 }
 
-// Of those that move nothing no engine has asked.
+// Engines skip the layer while no probe moves, so that probes are carried here.
 void Deformer::carry_probes() {
   std::vector<Vec3> anchors;
   for (const auto v : layer_.anchors()) {

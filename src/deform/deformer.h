@@ -1,4 +1,4 @@
-// The frame, top to bottom: a pose becomes rows, an engine makes vertices of them.
+// One frame: a pose becomes rows, and an engine turns them into vertices.
 #pragma once
 
 #include <memory>
@@ -17,62 +17,63 @@
 
 namespace viete::deform {
 
-/// One bound model, and the engines that its binding and the method allow: method `fast`, and schemes without
-/// an exponential, take the fused one where the binding has tiles; stitched schemes take the stitched one
-/// with any method. Cage and binding are shared and constant, so that a new binding can be made elsewhere
-/// while this one is in use. Not thread-safe.
+/// One bound model with the engines that its binding and method allow. Method `fast`, and schemes without an
+/// exponential, use the fused engine if the binding has tiles; stitched schemes use the stitched engine with
+/// any method. Cage and binding are shared and constant, so a new binding can be made on another thread while
+/// this one is in use. Not thread-safe.
 class Deformer {
 public:
-  /// cage and binding must not be null and belong together, the binding's weights being those of the scheme.
-  /// stitching, of the scheme's elements, is for stitched schemes: null where there is none (yet).
+  /// cage and binding must not be null and must belong together; the binding's weights must be those of the
+  /// scheme. stitching must be for the scheme's elements; null if the scheme is not stitched, or until it is
+  /// ready.
   Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, const Scheme& scheme,
            base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching = nullptr);
 
   const Scheme& scheme() const { return scheme_; }
-  /// Of the next frames; all else of the scheme stays.
+  /// Applies to the next frames; the rest of the scheme stays.
   void set_amounts(const Amounts& amounts);
-  /// Of the next frames; null: every vertex follows. One share a vertex, 0 to 1.
+  /// Applies to the next frames. One share per vertex, 0 to 1; null: every vertex follows fully.
   void set_mask(Mask mask);
   const Mask& mask() const { return mask_; }
-  /// Of the next frames: what the cage acts upon. Of the same model, or null: at rest.
+  /// The shape that the cage deforms in the next frames. Must fit the model; null: at rest.
   void set_shape(const SharedShape& shape);
   const SharedShape& shape() const { return shape_; }
-  /// Of the next frames: a layer upon what the cage does.
+  /// A layer applied after the cage in the next frames.
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
-  /// Of the next frames: with the staged engine alone, where the blend takes exponentials, so that all
-  /// methods are compared on the same path.
+  /// True: the next frames use only the staged engine if the blend takes exponentials, so that all methods
+  /// are compared on the same path.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
-  /// The engine that runs the method; nothing if the binding is not for it, or the scheme is stitched and
-  /// there is no stitching.
+  /// The engine that runs the method; nothing if the binding does not support it, or if the scheme is
+  /// stitched and stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
-  /// From now on poses differ from the last one in these vertices of the cage alone: frames of the fused
-  /// engine then cost what moves.
+  /// Until end_drag(), poses must differ from the last one in these cage vertices only; the cost of the fused
+  /// engine's frames is then proportional to the number of moved handles.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
-  /// One frame. Throws base::Error if pose.positions is not one per cage vertex. Where engine(method) is
-  /// nothing, the fused engine's, which must be there: what it blends stands in for what is asked for.
+  /// Computes one frame. Throws base::Error unless pose.positions has one entry per cage vertex. If
+  /// engine(method) is nothing, falls back to the fused engine, which must exist.
   void deform(const Pose& pose, sym3::Method method);
 
-  /// Of the last frame, in the file's order, relative to origin(); empty before the first one.
+  /// Vertices of the last frame, in the file's order, relative to origin(); empty before the first frame.
   std::span<const FrameVertex> vertices() const;
   Vec3 origin() const { return state_.rows().origin; }
   const CageState& state() const { return state_; }
-  /// The engine of the last frame; nothing before the first one.
+  /// The engine of the last frame; nothing before the first frame.
   std::optional<EngineKind> ran() const { return ran_; }
   LinkTimes times() const;
 
-  /// Copies of all positions and normals of the last frame: of the staged engine in double, positions of the
-  /// stitched one too where no probe moves them, of the fused one as it left them.
+  /// Copies of all positions and normals of the last frame. Double precision for the staged engine, and for
+  /// positions of the stitched engine unless probes move them; float precision for the fused engine.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
-  /// The matrices that the last frame exponentiated, of at most `limit` vertices spread evenly over the
-  /// model, formed anew from exact weights; empty if it took no exponentials. A microsecond or two each.
+  /// The matrices that the last frame exponentiated, for at most `limit` vertices spread evenly over the
+  /// model, recomputed from exact weights; empty if it took no exponentials. One or two microseconds each.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
-  /// See deform::sampled_error(); 0 after a staged frame. Of a stitched one that of the blended vertices
-  /// which it follows, before they are stitched and moved by probes: all that comes then is in double.
+  /// See deform::sampled_error(); 0 after a staged frame. For a stitched frame: the error of the blended
+  /// vertices, before stitching and probes, which use double precision.
   double sampled_error() const;
 
 private:
@@ -89,8 +90,8 @@ private:
   Scheme scheme_;
   Mask mask_;
   SharedShape shape_;
-  std::vector<Vec3> ways_;             // of the shape, from rest
-  std::span<const Vec3> shown_ways_;   // as the engines have them: these, or turned
+  std::vector<Vec3> ways_;             // displacements of the shape from rest
+  std::span<const Vec3> shown_ways_;   // the engines' displacements: ways_, or rotated
   std::unique_ptr<WayTurner> turner_;  // null: not needed
   CageState state_;
   Weigher weigher_;

@@ -1,4 +1,4 @@
-// Who forms the sums: from the rows of a pose to the model's vertices as a graphics card takes them.
+// Engines: from the rows of a pose to the model's vertices in the layout of a graphics card.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@
 
 namespace viete::deform {
 
-/// Owns the buffers of one bound model. Everything that grows with the model is allocated in the constructor,
-/// or when a drag begins. Not thread-safe. Results are bit-identical for any number of threads.
+/// Owns the buffers of one bound model. Memory that grows with the model is allocated in the constructor, or
+/// when a drag begins. Not thread-safe. Results are bit-identical for any number of threads.
 class Engine {
 public:
   virtual ~Engine() = default;
@@ -22,19 +22,19 @@ public:
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Of the next frames. The state must keep its origin if there is one, or weights are partial.
+  /// Applies to the next frames. With a mask, or partial weights, the state must keep its origin.
   virtual void set_mask(const Mask& mask) = 0;
-  /// Of the next frames: how far the shape of each vertex is from rest, one way each; empty: at rest. Must
+  /// Applies to the next frames: displacement of each vertex's shape from rest; empty: at rest. The span must
   /// outlive them.
   virtual void set_shape(std::span<const Vec3> ways) = 0;
-  /// Of the next frames, upon what the rows do; null: none. Of the same model, and outlives its frames.
+  /// A layer after the rows for the next frames; null: none. Must fit the model and outlive the frames.
   void set_layer(ProbeLayer* layer) { layer_ = layer; }
-  /// One frame. The state must be of the cage, the elements and the blend that the engine was made for.
+  /// Computes one frame. The state must be of the cage, elements and blend that the engine was made for.
   virtual void run(const CageState& state, sym3::Method method) = 0;
-  /// Of the last frame, in the file's order, positions relative to its rows' origin; before the first one
-  /// of no use.
+  /// Vertices of the last frame, in the file's order, positions relative to its rows' origin; undefined
+  /// before the first frame.
   virtual std::span<const FrameVertex> vertices() const = 0;
-  /// Of the last frame.
+  /// Times of the last frame.
   const LinkTimes& times() const { return times_; }
 
 protected:

@@ -35,13 +35,13 @@ double place_vertices(const Binding& binding, const Rows& rows, sym3::Method met
 
 namespace {
 
-// As many vertices as have a megabyte of weights, within limits.
+// Number of vertices with a megabyte of weights, within limits.
 std::size_t handle_block(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
   return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
 }
 
-// Of the vertices [begin, end), without their triangles.
+// The vertices [begin, end), without their triangles.
 Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
   const auto rows = [&](const auto& values, std::size_t length) {
     const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i * length); };
@@ -69,7 +69,7 @@ Mask part_of(const Mask& whole, std::size_t begin, std::size_t end) {
 
 namespace {
 
-// What stitching takes of a pose: sums of rows at every vertex. Positions become those that are stitched.
+// Stitches one pose, given its sums of rows at every vertex; replaces positions by the stitched ones.
 void stitch_positions(const Stitching& stitching, const Rows& rows, std::span<const double> sums,
                       const Shares& shares, const Scheme& scheme, sym3::Method method, base::WorkerPool& pool,
                       std::span<const Vec3> ways, std::span<mesh::Point> positions) {
@@ -95,7 +95,7 @@ const mesh::Surface& with_vertices(const mesh::Surface& model) {
   return model;
 }
 
-// Weights, offset and rest.
+// Memory of weights, offset and rest.
 bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
   const double bytes = static_cast<double>(vertices) * (8.0 * static_cast<double>(handles) + 56);
   return bytes < 0.25 * base::free_memory().value_or(0);
@@ -139,7 +139,7 @@ BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
   return part;
 }
 
-// Offsets at rest are kept beside: added and taken away again they would not be the same bits.
+// Keeps the offsets at rest separately: adding and subtracting displacements would change bits.
 void ExactDeformer::shape_by(BoundPart& part, const SharedShape& shape, std::size_t begin) const {
   Binding& b = part.binding;
   const auto at_rest = std::span(model_.positions).subspan(begin, b.vertices);
@@ -154,7 +154,7 @@ void ExactDeformer::shape_by(BoundPart& part, const SharedShape& shape, std::siz
   deform::shape_by(b, turner_ ? turner_->turned(b, b.shares, ways) : ways);
 }
 
-// Returns what place_vertices() does.
+// Returns the error of place_vertices().
 double ExactDeformer::place(const BoundPart& part, const Rows& rows, std::size_t begin,
                             std::span<mesh::Point> positions) {
   const Binding& binding = part.binding;
@@ -181,7 +181,7 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const S
   exact.report = state_.report();
   exact.positions.resize(n);
   std::size_t done = 0, failed = 0;
-  std::mutex mutex;  // of these, and of exp_error
+  std::mutex mutex;  // protects these and exp_error
   pool_.for_blocks(n, at_once, [&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
     BoundPart made;

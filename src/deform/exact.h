@@ -21,10 +21,9 @@
 
 namespace viete::deform {
 
-/// The staged links from the blend on, for all vertices of a binding: positions.size() of them. Returns how
-/// far the method's exponentials are from those of method `fast`, which is exact to 1e-15: the largest
-/// relative difference, Frobenius norm; infinity where one is not a number, 0 for `fast` and where there are
-/// no exponentials.
+/// The staged links from the blend on, for all vertices of a binding: positions.size() of them. Returns the
+/// largest relative difference (Frobenius norm) between the method's exponentials and those of method `fast`,
+/// which is exact to 1e-15; infinity for NaN, 0 for `fast` and without exponentials.
 double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions);
 
@@ -32,28 +31,28 @@ struct ExactModel {
   std::vector<mesh::Point> positions;  ///< one per vertex
   LogReport report;                    ///< as CageState::report()
   std::vector<std::string> warnings;   ///< as Binding::warnings
-  double exp_error = 0;                ///< of the worst vertex, see place_vertices()
+  double exp_error = 0;                ///< largest over vertices, see place_vertices()
 };
 
-/// Deforms one model by pose after pose. Agrees with the staged engine to 1e-12 of the cage's diagonal (its
-/// weights come from vector code, see Weigher); the same bits for any number of threads, and whatever poses
-/// came before. Memory: the positions, and a megabyte or so for each thread, more for cages of more than
-/// 10,000 elements; with weights along the surface those of all vertices. Not thread-safe.
+/// Deforms one model by any number of poses. Agrees with the staged engine to 1e-12 of the cage's diagonal
+/// (its weights come from vector code, see Weigher); the same bits for any number of threads and any earlier
+/// poses. Memory: the positions, and about a megabyte per thread, more for cages of more than 10,000
+/// elements; with weights along the surface those of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
-  /// What becomes of weights once a pose is made: those of all vertices may be kept for the next one, where
-  /// they take no more than a quarter of the memory that is free.
+  /// Whether weights of all vertices may be kept for the next pose; they are only if they take at most a
+  /// quarter of the free memory.
   enum class Weights { dropped, kept };
 
-  /// model and pool must outlive it; cage must not be null; a mask has one share a vertex. progress, of what
-  /// is made before the first pose, may be null. Throws base::Error when the model has no vertices, and
+  /// model and pool must outlive it; cage must not be null; a mask has one share per vertex. progress covers
+  /// the work before the first pose, and may be null. Throws base::Error if the model has no vertices, and
   /// base::Cancelled.
   ExactDeformer(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
 
-  /// Probes are a layer upon it, see ProbeLayer; a shape is what the cage acts upon. Throws base::Error when
-  /// the pose has not one position per cage vertex, and base::Cancelled.
+  /// Probes are a layer after the cage, see ProbeLayer; the cage deforms the shape. Throws base::Error unless
+  /// the pose has one position per cage vertex, and base::Cancelled.
   ExactModel deform(const Pose& pose, const Probes& probes = {}, const SharedShape& shape = nullptr,
                     base::Progress* progress = nullptr);
 
@@ -71,15 +70,15 @@ private:
   CageState state_;
   Weigher weigher_;
   std::optional<Stitching> stitching_;
-  std::vector<double> sums_;      // of rows, of all vertices, for stitching
+  std::vector<double> sums_;      // row sums of all vertices, for stitching
   Shares shares_;                 // likewise
-  Binding surface_weights_;       // of all vertices, where they live on the surface
-  std::vector<BoundPart> parts_;  // block by block, where weights are kept
+  Binding surface_weights_;       // all vertices, for weights along the surface
+  std::vector<BoundPart> parts_;  // block by block, if weights are kept
   ProbeLayer layer_;
-  std::optional<WayTurner> turner_;  // where elements only move, for shapes
+  std::optional<WayTurner> turner_;  // for shapes, if elements only translate
 };
 
-/// Of one pose.
+/// Deforms a model by one pose.
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress = nullptr, const Mask& mask = nullptr,

@@ -22,13 +22,13 @@ namespace {
 
 using Mat = sym3::Mat3<double>;
 
-constexpr std::size_t blocks_at_once = 128;  // whose sums are added in order, on however many threads
+constexpr std::size_t blocks_at_once = 128;  // their sums are added in order, for any number of threads
 
-constexpr double longest_step = 0.7;  // of a weight, or of the turn in radians
+constexpr double longest_step = 0.7;  // change of a weight, or rotation in radians
 constexpr double least_damping = 1e-9, most_damping = 1e3;
-constexpr double at_rest = 1e-5;  // a step that is none
+constexpr double at_rest = 1e-5;  // shorter steps count as none
 
-// Whether one rotation is the nearest to a matrix.
+// True if the nearest rotation to a matrix is unique.
 bool tells_rotation(const Mat& m) {
   const auto singular = sym3::eigenvalues(sym3::polar(m).stretch);
   return singular[0] + singular[1] > 1e-6 * singular[2];
@@ -43,7 +43,7 @@ Vec3 vec(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
 
-// Two across each other in the plane of a triangle, and its normal.
+// Two orthogonal directions in the plane of a triangle, and its normal.
 struct Axes {
   Vec3 u, v, n;
 };
@@ -55,14 +55,13 @@ Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
 
 }  // namespace
 
-// Where the blend would take the pins, a row each, but for the ways of their parts; and how that changes with
-// the weights and the turn.
+// Positions of the pins in the blend, one row each, without the translations of their parts, and derivatives
+// by the weights and the rotation.
 struct ExamplePosing::Reach {
   Eigen::MatrixXd places, changes;
 };
 
-// The sums over triangles that a step is made of: where blends would take the pins, and how that changes with
-// the weights.
+// Sums over triangles for one step: positions of the pins in the blend, and derivatives by the weights.
 class ExamplePosing::Derivatives {
 public:
   explicit Derivatives(const ExamplePosing& posing)
@@ -83,7 +82,7 @@ public:
                          pins, lanes_.data());
   }
 
-  // [example, last the blend itself][pin][3]
+  // Layout: [example, last the blend itself][pin][3].
   void add_to(std::span<double> sums) const {
     for (std::size_t i = 0; i < sums.size(); ++i)
       for (std::size_t l = 0; l < group_size; ++l) sums[i] += lanes_[i * group_size + l];
@@ -126,14 +125,14 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   weights_ = usual_weights_ = std::move(weights);
   turns_ = true;
   positions_.assign(shape.begin(), shape.end());
-  work_.ways.resize(shape.size());  // so that the first step starts from there
+  work_.ways.resize(shape.size());  // initial value of the first step
 }
 
 std::size_t ExamplePosing::blocks() const {
   return (space_.logs().corners().size() + plane_size - 1) / plane_size;
 }
 
-// See PlaneKernel::derive.
+// Layout: see PlaneKernel::derive.
 void ExamplePosing::fill_groups() {
   const LogSpace& logs = space_.logs();
   const std::size_t numbers = numbers_of_group();
@@ -158,14 +157,15 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
   if (pins.size() > most_pins)
-    throw base::Error("",
-                      base::with_thousands(pins.size()) + " pins are more than the " +
-                          base::with_thousands(most_pins) + " that hold a model at once",
-                      "pin fewer vertices");
+    throw base::Error(
+        "",
+        base::with_thousands(pins.size()) + " pins exceed the limit of " + base::with_thousands(most_pins),
+        "pin fewer vertices");
   for (const PosingPin& pin : pins) {
     if (logs.parts().loose[pin.vertex])
-      throw base::Error("", "vertex " + std::to_string(pin.vertex) + " (from 0) is of no triangle with area",
-                        "pin one that is");
+      throw base::Error("",
+                        "vertex " + std::to_string(pin.vertex) + " (from 0) belongs to no triangle with area",
+                        "pin another vertex");
   }
   base::require_memory(
       {static_cast<double>(pins.size()) *
@@ -194,7 +194,7 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   fill_stiffness();
 }
 
-// q = sum_k c_k e_k (z_a - z_b) of each triangle and column z, of its sides e.
+// q = sum_k c_k e_k (z_a - z_b) for each triangle and column z, over its edges e.
 void ExamplePosing::fill_gradients() {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
@@ -215,8 +215,8 @@ void ExamplePosing::fill_gradients() {
   }
 }
 
-// Forces f at pins bring them from where they would be: (1 / c + Z) f + way of the part = d, the forces of a
-// part in balance. Vertices at one place, held at two, are held as near to both as can be.
+// Forces f at pins move them from their free positions: (1 / c + Z) f + translation of the part = d; forces
+// of a part are in balance. Two constraints on vertices at one place are met in the least-squares sense.
 void ExamplePosing::fill_stiffness() {
   std::vector<std::uint32_t> parts = part_of_pin_;
   std::ranges::sort(parts);
@@ -258,7 +258,7 @@ std::vector<LogTerm> ExamplePosing::terms() const {
   return terms;
 }
 
-// Where the blend would take the pins, turned by `turn`, but for the ways of their parts; and its
+// Positions of the pins in the blend rotated by `turn`, without the translations of their parts, and
 // derivatives.
 ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
   const std::size_t n = pins_.size(), m = examples_.size();
@@ -287,14 +287,14 @@ ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
     for (std::size_t e = 0; e < m; ++e)
       reach.changes.block<3, 1>(Eigen::Index(3 * k), Eigen::Index(e)) =
           column(times(g, at(e) + leftovers_[e][pins_[k].vertex]));
-    Eigen::Matrix3d about;  // the cross product with the place, from the left
+    Eigen::Matrix3d about;  // matrix of the cross product with the position
     about << 0, place[2], -place[1], -place[2], 0, place[0], place[1], -place[0], 0;
     reach.changes.block<3, 3>(Eigen::Index(3 * k), Eigen::Index(m)) = about;
   }
   return reach;
 }
 
-// The turn that fits the pins at rest best, where they tell one.
+// Starts from the rotation that best fits the pins at rest, if it is unique.
 void ExamplePosing::begin_turn(std::span<const mesh::Point> targets) {
   turns_ = true;
   const auto& rest = space_.logs().rest();
@@ -325,7 +325,7 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
                                   Eigen::Map<const Eigen::VectorXd>(usual_weights_.data(), m);
   const double held = settings.restraint * area_;
   const double energy = off.cwiseProduct(forces).sum() + held * weights.squaredNorm();
-  if (energy > energy_) {  // too far: back, and less
+  if (energy > energy_) {  // overshoot: step back, increase damping
     weights_ = last_weights_, turn_ = last_turn_;
     damping_ = std::min(10 * damping_, most_damping);
     energy_ = std::numeric_limits<double>::infinity();
@@ -364,7 +364,7 @@ int ExamplePosing::solve(std::span<const mesh::Point> targets, const PosingSetti
   return most;
 }
 
-// Returns how far positions went by fitting alone, in sides of a square of the area.
+// Returns the displacement by fitting alone, relative to the square root of the area.
 double ExamplePosing::show(const PosingSettings& settings) {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
@@ -393,7 +393,7 @@ double ExamplePosing::show(const PosingSettings& settings) {
   return std::sqrt(farthest / std::max(area_, 1e-300));
 }
 
-// Forces at the pins bring them to their targets.
+// Moves the pins to their targets by forces.
 void ExamplePosing::reach_targets() {
   Eigen::MatrixXd off(pins_.size(), 3);
   for (std::size_t k = 0; k < pins_.size(); ++k)
@@ -419,7 +419,7 @@ void ExamplePosing::reach_targets() {
   }
 }
 
-// Their vertices' mean goes its straight way; and loose vertices do.
+// Parts without pins keep the mean of their straight positions; loose vertices take theirs.
 void ExamplePosing::place_other_parts() {
   const LogSpace& logs = space_.logs();
   const auto straight = [&](std::size_t v) {

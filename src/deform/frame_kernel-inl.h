@@ -17,7 +17,7 @@ namespace viete::deform::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
-// How many vectors are blended at once: their sums and what feeds them must fit the registers.
+// Number of vectors blended at once: sums and inputs must fit the registers.
 #if HWY_TARGET <= HWY_AVX3
 constexpr int vectors_at_once = 2;
 #else
@@ -27,21 +27,21 @@ constexpr int vectors_at_once = 1;
 template <class T>
 using Tag = hn::CappedTag<T, tile_lanes<T>>;
 
-// Of weights, how many lines are asked for before they are needed: a row takes 12 cycles where two
-// multiply-adds of 16 lanes start in each, and memory some 300.
+// Prefetch distance of weights in lines: a row takes 12 cycles at two multiply-adds of 16 lanes per cycle,
+// memory access some 300.
 constexpr std::size_t lines_ahead = HWY_TARGET <= HWY_AVX3 ? 32 : 16;
 
 template <class T, std::size_t Columns>
 using Sums = hn::Vec<Tag<T>>[vectors_at_once][Columns];
 
-// Where lane group g of a run lies in an array of tiles with `rows` lines each: tiles are cut into vectors.
+// Index of lane group g of a run in an array of tiles with `rows` lines each: tiles are cut into vectors.
 template <class T>
 static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
   const std::size_t lane = group * hn::Lanes(Tag<T>());
   return lane / tile_lanes<T> * rows * tile_lanes<T> + lane % tile_lanes<T>;
 }
 
-// Of an array with `rows` lines a tile, what the vector will want that takes this one's place next.
+// Prefetches, in an array with `rows` lines per tile, the data of the vector that follows this one.
 template <class T>
 static HWY_INLINE void prefetch_next(const T* array, std::size_t vector, std::size_t rows) {
   const T* next = array + index_of<T>(vector + vectors_at_once, rows);
@@ -63,7 +63,7 @@ static HWY_INLINE void load_base(const TileRun<T>& run, std::size_t group, Sums<
   }
 }
 
-// The product of the frame: sums += weights * table, whose sums are held in registers.
+// The product of the frame: sums += weights * table, with the sums in registers.
 template <bool Listed, class T, std::size_t Columns>
 static HWY_INLINE void blend_rows(const TileRun<T>& run, std::size_t group, Sums<T, Columns>& sums) {
   const Tag<T> d;
@@ -191,7 +191,7 @@ static HWY_INLINE Vector3<T> load_offset(const TileRun<T>& run, const T* offsets
   return {hn::Mul(o.x, share), hn::Mul(o.y, share), hn::Mul(o.z, share)};
 }
 
-// What is blended at once goes through the same steps in turn: that hides the latency of each.
+// Vectors that are blended together go through each step in turn, which hides its latency.
 #if HWY_TARGET <= HWY_AVX3
 template <class T>
 using Batch = lanes::Two<hn::Vec<Tag<T>>>;
@@ -235,8 +235,8 @@ static HWY_INLINE void store_positions(const Vector3<T>& p, std::size_t group, T
 }
 #endif
 
-// How sums of rows, by column, move vertices from where they are at rest, x, or from their offset o: one for
-// each RowForm.
+// How sums of rows, by column, move vertices from their rest position x, or from their offset o: one per
+// RowForm.
 struct ByLogs {
   static constexpr RowShape shape = log_shape;
 

@@ -11,64 +11,64 @@
 
 namespace viete::deform {
 
-/// One 64-byte line of vertices: what weights, offsets and sums are stored by.
+/// Vertices per 64-byte cache line: the block size of weights, offsets and sums.
 template <class T>
 inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
-inline constexpr std::size_t lanes = tile_lanes<float>;  ///< of weights as they are kept
+inline constexpr std::size_t lanes = tile_lanes<float>;  ///< block size of the stored weights
 
 /// Consecutive tiles whose vertices share a table. Everything is aligned to 64 bytes.
 template <class T>
 struct TileRun {
   std::size_t tiles = 0;       ///< even
-  std::size_t rows = 0;        ///< of weights
+  std::size_t rows = 0;        ///< rows of weights
   const T* weights = nullptr;  ///< [tile][row][lane]
   const T* table = nullptr;    ///< [row][column]
   const T* base = nullptr;     ///< sums to start from, [tile][sum][lane]; null: zero
   const T* mean = nullptr;     ///< [RowShape::with_mean], what `place` adds to the sums; null: zero
-  const T* shares = nullptr;  ///< [tile][lane], what `place` makes of sums and offsets: see Shares; null: all
+  const T* shares = nullptr;   ///< [tile][lane], for `place`: see Shares; null: all 1
   const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
-  const T* rest_moments = nullptr;  ///< of forms with moments: [tile][rest_moment_lines][lane], else not read
+  const T* rest_moments = nullptr;        ///< forms with moments only: [tile][rest_moment_lines][lane]
 };
 /// n, s, dual, scale of RestMoment, lengths in l.
 inline constexpr std::size_t rest_moment_lines = 10;
 
-/// The positions of one leaf, x y z x each: its slots, then its ghosts, which are copied from other leaves'
-/// slots first.
+/// The positions of one leaf, each as x y z x: its slots, then its ghosts, which must have been copied from
+/// other leaves' slots.
 struct RingRun {
-  float* positions;                 ///< of the whole model
-  std::size_t first, slots, count;  ///< the leaf's first position; its slots; slots and ghosts
-  std::size_t vertices;             ///< slots that are no padding
-  bool moved;                       ///< its slots, since its normals were computed
+  float* positions;                 ///< all positions of the model
+  std::size_t first, slots, count;  ///< first position of the leaf; slots; slots plus ghosts
+  std::size_t vertices;             ///< number of slots without padding
+  bool moved;                       ///< true if slots moved since the last normals
   const std::uint32_t* ghosts;
-  std::size_t ghosts_left;  ///< ghosts of this leaf and all behind it: how far prefetching may look
+  std::size_t ghosts_left;  ///< ghosts of this leaf and of all later ones: the limit of prefetching
   const std::uint32_t* order;
-  const std::uint16_t *neighbours, *lengths;  ///< as in Rings, of this leaf
+  const std::uint16_t *neighbours, *lengths;  ///< as in Rings, for this leaf
   float unit;
 };
 
-/// From weights to sums or positions, of rows of one form.
+/// From weights to sums or positions, for rows of one form.
 struct TileKernel {
-  std::size_t sums;  ///< how many a vertex has: columns of the rows, but for moments
+  std::size_t sums;  ///< sums per vertex: the columns of a row, except for moments
   /// sums [tile][sum][lane].
   void (*blend)(const TileRun<float>& run, float* sums);
   /// rest, offsets [tile][3][lane]: x and o of RowForm; out [slot] as x y z x.
   void (*place)(const TileRun<float>& run, const float* rest, const float* offsets, float* out);
 };
 
-/// One compilation of the frame. Each lane is computed alone and in the same order whatever the width of the
-/// machine's vectors: the same bits from all kernels with fused multiply-add, and from all without.
+/// One compilation of the frame. Each lane is computed independently, in an order that does not depend on the
+/// vector width: all kernels with fused multiply-add give the same bits, and so do all without.
 struct FrameKernel {
   TileKernel forms[row_forms];  ///< by RowForm
-  /// To vertices[order[slot]]: position times unit, and the unit normal by its one-ring, (0, 0, 1)
-  /// where there is no area; nothing where neither slots nor ghosts changed by a bit. Leaves write to
-  /// different places and vertices.
+  /// Writes vertices[order[slot]]: position times unit, and the unit normal of the one-ring, (0, 0, 1)
+  /// without area. Skips vertices whose slots and ghosts are bitwise unchanged. Leaves write to different
+  /// places and vertices.
   void (*ring_vertices)(const RingRun& run, FrameVertex* vertices);
-  /// The normal of a vertex of high valence (see Rings), which ring_vertices leaves without one.
+  /// The normal of a vertex of high valence (see Rings), which ring_vertices skips.
   void (*ring_high_valence)(const float* positions, const std::uint32_t* neighbours, std::size_t length,
                             std::uint32_t position, FrameVertex& vertex);
 };
 
-/// That of the same instruction set.
+/// The kernel for the same instruction set.
 const FrameKernel& frame_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

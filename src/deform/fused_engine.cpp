@@ -14,10 +14,10 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t few = 4;               // of the handles, at most one in so many is few
-constexpr std::size_t skeleton_block = 256;  // slots that one thread blends at once
+constexpr std::size_t few = 4;               // up to one handle in this many counts as few
+constexpr std::size_t skeleton_block = 256;  // slots per task
 
-// Sums [tile][column][lane] of `slots` slots as rows of a table.
+// Converts sums [tile][column][lane] of `slots` slots to rows of a table.
 void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* table) {
   for (std::size_t s = 0; s < slots; ++s) {
     const float* from = sums + s / lanes * lanes * columns + s % lanes;
@@ -25,7 +25,7 @@ void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* t
   }
 }
 
-// An array [tile][line][lane] of floats, by slot.
+// Access by slot to an array [tile][line][lane] of floats.
 template <class T>
 struct TileLines {
   T* data;
@@ -42,7 +42,7 @@ struct TileLines {
   }
 };
 
-// Rows of moments with which the first three sums are sum v (p - near), the fourth sum v.
+// Moment rows whose first three sums are sum v (p - near) and whose fourth is sum v.
 void write_offset_rows(std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
@@ -50,7 +50,7 @@ void write_offset_rows(std::span<float> table) {
   }
 }
 
-// Those with which the first nine are sum v ((p - middle)(p - near)^T + I).
+// Moment rows whose first nine sums are sum v ((p - middle)(p - near)^T + I).
 void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;
@@ -125,7 +125,7 @@ void FusedEngine::run(const CageState& state, sym3::Method) {
   times_[Link::normals] = watch.lap_ms();
 }
 
-// All that comes before the leaves.
+// All steps before the leaves.
 void FusedEngine::prepare(const CageState& state) {
   times_ = {};
   base::Stopwatch watch;
@@ -161,7 +161,7 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
   times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
 }
 
-// As share_sums().
+// As share_sums(), for one slot.
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;
@@ -215,8 +215,8 @@ void FusedEngine::fill_rest_moments(const Rows& rows) {
   knows_rest_ = true;
 }
 
-// By the kernel itself: first how far the points' mean is from what offsets tell, which is exact where no
-// weight is below 0, then what is left of that, then moments about a point of the leaf.
+// Computed by the blend kernel: first the difference between the points' mean and that of the offsets, exact
+// without negative weights, then its remainder, then moments about a point of the leaf.
 void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   const TiledBinding& b = *binding_;
   const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
@@ -248,9 +248,9 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   }
 }
 
-// See RowShape::with_mean: a turn of the whole cage is as exact as float, whatever the tolerance. During a
-// drag the mean stays with the sums. Where nothing is left out something near it does, which an edit leaves
-// as it is, and with it the bits of all that the edit does not reach.
+// See RowShape::with_mean: rotations of the whole cage are exact in float for any tolerance. A drag keeps the
+// mean of its sums. Uncompressed weights take the mean rounded to halves, which edits rarely change, so that
+// vertices outside an edit's reach keep their bits.
 void FusedEngine::choose_mean() {
   for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
     double sum = 0;
@@ -260,7 +260,7 @@ void FusedEngine::choose_mean() {
   }
 }
 
-// Decides whether this frame adds to sums that are kept, and fills what it adds.
+// Decides whether this frame adds to cached sums, and fills the moving rows.
 void FusedEngine::follow_drag(const CageState& state) {
   const Handles moving = state.moving();
   dragging_ = false;
@@ -270,7 +270,7 @@ void FusedEngine::follow_drag(const CageState& state) {
     begin_drag(moving);
     drag_.resting = state.resting_revision();
   } else if (drag_.resting != state.resting_revision()) {
-    drag_ = {};  // formed anew in the next frame
+    drag_ = {};  // rebuilt in the next frame
     return;
   }
   dragging_ = true;
@@ -295,7 +295,7 @@ void FusedEngine::begin_drag(Handles moving) {
   });
 }
 
-// Which of the moving elements have weight in each leaf. Returns how many weights that makes.
+// Lists the moving handles with weight in each leaf. Returns the number of their weights.
 std::size_t FusedEngine::list_moving() {
   const TiledBinding& b = *binding_;
   drag_.starts = {0};
@@ -327,11 +327,10 @@ void FusedEngine::pack_whole(std::size_t leaf) {
   }
 }
 
-// The columns W_m of a leaf's n x k weights W that belong to the moving handles m. W is stored whole or as
-// W = F P, F its n x r factors and P the r x k weights of its pivots, so that W_m = F P_m, and with W whole,
-// F = W and P = I. That is the product which blends a pose, P_m standing for the table of rows: the same
-// kernel forms it, as many handles at once as it takes columns, the last ones filled up with 0. (Weights that
-// are not compressed are copied.)
+// The columns W_m of a leaf's n x k weights W that belong to the moving handles m. W is stored whole or as W
+// = F P, F its n x r factors and P the r x k weights of its pivots, so W_m = F P_m; with W whole, F = W and P
+// = I. This is the product that blends a pose, with P_m as the table of rows: the same kernel computes it, as
+// many handles at once as it has columns, the last ones padded with 0. (Uncompressed weights are copied.)
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
   if (!b.compressed()) return pack_whole(leaf);
@@ -387,7 +386,7 @@ TileRun<float> FusedEngine::leaf_run(std::size_t leaf, const float* table) const
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
-// Of this frame's rows: of those that move, added to the others' sums, if that is enough.
+// The run of this frame's rows: all of them, or the moving ones added to the sums of the others.
 TileRun<float> FusedEngine::frame_run(std::size_t leaf) const {
   TileRun<float> run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;
@@ -403,7 +402,7 @@ TileRun<float> FusedEngine::frame_run(std::size_t leaf) const {
 
 void FusedEngine::place_vertices() {
   const TiledBinding& b = *binding_;
-  // What the layer moves is not where the next frame may leave it.
+  // The next frame may not keep positions that the layer moved.
   const bool placed = dragging_ && std::exchange(drag_.placed, !layer_);
   for_leaves([&](std::size_t leaf) {
     leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);

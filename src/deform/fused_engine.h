@@ -1,4 +1,4 @@
-// The frame at the speed of memory: rows of the cage in, vertices out, nothing stored in between.
+// The frame at memory bandwidth: cage rows in, vertices out, no intermediate arrays.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,21 @@
 
 namespace viete::deform {
 
-/// The staged chain with method `fast`, in float: from the blend to the positions in one pass over the
-/// weights, the sums staying in registers. Agrees with the staged engine to 1e-6 of the diagonal, and to
-/// twice the binding's tolerance where that is compressed.
+/// The staged chain with method `fast`, in float: one pass over the weights from the blend to the positions,
+/// with the sums in registers. Agrees with the staged engine to 1e-6 of the diagonal, and to twice the
+/// binding's tolerance if that is compressed.
 ///
-/// Dragging costs what moved: the first frame of a drag forms the sums of all handles that do not move and
-/// keeps them, and from then on only the rows that move are added. Nothing accumulates. Leaves whose lists
-/// have none of the handles that move are left alone.
+/// The cost of a drag is proportional to the number of moved handles: the first frame of a drag stores the
+/// sums of all other handles, and later frames only add the rows that move. Errors do not accumulate. Leaves
+/// whose lists contain no moved handle are skipped.
 ///
-/// Unless weights are compressed, vertices that the moved handles do not reach keep their bits, in a drag
-/// and in full frames, as long as the pose as a whole stays about where it is (see pose_origin) and the mean
-/// of its rows too.
+/// Unless weights are compressed, vertices outside the reach of the moved handles keep their bits, in a drag
+/// and in full frames, while the origin of the pose (see pose_origin) and the mean of its rows stay.
 ///
-/// Results depend on the rows alone but for the rounding of float during a drag.
+/// Results depend only on the rows, except for float rounding during a drag.
 ///
-/// Maps that are fitted to points (see moments.h) take weights that are not compressed, and the first frame
-/// three times as long as others: it makes what does not depend on the pose.
+/// Maps that are fitted to points (see moments.h) need uncompressed weights. Their first frame takes three
+/// times as long as later ones: it precomputes all data that does not depend on the pose.
 class FusedEngine : public Engine {
 public:
   /// binding must not be null.
@@ -36,17 +35,17 @@ public:
 
   void set_mask(const Mask& mask) override;
   void set_shape(std::span<const Vec3> ways) override;
-  /// The method does not matter.
+  /// Ignores the method: always `fast`.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// The first half of a frame: sums of the rows of every vertex, shared already, [vertex][column] in the
-  /// file's order, with lengths in the file's unit. Dragging as in run().
+  /// First half of a frame: sums of rows with shares applied, [vertex][column] in the file's order, lengths
+  /// in the file's unit. Dragging as in run().
   void blend(const CageState& state, std::span<double> sums);
-  /// The second half, of other positions: vertices() are there, relative to the rows' origin, with normals.
+  /// Second half with other positions: vertices() take these, relative to the rows' origin, and get normals.
   void show(std::span<const Vec3> positions);
   /// True if the last frame added the moved handles alone.
   bool dragging() const { return dragging_; }
-  /// Bytes that the last frame read once: weights, or what stood for them.
+  /// Bytes of weights or factors that the last frame read.
   std::size_t bytes() const;
 
 private:
@@ -83,36 +82,36 @@ private:
   std::shared_ptr<const TiledBinding> binding_;
   base::WorkerPool& pool_;
   const FrameKernel& kernel_;
-  const TileKernel& tiles_;  // of the rows' form
+  const TileKernel& tiles_;  // for the rows' form
   RowForm form_;
-  std::size_t columns_, sums_;                 // of rows, and that a vertex has of them
+  std::size_t columns_, sums_;                 // columns of a row, and sums per vertex
   std::vector<double> entries_;                // [handle][column], lengths in units
   base::AlignedVector<float> table_;           // [handle][column], less the mean of its column
   std::array<float, most_columns> mean_{};     // [column]
-  base::AlignedVector<float> rest_moments_;    // of forms with moments, see TileRun
-  bool knows_rest_ = false;                    // these, from the first frame on
+  base::AlignedVector<float> rest_moments_;    // for forms with moments, see TileRun
+  bool knows_rest_ = false;                    // rest_moments_ are computed, by the first frame
   base::AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   base::AlignedVector<float> skeleton_table_;  // [pivot][column]
-  base::AlignedVector<float> positions_;       // of slots and ghosts (see Rings), x y z x in units
+  base::AlignedVector<float> positions_;       // slots and ghosts (see Rings), x y z x in units
   base::AlignedVector<FrameVertex> vertices_;
   base::AlignedVector<float> shares_;          // [slot]; empty: all 1
-  base::AlignedVector<float> rest_, offsets_;  // of a shape, as those of the binding; empty: at rest
-  std::vector<std::uint8_t> leaf_moved_;       // [leaf] its slots, in this frame
-  std::vector<std::uint32_t> slots_;           // of vertices, where probes are
-  ProbeTiles probes_;                          // of the layer
+  base::AlignedVector<float> rest_, offsets_;  // the shape, laid out as in the binding; empty: at rest
+  std::vector<std::uint8_t> leaf_moved_;       // [leaf] true if its slots moved in this frame
+  std::vector<std::uint32_t> slots_;           // slot of each vertex, if there are probes
+  ProbeTiles probes_;                          // tiles of the layer
   bool dragging_ = false;
-  Vec3 origin_{0, 0, 0};  // of the frame's rows
+  Vec3 origin_{0, 0, 0};  // origin of the frame's rows
 
-  /// While a few handles move: the sums of the others, and the weights of those.
+  /// During a drag: the sums of the resting handles, and the weights of the moving ones.
   struct DragCache {
     std::vector<std::uint32_t> moving;
-    unsigned long resting = 0;          // revision of the others
-    std::vector<std::size_t> starts;    // in `listed`, one more than leaves
-    std::vector<std::uint32_t> listed;  // which of those that move have weight in a leaf, leaf by leaf
-    base::AlignedVector<float> sums;  // [tile][sum][lane], of handles that do not move; of leaves others move
-    base::AlignedVector<float> weights;  // [tile][row][lane], of those that do, in the order of `listed`
-    base::AlignedVector<float> rows;     // their part of the table
-    bool placed = false;  // a frame was computed from these: leaves without rows stay as they are
+    unsigned long resting = 0;           // revision of the resting handles
+    std::vector<std::size_t> starts;     // in `listed`, one more than leaves
+    std::vector<std::uint32_t> listed;   // moving handles with weight in a leaf, leaf by leaf
+    base::AlignedVector<float> sums;     // [tile][sum][lane] of resting handles, for leaves to update
+    base::AlignedVector<float> weights;  // [tile][sum][lane] of resting handles, for leaves in reach
+    base::AlignedVector<float> rows;     // the moving handles' rows of the table
+    bool placed = false;                 // a frame used this cache: leaves without rows are up to date
     std::size_t row_count() const { return moving.size(); }
     std::size_t row_count(std::size_t leaf) const { return starts[leaf + 1] - starts[leaf]; }
   } drag_;

@@ -8,23 +8,23 @@ namespace viete::deform {
 
 namespace {
 
-// Of the farthest motion, squared: added to all. What stands still counts 1e14 times as much as what moves
-// farthest.
+// Relative to the largest motion, squared and added to all: resting vertices count 1e14 times as much as
+// those that move most.
 constexpr double stillness = 1e-7;
-// A map that turns, or stretches, by less has its fixed point so far away that ways to there are straight.
+// Maps that rotate or stretch less have their fixed point so far away that paths are nearly straight.
 constexpr double least_motion = 1e-4;
-// Relative: directions in which those that count are less spread tell nothing.
+// Relative: directions with less spread of the weighted vertices are ignored.
 constexpr double told_spread = 1e-9;
 
 Eigen::Vector3d eigen(const Vec3& v) {
   return {v[0], v[1], v[2]};
 }
 
-// The affine map that fits the ways of some vertices, by their weights: way = mean + slope (x - center).
+// The affine map that fits the displacements of weighted vertices: way = mean + slope (x - center).
 struct AffineFit {
   Vec3 center{0, 0, 0};
   Eigen::Matrix3d inverse_spread = Eigen::Matrix3d::Zero();  // of the places, where they are spread
-  Eigen::Vector3d to_fixed_point{0, 0, 0};  // from the centre; less, the less of the ways it explains
+  Eigen::Vector3d to_fixed_point{0, 0, 0};  // from the centre, scaled by the quality of the fit
 };
 
 double smooth_step(double from, double to, double x) {
@@ -32,7 +32,7 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Inverse of a symmetric matrix in the directions in which it is not small.
+// Inverse of a symmetric matrix, restricted to directions with large eigenvalues.
 Eigen::Matrix3d inverse_where_large(const Eigen::Matrix3d& m) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
   Eigen::Vector3d inverse{0, 0, 0};
@@ -64,7 +64,7 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
   const double explained = (slope * across.transpose()).trace();
   if (!(all > 0)) return fit;
   Eigen::JacobiSVD<Eigen::Matrix3d> svd(slope, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (svd.info() != Eigen::Success) return fit;  // not of finite numbers
+  if (svd.info() != Eigen::Success) return fit;  // infinite or NaN input
   for (int k = 0; k < 3; ++k) {
     const double s = svd.singularValues()[k];
     if (s > least_motion)
@@ -76,8 +76,8 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
 
 }  // namespace
 
-// Weights are those of the vertices, completed by a linear function of their places so that their mean is the
-// fixed point of the affine map that fits the ways.
+// Weights of the vertices, corrected by a linear function of their positions so that their mean is the fixed
+// point of the affine map that fits the displacements.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares) {
   const double farthest = squares.empty() ? 0 : *std::max_element(squares.begin(), squares.end());

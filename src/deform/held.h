@@ -1,4 +1,4 @@
-// Where a shape is held while it moves: what the logs of its triangles do not tell.
+// The anchor of each part of a moving shape, since the logs of triangles do not determine translations.
 #pragma once
 
 #include <cstdint>
@@ -10,28 +10,28 @@
 
 namespace viete::deform {
 
-/// The vertices that hang together.
+/// Connected parts of a mesh.
 struct HangingParts {
-  mesh::Adjacency vertices;  ///< of each connected part; without loose ones
+  mesh::Adjacency vertices;  ///< vertices of each connected part, without loose ones
   std::vector<bool> loose;   ///< vertices of no triangle
 
   std::size_t count() const { return vertices.starts.size() - 1; }
 };
 
-/// A point of each part goes its straight way: of each vertex its share of that point. It is the mean of the
-/// vertices, those counting most that move least, so that what stands still, stands, and a limb turns about
-/// where it hangs; or, as far as the part moves as an affine map does, the point that such a map moves least,
-/// so that what turns as a whole turns about its axis.
+/// Shares of each vertex in the anchor of its part, the point that moves on a straight line. The anchor is a
+/// mean of vertices that favours those that move least: a resting region stays, and a limb rotates about its
+/// joint. If the part moves by an affine map, the anchor is the point that this map moves least: a part that
+/// rotates as a whole rotates about its axis.
 using Held = std::vector<double>;
 
-/// from: where the vertices are; ways: where they go; squares: how far that is, squared, or a sum of such.
+/// from: positions; ways: displacements; squares: squared lengths of displacements, or sums of such.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 
-/// Moves each part as a whole so that its held point goes its straight way.
+/// Translates each part so that its anchor follows its straight line.
 void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight, std::span<Vec3> ways);
 
-/// Moves each part as a whole so that its vertices' mean is 0.
+/// Translates each part so that the mean of its displacements is 0.
 void center(const HangingParts& parts, std::span<Vec3> ways);
 
 }  // namespace viete::deform

@@ -13,7 +13,7 @@ namespace viete::deform {
 
 namespace {
 
-// The sides opposite the corners, of a size near 1; all 0 if the corners coincide.
+// The sides opposite the corners, scaled to a size near 1; all 0 if the corners coincide.
 std::array<Vec3, 3> scaled_sides(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   std::array<Vec3, 3> sides{c - b, a - c, b - a};
   const double largest = std::max({largest_abs(sides[0]), largest_abs(sides[1]), largest_abs(sides[2])});
@@ -38,7 +38,7 @@ bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   return !(doubled_area(sides) > thin_triangle * longest_squared(sides));
 }
 
-// The cotangent between two sides that run from a corner is their product over twice the area.
+// The cotangent between two sides at a corner is their product over twice the area.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   const auto s = scaled_sides(a, b, c);
   const double counted = std::max(doubled_area(s), thin_triangle * longest_squared(s));
@@ -67,23 +67,23 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
 
 namespace {
 
-constexpr double least_excess = 1e-5;    // of two sides of a triangle over the third, in mean edges
-constexpr double least_weight = 1e-10;   // smaller ones are rounding
-constexpr std::size_t most_flips = 100;  // a half-edge: far more than were ever seen, an end for sure
+constexpr double least_excess = 1e-5;    // excess of two sides of a triangle over the third, in mean edges
+constexpr double least_weight = 1e-10;   // smaller weights are rounding errors
+constexpr std::size_t most_flips = 100;  // per half-edge; only a safety limit
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 
-// Of sides a, b, c. W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014).
+// Area from sides a, b, c. W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014).
 double area_of(double a, double b, double c) {
   if (a < b) std::swap(a, b);
   if (b < c) std::swap(b, c);
   if (a < b) std::swap(a, b);
   const double square = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-  constexpr double least = 1e-12;  // of a^2: keeps cotangents finite
+  constexpr double least = 1e-12;  // relative to a^2: keeps cotangents finite
   return std::max(0.25 * std::sqrt(std::max(square, 0.0)), least * a * a);
 }
 
-/// Triangles that know their edges' lengths and neighbours, and nothing of space. Half-edge h runs from
-/// tail[h] to tail[next[h]].
+/// Triangles given by edge lengths and adjacency, without positions. Half-edge h runs from tail[h] to
+/// tail[next[h]].
 class IntrinsicTriangles {
 public:
   IntrinsicTriangles(const std::vector<mesh::Point>& positions,
@@ -96,7 +96,7 @@ public:
     lengthen();
   }
 
-  // Until no weight is negative.
+  // Flips edges until no weight is negative.
   void make_delaunay() {
     std::vector<std::uint32_t> open;
     std::vector<bool> listed(next_.size(), false);
@@ -152,8 +152,8 @@ private:
     return true;
   }
 
-  // Half-edge i of triangle t is 3 t + i; those of its back follow those of all fronts, and run the other
-  // way.
+  // Half-edge i of triangle t is 3 t + i; those of its back follow those of all fronts, and run in the
+  // opposite direction.
   void add_triangles(const std::vector<mesh::Triangle>& triangles) {
     const auto front = static_cast<std::uint32_t>(3 * triangles.size());
     next_.resize(sides_ * front);
@@ -169,8 +169,8 @@ private:
     }
   }
 
-  // Each triangle at an edge has a half-edge along it on its front and one the other way on its back: the
-  // forward one of each belongs to the backward one of the next triangle around.
+  // Each triangle at an edge has a half-edge along it on its front and an opposite one on its back: the
+  // forward one of each is the twin of the backward one of the next triangle around the edge.
   void sew(const mesh::HalfEdges& table, std::size_t e, const std::vector<mesh::Triangle>& triangles) {
     const auto around = table.of(e);
     const auto half_edge = [&](const mesh::HalfEdge& side, bool forward) {
@@ -192,7 +192,7 @@ private:
     twin_[g] = h;
   }
 
-  // In units of the mean one.
+  // Lengths in units of the mean edge.
   void set_lengths(const std::vector<mesh::Point>& positions) {
     double sum = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h) {
@@ -203,7 +203,7 @@ private:
     for (double& l : length_) l = mean > 0 ? l / mean : 1;
   }
 
-  // All alike, so that every triangle has an area.
+  // Lengthens all edges equally, so that every triangle has an area.
   void lengthen() {
     double missing = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h)
@@ -213,7 +213,7 @@ private:
 
   std::uint32_t previous(std::uint32_t h) const { return next_[next_[h]]; }
   double area(std::uint32_t h) const { return area_of(length_[h], length_[next_[h]], length_[previous(h)]); }
-  // Of the angle opposite.
+  // Cotangent of the opposite angle.
   double cotangent(std::uint32_t h) const {
     const double a = length_[h], b = length_[next_[h]], c = length_[previous(h)];
     return ((b - a) * (b + a) + c * c) / (4 * area(h));
@@ -225,13 +225,13 @@ private:
     return g != next_[h] && g != previous(h) && weight(h) < -least_weight;
   }
 
-  // Where the third corner lies, seen along h from its tail.
+  // Position of the third corner in coordinates along h from its tail.
   std::array<double, 2> corner_beside(std::uint32_t h, double to_tail, double to_head) const {
     const double l = length_[h];
     return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area(h) / l};
   }
 
-  // Edge ab of triangles abc and bad becomes cd, of cdb and dca.
+  // Replaces edge ab of triangles abc and bad by cd, of cdb and dca.
   void flip(std::uint32_t h) {
     const std::uint32_t g = twin_[h], bc = next_[h], ca = next_[bc], ad = next_[g], db = next_[ad];
     const auto c = corner_beside(h, length_[ca], length_[bc]), d = corner_beside(g, length_[db], length_[ad]);

@@ -63,11 +63,11 @@ Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::
 
 namespace {
 
-using Opposite = std::array<std::uint32_t, 2>;  // of a triangle at a vertex: the edge opposite to the vertex
+using Opposite = std::array<std::uint32_t, 2>;  // the edge of a triangle opposite to the vertex
 
-// A vertex in a group has at most so many triangles and neighbours. A leaf of 512 then has at most
-// 512 (1 + 63) = 2^15 positions, and 16 bits hold twice their number (4 / index_floats). One fan of 60
-// triangles has 61 neighbours; several have more.
+// Limits of triangles and neighbours of a vertex in a group. A leaf of 512 then has at most 512 (1 + 63) =
+// 2^15 positions, so 16 bits can store twice their number (4 / index_floats). One fan of 60 triangles has 61
+// neighbours; several fans have more.
 constexpr std::size_t most_valence = 60, most_neighbours = 63;
 
 // The opposite edges around a vertex, chained into fans.
@@ -76,7 +76,7 @@ public:
   void add(const Opposite& edge) { edges_.push_back(edge); }
   std::size_t size() const { return edges_.size(); }
 
-  // The vertices along the fans, `self` between them. Takes the edges.
+  // The vertices along the fans, separated by `self`. Consumes the edges.
   void chain(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     while (!edges_.empty()) {
@@ -90,7 +90,7 @@ public:
     }
   }
 
-  // The same, each triangle as a fan of its own: chaining is quadratic.
+  // The same with each triangle as a fan of its own, since chaining is quadratic.
   void list(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     for (const Opposite& edge : edges_) out.insert(out.end(), {edge[0], edge[1], self});
@@ -110,7 +110,7 @@ private:
     return i;
   }
 
-  // An edge that no other leads to, where a fan begins; any one of a closed ring.
+  // An edge without predecessor, where a fan begins; any edge of a closed ring.
   std::size_t start() const {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       std::size_t j = 0;
@@ -156,7 +156,7 @@ private:
     }
   }
 
-  // Number of a slot among the leaf's positions, that of a new ghost if it is seen for the first time.
+  // Index of a slot among the leaf's positions; adds a ghost on first use.
   std::uint32_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
     if (slot >= begin && slot < end) return static_cast<std::uint32_t>(slot - begin);
     if (local_[slot] == outside) {
@@ -194,7 +194,7 @@ private:
     rings_.lengths.push_back(static_cast<std::uint16_t>(length + (closed ? closed_ring : 0)));
   }
 
-  // Of the same length and ending where they began.
+  // True if all rings are closed and of equal length.
   bool are_closed() const {
     const std::size_t size = around_slot_[0].size();
     return size > 2 && std::all_of(around_slot_.begin(), around_slot_.end(), [=](const auto& around) {

@@ -1,4 +1,4 @@
-// The links of a frame, and what each has cost.
+// The links of a frame, and their times.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 
 namespace viete::deform {
 
-/// `fused` stands for blend, exp and apply where they are one pass, `skeleton` for the blend of the vertices
-/// that compressed weights interpolate; `triangle_maps` and `solve` are what stitching adds, all iterations
-/// in one; `probes` is their layer.
+/// `fused` is blend, exp and apply in one pass; `skeleton` the blend of the vertices that compressed weights
+/// interpolate; `triangle_maps` and `solve` belong to stitching and cover all iterations; `probes` is their
+/// layer.
 enum class Link { maps, log_maps, blend, exp, apply, skeleton, fused, triangle_maps, solve, probes, normals };
 inline constexpr std::size_t link_count = 11;
 std::string_view name(Link link);
@@ -21,7 +21,7 @@ struct LinkTimes {
   double& operator[](Link link) { return ms[static_cast<std::size_t>(link)]; }
   double operator[](Link link) const { return ms[static_cast<std::size_t>(link)]; }
   double total() const;
-  /// Those of another part of the same frame.
+  /// Adds the times of another part of the same frame.
   LinkTimes& operator+=(const LinkTimes& other);
 };
 

@@ -1,6 +1,6 @@
-// Shapes of one triangle mesh as vectors: the logs of its triangles' maps, which are added, scaled and
-// averaged, and the shape that follows given logs. Halfway to a half turn is a quarter turn there, where a
-// straight line would collapse.
+// Shapes of one triangle mesh as vectors: the logs of its triangles' maps, which can be added, scaled and
+// averaged, and the shape that fits given logs. The midpoint of a half turn is a quarter turn, where linear
+// interpolation would collapse.
 #pragma once
 
 #include <array>
@@ -21,62 +21,62 @@
 
 namespace viete::deform {
 
-/// A shape as a vector; rest is 0. Sums and multiples are taken number by number.
+/// A shape as a vector; rest is 0. Sums and multiples are componentwise.
 struct LogVector {
-  std::vector<std::array<double, 9>> logs;  ///< of each triangle: log of stretch (6), rotation vector (3)
+  std::vector<std::array<double, 9>> logs;  ///< per triangle: log of stretch (6), rotation vector (3)
   std::vector<Vec3>
-      leftovers;             ///< of each vertex: what the shape that follows the logs misses, but its place
-  std::vector<Vec3> ways;    ///< of each vertex: from rest
-  std::vector<Vec3> turns;   ///< of each part of a cage: its mean rotation vector; of other meshes none
-  std::vector<Vec3> wholes;  ///< of each turning part: the rotation vector that is not in its logs
-  /// A triangle whose log is far from its neighbours': by which share of it the rotation is fitted.
+      leftovers;             ///< per vertex: the error of the shape that fits the logs, without translation
+  std::vector<Vec3> ways;    ///< per vertex: displacement from rest
+  std::vector<Vec3> turns;   ///< per part of a cage: its mean rotation vector; empty for other meshes
+  std::vector<Vec3> wholes;  ///< per rotating part: the rotation vector that is not in its logs
+  /// A triangle whose log is far from its neighbours', and the share by which its rotation is refitted.
   struct Doubt {
     std::uint32_t triangle;
     double share;
   };
-  std::vector<Doubt> doubts;  ///< of triangles with area
+  std::vector<Doubt> doubts;  ///< only triangles with area
 };
 
-/// A share of a shape in a sum. The vector outlives it.
+/// A vector and its factor in a sum. The vector must outlive it.
 struct LogTerm {
   const LogVector* vector;
   double factor;
 };
 
-/// Takes logs of one mesh to shapes. Constant once it is made: thread-safe.
+/// Converts logs of one mesh to shapes. Constant after construction: thread-safe.
 ///
-/// Triangle t is to be mapped by M_t = exp(W) exp(Y_t) exp(X_t), W the whole turn of its part; positions p
+/// The target map of triangle t is M_t = exp(W) exp(Y_t) exp(X_t), W the whole turn of its part; positions p
 /// minimise
 ///
 ///     sum_t area_t |(grad p - M_t) T_t|^2,
 ///
 /// T_t projecting onto the triangle's plane at rest: a Poisson problem (Y. Yu et al., Mesh editing with
-/// Poisson-based gradient field manipulation, 2004), factored once. Vertices at the same place are one there.
-/// What p misses of a shape (triangles that collapse, mirror or have no area cannot be told by their logs) is
-/// part of its vector, so that a shape comes back as it was, up to rounding.
+/// Poisson-based gradient field manipulation, 2004), factored once. Vertices at the same place count as one.
+/// The difference between p and a shape (logs cannot represent triangles that collapse, mirror or have no
+/// area) is part of its vector, so that a shape is reproduced up to rounding.
 ///
-/// Then rotations that are doubtful are replaced, by a share, by those that fit the positions best, and these
-/// are solved for once more (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007): edges keep
-/// their blended lengths where neighbours turn much against each other.
+/// Doubtful rotations are then replaced, by a share, by those that best fit the positions, and these are
+/// solved for once more (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007): edges keep their
+/// blended lengths where neighbours rotate strongly against each other.
 ///
-/// That leaves one translation of each connected part: see Held.
+/// The translation of each connected part remains free: see Held.
 class LogSpace {
 public:
-  /// What it is made of; none of it is kept.
+  /// Input of the constructor; not stored.
   struct Mesh {
     std::span<const mesh::Point> positions;
     std::span<const mesh::Triangle> triangles;
-    std::span<const std::uint8_t> degenerate;  ///< 1: a triangle without area, which has no say
-    std::span<const std::uint32_t> parts;      ///< of each triangle, a place in LogVector::wholes
+    std::span<const std::uint8_t> degenerate;  ///< 1: a triangle without area, which is ignored
+    std::span<const std::uint32_t> parts;      ///< per triangle, an index of LogVector::wholes
     std::size_t part_count = 0;
   };
-  /// The buffers of a shape. For one thread at a time; after the first shape nothing is allocated.
+  /// The buffers of a shape. One per thread; after the first shape nothing is allocated.
   struct Work {
     std::vector<Vec3> pulls, right, ways, straight;
-    std::vector<Vec3> wholes;                // of the sum
-    std::vector<sym3::Mat3<double>> turned;  // by them; empty: none turns
-    std::vector<double> doubts;              // of the sum; of all triangles
-    std::vector<std::uint32_t> doubtful;     // which are not 0
+    std::vector<Vec3> wholes;                // whole turns of the sum
+    std::vector<sym3::Mat3<double>> turned;  // by them, per part; empty: no rotation
+    std::vector<double> doubts;              // doubts of the sum, per triangle
+    std::vector<std::uint32_t> doubtful;     // triangles with nonzero doubt
     std::vector<std::uint32_t> doubted;      // the places of their corners
     SparseCholesky::Workspace solve;
   };
@@ -89,36 +89,35 @@ public:
   const HangingParts& parts() const { return parts_; }
 
   LogVector at_rest() const;
-  /// Fills ways and leftovers of a vector that has logs and wholes.
+  /// Fills ways and leftovers of a vector that already has logs and wholes.
   void complete(std::span<const mesh::Point> positions, base::WorkerPool& pool, LogVector& vector) const;
 
-  /// Where the shape is held on the way that goes on from a shape by a sum of others; continuous in the
-  /// factors.
+  /// Anchors of the motion from a shape along a sum of others; continuous in the factors.
   Held held_from(const LogVector& from, std::span<const LogTerm> terms) const;
-  /// On the way from one shape to another.
+  /// Anchors of the motion from one shape to another.
   Held held_between(const LogVector& from, const LogVector& to) const;
 
   /// The shape of a sum; the same bits for any number of threads. positions.size() == rest().size().
   void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
-  /// The parts of shape(): work.ways become what follows the sum's logs, from rest, without leftovers; one
-  /// vertex of each part stays. `whole`: in place of the sum's whole turns.
+  /// A step of shape(): work.ways become the displacements from rest that fit the sum's logs, without
+  /// leftovers; one vertex of each part is fixed. `whole`: replaces the sum's whole turns.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// Again, with rotations replaced, by a share of 0 to 1, by those that fit work.ways best.
+  /// As follow(), with rotations replaced, by a share of 0 to 1, by those that best fit work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
-  /// work.ways become the solution of the Poisson problem for work.right, which is not 0 but at places; one
-  /// vertex of each part stays. Three columns at once.
+  /// work.ways become the solution of the Poisson problem for work.right, which must be 0 except at places;
+  /// one vertex of each part is fixed. Solves three columns at once.
   void solve(Work& work) const;
 
-  /// Triangles with area: their number, corners and halved cotangents, and which ones of the mesh.
+  /// Triangles with area: corners, half cotangents, and indices in the mesh.
   std::span<const mesh::Triangle> corners() const { return corners_; }
   std::span<const Vec3> cotangents() const { return cotangents_; }
   std::span<const std::uint32_t> triangles() const { return triangles_; }
   std::uint32_t place(std::uint32_t vertex) const { return places_[vertex]; }
 
-  /// The same with each vertex on its straight way.
+  /// The sum with each vertex on a straight line.
   void straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const;
 
 private:
@@ -148,18 +147,18 @@ private:
 
   std::vector<mesh::Point> rest_;
   std::size_t part_count_;
-  std::vector<std::uint32_t> index_of_;   // of each triangle with area its place in what follows
-  std::vector<std::uint32_t> triangles_;  // that have area
-  std::vector<mesh::Triangle> corners_;   // theirs
-  std::vector<mesh::Triangle> placed_;    // the places of these
-  std::vector<std::uint32_t> part_of_;    // theirs
-  std::vector<Vec3> cotangents_;          // theirs, halved, each of the side across from a corner
-  base::AlignedVector<double> sides_;     // theirs and those, block by block in planes: see PlaneKernel::pull
-  std::vector<std::uint32_t> places_;     // of each vertex the first that is at its place: the unknowns
-  mesh::Adjacency around_;                // 3 i + corner, of each place
+  std::vector<std::uint32_t> index_of_;   // per triangle with area: its index in the arrays below
+  std::vector<std::uint32_t> triangles_;  // triangles with area
+  std::vector<mesh::Triangle> corners_;   // corners of triangles_
+  std::vector<mesh::Triangle> placed_;    // corners_ as places
+  std::vector<std::uint32_t> part_of_;    // part of triangles_
+  std::vector<Vec3> cotangents_;       // half cotangents of triangles_, each of the edge opposite to a corner
+  base::AlignedVector<double> sides_;  // edges, then cotangents, by blocks in planes: PlaneKernel::pull
+  std::vector<std::uint32_t> places_;  // per vertex the first vertex at its place: the unknowns
+  mesh::Adjacency around_;             // 3 i + corner, for each place
   HangingParts parts_;
   std::vector<std::uint32_t> copies_;    // vertices that are not the first at their place
-  std::vector<std::uint32_t> grounded_;  // of each part a place that stays
+  std::vector<std::uint32_t> grounded_;  // per part one fixed place
   SparseCholesky factors_;
 };
 

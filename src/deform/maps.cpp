@@ -69,9 +69,9 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3&
 
 namespace {
 
-constexpr std::size_t portion = 64;  // elements, whose planes stay in the first cache
+constexpr std::size_t portion = 64;  // elements per portion; its planes fit the first-level cache
 
-/// N numbers each of a portion, a plane a number.
+/// N numbers per element of a portion, one plane per number.
 template <int N>
 struct Planes {
   alignas(64) double at[N][portion + 8];
@@ -129,9 +129,9 @@ void split_maps(std::span<const AffineMap> maps, std::span<const std::uint32_t> 
 
 namespace {
 
-constexpr double flatness_floor = 1e-3;   // of the element's largest stretch
-constexpr double size_floor = 1e-4;       // of the pose's mean stretch
-constexpr double smallest_floor = 1e-12;  // where the whole pose is one point
+constexpr double flatness_floor = 1e-3;   // relative to the element's largest stretch
+constexpr double size_floor = 1e-4;       // relative to the pose's mean stretch
+constexpr double smallest_floor = 1e-12;  // for a pose collapsed to one point
 
 double floor_of(double largest, double mean) {
   const double floor = std::max(flatness_floor * largest, size_floor * mean);
@@ -142,7 +142,7 @@ bool finite(const sym3::Mat3<double>& m) {
   return std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); });
 }
 
-// By its singular values. True if one was below the floor.
+// Splits by singular values. True if one was below the floor.
 bool split_collapsed(const AffineMap& map, double mean, MapSplit& split) {
   const bool usable = finite(map.linear);
   Polar p =
@@ -207,7 +207,7 @@ void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const
 
 namespace {
 
-constexpr double cloud_radius = 0.1;  // of the cage's edges
+constexpr double cloud_radius = 0.1;  // relative to the cage's edges
 
 }  // namespace
 

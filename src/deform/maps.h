@@ -38,17 +38,17 @@ inline sym3::Mat3<double> times(const sym3::Mat3<double>& a, const sym3::Mat3<do
 
 using sym3::full;
 
-/// The middle of a bounding box: of a rest cage, where poses have their origin too while they stay near.
+/// The middle of a bounding box; of the rest cage, it is also the origin of poses near rest.
 Vec3 middle(std::span<const mesh::Point> positions);
 
-/// What a pose's positions are taken relative to, so that blending them loses nothing when the pose is far
-/// from the origin of the axes: the middle of the rest cage, plus the way to the pose's middle in steps of
-/// about half the cage. A pose that is edited keeps its origin, but for large steps, and so what the edit
-/// does not reach keeps its bits.
+/// Origin of a pose's positions, chosen so that blending keeps precision for poses far from the coordinate
+/// origin: the middle of the rest cage, plus the translation to the pose's middle in steps of about half the
+/// cage. During editing the origin changes only for large steps, so vertices outside the edit's reach keep
+/// their bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
-/// What takes the basis at rest to u, v, n; near rest as I + (posed - rest) rest^-1, which is exactly I where
-/// nothing moved.
+/// The matrix from the basis at rest to u, v, n; near rest computed as I + (posed - rest) rest^-1, which is
+/// exactly I for an element that did not move.
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
 
 /// Centroid of an element at these positions, relative to origin.
@@ -56,22 +56,22 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
                     const Vec3& origin);
 
 /// linear = [u' v' n'][u v n]^-1 with u, v two edges and n = N / sqrt|N|, N = u x v. Reproduces similarities;
-/// exactly I for an element that did not move, and for degenerate rest elements. A posed element without area
-/// gives a matrix of rank 2 or less. Of these elements alone; the others' maps stay as they are. maps.size()
-/// == cage.element_count(), posed.size() == cage.surface.positions.size().
+/// exactly I for unmoved elements and for degenerate rest elements. A posed element without area gives a
+/// matrix of rank 2 or less. Writes only maps of `elements`. maps.size() == cage.element_count(),
+/// posed.size() == cage.surface.positions.size().
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<AffineMap> maps);
 
-/// linear = rotation * exp(stretch), rotation = exp(turn). What no other element has a say in.
+/// linear = rotation * exp(stretch), rotation = exp(turn). Depends on this element alone.
 struct MapSplit {
-  sym3::Mat3<double> rotation;  ///< the nearest one
-  sym3::Sym3<double> stretch;   ///< X = log S; usable where `least` is positive and no tiny part of `largest`
-  Vec3 turn;                    ///< |turn| <= pi
-  double least, largest;        ///< stretches; least < 0 where the map mirrors, NaN where it is not finite
+  sym3::Mat3<double> rotation;  ///< the nearest rotation
+  sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
+  Vec3 turn;                   ///< |turn| <= pi
+  double least, largest;       ///< stretches; least < 0 for a mirroring map, NaN for one that is not finite
 };
 
-/// Of these elements' maps, in double vector code; splits of the others stay as they are. Each depends on its
-/// own map alone, to the last bit. Error of rotation and stretch: sym3/polar.h, sym3/log.h.
+/// Splits maps of `elements` in double vector code; other splits stay. Each depends on its own map alone, to
+/// the last bit. Error of rotation and stretch: sym3/polar.h, sym3/log.h.
 void split_maps(std::span<const AffineMap> maps, std::span<const std::uint32_t> elements,
                 std::span<MapSplit> splits);
 
@@ -82,42 +82,42 @@ struct MapLog {
   Vec3 center;                 ///< posed centroid minus the pose's origin
 };
 
-/// In the order of LogVector::logs.
+/// The log in the layout of LogVector::logs.
 inline std::array<double, 9> numbers(const MapLog& log) {
   const auto& [x, y, center] = log;
   return {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz, y[0], y[1], y[2]};
 }
 
-/// What had to be decided: shown to the user, and carried to the next pose.
+/// Decisions made while taking logs: shown to the user, and passed to the next pose.
 struct LogReport {
-  std::vector<Vec3> turns;  ///< of each part of the cage, see Branches: pass as the next pose's `turns`
+  std::vector<Vec3> turns;  ///< per part of the cage, see Branches: pass as the next pose's `turns`
   std::vector<std::uint32_t> collapsed;  ///< maps, ascending, whose stretch was raised to the floor
-  /// Neighbouring maps whose rotations differ by more than 120 degrees, or whose logs by more than 180 (no
-  /// choice of branches is right around a ring of elements that turns once): between them the blend is
-  /// ambiguous.
+  /// Neighbouring maps whose rotations differ by more than 120 degrees, or whose logs by more than 180: the
+  /// blend between them is ambiguous. (No choice of branches is right around a ring of elements that turns
+  /// once.)
   std::vector<mesh::Edge> torn;
 };
 
-/// Geometric mean of the largest stretches of what is not skipped: what size a pose has as a whole.
+/// Geometric mean of the largest stretches of elements that are not skipped: the overall scale of a pose.
 double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const double> largest);
 
-/// Whether stretches, the least and the largest one of a map, are above the floors below. False for NaN.
+/// True if the least and the largest stretch of a map are above the floors below. False for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
-/// The split of a map that mirrors, collapses or is not finite, by SVD, its singular values raised to the
-/// floors below; that of others stays. True if one was below, or the map is not finite.
+/// Replaces the split of a map that mirrors, collapses or is not finite by its SVD with singular values
+/// raised to the floors below; leaves other splits. True if one was raised, or the map is not finite.
 bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
-/// Of each map, linear = R S: X = log S, Y = log R, from its split, and by SVD where it mirrors or nearly
+/// For each map, linear = R S: X = log S, Y = log R, from its split, or by SVD if it mirrors or nearly
 /// collapses. Singular values are raised to 1e-3 of the element's largest one and to 1e-4 of the pose's mean
 /// one: no element collapses fully. A mirrored map takes the closest proper rotation. A map that is not
 /// finite counts as collapsed, with the log of I.
 ///
-/// Branches of Y: choose_branches(). A pure function of its inputs; handing report.turns on follows a
-/// continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
+/// Branches of Y: choose_branches(). A pure function of its inputs; passing report.turns to the next call
+/// follows a continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
 ///
-/// The log itself has a limit: rotations near a whole turn other than 0 (|Y| about 360 degrees) have nearly
-/// arbitrary axes, so elements there that do not turn rigidly together blend badly; `torn` says so.
+/// Limitation: rotations near a nonzero whole turn (|Y| about 360 degrees) have nearly arbitrary axes, so
+/// elements there that do not rotate rigidly together blend badly; `torn` lists them.
 void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 

@@ -28,14 +28,14 @@ using ViewV = hn::Vec<ViewTag>;
 // the last by Cramer's rule, since c_i . u_j = 0 unless i = j, where it is the volume u_0 . c_0. A corner's
 // weight is the sum of the s_i of its triangles over its distance from p (Ju, Schaefer, Warren 2005).
 //
-// c_i, a_i / (2 |c_i|) and |c_i|^2 belong to an edge, not to a triangle, but for the sign of c_i, which the
-// other triangle has reversed: they are computed once an edge, all u_i once a corner.
+// c_i, a_i / (2 |c_i|) and |c_i|^2 depend only on the edge, except for the sign of c_i, which is opposite in
+// the other triangle: they are computed once per edge, and all u_i once per corner.
 
 constexpr double in_plane = 1e-8;  // sine of the angle below which p may count as lying in a triangle's plane
-constexpr double vanishing = 1e-9;  // of the sum of absolute weights
+constexpr double vanishing = 1e-9;  // relative to the sum of absolute weights
 constexpr double pi = 3.14159265358979323846;
 
-// x^-1/2 to an ulp or two, x from 1e-38 to 1e38: two steps of third order from the machine's estimate. A
+// x^-1/2 to one or two ulp, x from 1e-38 to 1e38: two third-order steps from the hardware estimate, in a
 // third of the time of a square root and a division.
 static HWY_INLINE ViewV inverse_root(ViewV x) {
   const ViewTag d;
@@ -49,8 +49,8 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// acos(c) / sqrt(1 - c^2) for c from 0 to 1, to 4e-17 but for rounding: its interpolation in Chebyshev's
-// points, in powers of 1 - c.
+// acos(c) / sqrt(1 - c^2) for c from 0 to 1, to 4e-17 before rounding: interpolated at Chebyshev points, as a
+// polynomial in 1 - c.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,
@@ -77,7 +77,7 @@ static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   return lanes::horner(d, powers, hn::Sub(hn::Set(d, 1.0), cosine));
 }
 
-// What eight points see of the cage: arrays of [bind_lanes] each.
+// The view of the cage from eight points: arrays of [bind_lanes] each.
 struct Seen {
   double* directions;  // [corner][x y z, inverse distance]
   double* edges;       // [edge][x y z of the cross product of its directions, half its angle over its sine,
@@ -110,7 +110,7 @@ static void see_corners(const MeanValueJob& job, std::size_t lane, const Seen& s
   }
 }
 
-// Angles beyond a right one are pi less those of the opposite direction: angle / sine = pi / sine -
+// Angles above 90 degrees are pi minus those of the opposite direction: angle / sine = pi / sine -
 // ratio(-cosine).
 static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& seen) {
   const ViewTag d;
@@ -133,8 +133,8 @@ static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& see
   }
 }
 
-// Splits the triangle's mean vector along the directions to its corners, as mean_value_weights() does where p
-// is not in its plane. Returns a mask of the lanes where it is, or may be.
+// Splits the triangle's mean vector along the directions to its corners, as mean_value_weights() does for p
+// off its plane. Returns a mask of the lanes in which p lies, or may lie, in the plane.
 static HWY_INLINE hn::Mask<ViewTag> add_triangle(const MeanValueTriangle& t, std::size_t lane,
                                                  const Seen& seen, double* weights) {
   const ViewTag d;

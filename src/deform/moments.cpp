@@ -34,7 +34,7 @@ void add_moment(double v, const Vec3& a, const Vec3& b, MomentMatrix& m) {
   }
 }
 
-// Of one vertex; rest lengths in l.
+// Means of one vertex; rest lengths in l.
 struct Means {
   double weight = 0;                   // sum of v
   Vec3 rest{0, 0, 0}, posed{0, 0, 0};  // m, m'

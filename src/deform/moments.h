@@ -1,6 +1,6 @@
-// Moving least squares: at every vertex the map that moves the cage's points most nearly as they do. S.
-// Schaefer, T. McPhail, J. Warren: Image Deformation Using Moving Least Squares, 2006; in space Y. Zhu, S.
-// Gortler: 3D Deformation Using Moving Least Squares, 2007.
+// Moving least squares: at every vertex the map that best fits the motion of the cage's points. S. Schaefer,
+// T. McPhail, J. Warren: Image Deformation Using Moving Least Squares, 2006; in space Y. Zhu, S. Gortler: 3D
+// Deformation Using Moving Least Squares, 2007.
 #pragma once
 
 #include <cstddef>
@@ -21,33 +21,32 @@ namespace viete::deform {
 ///
 /// `affine`: M = B K^-1; `rigid`: M = R, the rotation nearest to B, of B = R S; `similar`: M = R tr S / tr K.
 ///
-/// Of the paper are the first terms. They vanish where one point has all the weight, and lack directions
-/// where the points that count lie in a plane: there M would be anything. So every point takes with it a
-/// little of what is about it, the map A of its patch (patch_maps.h), as if it were a cloud of radius l, 10 %
-/// of the cage's edges. K then is never singular, and nothing that the paper's maps reproduce is lost:
-/// `affine` follows affine poses of the cage exactly (where the cage is flat, similarities), the others
-/// similarities.
+/// The paper has only the first terms. They vanish if one point has all the weight, and are rank-deficient if
+/// the weighted points lie in a plane: M would be undetermined. Therefore every point also contributes the
+/// map A of its patch (patch_maps.h), like a cloud of points of radius l, 10 % of the cage's edges. K is then
+/// never singular, and everything that the paper's maps reproduce is still reproduced: `affine` follows
+/// affine poses of the cage exactly (similarities if the cage is flat), the others similarities.
 ///
-/// Weights below 0 (biharmonic ones) move the means of x' alone: in K they could cancel others.
+/// Negative (biharmonic) weights affect only the means of x': in K they could cancel others.
 ///
-/// Positions of the vertices [begin, end) of a binding for the staged engine, all links at once, in double.
-/// Each is computed by itself. Of its way from rest a vertex goes its share. The form of the rows must be one
-/// of moments. ways, of all vertices: how far their shapes are from rest; empty: at rest.
+/// Computes positions of the vertices [begin, end) of a binding for the staged engine, all links at once, in
+/// double, each independently. Displacements are scaled by the shares. The form of the rows must be one of
+/// moments. ways: displacements of all vertices' shapes from rest; empty: at rest.
 void place_by_moments(const Binding& binding, const Shares& shares, const Rows& rows,
                       std::span<const Vec3> ways, std::size_t begin, std::size_t end,
                       std::span<mesh::Point> positions);
 
-/// What the fused frame knows of a vertex at rest. It sums B' = sum v p' (p - n)^T + l^2 sum v A about a
-/// fixed point n next to m, so that nothing cancels; what the rounding of n leaves, B' - B = m' s^T with s =
-/// sum v (p - n), is small enough to take sum w p' for m'.
+/// Per-vertex rest data of the fused frame. It sums B' = sum v p' (p - n)^T + l^2 sum v A about a fixed point
+/// n next to m, which avoids cancellation; the remainder from rounding n, B' - B = m' s^T with s = sum v (p -
+/// n), is so small that sum w p' can replace m'.
 struct RestMoment {
   Vec3 dual;     ///< K^-1 (x - sum w p), times l
   double scale;  ///< l / tr K, times the unit of the frame's positions
 };
 
-/// moments: sum v ((p - p0)(p - n)^T + l^2 I) by rows, of any p0, as the frame sums them: where it rounds
-/// p in the second factor so do these, and are not quite symmetric; sum: s; weight: sum v; shift: n - p0;
-/// offset: x - sum w p. All lengths in l, and the frame's unit too. 0 without weights, whose vertex stays.
+/// moments: sum v ((p - p0)(p - n)^T + l^2 I) by rows, for any p0, summed like the frame: rounded in the
+/// second factor likewise, and therefore not quite symmetric; sum: s; weight: sum v; shift: n - p0; offset: x
+/// - sum w p. All lengths in l, including the frame's unit. 0 without weights; such a vertex stays.
 RestMoment rest_moment(const sym3::Mat3<double>& moments, const Vec3& sum, double weight, const Vec3& shift,
                        const Vec3& offset, double unit);
 

@@ -1,8 +1,8 @@
 // Moving least squares in vector registers: from weights and rows of moments to positions; included by
 // frame_kernel.cpp for each instruction set. Internal. (No #pragma once: see sym3/exp-inl.h.)
 //
-// Sums are formed in float about a point near each vertex's mean of points, so that nothing cancels; maps are
-// made of them in double, where a plane or a line of points costs digits.
+// Sums are formed in float about a point near each vertex's mean of points, which avoids cancellation; maps
+// are computed from them in double, since nearly flat or collinear points lose digits.
 #if defined(VIETE_DEFORM_MOMENTS_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_MOMENTS_KERNEL_INL_H
 #undef VIETE_DEFORM_MOMENTS_KERNEL_INL_H
@@ -20,7 +20,7 @@ namespace viete::deform::HWY_NAMESPACE {
 // B' by rows, and p'*.
 inline constexpr std::size_t moment_sums = 12, line_lanes = tile_lanes<float>;
 
-// Of the lanes of one vector, from their base on.
+// Adds the moments of one vector of lanes.
 template <bool Listed, class V>
 static HWY_INLINE void add_moments(const TileRun<float>& run, std::size_t group, V (&s)[moment_sums]) {
   const Tag<float> d;
@@ -64,8 +64,7 @@ static void sum_moments(const TileRun<float>& run, float* sums) {
   }
 }
 
-// What the map of a vertex is made of; `dual` and `scale` as in RestMoment, the rotation nearest to b where
-// that is asked for.
+// Input of a vertex's map; `dual` and `scale` as in RestMoment, and the rotation nearest to b if needed.
 template <class V>
 struct FitInput {
   lanes::Nine<V> b, rotation;
@@ -80,7 +79,7 @@ static HWY_INLINE lanes::Three<V> times(const lanes::Nine<V>& m, const lanes::Th
           lanes::sum_of_products(m.zx, u.x, m.zy, u.y, m.zz, u.z)};
 }
 
-// M o of each form.
+// M o for each form.
 struct AffineFit {
   static constexpr bool rotates = false;
   template <class V>
@@ -111,7 +110,7 @@ struct SimilarFit {
   }
 };
 
-// The rotation nearest to m where that is not nearly certain, one lane after the other.
+// The rotation nearest to m in lanes where the fast result is not certain, one lane after the other.
 template <class D, class V>
 static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<D> certain,
                                          lanes::Nine<V>& r) {
@@ -122,12 +121,12 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
   r = {out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8]};
 }
 
-// How many vectors of doubles are fitted at once: their divisions hide each other's latency.
+// Vectors of doubles fitted at once, to hide the latency of divisions.
 inline constexpr int fits_at_once = 2;
 
-// Of M = R S the cofactors are R cof S, so M + a cof M has the same nearest rotation. Where the points lie
-// along a line, S has two small stretches and cof S two large ones, and with a = |M| / |cof M| both together
-// tell R well. (Of 0, as without weights, I is.)
+// The cofactors of M = R S are R cof S, so M + a cof M has the same nearest rotation. For points along a
+// line, S has two small stretches and cof S two large ones; with a = |M| / |cof M| the sum determines R well.
+// (M = 0, for example without weights, gives I.)
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);
@@ -152,7 +151,7 @@ static HWY_INLINE void find_rotations(D d, FitInput<V> (&in)[fits_at_once]) {
   }
 }
 
-// Lines of floats of one tile as vectors of doubles, from a lane on.
+// Lines of floats of one tile as vectors of doubles, starting at a lane.
 struct TileLanes {
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
@@ -171,7 +170,7 @@ struct TileLanes {
   }
 };
 
-// B of B' and its correction.
+// B from B' and its correction.
 template <class V>
 static HWY_INLINE lanes::Nine<V> about_mean(const TileLanes& at, const float* sums,
                                             const lanes::Three<V>& center, const lanes::Three<V>& sum) {
@@ -211,7 +210,7 @@ static HWY_INLINE Vector3<float> load_moved(const float* moved, std::size_t grou
   return {hn::Load(d, at), hn::Load(d, at + line_lanes), hn::Load(d, at + 2 * line_lanes)};
 }
 
-// Of its way from rest each vertex goes its share.
+// Scales each vertex's displacement from rest by its share.
 static HWY_INLINE void keep_shares(const float* shares, const float* rest, float* moved) {
   const Tag<float> d;
   for (std::size_t lane = 0; lane < line_lanes; lane += hn::Lanes(d)) {

@@ -15,11 +15,11 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // of the size
-constexpr double farther = 4;                                         // than the nearest part
+constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // relative to the size
+constexpr double farther = 4;  // relative to the distance of the nearest part
 constexpr std::size_t most_parts = 6;
-constexpr double corner_will_do = 0.003;  // of the size
-// Chosen by how far models of 2 to 30,000 parts come apart in bends, drags and twists (bench modes, torn).
+constexpr double corner_will_do = 0.003;  // relative to the size
+// Chosen by the gaps that models of 2 to 30,000 parts open in bends, drags and twists (bench modes, torn).
 constexpr double of_filled_gap = 2;
 
 struct Neighbour {
@@ -28,7 +28,7 @@ struct Neighbour {
   double squared_distance;
 };
 
-/// Finds the points that lie near a vertex and are not joined to it.
+/// Finds points near a vertex that are not joined to it.
 class Neighbours {
 public:
   Neighbours(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::vector<std::uint32_t> used)
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  // The nearest of each part, nearest first.
+  // The nearest point of each part, sorted by distance.
   std::vector<Neighbour> in_other_parts(std::uint32_t vertex) const {
     const mesh::Point& p = positions_[vertex];
     std::vector<Neighbour> found;
@@ -68,7 +68,7 @@ private:
     });
     return found;
   }
-  // Fewer entries in the matrix, and vertices of layers that match stay opposite each other.
+  // Snapping to corners keeps the matrix sparser, and matching vertices of layers opposite each other.
   void take_corner(Neighbour& n) const {
     const auto& [a, b, c] = n.triangle;
     const mesh::Point point =
@@ -79,7 +79,7 @@ private:
     n.shares = {0, 0, 0};
     n.shares[k] = 1;
   }
-  // A vertex of its own part to which no short path leads.
+  // A near vertex of its own part without a short path to it.
   std::optional<Neighbour> nearest_fold(std::uint32_t vertex) const {
     std::optional<Neighbour> nearest;
     vertex_tree_.for_within(positions_[vertex], touching * size_, [&](std::uint32_t b) {
@@ -97,7 +97,7 @@ private:
   double size_;
   std::vector<mesh::Triangle> triangles_;
   mesh::PointTree vertex_tree_;
-  std::optional<mesh::TriangleTree> triangle_tree_;  // if there are several parts
+  std::optional<mesh::TriangleTree> triangle_tree_;  // only for several parts
 };
 
 double area_of(const mesh::Surface& surface) {

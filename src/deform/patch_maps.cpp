@@ -16,14 +16,12 @@ namespace {
 
 using Symmetric = sym3::Sym3<double>;
 
-constexpr double width_of_fit = 0.03;  // e, of the cage's size
-constexpr double least_spread = 0.1;   // of the largest singular value
-constexpr double flat_spread = 1e-3;   // below it a patch lies in a plane
+constexpr double width_of_fit = 0.03;  // e, relative to the cage's size
+constexpr double least_spread = 0.1;   // relative to the largest singular value
+constexpr double flat_spread = 1e-3;   // below it a patch counts as flat
 constexpr std::size_t most_vertices = 256;
-constexpr double least_area = 1e-9;       // of a sum of areas: what is less has cancelled
-constexpr std::size_t most_corners = 16;  // of a polygon all of whose corners are neighbours
-
-// Sums of w x x^T, lengths in sizes of the cage.
+constexpr double least_area = 1e-9;  // relative to the sum of areas: smaller sums are cancellation errors
+constexpr std::size_t most_corners = 16;  // in polygons whose corners are all neighbours
 struct Spread {
   Symmetric k{0, 0, 0, 0, 0, 0};
 
@@ -31,7 +29,7 @@ struct Spread {
     k.xx += w * x[0] * x[0], k.xy += w * x[0] * x[1], k.xz += w * x[0] * x[2];
     k.yy += w * x[1] * x[1], k.yz += w * x[1] * x[2], k.zz += w * x[2] * x[2];
   }
-  // Of the largest singular value of the points the least is this part.
+  // Ratio of the points' least to largest singular value.
   double ratio() const {
     const auto squares = sorted();
     return squares[2] > 0 ? std::sqrt(std::max(squares[0], 0.0) / squares[2]) : 0;
@@ -46,7 +44,7 @@ private:
   }
 };
 
-// By cofactors: the condition is that of the spread, squared.
+// By cofactors: the condition number is that of the spread, squared.
 Symmetric inverse(const Symmetric& m) {
   const Symmetric c{m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
                     m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
@@ -58,7 +56,7 @@ void add_pair(std::vector<mesh::Edge>& pairs, std::uint32_t a, std::uint32_t b) 
   if (a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
 }
 
-// Vertices of the cage are neighbours that share a polygon (of more than 16 corners, an edge of it), or a
+// Vertices of the cage are neighbours if they share a polygon (for more than 16 corners, an edge of it), or a
 // place.
 mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   const mesh::Surface& surface = cage.surface;
@@ -77,7 +75,7 @@ mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   return mesh::adjacency(surface.positions.size(), without_skipped(std::move(pairs), cage.unused));
 }
 
-// Makes the patches one after the other; vertices are marked by the patch that saw them last.
+// Builds the patches in order; each vertex is marked with the last patch that visited it.
 class PatchMaker {
 public:
   PatchMaker(const Cage& cage, double size, const std::vector<Vec3>& rest_normals)
@@ -156,7 +154,7 @@ private:
   mesh::Adjacency around_;
   std::vector<std::uint32_t> seen_;
   VertexPatches::Patches patches_;
-  // Of the patch that is being made:
+  // State of the current patch:
   std::uint32_t patch_ = 0;
   std::vector<std::uint32_t> vertices_;
   Spread spread_;
@@ -171,7 +169,7 @@ VertexPatches::VertexPatches(const Cage& cage, double size)
   patches_ = PatchMaker(cage, size, rest_normals_).make();
 }
 
-// The sum of the areas around a vertex, as long as its root; 0 where they cancel.
+// The summed area vector around a vertex, scaled to the square root of its length; 0 if areas cancel.
 Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at) const {
   Vec3 sum{0, 0, 0};
   double total = 0;
@@ -184,7 +182,7 @@ Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at
   return norm(sum) > least_area * total ? side_along(sum) : Vec3{0, 0, 0};
 }
 
-// Near rest by how far vertices moved, the whole pose aside: exactly I where none did.
+// Near rest, uses the displacements of the vertices: exactly I if none moved.
 void VertexPatches::compute(std::span<const mesh::Point> posed, const Vec3& origin,
                             std::span<const std::uint32_t> which, std::span<AffineMap> maps) const {
   const auto& rest = cage_.surface.positions;

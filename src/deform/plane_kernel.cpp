@@ -30,7 +30,7 @@ static HWY_INLINE void put(V v, Plane& plane, std::size_t i) {
   hn::Store(v, Tag(), plane + i);
 }
 
-// a x + b y + c z, rounded as it is written.
+// a x + b y + c z, rounded in the written order.
 static HWY_INLINE V sum(V a, V x, V b, V y, V c, V z) {
   return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), hn::Mul(c, z));
 }
@@ -120,7 +120,7 @@ static HWY_INLINE Vector sum(V a, const Vector& x, V b, const Vector& y, V c, co
           lanes::sum_of_products(a, x.z, b, y.z, c, z.z)};
 }
 
-// What a map makes of two directions.
+// Stores the images of two directions.
 static HWY_INLINE void put(const Vector& u, const Vector& v, V (&six)[6]) {
   six[0] = u.x, six[1] = u.y, six[2] = u.z, six[3] = v.x, six[4] = v.y, six[5] = v.z;
 }
@@ -144,7 +144,7 @@ static HWY_INLINE void put_left_jacobian(const Vector& w, const lanes::HalfAngle
   j[2] = {hn::MulAdd(qx, w.z, py), hn::MulSub(qy, w.z, px), hn::MulAdd(hn::Mul(q, w.z), w.z, rest)};
 }
 
-// exp'(S) of the six directions in which one number is 1.
+// exp'(S) for the six directions with a single entry 1.
 static HWY_INLINE void put_slopes(const lanes::ExpPoint<Tag>& at, lanes::Six<V> (&slopes)[6]) {
   if (HWY_LIKELY(hn::AllTrue(Tag(), at.ok))) return lanes::put_exp_tangent(Tag(), at.parts, slopes);
   const V o = hn::Zero(Tag()), i = hn::Set(Tag(), 1);
@@ -153,8 +153,8 @@ static HWY_INLINE void put_slopes(const lanes::ExpPoint<Tag>& at, lanes::Six<V> 
   for (std::size_t k = 0; k < 6; ++k) slopes[k] = lanes::exp_derivative_general(Tag(), at, directions[k]);
 }
 
-// What exp(Y) exp(X) makes of two directions, and the tangent of that:
-// d(exp(Y) exp(X)) = exp(Y) dexp(X) + [J dY]x exp(Y) exp(X). X is in the axes u, v, u x v.
+// The images of two directions under exp(Y) exp(X), and their tangents: d(exp(Y) exp(X)) = exp(Y) dexp(X) +
+// [J dY]x exp(Y) exp(X). X is in the axes u, v, u x v.
 static HWY_INLINE void put_tangent(const V (&log)[9], const Vector& u, const Vector& v, V (&map)[6],
                                    V (&tangent)[9][6]) {
   const Vector y{log[6], log[7], log[8]};
@@ -200,7 +200,7 @@ static void derive(const double* group, const double* weights, std::size_t count
   }
 }
 
-// Of one map's planes, and of N columns.
+// Products of one map's planes with N columns.
 template <std::size_t N>
 static HWY_INLINE void add_products_of(const double* m, const double* columns, double* sums) {
   for (std::size_t l = 0; l < group_size; l += width) {

@@ -12,10 +12,10 @@ namespace viete::deform {
 namespace {
 
 constexpr double least_near =
-    1.0 / 512;  // the cage's diagonal being 1: floats of coordinates are a leaf's size
+    1.0 / 512;  // in diagonals of the cage: float coordinates have the size of a leaf
 
-// v without its part along the unit vector, as a unit vector, at a right angle to it to the last bits; 0 if
-// rounding is all that is left.
+// v minus its component along the unit vector, normalised, orthogonal to the last bits; 0 if only rounding
+// errors remain.
 Vec3 unit_across(const Vec3& v, const Vec3& unit) {
   const Vec3 across = v - dot(v, unit) * unit;
   if (!(largest_abs(across) > 1e-14 * largest_abs(v))) return {0, 0, 0};
@@ -32,7 +32,7 @@ Vec3 any_across(const Vec3& unit) {
   return unit_across(axis, unit);
 }
 
-// Of an edge from (x, y) on in the triangle's coordinates: the affine functions along it and to its left, and
+// For an edge from (x, y) in the triangle's coordinates: the affine functions along it and to its left, and
 // its length.
 void set_edge(double x, double y, double dx, double dy, double* along, double* inward, double& length) {
   const double size = std::max(std::abs(dx), std::abs(dy));
@@ -43,7 +43,7 @@ void set_edge(double x, double y, double dx, double dy, double* along, double* i
   std::copy_n(to_inward, 3, inward);
 }
 
-// x along the longest edge, which is from a to b, and z across the triangle.
+// Axes with x along the longest edge, from a to b, and z along the normal.
 DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
   DistanceTriangle<double> t{};
   const double size = largest_abs(b - a);
@@ -156,8 +156,8 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 namespace {
 
 constexpr double in_plane = 1e-8;  // sine of the angle below which p may count as lying in a triangle's plane
-constexpr double negligible = 1e-14;  // of a mean vector, off that plane
-constexpr double vanishing = 1e-9;    // of the sum of absolute weights
+constexpr double negligible = 1e-14;  // relative to a mean vector, off that plane
+constexpr double vanishing = 1e-9;    // relative to the sum of absolute weights
 
 // A triangle seen from p: directions to its corners, and the cross products of opposite pairs.
 struct View {
@@ -193,15 +193,14 @@ Vec3 mean_vector(const View& v) {
   return m;
 }
 
-// The corner whose opposite edge is seen widest.
+// The corner with the widest opposite edge as seen from p.
 int widest(const View& v) {
   const int i = v.sine[0] >= v.sine[1] ? 0 : 1;
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
 
 // Coefficients of m along u[0], u[1], u[2]. Seen edge-on from outside the three are nearly dependent, and m
-// lies in their plane up to a term of second order: then the two most independent ones are used, or the
-// answer would be noise.
+// lies in their plane up to a second-order term; the two most independent ones are used then, to avoid noise.
 Vec3 along_corners(const View& v, const Vec3& m) {
   const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};

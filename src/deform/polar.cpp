@@ -10,7 +10,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// Of a matrix that is not finite Eigen computes nothing.
+// Result for a matrix that is not finite, which Eigen does not process.
 Polar not_a_number() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Polar result;

@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
   return begin == std::string_view::npos ? "" : text.substr(begin);
 }
 
-// Takes a number off the front of the text.
+// Parses and removes a leading number of the text.
 template <class Number>
 bool take(std::string_view& text, Number& value) {
   text = trimmed(text);
@@ -40,7 +40,7 @@ bool take_word(std::string_view& text, std::string_view word) {
   return true;
 }
 
-// One line `viete turns: part 0: x y z`; false if it says something else.
+// Parses a line `viete turns: part 0: x y z`; false for any other text.
 bool read_turn(std::string_view line, std::vector<Vec3>& turns) {
   std::size_t part = 0;
   Vec3 v{};
@@ -61,7 +61,7 @@ std::vector<Vec3> read_turns(const std::vector<std::string>& comments, const Cag
       any = true;
     } else {
       warnings.push_back(
-          file + ": this line on turns does not fit the cage and was left out: " + comment.substr(0, 80));
+          file + ": this line of rotations does not fit the cage and was skipped: " + comment.substr(0, 80));
     }
   }
   return any ? turns : std::vector<Vec3>{};
@@ -80,24 +80,24 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
   if (count == 0) return;
   warnings.push_back(file + ": " + std::to_string(count) + " of " + std::to_string(cage.element_count()) +
                      " cage triangles have no area in this pose (the first is " + std::to_string(first) +
-                     "); their stretch is kept above a floor");
+                     "); a minimum stretch is used");
 }
 
 void check_count(std::size_t found, std::size_t expected, const std::string& file) {
   if (found == expected) return;
   throw base::Error(
       file, "the pose has " + std::to_string(found) + " vertices, the cage has " + std::to_string(expected),
-      "choose a pose that was made from this cage");
+      "choose a pose made from this cage");
 }
 
-// Its reader joins loose triangles, so that vertices stand in the order in which the faces name them first:
-// the cage's only where the faces come out the same.
+// The STL reader welds loose triangles, so vertices are in the order of their first use by faces: the cage's
+// order only if the faces match.
 void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::string& file) {
   const mesh::Format* format = mesh::format_of_description(read.format);
   if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;
   throw base::Error(file,
                     std::string(format->name) +
-                        " keeps no order of the vertices, so that those of the cage are not found again",
+                        " keeps no order of the vertices, so that they cannot be matched to the cage",
                     "export the pose as " + mesh::format_names(mesh::keeps_order));
 }
 

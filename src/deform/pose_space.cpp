@@ -10,7 +10,7 @@ namespace viete::deform {
 
 namespace {
 
-// Radians that the mean of a part's logs is from its turns, at most, where these are what the logs tell.
+// Radians between the mean of a part's logs and its turns, up to which logs represent the turns.
 constexpr double tells_turns = 0.5;
 
 LogSpace logs_of(const Cage& cage) {
@@ -23,7 +23,7 @@ LogSpace logs_of(const Cage& cage) {
 
 PoseSpace::PoseSpace(std::shared_ptr<const Cage> cage) : cage_(std::move(cage)), logs_(logs_of(*cage_)) {}
 
-// Whole turns that the logs of a part do not tell; its logs become those without them.
+// Extracts whole turns that the logs of a part cannot represent; its logs become those without them.
 std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::span<const MapSplit> splits,
                                          const LogReport& report, std::vector<MapLog>& logs) const {
   std::vector<Vec3> wholes(report.turns.size()), sums(wholes.size() + 1);

@@ -1,4 +1,4 @@
-// Poses of a cage as vectors, and back: shapes whose parts remember how often they turned.
+// Poses of a cage as vectors, and back, with the whole turns of each part.
 #pragma once
 
 #include <memory>
@@ -11,24 +11,23 @@
 
 namespace viete::deform {
 
-/// Takes poses of one cage to vectors and back, by its triangles, whatever elements the model is bound with.
-/// The whole turns of a vector are those that its logs cannot tell, which are about another axis than the one
-/// that a part is turned about: see choose_branches(). Constant once it is made: thread-safe.
+/// Converts poses of one cage to vectors and back. Uses the cage's triangles for any kind of bound elements.
+/// The whole turns of a vector are those that its logs cannot represent: turns about another axis than that
+/// of the part's rotation, see choose_branches(). Constant after construction: thread-safe.
 class PoseSpace {
 public:
   /// Throws base::Error: see LogSpace.
   explicit PoseSpace(std::shared_ptr<const Cage> cage);
 
   const Cage& cage() const { return *cage_; }
-  /// Sums, and where a pose is held on its way.
+  /// Sums, and the anchors of a moving pose.
   const LogSpace& logs() const { return logs_; }
-  /// Of whole turns those that the pose has, or, if it says nothing of them, those nearest to `turns_before`,
-  /// as of the pose that came before it (missing: 0). Throws base::Error if the pose has not one position per
-  /// vertex.
+  /// Takes the whole turns of the pose or, if it has none, those nearest to `turns_before`, the turns of the
+  /// preceding pose (missing: 0). Throws base::Error unless the pose has one position per vertex.
   LogVector vector(const Pose& pose, std::span<const Vec3> turns_before = {}) const;
   /// The pose of a sum of vectors.
   Pose pose(std::span<const LogTerm> terms, const Held& held) const;
-  /// The same with each vertex on its straight way.
+  /// The same sum with each vertex on a straight line.
   Pose straight(std::span<const LogTerm> terms) const;
 
 private:

@@ -14,38 +14,33 @@ namespace viete::deform {
 namespace {
 
 constexpr FalloffEntry falloffs[] = {
-    {{"smooth", "Smooth", "Full near the probe, and smoothly less to the end of the radius"},
-     Falloff::smooth},
-    {{"round", "Round", "Like a ball: much of it nearly up to the radius"}, Falloff::round},
-    {{"linear", "Linear", "Evenly less to the end of the radius"}, Falloff::linear},
-    {{"sharp", "Sharp", "A peak: most of it close to the probe"}, Falloff::sharp},
-    {{"even", "Even", "All of it, up to the radius, where it ends at once"}, Falloff::even},
-    {{"endless", "Endless", "A half at the radius, and less without end"}, Falloff::endless},
-    {{"none", "Off", "Nothing of it"}, Falloff::none},
+    {{"smooth", "Smooth", "Smooth falloff from the probe to the radius"}, Falloff::smooth},
+    {{"round", "Round", "Round falloff, strong almost up to the radius"}, Falloff::round},
+    {{"linear", "Linear", "Linear falloff to the radius"}, Falloff::linear},
+    {{"sharp", "Sharp", "Sharp falloff, strong only close to the probe"}, Falloff::sharp},
+    {{"even", "Even", "Constant up to the radius, zero beyond"}, Falloff::even},
+    {{"endless", "Endless", "Unlimited falloff, one half at the radius"}, Falloff::endless},
+    {{"none", "Off", "No influence"}, Falloff::none},
 };
 
 constexpr ProbeMixEntry mixes[] = {
     {{"added", "Added",
-      "Each adds what it does: one that was not moved changes nothing, and two that move together move twice "
-      "as far"},
+      "Adds the effects of all probes. Unmoved probes have no effect; two moved together count twice"},
      ProbeMix::added},
     {{"partial", "Divided",
-      "Where the weights of several probes sum to more than one they are divided by their sum: two that move "
-      "together move once"},
+      "Divides weights by their sum where it exceeds one. Two probes moved together count once"},
      ProbeMix::partial},
     {{"whole", "Whole",
-      "Weights sum to one where any probe reaches, and end at once where none does: one that was not moved "
-      "holds what is near it"},
+      "Normalises weights to one within reach of any probe. Unmoved probes keep their neighbourhood at rest"},
      ProbeMix::whole},
     {{"softmax", "Nearest",
-      "The softmax of the weights, which end at once where no probe reaches: the one that is nearest has "
-      "nearly all of it"},
+      "Takes the softmax of the weights within reach of any probe. The nearest probe dominates"},
      ProbeMix::softmax},
 };
 
 constexpr std::array parts = {&ProbeWeights::turn, &ProbeWeights::stretch, &ProbeWeights::move};
 
-// Over their sum: always, or only where that is above 1.
+// Divides by the sum: always, or only if that is above 1.
 void share_out(std::span<ProbeWeights> weights, double ProbeWeights::*part, bool always) {
   double sum = 0;
   for (const auto& w : weights) sum += w.*part;
@@ -93,7 +88,7 @@ sym3::Mat3<double> linear_part(const ProbePose& pose) {
   return times(sym3::exp_rotation(pose.turn), full(sym3::exp(pose.stretch)));
 }
 
-// In steps: which branch of the log a long turn leads to, small ones say.
+// In small steps, so that the branch of the log follows long turns.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians) {
   constexpr double largest_step = 1.5;
   ProbePose result = pose;
@@ -136,7 +131,7 @@ void probe_weights(const Probes& probes, const mesh::Point& point, std::span<Pro
   share_out(weights, &ProbeWeights::pivot, true);
 }
 
-// The reflection F maps R to F R F: the axis of a turn is reflected and its sense changes.
+// A reflection F maps R to F R F: the rotation axis is reflected and its direction reversed.
 Probe mirrored(const Probe& probe, int axis, double at) {
   const auto a = static_cast<std::size_t>(axis);
   Probe result = probe;

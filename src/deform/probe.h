@@ -1,4 +1,4 @@
-// Probes: frames on a model or beside it that move, turn and stretch what is near them.
+// Probes: frames on or near a model that move, rotate and stretch their surroundings.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace viete::deform {
 
-/// How much of a probe's motion a vertex makes, by its distance in radii, at rest.
+/// Weight of a probe's motion at a vertex by its rest distance in radii.
 enum class Falloff { smooth, round, linear, sharp, even, endless, none };
 
-/// How several probes share a vertex.
+/// How the weights of several probes at a vertex are combined.
 enum class ProbeMix { added, partial, whole, softmax };
 
 struct FalloffEntry : ChoiceEntry {
@@ -30,18 +30,18 @@ std::span<const ProbeMixEntry> all_probe_mixes();
 const FalloffEntry& entry(Falloff falloff);
 const ProbeMixEntry& entry(ProbeMix mix);
 
-/// At a distance of so many radii: 1 at 0, never rising, 0 from 1 on unless it is endless.
+/// Weight at a distance in radii: 1 at 0, decreasing, 0 from 1 on unless the falloff is endless.
 double weight_at(Falloff falloff, double radii);
 
-/// Where one part of a probe's motion acts.
+/// The range of one part of a probe's motion.
 struct Influence {
   Falloff falloff = Falloff::smooth;
-  double radius = 1;  ///< in the file's unit; above 0
+  double radius = 1;  ///< in the file's unit; positive
 
   friend bool operator==(const Influence&, const Influence&) = default;
 };
 
-/// What a probe has done since its rest: y = place + exp(Y) exp(X) (x - place) + move. All 0: nothing.
+/// The probe's motion from rest: y = place + exp(Y) exp(X) (x - place) + move. All 0: identity.
 struct ProbePose {
   Vec3 turn{0, 0, 0};            ///< Y as a rotation vector, any number of turns
   sym3::Sym3<double> stretch{};  ///< X = log S
@@ -50,20 +50,20 @@ struct ProbePose {
   friend bool operator==(const ProbePose& a, const ProbePose& b);
 };
 
-/// The same, then turned about the probe's own place by so many radians, however many turns; axis of length
-/// 1, not necessarily that of its own turn.
+/// The pose rotated further about the probe's place by any angle in radians; axis must have length 1 and may
+/// differ from that of the pose's own turn.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians);
-/// The same, then scaled along the file's axes. It neither mirrors nor collapses: factors below
-/// least_factor become that.
+/// The pose scaled along the file's axes. Factors below least_factor are raised to it, so the result neither
+/// mirrors nor collapses.
 inline constexpr double least_factor = 1e-3;
 ProbePose scaled(const ProbePose& pose, const Vec3& factors);
 /// exp(Y) exp(X), by rows.
 sym3::Mat3<double> linear_part(const ProbePose& pose);
 
-/// A vertex that the shape of the model is brought to where the probe has moved, see ExamplePosing.
+/// A constraint that moves a vertex of the shape to the probe's position, see ExamplePosing.
 struct Pin {
   std::uint32_t vertex;
-  bool pulls = false;  ///< towards that place; else it holds there
+  bool pulls = false;  ///< true: a soft pull towards the position; false: a hard constraint
 
   friend bool operator==(const Pin&, const Pin&) = default;
 };
@@ -71,9 +71,9 @@ struct Pin {
 struct Probe {
   mesh::Point place{0, 0, 0};  ///< at rest
   Influence turn{}, stretch{}, move{};
-  bool locked = false;  ///< it holds what it holds, and no hand moves it
+  bool locked = false;  ///< keeps its effect, but cannot be edited
   ProbePose pose{};
-  std::optional<Pin> pin{};  ///< then it acts upon nothing else; its place is that vertex's
+  std::optional<Pin> pin{};  ///< then the probe has no other effect; its place is that of the vertex
 
   friend bool operator==(const Probe&, const Probe&) = default;
 };
@@ -89,18 +89,18 @@ struct Probes {
 /// The weights of one probe at a vertex.
 struct ProbeWeights {
   double turn = 0, stretch = 0, move = 0;
-  double pivot = 0;  ///< how much its place counts in that about which the vertex turns
+  double pivot = 0;  ///< weight of its place in the pivot of the vertex
 };
 
-/// Of all probes at a point, at rest; those of pins are 0. Turn, stretch and move are mixed each by itself:
-/// with `partial` they are divided by their sum where that is above 1; with `added` they stay as they are;
-/// with `whole` wherever it is above 0; with `softmax` they are e^(b w) - 1, b = softmax_sharpness, over the
-/// sum of these, so that the nearest probe has nearly all. Pivots are the larger one of turn and stretch,
-/// over their sum. weights.size() == probes.all.size().
+/// Weights of all probes at a rest position; pins get 0. Turn, stretch and move are mixed separately:
+/// `partial` divides them by their sum if that is above 1; `added` leaves them; `whole` divides by the sum if
+/// it is above 0; `softmax` uses e^(b w) - 1, b = softmax_sharpness, over their sum, so that the nearest
+/// probe dominates. Pivots are the larger of turn and stretch, normalised to sum 1. weights.size() ==
+/// probes.all.size().
 inline constexpr double softmax_sharpness = 8;
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
 
-/// Mirrored at the plane where coordinate `axis` (0 x, 1 y, 2 z) is `at`: its place, and what it has done.
+/// The probe and its motion mirrored at the plane where coordinate `axis` (0 x, 1 y, 2 z) equals `at`.
 Probe mirrored(const Probe& probe, int axis, double at);
 
 }  // namespace viete::deform

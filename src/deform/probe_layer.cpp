@@ -19,7 +19,7 @@ bool same_weights(const Probes& a, const Probes& b) {
          });
 }
 
-/// Sums at the vertices that move, side by side for the exponential.
+/// Sums at the moving vertices, contiguous for the exponential.
 struct ProbeSums {
   std::vector<std::size_t> which;
   std::vector<sym3::Sym3<double>> logs, stretches;
@@ -58,7 +58,7 @@ void ProbeLayer::weigh() {
   });
 }
 
-// Many probes at rest, each of which reaches far, take no memory.
+// Skips probes at rest, so that many of them with large radii take no memory.
 void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
   std::vector<ProbeWeights> weights(probes_.all.size());
   bool moves = false;
@@ -146,7 +146,7 @@ void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> p
   for (std::size_t n = 0; n < sums.which.size(); ++n) {
     Vec3& x = positions[sums.which[n]];
     const Vec3 from = x - sums.pivots[n];
-    auto more = sums.stretches[n];  // S - I: where nothing acts, nothing changes by a bit
+    auto more = sums.stretches[n];  // S - I: exactly 0 without motion
     more.xx -= none.xx, more.yy -= none.yy, more.zz -= none.zz;
     const Vec3 stretch = times(more, from), stretched = from + stretch;
     auto r = sym3::exp_rotation(sums.turns[n]);
@@ -174,7 +174,7 @@ void write(const Vec3& v, double scale, float* row) {
   for (std::size_t i = 0; i < 3; ++i) row[i] = static_cast<float>(scale * v[i]);
 }
 
-// As RowForm::logs has them, lengths in units.
+// Rows of RowForm::logs, lengths in units.
 void write_rows(const ProbePose& pose, const Vec3& place, double unit, float* rows) {
   constexpr std::size_t columns = log_shape.columns, turn = 6, center = log_shape.center;
   const auto& x = pose.stretch;

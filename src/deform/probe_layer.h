@@ -1,4 +1,4 @@
-// The effect of probes on a model after the cage has moved it, also in vector code.
+// The effect of probes on a model after the cage deformation, also in vector code.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,14 @@
 
 namespace viete::deform {
 
-/// A layer upon whatever moves the model, or upon the model at rest. A vertex that this has brought to x goes
-/// to
+/// A layer after another deformation, or on the model at rest. It moves a vertex at deformed position x to
 ///
 ///     x' = x + (exp(sum a Y) exp(sum b X) - I) (x - p) + sum c t,    p = sum u q,
 ///
-/// with the probes' turns Y, stretches X and moves t, their weights a, b, c and u at the vertex at rest (see
-/// probe_weights()), and q where each probe's place has been brought to: as far as the vertex of the model
-/// that was nearest to it. Probes ride on the cage, and one that has done nothing changes no bit. A mask
-/// counts for a, b and c.
+/// with the probes' turns Y, stretches X and moves t; their weights a, b, c and u at the vertex at rest (see
+/// probe_weights()); and q, the carried place of each probe: its rest place moved along with the nearest
+/// vertex of the model. Probes therefore follow the cage, and a probe at rest changes no bit. A mask scales
+/// a, b and c.
 ///
 /// Results do not depend on the number of threads.
 class ProbeLayer {
@@ -31,40 +30,41 @@ public:
   /// rest must outlive it, and not be empty.
   ProbeLayer(std::span<const mesh::Point> rest, base::WorkerPool& pool) : rest_(rest), pool_(pool) {}
 
-  /// Of the next frames. O(n) where weights are others than before, or others of the probes are at rest, else
-  /// O(1). A mask of one share a vertex, or null.
+  /// Applies to the next frames. O(n) if weights, or the set of probes at rest, change; otherwise O(1). The
+  /// mask has one share per vertex, or is null.
   void set(const Probes& probes, const Mask& mask);
   const Probes& probes() const { return probes_; }
   /// True if some probe is not at rest.
   bool moves() const { return moves_; }
   /// Grows when weights or the mask change.
   unsigned long revision() const { return revision_; }
-  /// Of the probes that reach a vertex, in their order; none where all near it are at rest.
+  /// One probe that reaches a vertex; shares() lists them in probe order, empty if all near probes are at
+  /// rest.
   struct Share {
     std::uint32_t probe;
     ProbeWeights weights;
   };
   std::span<const Share> shares(std::uint32_t vertex) const;
-  /// What the mask leaves of turn, stretch and move at a vertex, 0 to 1.
+  /// The mask's factor of turn, stretch and move at a vertex, 0 to 1.
   double follows(std::uint32_t vertex) const { return mask_ ? static_cast<double>((*mask_)[vertex]) : 1; }
   /// The vertex nearest to each probe at rest.
   std::span<const std::uint32_t> anchors() const { return anchors_; }
 
-  /// Where these have been brought to, before any of them is moved by the layer. Positions are relative to
-  /// that origin until the next call.
+  /// Sets the deformed positions of the anchors, before the layer moves them. move() takes positions relative
+  /// to this origin until the next call.
   void carry(std::span<const Vec3> anchors, const Vec3& origin);
   /// Thread-safe. positions.size() == vertices.size().
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
-  /// Both, of all vertices, over the pool; positions are relative to nothing.
+  /// carry() and move() for all vertices, over the pool; positions are absolute.
   void move_all(std::span<Vec3> positions, sym3::Method method);
-  /// Where the probes' places are on the model as it is drawn, but for what each does itself: by the last
-  /// carry(), and by the other probes. Relative to nothing.
+  /// Places of the probes on the displayed model without their own motion: moved by the last carry() and by
+  /// the other probes. Absolute.
   std::vector<mesh::Point> places() const;
-  /// By the last carry() alone, relative to its origin.
+  /// Places after the last carry() alone, relative to its origin.
   std::span<const Vec3> carried() const { return places_; }
 
 private:
-  struct Block {  // of vertices
+  struct Block {  // a range of vertices
     std::vector<std::uint32_t> starts;
     std::vector<Share> shares;
   };
@@ -86,19 +86,19 @@ private:
   Vec3 origin_{0, 0, 0};
 };
 
-/// What the layer does is a frame of rows of RowForm::logs: a probe has a row for each part of its motion,
-/// with a weight of its own, and one with its place for the pivot,
+/// The layer as a frame of rows of RowForm::logs: a probe has a row with a weight of its own for each part of
+/// its motion, and one with its place for the pivot,
 ///
 ///     x' = exp(sum a Y) exp(sum b X) (x - p) + (sum c t + p),    p = sum u q.
 ///
-/// Only leaves that a probe reaches have any.
+/// Only leaves within reach of a probe have rows.
 class ProbeTiles {
 public:
-  /// Weights anew where the layer's are others than before.
+  /// Updates the weights if those of the layer changed.
   void follow(const ProbeLayer& layer, const Leaves& leaves, base::WorkerPool& pool);
   /// True if a probe that is not at rest reaches the leaf.
   bool moves(const ProbeLayer& layer, std::size_t leaf) const;
-  /// positions: of the slots of the leaf, x y z x, in units. Thread-safe.
+  /// positions: those of the leaf's slots, x y z x, in units. Thread-safe.
   void move(const ProbeLayer& layer, std::size_t leaf, const TileKernel& logs, double unit,
             float* positions) const;
 

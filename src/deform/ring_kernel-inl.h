@@ -17,10 +17,10 @@ namespace viete::deform::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr float smallest = 1e-36f, largest = 1e36f;  // squared areas outside count as none
+constexpr float smallest = 1e-36f, largest = 1e36f;  // squared areas outside this range count as none
 
-// Points as four lanes x y z x: turned by one lane to the left they are y z x y, as a cross product wants
-// them. A register holds as many points as it has room for, each in a block of its own.
+// Points as four lanes x y z x: rotated left by one lane they are y z x y, as a cross product needs. A
+// register holds as many points as fit, each in a block of its own.
 #if HWY_TARGET == HWY_SCALAR
 
 struct OnePoint {};
@@ -62,7 +62,7 @@ static HWY_INLINE void store_vertices(OnePoint d, const Points& position, const 
   store(d, position, vertices[*order].position), store(d, normal, vertices[*order].normal);
 }
 
-// Of 4 areas z x y 0, 1 / length; 0 where there is no area.
+// Inverse lengths of 4 areas z x y 0; 0 without area.
 static HWY_INLINE Points inverse_lengths(OnePoint, const Points (&areas)[4]) {
   float inverse[4];
   for (int k = 0; k < 4; ++k) {
@@ -73,7 +73,7 @@ static HWY_INLINE Points inverse_lengths(OnePoint, const Points (&areas)[4]) {
   return {inverse[0], inverse[1], inverse[2], inverse[3]};
 }
 
-// z x y 0 to unit x y z 0.
+// Normalises z x y 0 to unit x y z 0.
 static HWY_INLINE void normalise(OnePoint, const Points& inverse_length, Points (&areas)[4]) {
   const float scale[4] = {inverse_length.x, inverse_length.y, inverse_length.z, inverse_length.w};
   for (int k = 0; k < 4; ++k) {
@@ -95,7 +95,7 @@ template <class D>
 static HWY_INLINE hn::Vec<D> load(D d, const float* p) {
   return hn::Load(d, p);
 }
-// Each load fills all blocks, and later ones leave the first blocks alone.
+// Each load fills all blocks; later ones preserve the first blocks.
 template <std::size_t floats, class D, class Index>
 static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Index* neighbours) {
   auto all = hn::LoadDup128(d, positions + floats * neighbours[0]);
@@ -130,7 +130,7 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
   return hn::Mul(a, hn::Set(d, s));
 }
 
-// Pairs of blocks: a position and a normal make a vertex.
+// Stores pairs of blocks, position and normal, as vertices.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_pairs(D d, const V& pairs, const std::uint32_t* order, FrameVertex* vertices) {
   if constexpr (points(d) == 2) {
@@ -174,7 +174,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Of 4 registers of areas z x y 0, 1 / length: in lane k of a block that of area k; 0 where there is no area.
+// Inverse lengths of 4 registers of areas z x y 0: lane k of a block for area k; 0 without area.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_lengths(D d, const V (&areas)[4]) {
   const V squares[4] = {hn::Mul(areas[0], areas[0]), hn::Mul(areas[1], areas[1]), hn::Mul(areas[2], areas[2]),
@@ -184,7 +184,7 @@ static HWY_INLINE V inverse_lengths(D d, const V (&areas)[4]) {
   return hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
 }
 
-// z x y 0 to unit x y z 0.
+// Normalises z x y 0 to unit x y z 0.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void normalise(D d, V inverse_length, V (&areas)[4]) {
   const bool all_have_area = hn::AllFalse(d, hn::Eq(inverse_length, hn::Zero(d)));
@@ -196,7 +196,7 @@ static HWY_INLINE void normalise(D d, V inverse_length, V (&areas)[4]) {
 
 #endif
 
-// A sum of cross products, lanes z x y 0: two chains, so that the second need not wait for the first.
+// A sum of cross products, lanes z x y 0, in two chains to hide latency.
 template <class V>
 struct Areas {
   V plus, minus_part;
@@ -207,9 +207,9 @@ struct Areas {
   }
 };
 
-// Twice the area vectors around `self`. Two triangles in a row make a quadrilateral, whose area is that of
-// the cross product of its diagonals: half as many products as triangles. Neighbours stand `stride`
-// numbers apart, each counting so many floats; open rings have an odd number of them.
+// Twice the area vectors around `self`. Two consecutive triangles form a quadrilateral, whose area is that of
+// the cross product of its diagonals: half as many products as triangles. Neighbours are `stride` numbers
+// apart, each in units of `floats` floats; open rings have an odd number of them.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
 static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
@@ -233,7 +233,7 @@ static HWY_INLINE V areas_around(D d, const float* positions, const Index* neigh
   return minus(areas.plus, areas.minus_part);
 }
 
-// The usual rings are known to the compiler, which unrolls them.
+// Common ring lengths are compile-time constants, so that the compiler unrolls them.
 template <class D, class V>
 static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint16_t* neighbours,
                                    std::size_t length, const V& self) {
@@ -251,7 +251,7 @@ static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint1
   return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
 }
 
-// Of the register of slots from s on; `neighbours` goes on behind them.
+// Areas for the register of slots from s on; advances `neighbours`.
 template <class D>
 static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;
@@ -262,7 +262,7 @@ static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const 
   return areas;
 }
 
-// From the positions of other leaves; those that the next leaf copies are prefetched meanwhile. True if a bit
+// Copies ghosts from the positions of other leaves, and prefetches those of the next leaf. True if a bit
 // changed.
 static HWY_INLINE bool copy_ghosts(const RingRun& run) {
   constexpr std::size_t ahead = 128;
@@ -294,7 +294,7 @@ static HWY_INLINE void load_four(D d, const float* from, decltype(zero(D())) (&o
   for (std::size_t k = 0; k < 4; ++k) out[k] = load(d, from + 4 * k * points(d));
 }
 
-// 4 registers of slots from s on to vertices[order[0]], ...
+// Stores 4 registers of slots from s on to vertices[order[0]], ...
 static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const float* areas,
                                        const float* inverse_length, const std::uint32_t* order,
                                        FrameVertex* vertices) {
@@ -308,10 +308,10 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
     store_vertices(d, scaled(d, positions[k], run.unit), normals[k], order + k * points(d), vertices);
 }
 
-constexpr std::size_t ring_block = 128;  // slots; leaves are filled up to multiples of 32
+constexpr std::size_t ring_block = 128;  // slots; leaves are padded to multiples of 32
 
-// The slots of a block, from `begin` on, go through each step before any goes through the next: roots and
-// quotients then wait for nothing.
+// All slots of a block, from `begin` on, finish each step before the next, which hides the latency of roots
+// and quotients.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;
@@ -340,7 +340,7 @@ static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const s
 }
 
 static void ring_vertices(const RingRun& leaf, FrameVertex* HWY_RESTRICT vertices) {
-  const RingRun run = leaf;  // a copy, which no store to vertices can change
+  const RingRun run = leaf;  // a local copy that cannot alias the vertices
   if (!copy_ghosts(run)) return;
   const std::uint16_t* neighbours = run.neighbours;
   for (std::size_t begin = 0; begin < run.vertices; begin += ring_block)

@@ -1,4 +1,4 @@
-// A pose as numbers that are summed: a row a handle. Shared with vector code: no functions here (see
+// A pose as rows of numbers to be summed, one row per handle. Shared with vector code: no functions here (see
 // sym3/fallback.h).
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace viete::deform {
 
-/// What a row holds, and so how sums of rows become positions. x is the vertex at rest relative to the middle
-/// of the rest cage, o = x - sum w c its offset from the weighted mean of the handles' rest centres, and
+/// The contents of a row, and how sums of rows become positions. x is the vertex at rest relative to the
+/// middle of the rest cage, o = x - sum w c its offset from the weighted mean of the handles' rest centres;
 /// positions are relative to the pose's origin.
 enum class RowForm {
   logs,             ///< X = log S (xx xy xz yy yz zz), Y = log R, centre c':  exp(Y) exp(X) o + c'
@@ -19,16 +19,16 @@ enum class RowForm {
 };
 struct RowShape {
   std::size_t columns;
-  std::size_t first_length;  ///< columns from here on are lengths, those before have no unit
-  /// Weights sum to one up to what compression leaves out, so what all rows share is best not weighted at
-  /// all: of so many columns, the first ones, the mean is left out of the sums and added to them.
+  std::size_t first_length;  ///< columns from here on are lengths; those before are dimensionless
+  /// Weights sum to one except for compression errors, so a shared mean is best not weighted: for this many
+  /// leading columns the mean is subtracted from the rows and added to the sums.
   std::size_t with_mean;
-  /// Of the three columns that hold where the handles' centres are; `columns` where none do. See Shares in
+  /// First of the three columns with the handles' centres; `columns` if there are none. See Shares in
   /// binding.h.
   std::size_t center;
 };
 
-inline constexpr RowShape log_shape{12, 9, 9, 9};  // what the centres miss, the offsets hold
+inline constexpr RowShape log_shape{12, 9, 9, 9};  // offsets complete what the centres do not reproduce
 inline constexpr RowShape map_shape{12, 9, 12, 12};
 inline constexpr RowShape position_shape{3, 0, 0, 0};
 inline constexpr RowShape moment_shape{15, 3, 0, 12};

@@ -13,37 +13,34 @@ namespace viete::deform {
 namespace {
 
 constexpr std::array weights_table = {
-    WeightsEntry{{"inverse", "Inverse distance", "1/d^2, d the distance to the element"}, Weights::inverse},
-    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2, and none beyond: what no element reaches stays"},
-                 Weights::cut_off},
-    WeightsEntry{
-        {"harmonic", "Harmonic",
-         "1 at the model's vertex nearest to the element, and from there on harmonic along the surface"},
-        Weights::harmonic,
-        true},
-    WeightsEntry{{"biharmonic", "Biharmonic",
-                  "as harmonic ones, but a thin plate on springs: smoother; below 0 they count as 0"},
-                 Weights::biharmonic,
+    WeightsEntry{{"inverse", "Inverse distance", "1/d^2 with d the distance to the element"},
+                 Weights::inverse},
+    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2 within the radius, 0 beyond it"}, Weights::cut_off},
+    WeightsEntry{{"harmonic", "Harmonic",
+                  "harmonic along the model's surface, 1 at the vertex nearest to the element"},
+                 Weights::harmonic,
                  true},
+    WeightsEntry{
+        {"biharmonic", "Biharmonic",
+         "biharmonic along the model's surface, smoother than harmonic; negative values are set to 0"},
+        Weights::biharmonic,
+        true},
     WeightsEntry{{"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
                  Weights::mean_value},
 };
 
 constexpr std::array blend_table = {
-    BlendEntry{{"srl", "Log space", "logs of stretches and of rotations, about the blended centre"},
+    BlendEntry{{"srl", "Log space", "sums logarithms of rotation and stretch about the blended centre"},
                Blend::srl},
-    BlendEntry{{"mls-affine", "Least squares (MLS)",
-                "the affine map that moves points as they do, by least squares"},
-               Blend::mls_affine,
-               true},
-    BlendEntry{{"mls-similarity", "Least squares, similar",
-                "the rotation and scale that move points most nearly as they do"},
-               Blend::mls_similarity,
-               true},
-    BlendEntry{{"mls-rigid", "Least squares, rigid", "the rotation that moves points most nearly as they do"},
-               Blend::mls_rigid,
-               true},
-    BlendEntry{{"linear", "Linear (LBS)", "the maps themselves are averaged"}, Blend::linear},
+    BlendEntry{
+        {"mls-affine", "Least squares (MLS)", "affine map fitted by least squares"}, Blend::mls_affine, true},
+    BlendEntry{
+        {"mls-similarity", "Least squares, similar", "rotation and uniform scale fitted by least squares"},
+        Blend::mls_similarity,
+        true},
+    BlendEntry{
+        {"mls-rigid", "Least squares, rigid", "rotation fitted by least squares"}, Blend::mls_rigid, true},
+    BlendEntry{{"linear", "Linear (LBS)", "weighted mean of the maps"}, Blend::linear},
 };
 
 template <class Table, class Value>
@@ -75,9 +72,9 @@ const BlendEntry& entry(Blend blend) {
 
 std::optional<std::string_view> conflict(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value && scheme.blend != Blend::linear)
-    return "mean value coordinates only move points, which are blended linearly";
+    return "mean value coordinates move points and need the blend linear";
   if (scheme.stitched() && !scheme.has_maps())
-    return "points give triangles no maps to follow, so there is nothing to stitch";
+    return "cage vertices give no maps that triangles could follow, so stitching is not possible";
   return std::nullopt;
 }
 
@@ -104,7 +101,7 @@ std::string text(const Scheme& s) {
 
 std::string text_of_percent(double fraction) {
   char text[32];
-  const double percent = std::round(1e8 * fraction) / 1e6;  // as it was typed
+  const double percent = std::round(1e8 * fraction) / 1e6;  // as typed
   return std::string(text, std::to_chars(text, text + sizeof text, percent).ptr) + " %";
 }
 
@@ -135,30 +132,26 @@ constexpr Scheme scheme(Elements elements, Weights weights, Blend blend, int ite
 }
 
 constexpr std::array ways_table = {
-    WayEntry{{"smooth", "Smooth",
-              "spreads along the model's surface, keeps shapes and holds parts together: for most models"},
-             Way::smooth,
-             scheme(Elements::face, Weights::biharmonic, Blend::srl)},
-    WayEntry{{"paper", "As published",
-              "as published: each triangle turns and stretches all of the model, by distance"},
-             Way::paper,
-             scheme(Elements::face, Weights::inverse, Blend::srl)},
     WayEntry{
-        {"mean-value", "Mean value",
-         "the cage's vertices only move (mean value coordinates): follows affine poses exactly, and caves "
-         "in where parts turn"},
-        Way::mean_value,
-        scheme(Elements::point, Weights::mean_value, Blend::linear)},
-    WayEntry{{"rigid", "Rigid",
-              "turns without stretching (rigid least squares): keeps details and sizes, also where the cage "
-              "grows"},
+        {"smooth", "Smooth", "weights along the surface, maps blended in log space: best for most models"},
+        Way::smooth,
+        scheme(Elements::face, Weights::biharmonic, Blend::srl)},
+    WayEntry{
+        {"paper", "As published", "the paper's method: inverse-distance weights, maps blended in log space"},
+        Way::paper,
+        scheme(Elements::face, Weights::inverse, Blend::srl)},
+    WayEntry{{"mean-value", "Mean value",
+              "mean value coordinates: exact for affine poses, loses volume where parts rotate"},
+             Way::mean_value,
+             scheme(Elements::point, Weights::mean_value, Blend::linear)},
+    WayEntry{{"rigid", "Rigid", "rigid least squares: rotates without stretching, keeps sizes of details"},
              Way::rigid,
              scheme(Elements::point, Weights::biharmonic, Blend::mls_rigid)},
     WayEntry{{"arap", "As rigid as possible",
-              "solved for all at once (ARAP): details keep their shape best, and frames take longer"},
+              "global as-rigid-as-possible solve: preserves details best, slower frames"},
              Way::arap,
              scheme(Elements::face, Weights::biharmonic, Blend::srl, 1)},
-    WayEntry{{"local", "Local", "ends at a radius: what no triangle of the cage reaches stays at rest"},
+    WayEntry{{"local", "Local", "weights end at a radius: vertices out of reach stay at rest"},
              Way::local,
              scheme(Elements::face, Weights::cut_off, Blend::srl)},
 };
@@ -202,8 +195,8 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   if (conflict(s) && !choice.blend) s.blend = Blend::linear;
   if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
   if (const auto reason = conflict(s))
-    throw base::Error("", "these weights and this blend do not go together: " + std::string(*reason),
-                      "leave one of them out, and it is chosen to fit");
+    throw base::Error("", "these weights and this blend cannot be combined: " + std::string(*reason),
+                      "omit one of them to have it chosen automatically");
   s.weighting.elements = elements_of(s.weighting.weights, s.blend);
   if (s.has_maps()) s.iterations = preferred.iterations;
   return s;
@@ -216,11 +209,11 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   if (choice.any()) scheme = complete(choice, scheme);
   scheme.weighting.radius = asked.radius.value_or(scheme.weighting.radius);
   if (asked.radius && !scheme.weighting.partial())
-    throw base::Error("--radius", "these weights have no radius", "leave it out, or choose --weights cutoff");
+    throw base::Error("--radius", "these weights have no radius", "omit it, or choose --weights cutoff");
   if ((asked.turn || asked.stretch) && !scheme.has_maps()) {
     throw base::Error(asked.turn ? "--turn" : "--stretch",
-                      "points of the cage only move: they do not turn or stretch",
-                      "leave it out, or choose another way or blend");
+                      "the cage vertices of this deformer only move, without rotation or stretch",
+                      "omit it, or choose another deformer or blend");
   }
   scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);
   scheme.amounts.stretch = asked.stretch.value_or(scheme.amounts.stretch);
@@ -228,10 +221,10 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
   scheme.holding.radius = asked.pins.value_or(scheme.holding.radius);
   scheme.holding.weight = asked.hold.value_or(scheme.holding.weight);
   if ((asked.pins || asked.hold) && !scheme.stitched())
-    throw base::Error(asked.pins ? "--pins" : "--hold", "only stitched models are held",
-                      "leave it out, or add --stitched");
+    throw base::Error(asked.pins ? "--pins" : "--hold", "this option needs a stitched model",
+                      "omit it, or add --stitched");
   if (const auto reason = conflict(scheme))
-    throw base::Error("--stitched", std::string(*reason), "leave it out, or choose another way or blend");
+    throw base::Error("--stitched", std::string(*reason), "omit it, or choose another deformer or blend");
   return scheme;
 }
 

@@ -18,10 +18,10 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t triangles_at_once = 64;
-// Of the mean map's largest singular value: where the two smallest sum to less, no rotation is the nearest.
+// Relative to the mean map's largest singular value: if the two smallest sum to less, no rotation is nearest.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
-// Radians from a neighbour's log: from where on a rotation is doubted, and where nothing is left of it.
+// Radians from a neighbour's log at which a rotation becomes doubtful, and is fully replaced.
 constexpr double doubted = 0.3, given_up = 1;
 
 Mat transposed(const Mat& m) {
@@ -30,22 +30,21 @@ Mat transposed(const Mat& m) {
 
 void refuse_positions(std::span<const mesh::Point> positions, std::size_t expected) {
   if (positions.size() != expected)
-    throw base::Error(
-        "",
-        "a shape of " + std::to_string(positions.size()) + " vertices is none of " + std::to_string(expected),
-        "choose a shape of the same model");
+    throw base::Error("",
+                      "the shape has " + std::to_string(positions.size()) + " vertices, the model has " +
+                          std::to_string(expected),
+                      "choose a shape of the same model");
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (!std::isfinite(squared_norm(positions[v])))
-      throw base::Error("",
-                        "vertex " + std::to_string(v) +
-                            " (from 0) of the shape is nowhere: its position is not a finite number",
-                        "repair the file");
+      throw base::Error(
+          "", "vertex " + std::to_string(v) + " (from 0) of the shape has a position that is not finite",
+          "repair the file");
   }
 }
 
 }  // namespace
 
-// Where triangles turn against all that are around them, or collapsed, the neighbours tell.
+// Triangles that flip against all their neighbours, or collapse, take the logs of their neighbours.
 class ShapeSpace::Folds {
 public:
   Folds(const WeightedPairs& neighbours, std::span<const Mat> rotations, std::vector<std::uint8_t> bad)
@@ -125,7 +124,7 @@ AffineMap ShapeSpace::map_to(std::span<const mesh::Point> positions, std::size_t
   return {linear_map(rest, u, v, n), {0, 0, 0}};
 }
 
-// The rotation nearest to the mean of the maps, whose sum by area is given.
+// The rotation nearest to the mean of the maps, given their area-weighted sum.
 Vec3 ShapeSpace::mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);
   const auto singular = sym3::eigenvalues(stretch);  // ascending, the sign of the determinant in the first
@@ -145,7 +144,7 @@ void ShapeSpace::doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt
   }
 }
 
-// Logs of the rotations without that of the whole.
+// Logs of the rotations relative to the whole rotation.
 std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> rotations,
                                        const LogVector* before, base::WorkerPool& pool) const {
   const Mat back = transposed(sym3::exp_rotation(whole));
@@ -164,7 +163,7 @@ std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> r
   return logs;
 }
 
-// With the logs of the stretches.
+// Also computes the logs of the stretches.
 ShapeSpace::Splits ShapeSpace::split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                                      std::vector<std::array<double, 9>>& logs) const {
   const std::size_t count = triangles_.corners.size();
@@ -193,7 +192,7 @@ ShapeSpace::Splits ShapeSpace::split(std::span<const mesh::Point> positions, bas
   return all;
 }
 
-// Which triangles collapsed; their splits become those of what is raised.
+// Returns which triangles collapsed; replaces their splits by the raised ones.
 std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positions, Splits& splits,
                                             std::vector<std::array<double, 9>>& logs) const {
   const double mean = mean_stretch(triangles_.flat, splits.largest);

@@ -1,5 +1,5 @@
-// Shapes of a model as vectors: of any triangle mesh, by the logs of its triangles. Between them models turn,
-// where straight lines would collapse them.
+// Shapes of a model as vectors, by the logs of the triangles of any triangle mesh. In-between shapes rotate
+// instead of collapsing as linear interpolation would.
 #pragma once
 
 #include <cstdint>
@@ -17,46 +17,46 @@
 
 namespace viete::deform {
 
-/// How well a shape is told by its logs.
+/// How well the logs represent a shape.
 struct ShapeReport {
-  std::size_t flat = 0;    ///< triangles without area at rest: they go with their corners
-  std::size_t folded = 0;  ///< that turn against all their neighbours, or collapse: they take these' logs
-  /// Pairs of neighbours whose logs are more than half a turn apart: between them the way is ambiguous.
+  std::size_t flat = 0;    ///< triangles without area at rest: they follow their corners
+  std::size_t folded = 0;  ///< triangles that flip against all neighbours or collapse: they use these' logs
+  /// Pairs of neighbours whose logs differ by more than half a turn: interpolation is ambiguous there.
   std::size_t torn = 0;
 };
 
-/// Takes shapes of one model (positions of its vertices) to vectors. One rotation of all, that of the mean
-/// map by area, is the vector's whole turn; logs are of what is left (S. Kaji et al., Mathematical analysis
+/// Converts shapes of one model (positions of its vertices) to vectors. The rotation of the area-weighted
+/// mean map is the vector's whole turn; logs represent the remainder (S. Kaji et al., Mathematical analysis
 /// on affine maps for 2D shape interpolation, 2012, for maps in log space; R. W. Sumner et al., Mesh-based
-/// inverse kinematics, 2005, for maps of triangles). Constant once it is made: thread-safe.
+/// inverse kinematics, 2005, for maps of triangles). Constant after construction: thread-safe.
 class ShapeSpace {
 public:
   /// Throws base::Error if no triangle has area, see LogSpace; base::Cancelled.
   explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
-  /// Sums, shapes, and where these are held on their way.
+  /// Sums, shapes, and anchors of moving shapes.
   const LogSpace& logs() const { return logs_; }
 
-  /// Branches are coherent over the mesh; those of the shape that comes before, if there is one, are
-  /// continued, triangle by triangle. Throws base::Error if there is not one finite position per vertex. The
-  /// same bits for any number of threads.
+  /// Branches are coherent over the mesh and continue those of the preceding shape, if given, triangle by
+  /// triangle. Throws base::Error unless there is one finite position per vertex. The same bits for any
+  /// number of threads.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;
 
 private:
-  /// What of the mesh at rest tells maps and branches.
+  /// Data of the rest mesh for maps and branches.
   struct Triangles {
     std::vector<mesh::Triangle> corners;
     std::vector<RestBasis> bases;
     std::vector<double> areas;  ///< in squares of the diagonal
     std::vector<std::uint8_t> flat;
-    WeightedPairs neighbours;  ///< those of flat ones are joined
+    WeightedPairs neighbours;  ///< neighbours of flat triangles are joined
   };
-  /// Of the maps to a shape.
+  /// Splits of the maps to a shape.
   struct Splits {
     std::vector<sym3::Mat3<double>> rotations;
     std::vector<double> least, largest;  ///< stretches
-    sym3::Mat3<double> sum{};            ///< of the maps, by area
+    sym3::Mat3<double> sum{};            ///< area-weighted sum of the maps
   };
   class Folds;
 

@@ -16,7 +16,7 @@ namespace viete::deform {
 
 namespace {
 
-// Rows x columns of the product weights * table, the sums held in registers.
+// Rows x columns of the product weights * table, with the sums in registers.
 template <std::size_t Rows, std::size_t Columns>
 void product(const double* weights, const double* table, std::size_t handles, double (&sums)[Rows][Columns]) {
   double s[Rows][Columns] = {};
@@ -32,7 +32,7 @@ void product(const double* weights, const double* table, std::size_t handles, do
   }
 }
 
-// Calls store(vertex, sums) for every vertex of [begin, end); so many rows at once fill the registers.
+// Calls store(vertex, sums) for every vertex of [begin, end); this many rows at once fill the registers.
 template <std::size_t Rows, std::size_t Columns, class Store>
 void for_rows(const Binding& binding, const double* table, std::size_t begin, std::size_t end,
               const Store& store) {
@@ -67,7 +67,7 @@ void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::siz
   switch (rows.columns()) {
     case 3: return blend_columns<3>(binding, rows, begin, end, sums);
     case 12: return blend_columns<12>(binding, rows, begin, end, sums);
-    default: assert(false);  // a form has another number of columns
+    default: assert(false);  // no form has another number of columns
   }
 }
 
@@ -77,7 +77,7 @@ Vec3 offset_of(const Binding& binding, const Shares& shares, std::size_t i) {
   return shares.empty() ? binding.offsets[i] : shares[i] * binding.offsets[i];
 }
 
-// Where a vertex is at rest, as far as it stays there.
+// The part of the rest position that a share below 1 keeps.
 Vec3 staying(const Binding& binding, double share, std::size_t i) {
   return (1 - share) * (binding.rest[i] - binding.rest_origin);
 }
@@ -119,7 +119,7 @@ void apply(const Binding& binding, const Shares& shares, RowForm form, Sums sums
     } else if (form == RowForm::positions) {
       moved = three(s, 0) + offset_of(binding, shares, i);
     } else {
-      assert(form == RowForm::logs);  // moments go the way of place_by_moments()
+      assert(form == RowForm::logs);  // moments use place_by_moments()
       const Vec3 stretched = times(stretches[i], offset_of(binding, shares, i));
       moved = times(sym3::exp_rotation(three(s, 6)), stretched) + three(s, 9);
     }
@@ -238,7 +238,7 @@ void StagedEngine::blend_rows(const Rows& rows, sym3::Method method) {
   times_[Link::apply] = watch.lap_ms();
 }
 
-// Sums and maps of a vertex are made together: what is summed depends on other sums.
+// Computes sums and maps of each vertex together, since some sums depend on others.
 void StagedEngine::fit(const Rows& rows) {
   base::Stopwatch watch;
   for_vertices([&](std::size_t begin, std::size_t end) {

@@ -14,29 +14,28 @@
 
 namespace viete::deform {
 
-/// Vertices [begin, end) of sums = weights * rows, [vertex][column], sized already. Each sum runs over the
-/// handles in their order: the same bits for any division into ranges.
+/// Vertices [begin, end) of sums = weights * rows, [vertex][column]; sums must have its final size. Each sum
+/// adds the handles in order: the same bits for any division into ranges.
 void blend(const Binding& binding, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
 
-/// What shares make of the sums of vertices [begin, end): they count so many times, and centres are
-/// completed. Nothing where shares are empty.
+/// Multiplies the sums of vertices [begin, end) by their shares and completes the centres. Does nothing if
+/// shares are empty.
 void share_sums(const Binding& binding, const Shares& shares, RowForm form, std::size_t begin,
                 std::size_t end, std::span<double> sums);
 
-/// Logs of the stretches of vertices [begin, end), from sums of RowForm::logs; link 4 takes their
-/// exponentials.
+/// Logs of the stretches of vertices [begin, end), from sums of RowForm::logs; link 4 exponentiates them.
 void stretch_logs(RowForm form, std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
-/// Vertices [begin, end) of positions, sums being shared already and of any form but moments. For logs
-/// x' = origin + (exp(Y) exp(X) o + c'), stretches being exp(X). The forms and their letters: RowForm.
+/// Positions of vertices [begin, end), from sums with shares applied, of any form except moments. For logs x'
+/// = origin + (exp(Y) exp(X) o + c'), stretches being exp(X). Forms and symbols: RowForm.
 void apply(const Binding& binding, const Shares& shares, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
 
-/// Links 4 and 5, of sums that are shared already: all vertices of the binding, whose rest, rest_origin,
-/// offsets and shares count. Returns what place_vertices() does, if `error` is asked for.
+/// Links 4 and 5 for all vertices of the binding, from sums with shares applied; uses its rest, rest_origin,
+/// offsets and shares. Returns the error of place_vertices() if `error` is true.
 double place_sums(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
@@ -49,10 +48,10 @@ public:
   void set_shape(std::span<const Vec3> ways) override;
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// Of the last frame, in double.
+  /// Positions of the last frame, in double.
   std::span<const mesh::Point> positions() const { return positions_; }
   std::span<const mesh::Point> normals() const { return normals_; }
-  /// Of which the last frame took exponentials; empty if it took none.
+  /// The matrices that the last frame exponentiated; empty if there were none.
   std::span<const sym3::Sym3<double>> matrices() const { return logs_; }
 
 private:
@@ -67,10 +66,10 @@ private:
   std::shared_ptr<const Binding> binding_;
   base::WorkerPool& pool_;
   Shares shares_;
-  std::span<const Vec3> ways_;                        // of the shape
-  Binding shaped_;                                    // with these, without weights
-  std::vector<double> sums_;                          // [vertex][column], of forms without moments
-  std::vector<sym3::Sym3<double>> logs_, stretches_;  // of forms that have them
+  std::span<const Vec3> ways_;                        // displacements of the shape
+  Binding shaped_;                                    // the binding with the shape, without weights
+  std::vector<double> sums_;                          // [vertex][column], for forms without moments
+  std::vector<sym3::Sym3<double>> logs_, stretches_;  // for forms that have them
   std::vector<mesh::Point> positions_, normals_;
   std::vector<FrameVertex> vertices_;
 };

@@ -23,12 +23,12 @@ using Stretch = sym3::Sym3<double>;
 
 }  // namespace
 
-// The maps of a block of triangles, as M = rotation stretch where the form has them apart, else as M = M I;
-// number by number, [entry][triangle], so that vector code goes along the triangles.
+// The maps of a block of triangles, as M = rotation stretch if the form has them separately, else as M = M I;
+// stored as [entry][triangle], so that vector code runs along the triangles.
 struct Stitcher::Maps {
   static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
-  static constexpr std::size_t ahead = 12;  // triangles, whose rows are asked for before they are needed
-  static constexpr std::size_t used = 9;    // columns that make a map's linear part
+  static constexpr std::size_t ahead = 12;  // triangles: prefetch distance of rows
+  static constexpr std::size_t used = 9;    // columns of a map's linear part
   using Plane = double[stride];
 
   alignas(64) Plane sums[used], stretches[6], rotations[9];
@@ -36,7 +36,7 @@ struct Stitcher::Maps {
   void average(std::span<const double> of, RowForm form, std::span<const mesh::Triangle> triangles) {
     const std::size_t columns = shape(form).columns;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      // Rows of vertices lie in the file's order, which no processor guesses.
+      // Rows of vertices are in file order, which hardware prefetching cannot predict.
       for (const auto v : triangles[std::min(i + ahead, triangles.size() - 1)]) {
         __builtin_prefetch(of.data() + v * columns);
         __builtin_prefetch(of.data() + v * columns + 8);
@@ -71,7 +71,7 @@ struct Stitcher::Maps {
       put(stretches, i, std::array<double, 6>{1, 0, 0, 1, 0, 1});
     }
   }
-  // Into factors, where those are needed.
+  // Splits maps into rotation and stretch, if needed.
   void split(std::size_t count) {
     const sym3::MatView<double> maps(rotations[0], stride);
     sym3::polar(maps, maps, sym3::SymView<double>(stretches[0], stride), count);
@@ -83,7 +83,7 @@ struct Stitcher::Maps {
     if (apart) split(count);
   }
 
-  // out = stretch in, and the same of rotations: of all triangles, out and in being x y z.
+  // out = stretch in, for all triangles; out and in are x y z. The same for rotations.
   void stretch(const Plane* in, Plane* out, std::size_t count) const {
     const Plane* s = stretches;
     for (std::size_t i = 0; i < count; ++i) {
@@ -162,7 +162,7 @@ void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<con
   }
 }
 
-// Where the handle alone would take the vertex.
+// Targets of the pins: the vertex moved by the handle alone.
 void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   const std::size_t columns = rows.columns(), n = pin_targets_.size();
   std::vector<double> sums(n * columns);
@@ -205,8 +205,8 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
   });
 }
 
-// R = the rotation nearest to sum_i x'_i (S g_i)^T maximises tr R^T sum_i x'_i (S g_i)^T, which is how the
-// energy of the triangle depends on R.
+// R = the rotation nearest to sum_i x'_i (S g_i)^T maximises tr R^T sum_i x'_i (S g_i)^T, the only term of
+// the triangle's energy that depends on R.
 void Stitcher::load_refitted() {
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     std::array<Mat, triangles_per_block> rotations;
@@ -260,7 +260,7 @@ std::vector<std::size_t> held_vertices(const Stitching& stitching) {
   return held;
 }
 
-// What apply() needs of these, but for shares. ways: of all vertices.
+// Input of apply() for some vertices, except shares. ways: of all vertices.
 Binding some_vertices(const TiledBinding& tiles, std::span<const std::uint32_t> slots,
                       std::span<const std::size_t> vertices, std::span<const Vec3> ways = {}) {
   Binding some;

@@ -18,27 +18,28 @@ namespace viete::deform {
 /// The buffers of stitched frames. Not thread-safe; the same bits for any number of threads.
 class Stitcher {
 public:
-  /// The form must be logs or maps. Both must outlive this.
+  /// The form must be logs or maps. stitching and pool must outlive this.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// Of the next poses, one a vertex; empty: all 1. Pins take part in what their vertices make of them.
+  /// Applies to the next poses; one share per vertex, empty: all 1. Targets of pins scale with their
+  /// vertices' shares.
   void set_shares(const Shares& shares);
-  /// Of the next poses, one way a vertex: see Engine::set_shape(). Gradients are of the shape's sides, with
-  /// the cotangents at rest.
+  /// Applies to the next poses; one displacement per vertex: see Engine::set_shape(). Gradients use the
+  /// shape's edges with the cotangents at rest.
   void set_shape(std::span<const Vec3> ways);
-  /// One pose. sums, shared already, are the blended rows, [vertex][column]; held, of each hold, the vertex's
-  /// blended position relative to the rows' origin. A triangle's map is that of the mean of its corners'
-  /// sums.
+  /// Computes one pose. sums are the blended rows with shares applied, [vertex][column]; held has, for each
+  /// hold, the vertex's blended position relative to the rows' origin. The map of a triangle is that of the
+  /// mean of its corners' sums.
   ///
-  /// iterations, 1 or more: how often positions are solved for. Before each time but the first, the rotations
-  /// R_t are replaced by those that fit the positions best, the stretches S_t staying as they are (O.
-  /// Sorkine, M. Alexa, As-rigid- as-possible surface modeling, 2007): the energy above never grows.
+  /// iterations, 1 or more: number of solves. Before each solve except the first, the rotations R_t are
+  /// replaced by those that fit the positions best, with unchanged stretches S_t (O. Sorkine, M. Alexa,
+  /// As-rigid-as-possible surface modeling, 2007), so that the energy never increases.
   void run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held, sym3::Method method,
            int iterations);
 
-  /// Relative to the rows' origin.
+  /// Positions relative to the rows' origin.
   std::span<const Vec3> positions() const { return positions_; }
-  /// Of the last frame: maps and their loads, and solving, in milliseconds of wall time.
+  /// Times of the last frame in milliseconds of wall time: maps and their loads, and solving.
   double loads_ms() const { return loads_ms_; }
   double solve_ms() const { return solve_ms_; }
 
@@ -56,7 +57,7 @@ private:
   base::WorkerPool& pool_;
   std::vector<std::array<Vec3, 2>> shaped_gradients_;  // empty: those at rest
   std::vector<Vec3> loads_;                            // M g of each corner of each triangle
-  std::vector<std::array<Vec3, 2>> stretched_;         // S g, where rotations are refitted
+  std::vector<std::array<Vec3, 2>> stretched_;         // S g, if rotations are refitted
   Binding pinned_;                                     // with the shares of the pins' vertices
   std::vector<mesh::Point> pin_targets_;
   std::vector<Vec3> right_, positions_;
@@ -64,13 +65,13 @@ private:
   double loads_ms_ = 0, solve_ms_ = 0;
 };
 
-/// Sums in float, as the fused engine forms them, compressed or while something is dragged; all that follows
-/// in double: maps of triangles, the solution, its positions. Nothing is factored for a pose. Agrees with
-/// deform_exactly() to what the sums lose: 1e-6 of the diagonal, with compressed weights as the fused engine
-/// does.
+/// Sums are formed in float by the fused engine, compressed or during a drag; all later steps are in double:
+/// maps of triangles, solving, positions. No pose needs a factorisation. Agrees with deform_exactly() to the
+/// error of the sums: 1e-6 of the diagonal, or that of the fused engine with compressed weights.
 class StitchedEngine : public Engine {
 public:
-  /// Neither may be null; of the same model, cage and elements. form logs or maps; iterations 1 or more.
+  /// Both must not be null and belong to one model, cage and kind of elements. form: logs or maps;
+  /// iterations: 1 or more.
   StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 
@@ -78,10 +79,10 @@ public:
   void set_shape(std::span<const Vec3> ways) override;
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return blender_.vertices(); }
-  /// Of the last frame, in double, relative to its rows' origin.
+  /// Positions of the last frame, in double, relative to its rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
-  /// These vertices as the last frame has blended them, not stitched; relative to its rows' origin.
+  /// Blended positions of these vertices in the last frame, before stitching; relative to its rows' origin.
   std::vector<Vec3> blended(std::span<const std::size_t> vertices) const;
 
 private:
@@ -93,10 +94,10 @@ private:
   int iterations_;
   FusedEngine blender_;
   Stitcher stitcher_;
-  std::vector<std::uint32_t> slots_;  // of vertices
+  std::vector<std::uint32_t> slots_;  // slot of each vertex
   Shares shares_;
-  std::span<const Vec3> ways_;  // of the shape
-  Binding held_;                // what apply() needs of the vertices that are held
+  std::span<const Vec3> ways_;  // displacements of the shape
+  Binding held_;                // input of apply() for the vertices with holds
   std::vector<double> sums_, held_sums_;
   std::vector<Vec3> held_positions_;
 };

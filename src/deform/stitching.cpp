@@ -25,13 +25,13 @@ namespace viete::deform {
 namespace {
 
 constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
-constexpr double found_pins = 0.5;  // of the time
+constexpr double found_pins = 0.5;  // share of the time
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
 constexpr double indistinguishable = 1e-9;  // distances, in diagonals
 
-// The triangle nearest to a point, of those that are not thin; none: the number of triangles. Where several
-// share the nearest point, or what is as near but for rounding, the one whose centre is nearest.
+// The nearest triangle to a point among those that are not thin; none: the number of triangles. Ties, up to
+// rounding, go to the triangle with the nearest centre.
 class NearestTriangle {
 public:
   NearestTriangle(const mesh::Surface& model, std::span<const std::uint8_t> thin, double slack)
@@ -55,7 +55,7 @@ private:
     return (1.0 / 3) * (positions_[t[0]] + positions_[t[1]] + positions_[t[2]]);
   }
 
-  // visit(triangle, distance) of all that may be so near, and some others.
+  // Calls visit(triangle, distance) for all triangles that may be within the limit, and some others.
   template <class Visit>
   void for_near(const mesh::Point& point, const double& limit, const Visit& visit) const {
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -63,7 +63,7 @@ private:
       const mesh::Point &a = positions_[triangles_[t][0]], &b = positions_[triangles_[t][1]],
                         &c = positions_[triangles_[t][2]];
       const double side = std::sqrt(std::max(squared_norm(b - a), squared_norm(c - a)));
-      const double farthest = limit + side;  // no corner of a nearer one is beyond
+      const double farthest = limit + side;  // all corners of nearer triangles lie within
       if (squared_norm(point - a) > farthest * farthest) continue;
       visit(t, std::sqrt(mesh::closest_on_triangle(point, a, b, c).squared_distance));
     }
@@ -153,7 +153,7 @@ private:
   void hold_the_rest() {
     const std::size_t n = model_.positions.size();
     mesh::UnionFind parts(n);
-    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // by vertex; by the number of its part
+    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // by vertex; by part number
     for (std::size_t t = 0; t < thin_.size(); ++t) {
       if (thin_[t]) continue;
       const auto& [a, b, c] = model_.triangles[t];
@@ -222,7 +222,7 @@ private:
     });
   }
 
-  // Fills the order; returns each vertex's place in it.
+  // Fills the order; returns each vertex's position in it.
   std::vector<std::uint32_t> order_vertices(Stitching& s) const {
     const std::size_t n = model_.positions.size();
     Leaves leaves = make_leaves(model_.positions, std::vector<std::uint32_t>(n, 0));
@@ -278,7 +278,7 @@ Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool&
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
                               "stitching " + std::to_string(model.positions.size()) + " vertices takes",
-                              "use a coarser model, or leave stitching off", ""};
+                              "use a coarser model, or turn stitching off", ""};
   base::require_memory(need);
   try {
     return StitchMaker(model, cage, settings, pool, progress).make();

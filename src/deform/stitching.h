@@ -1,4 +1,4 @@
-// Stitching: the model whose triangles follow blended maps as closely as one surface can.
+// Stitching: deforms the model so that its triangles follow blended maps as closely as one surface can.
 #pragma once
 
 #include <array>
@@ -13,37 +13,37 @@
 
 namespace viete::deform {
 
-/// How firmly a stitched model is held. Weights are of one vertex, beside a stiffness of about 1 between
-/// neighbours, see stiffness_matrix().
+/// Strength of a stitched model's constraints. Weights are per vertex, relative to a stiffness of about 1
+/// between neighbours, see stiffness_matrix().
 struct StitchingSettings {
-  double pin = 0.03;       ///< of each corner of the triangle nearest to a handle, to where its map takes it
-  double radius = 0;       ///< in sizes of the cage : vertices so near to a handle are pinned too, by
+  double pin = 0.03;       ///< pull of the corners of a handle's nearest triangle to the handle's map
+  double radius = 0;       ///< in sizes of the cage: nearer vertices are pinned to the handle too, by
                            ///< pin ((radius - distance) / radius)^2
-  double translation = 0;  ///< of every vertex, to its blended position
+  double translation = 0;  ///< pull of every vertex to its blended position
 
   friend bool operator==(const StitchingSettings&, const StitchingSettings&) = default;
 };
 StitchingSettings settings_of(const Scheme& scheme);
 
-/// What of stitching does not change with the pose. With M_t = R_t S_t the blended map of triangle t,
-/// positions x' minimise
+/// The data of stitching that does not change with the pose. With M_t = R_t S_t the blended map of triangle
+/// t, positions x' minimise
 ///
 ///     sum_t area_t |(grad x' - M_t) T_t|^2 + sum_pins w |x' - A_h x|^2 + sum_holds w |x' - blended x'|^2,
 ///
-/// T_t projecting onto the triangle's plane. That is the published energy of tetrahedra with a fourth corner
-/// off the plane (S. Kaji, "ARAP" modes): this corner is of one tetrahedron only, so that at the minimum the
-/// map takes its direction exactly as M_t does, whatever the others do; what is left is the plane's share, in
-/// a third as many unknowns. Derivatives of it give K x' = sum_t M_t g_t, K the stiffness matrix and g_t, i =
-/// area grad of the hat function of corner i: one factorisation, and three right-hand sides a pose.
+/// T_t projecting onto the triangle's plane. This is the published energy of tetrahedra with a fourth corner
+/// off the plane (S. Kaji, "ARAP" modes), reduced to a third of the unknowns: the fourth corner belongs to
+/// one tetrahedron only, so at the minimum the map agrees with M_t in its direction, and only the plane's
+/// share remains. Its derivatives give K x' = sum_t M_t g_t, K the stiffness matrix and g_t, i = area grad of
+/// the hat function of corner i: one factorisation, and three right-hand sides per pose.
 ///
-/// Parts that lie near each other, cracks, and vertices at the same place are held together by
-/// part_couplings() of strength c, which add sum c |(x'_a - x'_b) - M (x_a - x_b)|^2: triangles (a, b, b), as
-/// it were. A model of one part that touches nowhere has none.
+/// part_couplings() of strength c join near parts, cracks, and vertices at the same place; each adds c |(x'_a
+/// - x'_b) - M (x_a - x_b)|^2 as a triangle (a, b, b). A model of one part that does not touch itself has no
+/// couplings.
 ///
-/// Lengths are relative to where things are, so that it does not matter how far from the origin or how large
-/// the scene is. Thin triangles count as in half_cotangents(). Every vertex has its place: parts without a
-/// pin are held by their blended positions, by 1e-4 a vertex, and vertices that only thin triangles or none
-/// have, by 1.
+/// Lengths are relative to local positions, so results do not depend on the scene's distance from the origin
+/// or its size. Thin triangles count as in half_cotangents(). Every vertex is determined: parts without a pin
+/// are pulled to their blended positions with 1e-4 per vertex, and vertices of only thin triangles, or of no
+/// triangle, with 1.
 struct Stitching {
   struct Pin {
     std::uint32_t vertex, handle;
@@ -55,32 +55,32 @@ struct Stitching {
   };
 
   StitchingSettings settings;
-  std::vector<std::uint32_t> order;       ///< all vertices, neighbours near each other
-  std::vector<mesh::Triangle> triangles;  ///< that count, in the order of their vertices; then couplings
-  /// Whose rotation each of them takes when rotations are fitted: its own, and couplings that of a triangle
-  /// beside, since along one line any rotation fits.
+  std::vector<std::uint32_t> order;       ///< all vertices, ordered for locality
+  std::vector<mesh::Triangle> triangles;  ///< all but thin ones, in the order of vertices; then couplings
+  /// Index of the triangle whose fitted rotation each one uses: its own; for a coupling a neighbouring
+  /// triangle, since the rotation about a single line is not determined.
   std::vector<std::uint32_t> rotated_as;
-  /// Half the cotangents of their corners, of which K is made; of a coupling (0, 0, c).
+  /// Half cotangents of the corners, from which K is made; of a coupling (0, 0, c).
   std::vector<Vec3> cotangents;
-  /// g of their first two corners; the third is what these lack to 0.
+  /// g of the first two corners; the three sum to 0.
   std::vector<std::array<Vec3, 2>> gradients;
-  mesh::Adjacency around;  ///< 3 t + corner, of each vertex in the order
+  mesh::Adjacency around;  ///< 3 t + corner, for each vertex in the order
   std::vector<Pin> pins;
-  Binding pinned;  ///< what apply() needs of the pins: rest, rest_origin, offsets from the handle's centre
+  Binding pinned;  ///< input of apply() for the pins: rest, rest_origin, offsets from the handle's centre
   std::vector<Hold> holds;
   SparseCholesky factors;
 
   std::size_t vertices() const { return factors.size(); }
 };
 
-/// g of a triangle with these cotangents whose corners are there.
+/// g of a triangle with these cotangents and corners.
 std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Bytes that it takes, about, for a surface of so many vertices.
+/// Approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// To the cage's faces. Throws base::Error when the model has no vertices, or is so large or so small
-/// (beyond 1e75 and 1e-75) that its system cannot be factored; base::Cancelled. The same for any number of
+/// Stitches to the cage's faces. Throws base::Error if the model has no vertices, or if its size is beyond
+/// 1e75 or below 1e-75 so that its system cannot be factored; base::Cancelled. The same for any number of
 /// threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const StitchingSettings& settings = {}, base::Progress* progress = nullptr);

@@ -22,9 +22,9 @@ namespace viete::deform {
 namespace {
 
 constexpr double spring_per_handle = 1;
-// Bodies with less of the area are moved by what they are coupled to; in elements' shares.
+// Bodies with less area, in shares per element, only follow their couplings.
 constexpr double least_body = 0.1;
-// An element is near a body if it is so many times as far from it there as the nearest element at most.
+// An element is near a body if its distance there is at most this many times that of the nearest element.
 constexpr double as_near = 1.5;
 
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   return used;
 }
 
-// Whose weights a vertex has: its own where it is held.
+// The vertex whose weights each vertex takes: its own if its part has owned vertices.
 std::vector<std::uint32_t> sources(const mesh::Surface& model, const SparseMatrix& stiffness,
                                    const HeldParts& held) {
   const auto n = static_cast<std::uint32_t>(stiffness.size());
@@ -74,7 +74,7 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                              base::WorkerPool& pool) {
   auto used = used_vertices(model);
   if (used.empty()) {
-    throw base::Error("", "the model has no triangles, along which these weights could spread",
+    throw base::Error("", "the model has no triangles; these weights need a surface",
                       "choose weights inverse, or another model");
   }
   const mesh::PointTree tree(model.positions, std::move(used));
@@ -157,7 +157,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   if (progress) progress->report(done);
 }
 
-// As many springs an area in each body as in a model of one.
+// Springs per area are the same in each body as in a model of one body.
 void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                                  std::vector<double>& springs, base::WorkerPool& pool) {
   const mesh::EdgePaths paths(joined);

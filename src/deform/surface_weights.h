@@ -1,5 +1,4 @@
-// Weights that live on the model's surface: how much of each handle a vertex takes is decided along the
-// surface, from vertices that belong to handles.
+// Weights along the model's surface, from the vertices that handles own.
 #pragma once
 
 #include <cstddef>
@@ -21,57 +20,55 @@
 
 namespace viete::deform {
 
-/// The vertex of the model that each handle owns: of its triangles' corners the one that is nearest to the
-/// handle, the lowest of those that are equally near. Handles that do not weigh (see handle_shape()) own
-/// none.
+/// The vertex that each handle owns: the nearest corner of the model's triangles; ties: the lowest index.
+/// Handles without weight (see handle_shape()) own none.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_handle;  ///< or none
-  std::vector<std::uint32_t> owners;     ///< how many each vertex has
-  /// More that a handle owns, one in each body that it is near; empty where there is one body.
+  std::vector<std::uint32_t> owners;     ///< number of owning handles per vertex
+  /// Additional vertices of a handle, one in each near body; empty if there is one body.
   std::vector<std::vector<std::uint32_t>> elsewhere;
 };
 
-/// Distances are exact: to the triangle or the vertex. Throws base::Error where the model has no
-/// triangles. O(k log n).
+/// Distances are exact: to the triangle or the vertex. Throws base::Error if the model has no triangles. O(k
+/// log n).
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
                              base::WorkerPool& pool);
 
-/// Adds the vertex nearest to each handle in every body that the handle is near: where no other is less than
-/// two thirds as far away. So layers and what they enclose follow the cage alike, and none gives up its
-/// vertices when another is added. Bodies of less than a tenth of a handle's share of the area get none.
+/// Adds the vertex nearest to each handle in every body near the handle: bodies where no other handle is less
+/// than two thirds as far away. Layers and their contents thus follow the cage alike, and adding a body takes
+/// no vertices from others. Bodies of less than a tenth of a handle's share of the area get none.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
                    Elements elements, base::WorkerPool& pool);
 
-/// Solves for the weights of sixteen handles at a time; which of them are kept, and how, is for the caller to
-/// say.
+/// Solves for the weights of sixteen handles at a time; the caller decides which of them to store, and how.
 ///
 /// With L of intrinsic_laplacian(), `harmonic` weights of handle k are 1 / m at the vertex that it owns, m
-/// handles sharing it, 0 at those of others, and L w = 0 elsewhere. They are in [0, 1] (the maximum
-/// principle: L has no negative weights), to the rounding of 1.
+/// being the number of handles that own it, 0 at vertices of other handles, and L w = 0 elsewhere. They are
+/// in [0, 1] up to the rounding of 1 (the maximum principle: L has no negative weights).
 ///
 /// `biharmonic` weights minimise
 ///
 ///     w^T L M^-1 L w + s sum over owned vertices v of (w_v - its value above)^2,    s = K
 ///
-/// M being the masses, the area 1, and K the number of handles: a thin plate on springs (ThinPlate). They are
-/// smoother, leave [0, 1], and do not quite take their values. Of published tools they keep that; not that
-/// there is no M in them, so that they depend on how the model is cut into triangles, nor that the springs'
-/// strength is also the value.
+/// M being the masses (total area 1), K the number of handles: a thin plate on springs (ThinPlate). They are
+/// smoother, leave [0, 1], and interpolate their values only approximately. Published tools do the same, but
+/// omit M, so that their weights depend on the triangulation, and use the springs' strength also as the
+/// value.
 ///
-/// Vertices at the same place are one: seams of textures and sharp edges do not tear, nor do triangles that
-/// share no vertices. Parts that lie near each other, and cracks, are held together by part_couplings(),
-/// which L then has too, and handles own a vertex in each body of several (own_in_bodies(), s by the area):
-/// weights are a matter of space there, and no pose tears the model.
+/// Vertices at the same place count as one: texture seams, sharp edges, and triangles without shared vertices
+/// do not tear. part_couplings() join near parts and cracks in L, and handles own a vertex in each of several
+/// bodies (own_in_bodies(), s by the area): weights across bodies depend on distance in space, and no pose
+/// tears the model.
 ///
-/// A part of the model without an owned vertex, and a vertex of no triangle, take over the weights of the
-/// vertex nearest to their middle that has a part with one: all of such a part moves as one.
+/// A part without an owned vertex, or a vertex of no triangle, copies the weights of the vertex nearest to
+/// its middle among parts with owned vertices: such a part moves as a whole.
 ///
-/// Rows sum to 1 up to rounding and what the equations' condition makes of it: callers divide by the sum.
+/// Rows sum to 1 up to rounding and the condition of the equations: callers divide by the sum.
 class SurfaceSystem {
 public:
-  /// Factors. Reports up to `done`. Throws base::Cancelled; base::Error when the model has no triangles, when
-  /// there is not the memory, or when the system has no solution in double precision.
+  /// Factors the matrix. Reports progress up to `done`. Throws base::Cancelled; base::Error if the model has
+  /// no triangles, memory is short, or the system has no solution in double precision.
   SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                 base::WorkerPool& pool, base::Progress* progress = nullptr, double done = 1);
 
@@ -85,8 +82,8 @@ public:
     std::span<const std::size_t> offsets;
     const double* of(std::size_t vertex) const { return block.data() + offsets[vertex]; }
   };
-  /// store() is called for all handles, from any thread of the pool; weights are gone when it returns.
-  /// Reports from `from` to `to`. Throws base::Cancelled. The same bits for any number of threads.
+  /// Calls store() for all handles, from any thread of the pool; weights are invalid after it returns.
+  /// Reports progress from `from` to `to`. Throws base::Cancelled. The same bits for any number of threads.
   void solve(const std::function<void(const Solved&)>& store, base::WorkerPool& pool,
              base::Progress* progress, double from = 0, double to = 1) const;
 
@@ -102,15 +99,15 @@ private:
 
   OwnedVertices owned_;
   IntrinsicLaplacian laplacian_;
-  std::optional<BlockSolver> solver_;  // of harmonic weights
-  std::optional<ThinPlate> plate_;     // of biharmonic ones
-  std::vector<std::size_t> offsets_;   // of a vertex in a block
+  std::optional<BlockSolver> solver_;  // for harmonic weights
+  std::optional<ThinPlate> plate_;     // for biharmonic weights
+  std::vector<std::size_t> offsets_;   // offset of each vertex in a block
 };
 
-/// Bytes that a SurfaceSystem and a block for each thread take at most, roughly.
+/// Approximate upper bound of the bytes of a SurfaceSystem and one block per thread.
 double surface_system_bytes(std::size_t vertices);
 
-/// Scales weights so that they sum to 1; with clamp those below 0 become 0 first.
+/// Scales weights to sum 1; with clamp, negative weights become 0 first.
 void normalise(std::span<double> weights, bool clamp = false);
 
 }  // namespace viete::deform

@@ -14,11 +14,11 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double factored = 0.4;  // of the time until the springs' forces are known
+constexpr double factored = 0.4;  // share of the time until the springs' forces are known
 
 using Columns = std::array<double, solved_columns>;
 
-// All that are held but the grounds.
+// All vertices of parts with springs, except the grounds.
 std::vector<bool> free_vertices(const HeldParts& parts) {
   std::vector<bool> free(parts.of_vertex.size());
   for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = parts.holds(v);
@@ -70,8 +70,8 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
   find_forces(stiffness_of_springs(pool, progress, factored * done, done));
 }
 
-// Forces whose sum over each part, with that at its ground, is 0 become what they bend the plate to, 0 at the
-// grounds.
+// Replaces forces that sum to 0 over each part, including its ground, by the plate's displacement, which is 0
+// at the grounds.
 void ThinPlate::bend(std::span<double> block) const {
   const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);
@@ -92,7 +92,7 @@ void ThinPlate::bend(std::span<double> block) const {
   solver_.solve(block, kernel);
 }
 
-// K, by columns.
+// K, column-major.
 std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress,
                                                     double from, double to) const {
   const std::size_t count = springs_.size();

@@ -16,8 +16,8 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t fewest_handles = 32;  // to compress
-constexpr double worth_factoring = 0.7;     // of the multiply-adds without, for what it leaves out
+constexpr std::size_t fewest_handles = 32;  // for compression
+constexpr double worth_factoring = 0.7;     // relative to the multiply-adds without it, as it loses precision
 
 std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   std::vector<std::uint32_t> counts(model.positions.size());
@@ -27,17 +27,17 @@ std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   return counts;
 }
 
-// Of an array [tile][3][lane].
+// Sets a slot of an array [tile][3][lane].
 void set_slot(base::AlignedVector<float>& array, std::size_t slot, const Vec3& vector, double unit) {
   float* out = array.data() + slot / lanes * lanes * 3 + slot % lanes;
   for (int i = 0; i < 3; ++i) out[i * lanes] = static_cast<float>(vector[i] / unit);
 }
 
-/// What one leaf needs while it is being bound.
+/// Scratch of one leaf during binding.
 struct LeafWeights {
   base::AlignedVector<float> rows;  // [tile][handle][lane]
-  std::vector<Vec3> sums;           // of weight times handle position, a slot
-  std::vector<float> shares;        // a slot
+  std::vector<Vec3> sums;           // sums of weight times handle position, per slot
+  std::vector<float> shares;        // per slot
 };
 
 struct LeafResult {
@@ -45,13 +45,13 @@ struct LeafResult {
   std::vector<float> pivot_rows;  // [pivot][handle]
 };
 
-/// Of a leaf, where weights are kept as lists.
+/// The lists of one leaf.
 struct LeafList {
   std::vector<std::uint32_t> handles;
   base::AlignedVector<float> rows;  // [tile][place in the list][lane]
 };
 
-/// Multiply-adds of a frame over those of a dense one.
+/// Multiply-adds of a frame relative to those of a dense one.
 struct Costs {
   double factors = 1, lists = 1;
 };
@@ -69,7 +69,7 @@ public:
   TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
     if (entry(b_.weighting.weights).on_surface) solve_surface_weights();
     const bool local = b_.weighting.partial(), sample = worth_sampling(tolerance) || local;
-    require(local ? 0 : sample ? 0.25 : 1);  // what lists take, only the sample tells
+    require(local ? 0 : sample ? 0.25 : 1);  // the size of lists is unknown before the sample
     const Costs shares = sample ? sampled_shares(tolerance) : Costs();
     const double lossless = std::min(shares.lists, 1.0);
     const bool compress = shares.factors < worth_factoring * lossless;
@@ -114,9 +114,9 @@ private:
     });
   }
 
-  // Of all vertices: [sixteen handles][vertex][of these].
+  // Weights of all vertices: [sixteen handles][vertex][handle of these].
   void solve_surface_weights() {
-    constexpr double factored = 0.3, share = 0.7;  // of the time
+    constexpr double factored = 0.3, share = 0.7;  // fractions of the time
     const std::size_t n = b_.leaves.vertices, k = b_.handles;
     if (n > most_solved_vertices) return solve_on_proxy();
     base::require_memory(binding_memory(
@@ -173,8 +173,8 @@ private:
     }
   }
 
-  // Weights of a leaf as floats; rows has room for them, w takes sums and shares. Returns how many vertices
-  // have no mean value coordinates.
+  // Weights of a leaf as floats; rows must have its final size, w receives sums and shares. Returns the
+  // number of vertices without mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
     w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
     if (proxy_ || !surface_weights_.empty()) {
@@ -212,7 +212,7 @@ private:
     b_.failed = failed;
   }
 
-  // Handles that only move blend positions alone: a quarter of the work, for which factors do not pay.
+  // Handles that only translate blend only positions: a quarter of the work, for which factors do not pay.
   bool worth_sampling(double tolerance) const {
     return tolerance > 0 && b_.weighting.elements == Elements::face &&
            compressible(b_.leaves.vertices, b_.handles);
@@ -234,7 +234,7 @@ private:
     return result;
   }
 
-  // From up to eight leaves.
+  // Estimated from up to eight leaves.
   Costs sampled_shares(double tolerance) const {
     const std::size_t count = std::min<std::size_t>(8, b_.leaves.count());
     std::atomic<std::size_t> factors{0}, lists{0}, dense{0};
@@ -256,7 +256,7 @@ private:
     return {static_cast<double>(factors) / all, static_cast<double>(lists) / all};
   }
 
-  // Those that have weight somewhere in the leaf.
+  // Handles with weight in the leaf.
   std::vector<std::uint32_t> handles_in(std::size_t leaf, const base::AlignedVector<float>& rows) const {
     std::vector<std::uint32_t> handles;
     for (std::uint32_t j = 0; j < b_.handles; ++j) {
@@ -326,7 +326,7 @@ private:
     }
   }
 
-  // Of the weights that the factors give, so that a cage at rest gives the model at rest.
+  // Offsets for the factored weights, so that a cage at rest reproduces the model at rest.
   void set_factored_offsets(std::size_t leaf, const LeafResult& r, const LeafWeights& w) {
     const std::size_t begin = b_.leaves.begin(leaf), rank = r.factors.pivots.size();
     for (std::size_t s = 0; s < slots(leaf); ++s) {
@@ -368,7 +368,7 @@ bool compressible(std::size_t vertices, std::size_t handles) {
 
 void TiledBinding::kept_row(std::size_t slot, std::span<double> row) const {
   const std::size_t leaf = slot / leaf_slots, in_leaf = slot - leaves.begin(leaf);
-  // Of [tile][place][lane] from `first` on.
+  // Reads [tile][place][lane] from `first` on.
   const auto at = [](const base::AlignedVector<float>& values, std::size_t first, std::size_t places,
                      std::size_t s, std::size_t place) -> double {
     return values[first + (s / lanes * places + place) * lanes + s % lanes];

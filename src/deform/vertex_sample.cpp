@@ -37,7 +37,7 @@ void add(const VertexSum::Term& term, VertexSum& sum) {
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex) {
   VertexSum sum;
-  // Of stretches without logs, and of moments, no rotation stands beside them.
+  // Stretches without logs, and moments, come without a rotation.
   sum.has_logs = rows.form == RowForm::logs;
   const auto visit = [&](std::size_t, const std::vector<double>& weights, double share) {
     if (mask) share *= static_cast<double>((*mask)[vertex]);
@@ -63,7 +63,7 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
 
 namespace {
 
-// All but weights and offsets.
+// All members but weights and offsets.
 BoundPart unweighed_part(const Weigher& weigher, std::span<const mesh::Point> points) {
   BoundPart part;
   Binding& b = part.binding;
@@ -113,7 +113,7 @@ Mask at_vertices(const Mask& mask, std::span<const std::size_t> vertices) {
   return std::make_shared<const std::vector<float>>(std::move(some));
 }
 
-// By the places that the frame has carried the probes to.
+// Moves positions by probes at the places of the frame.
 void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, const Vec3& origin,
              std::span<mesh::Point> positions) {
   for (mesh::Point& p : positions) p = p - origin;

@@ -1,4 +1,4 @@
-// The sums of a frame at chosen vertices, computed in double from the rest positions.
+// The sums of a frame at selected vertices, computed in double from the rest positions.
 #pragma once
 
 #include <algorithm>
@@ -23,24 +23,24 @@ namespace viete::deform {
 struct VertexSum {
   struct Term {
     std::uint32_t handle;
-    double weight;                 ///< with the vertex's share
-    sym3::Sym3<double> stretch{};  ///< X = log S of its map; 0 where rows hold none
+    double weight;                 ///< weight times the vertex's share
+    sym3::Sym3<double> stretch{};  ///< X = log S of its map; 0 if rows have none
     Vec3 turn{};                   ///< Y = log R
-    /// Where the handle's centre is in the file's units: in the pose; at rest where rows hold no logs.
+    /// The handle's centre in the file's units: posed; at rest if rows have no logs.
     mesh::Point at{};
   };
-  std::vector<Term> terms;       ///< of weights that are not 0, the largest first
-  sym3::Sym3<double> stretch{};  ///< the sum of w X, of these in their order
-  Vec3 turn{};                   ///< of w Y
-  bool has_logs = false;         ///< else rows hold something else, and only weights tell
+  std::vector<Term> terms;       ///< terms with nonzero weight, largest first
+  sym3::Sym3<double> stretch{};  ///< the sum of w X, over terms in order
+  Vec3 turn{};                   ///< the sum of w Y
+  bool has_logs = false;         ///< false: rows have another form; only weights are valid
 };
 
-/// Weights are made anew in double, or where they live on the surface, as they are kept. mask may be null.
+/// Recomputes weights in double; weights along the surface are used as stored. mask may be null.
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex);
 
-/// visit(i, row of weights, share) for each of the points in turn. visit may throw. Returns how many have no
-/// mean value coordinates.
+/// Calls visit(i, row of weights, share) for each point in order. visit may throw. Returns the number of
+/// points without mean value coordinates.
 template <class Visit>
 std::size_t visit_weights(const Weigher& weigher, std::span<const mesh::Point> points, const Visit& visit) {
   const std::size_t handles = weigher.handles();
@@ -61,8 +61,8 @@ std::size_t visit_weights(const Weigher& weigher, std::span<const mesh::Point> p
   return failed;
 }
 
-/// visit(s, row) where weights live on the model's surface, of some of its vertices: the weights of the
-/// staged engine, or else those of the tiles, as they are kept.
+/// For weights along the surface: calls visit(s, row) for some vertices with the stored weights, those of the
+/// staged engine or, if it has none, those of the tiles.
 template <class Visit>
 void visit_kept_weights(const Binding& binding, std::span<const std::size_t> vertices, const Visit& visit) {
   std::vector<double> row(binding.handles);
@@ -78,27 +78,27 @@ void visit_kept_weights(const Binding& binding, std::span<const std::size_t> ver
   }
 }
 
-/// Vertices at these points, with weights and offsets as the staged frame has them.
+/// Vertices at given points, with weights and offsets as in the staged frame.
 struct BoundPart {
   Binding binding;
-  std::size_t failed = 0;              ///< have no mean value coordinates
-  std::vector<mesh::Point> offsets{};  ///< those at rest, while the binding's are a shape's
+  std::size_t failed = 0;              ///< vertices without mean value coordinates
+  std::vector<mesh::Point> offsets{};  ///< offsets at rest, while the binding has those of a shape
 };
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
-/// With weights along the surface: of the error_sample vertices of tiles.sample.
+/// For weights along the surface: the error_sample vertices of tiles.sample.
 BoundPart sampled_part(const Weigher& weigher, const TiledBinding& tiles,
                        std::span<const mesh::Point> points);
 
-/// How far a frame of these rows, and of the layer unless that is null, is from double precision and exact
-/// weights: the largest distance of the vertices of spread_vertices(n, error_sample), in diagonals of the
-/// cage. ways: of the shape, see Engine::set_shape(). shown: where the frame has them, relative to the rows'
-/// origin. Takes about a millisecond. Weights along the surface must be those of tiles.
+/// Error of a frame of these rows, and of the layer unless null, against double precision and exact weights:
+/// the largest distance at the vertices of spread_vertices(n, error_sample), in diagonals of the cage. ways:
+/// displacements of the shape, see Engine::set_shape(). shown: their positions in the frame, relative to the
+/// rows' origin. Takes about a millisecond. Weights along the surface must be those of tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
                      std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
                      std::span<const Vec3> shown);
 
-/// The symmetric logs that at most `limit` vertices, spread evenly over the model, blend: what their
-/// exponential is taken of. Empty if rows hold none. Throws base::Cancelled.
+/// The blended symmetric logs, input of the exponential, at no more than `limit` vertices spread evenly over
+/// the model. Empty if rows have none. Throws base::Cancelled.
 std::vector<sym3::Sym3<double>> sample_stretches(const Weigher& weigher, const Binding& binding,
                                                  const Mask& mask, const Rows& rows, std::size_t limit,
                                                  base::Progress* progress = nullptr);

@@ -6,7 +6,7 @@ namespace viete::deform {
 
 namespace {
 
-// By the sums of rows that are maps.
+// Applies a sum of map rows.
 Vec3 turned_by_row(const double* m, const Vec3& way) {
   const auto row = [&](std::size_t i) {
     return m[3 * i] * way[0] + m[3 * i + 1] * way[1] + m[3 * i + 2] * way[2];

@@ -1,5 +1,5 @@
-// What elements that only move do to directions: their rows do not tell, and a shape has to turn with the
-// cage.
+// Rotation of a shape's displacements along with a cage whose elements only translate, since their rows hold
+// no rotation.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,9 @@
 
 namespace viete::deform {
 
-/// Ways of a shape, v, as the cage takes them along: v' = v + share sum w (M - I) v, M being the maps of the
-/// patches about the cage's vertices, whose weights are those of the points. Where these make an affine
-/// motion, v' is what that does to v. Not thread-safe.
+/// Displacements v of a shape, moved along with the cage: v' = v + share sum w (M - I) v, M being the maps of
+/// the patches around the cage's vertices and w the weights of the points. For an affine motion of the cage,
+/// v' is its linear part applied to v. Not thread-safe.
 class WayTurner {
 public:
   /// True if rows are positions; other forms have maps of their own.
@@ -26,15 +26,15 @@ public:
       : state_(std::move(cage), Elements::point, RowForm::maps) {}
 
   void set_pose(const Pose& pose) { state_.set_pose(pose); }
-  /// Of all vertices of a binding with tiles, masked.
+  /// For all vertices of a binding with tiles, masked.
   std::span<const Vec3> turned(const Binding& binding, const Mask& mask, std::span<const Vec3> ways,
                                base::WorkerPool& pool);
-  /// Of those of one that has weights. Thread-safe between poses.
+  /// For the vertices of a binding with weights. Thread-safe between poses.
   std::vector<Vec3> turned(const Binding& binding, const Shares& shares, std::span<const Vec3> ways) const;
 
 private:
   CageState state_;
-  std::unique_ptr<FusedEngine> blender_;  // of the tiles
+  std::unique_ptr<FusedEngine> blender_;  // blender of the tiles
   Mask mask_;
   std::vector<double> sums_;
   std::vector<Vec3> turned_;

@@ -16,7 +16,7 @@ namespace viete::deform {
 
 namespace {
 
-// Arrays of arrays as the kernels take them.
+// Arrays of arrays in the form of the kernels.
 template <class Arrays>
 auto numbers(const Arrays& arrays) {
   using Array = typename Arrays::value_type;
@@ -24,7 +24,7 @@ auto numbers(const Arrays& arrays) {
   return reinterpret_cast<const Number(*)[sizeof(Array) / sizeof(Number)]>(arrays.data());
 }
 
-// Whether the point touches one of these elements.
+// True if the point touches one of these elements.
 bool touches(const Cage& cage, std::span<const std::uint32_t> elements, const mesh::Point& p) {
   const auto& x = cage.surface.positions;
   return std::any_of(elements.begin(), elements.end(), [&](std::uint32_t e) {
@@ -66,8 +66,7 @@ void Weigher::add_triangles() {
   }
 }
 
-// Elements without area are left out: the two sides of such a one see the same. Points on them are not for
-// vector code.
+// Leaves out elements without area: their two sides cancel. Points on them are not processed in vector code.
 void Weigher::add_views() {
   for (std::size_t i = 0; i < cage_.sides.of.size(); ++i) {
     const auto& t = cage_.sides.triangles[i];
@@ -80,7 +79,7 @@ void Weigher::add_views() {
   std::vector<mesh::Triangle> triangles;
   for (const auto& view : views_) triangles.push_back({view.corner[0], view.corner[1], view.corner[2]});
   const auto table = mesh::half_edges(corners_.size(), triangles);
-  // In the order in which the triangles come to them: what a kernel has just computed is at hand then.
+  // Sorted by first use in triangles, for cache locality.
   std::vector<std::uint32_t> order(table.edges.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -90,7 +89,7 @@ void Weigher::add_views() {
     const mesh::Edge& edge = table.edges[e];
     for (const auto& [triangle, forward] : table.of(e)) {
       MeanValueTriangle& view = views_[triangle];
-      int i = 0;  // the corner opposite
+      int i = 0;  // the opposite corner
       while (view.corner[i] == edge[0] || view.corner[i] == edge[1]) ++i;
       view.edge[i] = static_cast<std::uint32_t>(edges_.size());
       view.sign[i] = forward ? 1 : -1;
@@ -119,7 +118,7 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
       return 0;
     case Weights::mean_value: return weigh_mean_values(points, at, scratch);
     case Weights::harmonic:
-    case Weights::biharmonic: break;  // of vertices, not of points
+    case Weights::biharmonic: break;  // per vertex, not per point
   }
   return 0;
 }
@@ -157,7 +156,7 @@ double Weigher::cut() const {
 std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                        std::span<float> shares) const {
   std::vector<bool> failed(points.size());
-  base::AlignedVector<double> scratch(scratch_size());  // across cache lines it takes a tenth longer
+  base::AlignedVector<double> scratch(scratch_size());  // unaligned it takes a tenth longer
   const bool in_float = weighting_.weights != Weights::mean_value;
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);

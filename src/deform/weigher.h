@@ -1,4 +1,4 @@
-// Weights of many points at a time, in vector code.
+// Weights of several points at once, in vector code.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace viete::deform {
 
-/// The weights of Binding for any points, but those that live on the model's surface (of these it has only
-/// what does not depend on the model): inverse_distance_weights() and mean_value_weights() to 1e-13,
-/// less where those themselves are less certain. Keeps a reference to the cage. Thread-safe.
+/// The weights of Binding for any points (for weights along the surface, only the data that does not depend
+/// on the model): inverse_distance_weights() and mean_value_weights() to 1e-13, or to the accuracy of those
+/// functions where that is lower. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kernel& kernel = sym3::kernel());
@@ -23,17 +23,17 @@ public:
   const Cage& cage() const { return cage_; }
   const Weighting& weighting() const { return weighting_; }
   std::size_t handles() const { return handles_.size(); }
-  /// How many numbers weigh() needs.
+  /// Size of the scratch of weigh().
   std::size_t scratch_size() const;
   using LaneShares = std::array<double, bind_lanes>;
-  /// The weights [handle][8] of eight points, each lane summing to 1 (to 0 where no element reaches), at the
-  /// beginning of the scratch; the share of its motion that each makes, see Binding::shares.
-  /// Returns a bit for each that has no mean value coordinates.
+  /// Writes the weights [handle][8] of eight points to the start of the scratch, each lane with sum 1 (or 0
+  /// if no element reaches it), and each point's share of the motion, see Binding::shares. Returns a bit mask
+  /// of points without mean value coordinates.
   unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch,
                  LaneShares& shares) const;
-  /// As floats, off by 2e-6 at most: rows [tile][handle][16] of points that lie near each other, a multiple
-  /// of 16 of them; sums of these very weights times handle position, a point, and shares, a point. Returns
-  /// which have no mean value coordinates.
+  /// Weights as floats, with errors up to 2e-6: rows [tile][handle][16] for points near each other, a
+  /// multiple of 16; sums of these float weights times handle positions, and shares, per point. Returns which
+  /// points have no mean value coordinates.
   std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                 std::span<float> shares) const;
   /// Rest positions of the handles relative to origin().
@@ -58,15 +58,15 @@ private:
   Vec3 origin_;
   double scale_;  // a power of two: the cage's diagonal times it is near 1
   std::vector<Vec3> handles_;
-  std::vector<Vec3> corners_;  // of the cage, about the origin and scaled, as all that follows
-  // For distances: the handles as triangles, and where their axes begin.
+  std::vector<Vec3> corners_;  // the cage's corners, relative to the origin and scaled, as all members below
+  // For distances: the handles as triangles, and the origins of their axes.
   std::vector<DistanceTriangle<double>> triangles_;
   std::vector<DistanceTriangle<float>> float_triangles_;
   std::vector<Vec3> origins_, shifts_;
   // For mean values: its edges, and its triangles by corners and edges.
   std::vector<mesh::Edge> edges_;
   std::vector<MeanValueTriangle> views_;
-  std::vector<std::uint32_t> without_area_;  // its other triangles
+  std::vector<std::uint32_t> without_area_;  // the cage's triangles without area
 };
 
 }  // namespace viete::deform

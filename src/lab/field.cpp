@@ -13,14 +13,14 @@ namespace viete::lab {
 
 namespace {
 
-constexpr double least_log2 = -20;  // of what has collapsed: a millionth
+constexpr double least_log2 = -20;  // value of a collapsed triangle: one millionth
 constexpr std::size_t portion = 1024;
 
 double log2_of(double ratio) {
   return std::max(std::log2(ratio), least_log2);
 }
 
-// The distances between two sets of points, in diagonals.
+// Distances between corresponding points, in diagonals.
 std::vector<double> distances(std::span<const mesh::Point> a, std::span<const mesh::Point> b,
                               double diagonal) {
   std::vector<double> values;
@@ -46,7 +46,7 @@ double smaller_log(const Stretches& s) {
 double shear_log(const Stretches& s) {
   return s.larger > 0 ? std::min(std::log2(s.larger / s.smaller), -least_log2) : 0;
 }
-// Symmetric Dirichlet, less the 4 that it has at rest.
+// Symmetric Dirichlet energy minus 4, its rest value.
 double energy_of(const Stretches& s) {
   const double a = std::max(s.larger, 1e-6), b = std::max(s.smaller, 1e-6);
   return a * a + b * b + 1 / (a * a) + 1 / (b * b) - 4;
@@ -68,7 +68,7 @@ std::vector<double> volumes(const FieldInput& in) {
   return values;
 }
 
-// Of the nearest two eigenvalues, over the largest: what decides which case the published methods take.
+// Smallest eigenvalue gap over the largest eigenvalue, which selects the case of the published methods.
 std::vector<double> gaps(const FieldInput& in) {
   std::vector<std::array<double, 3>> eigenvalues(in.matrices.size());
   if (in.matrices.empty()) return {};
@@ -83,7 +83,7 @@ std::vector<double> gaps(const FieldInput& in) {
   return values;
 }
 
-// Relative, in the Frobenius norm, against a reference of 106 bits; some 2 us each.
+// Relative error in the Frobenius norm against a reference of 106 bits; about 2 us each.
 std::vector<double> exp_errors(const FieldInput& in) {
   std::vector<double> values;
   std::vector<sym3::Sym3<double>> computed(portion);
@@ -116,7 +116,7 @@ std::vector<double> differences(const FieldInput& in) {
   return distances(in.drawn, in.first, in.strain->diagonal());
 }
 
-// Along the normal of the first view.
+// Signed along the normal of the first view.
 std::vector<double> signed_differences(const FieldInput& in) {
   std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
   for (double& value : values) value /= in.strain->diagonal();
@@ -124,19 +124,16 @@ std::vector<double> signed_differences(const FieldInput& in) {
 }
 
 constexpr FieldEntry table[] = {
-    {.field = Field::none,
-     .choice = {"none", "None", "Show the mesh as it is shaded."},
-     .least_range = 1,
-     .compute = nullptr},
+    {.field = Field::none, .choice = {"none", "None", "Show no map."}, .least_range = 1, .compute = nullptr},
     {.field = Field::displacement,
      .choice = {"displacement", "Displacement",
-                "How far each vertex has gone, in diagonals of the model at rest."},
+                "Distance of each vertex from rest, in diagonals of the model at rest."},
      .unit = "of the diagonal",
      .source = Source::surface,
      .least_range = 0.01,
      .compute = displacements},
     {.field = Field::area,
-     .choice = {"area", "Area change", "How many times as large the surface around a vertex has become."},
+     .choice = {"area", "Area change", "Ratio of the surface area around a vertex to its area at rest."},
      .source = Source::surface,
      .scale = Scale::log2,
      .symmetric = true,
@@ -144,7 +141,7 @@ constexpr FieldEntry table[] = {
      .compute = strain_means<area_log>},
     {.field = Field::larger_stretch,
      .choice = {"larger-stretch", "Larger stretch",
-                "How many times as long the most stretched direction has become."},
+                "Ratio of lengths in the most stretched direction to lengths at rest."},
      .source = Source::surface,
      .scale = Scale::log2,
      .symmetric = true,
@@ -153,7 +150,7 @@ constexpr FieldEntry table[] = {
      .compute = strain_means<larger_log>},
     {.field = Field::smaller_stretch,
      .choice = {"smaller-stretch", "Smaller stretch",
-                "How many times as long the least stretched direction has become."},
+                "Ratio of lengths in the least stretched direction to lengths at rest."},
      .source = Source::surface,
      .scale = Scale::log2,
      .symmetric = true,
@@ -161,20 +158,21 @@ constexpr FieldEntry table[] = {
      .has_directions = true,
      .compute = strain_means<smaller_log>},
     {.field = Field::shear,
-     .choice = {"shear", "Shear", "The larger stretch over the smaller: 1 where angles are kept."},
+     .choice = {"shear", "Shear",
+                "Ratio of the larger to the smaller stretch. 1 where angles are preserved."},
      .source = Source::surface,
      .scale = Scale::log2,
      .least_range = 0.1,
      .has_directions = true,
      .compute = strain_means<shear_log>},
     {.field = Field::turn,
-     .choice = {"turn", "Turn", "By how many degrees the surface around a vertex has turned, 180 at most."},
+     .choice = {"turn", "Rotation", "Rotation angle of the surface around a vertex, at most 180 degrees."},
      .source = Source::surface,
      .least_range = 5,
      .compute = turns},
     {.field = Field::energy,
      .choice = {"energy", "Energy",
-                "Symmetric Dirichlet energy, less what it is at rest: 0 where nothing stretches."},
+                "Symmetric Dirichlet energy minus its value at rest. 0 where nothing stretches."},
      .source = Source::surface,
      .scale = Scale::log10,
      .least_range = 2,
@@ -182,17 +180,16 @@ constexpr FieldEntry table[] = {
      .compute = strain_means<energy_of>},
     {.field = Field::volume,
      .choice = {"volume", "Volume change",
-                "What the blended map at a vertex does to volumes: det exp S = exp tr S."},
+                "Volume factor of the blended map at a vertex: det exp S = exp tr S."},
      .source = Source::matrices,
      .scale = Scale::log2,
      .symmetric = true,
      .least_range = 0.1,
      .compute = volumes},
     {.field = Field::gap,
-     .choice = {"gap", "Gap of eigenvalues",
-                "Between the nearest two of the blended matrix, over the largest: near 0 the published "
-                "methods switch "
-                "case."},
+     .choice = {"gap", "Eigenvalue gap",
+                "Smallest eigenvalue gap of the blended matrix, relative to the largest eigenvalue. Near 0 "
+                "the published methods switch cases."},
      .unit = "of the largest",
      .source = Source::matrices,
      .scale = Scale::log10,
@@ -201,8 +198,8 @@ constexpr FieldEntry table[] = {
      .worst_is_least = true,
      .compute = gaps},
     {.field = Field::exp_error,
-     .choice = {"exp-error", "Error of exp",
-                "The relative error of the exponential by the method that runs, against 106 bits."},
+     .choice = {"exp-error", "Exponential error",
+                "Relative error of the current method's exponential, compared with 106-bit results."},
      .unit = "relative",
      .source = Source::matrices,
      .scale = Scale::log10,
@@ -210,8 +207,8 @@ constexpr FieldEntry table[] = {
      .floor = 1e-20,
      .compute = exp_errors},
     {.field = Field::frame_error,
-     .choice = {"frame-error", "Error of the frame",
-                "How far the drawn vertex is from the same one in double, in diagonals of the model."},
+     .choice = {"frame-error", "Frame error",
+                "Distance of each drawn vertex from its double precision result, in diagonals of the model."},
      .unit = "in diagonals",
      .source = Source::frame,
      .scale = Scale::log10,
@@ -219,14 +216,14 @@ constexpr FieldEntry table[] = {
      .floor = 1e-17,
      .compute = frame_errors},
     {.field = Field::influence,
-     .choice = {"influence", "Influence", "How much of what the selection does a vertex takes on."},
+     .choice = {"influence", "Influence", "Weight of the selection at each vertex."},
      .source = Source::shares,
      .least_range = 0.01,
      .compute = shares},
     {.field = Field::opening,
      .choice =
          {"opening", "Opening",
-          "How many times as far two parts are that faced each other closely at rest: blue where they meet."},
+          "Ratio of the distance between close parts to their distance at rest. Blue where they touch."},
      .source = Source::surface,
      .scale = Scale::log2,
      .symmetric = true,
@@ -234,7 +231,7 @@ constexpr FieldEntry table[] = {
      .compute = openings},
     {.field = Field::difference,
      .choice = {"difference", "Difference",
-                "How far each vertex is from where the first view has it, in diagonals."},
+                "Distance of each vertex from its position in the first view, in diagonals."},
      .unit = "in diagonals",
      .source = Source::first,
      .scale = Scale::log10,
@@ -243,28 +240,27 @@ constexpr FieldEntry table[] = {
      .compute = differences},
     {.field = Field::signed_difference,
      .choice = {"signed-difference", "Signed difference",
-                "The same along the normal of the first view: orange outside of it, blue inside."},
+                "Difference along the normal of the first view: orange outside, blue inside."},
      .unit = "of the diagonal",
      .source = Source::first,
      .symmetric = true,
      .least_range = 1e-4,
      .compute = signed_differences}};
 
-// As it is kept.
+// Converts a value to its stored form.
 float kept(const FieldEntry& e, double value) {
   if (e.scale != Scale::log10) return static_cast<float>(value);
   return std::isnan(value) ? 0.0F : static_cast<float>(std::log10(std::max(value, e.floor)));
 }
 
-// The value that so much of them are at most.
+// The quantile at this share.
 double quantile(std::vector<float>& values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return static_cast<double>(values[static_cast<std::size_t>(at)]);
 }
 
-// Upwards to a number that steps of about an eighth lead to: a range that does not flicker while a hand
-// moves.
+// Rounds up to a step of about an eighth, so that the colour range does not flicker during editing.
 double rounded_up(double value) {
   if (!(value > 0)) return 0;
   const double steps = std::ceil(6 * std::log2(value) - 1e-9);
@@ -284,7 +280,7 @@ void fit_range(const FieldEntry& e, std::vector<float> values, FieldStats& stats
   stats.low = e.symmetric ? -stats.high : 0;
 }
 
-// The decades up to the worst of all methods, on some of the matrices: the same ones whichever method runs.
+// Decades up to the largest error of all methods on a sample of the matrices; the same for every method.
 void fit_error_range(std::span<const sym3::Sym3<double>> matrices, FieldStats& stats) {
   constexpr std::size_t most = 4096;
   constexpr double floor = 1e-17, fewest_decades = 2;

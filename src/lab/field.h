@@ -1,4 +1,4 @@
-// Fields: a number at each vertex of the model, that says what a deformation does there. One table of them.
+// Scalar fields on the model's vertices that measure a deformation, and a table of them.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace viete::lab {
 
-/// Those that a person chooses from.
+/// Methods offered to users.
 inline constexpr std::array compared_methods = {sym3::Method::diag, sym3::Method::sd,
                                                 sym3::Method::improved_sd, sym3::Method::fast};
 
@@ -41,27 +41,27 @@ enum class Field : unsigned char {
 };
 std::span<const base::Choice> choices(Field);
 
-/// How a value is kept: as it is, or as its logarithm.
+/// Stored form of a value: itself, or its logarithm.
 enum class Scale : unsigned char { plain, log2, log10 };
-/// What values are computed of.
+/// Input of the computation.
 enum class Source : unsigned char {
   nothing,
-  surface,   ///< positions at rest and as they are drawn
-  matrices,  ///< the symmetric logs that vertices blend: there must be a blend that takes exponentials
-  frame,     ///< positions as they are drawn, and in double
-  shares,    ///< how much of the selection's motion a vertex takes
-  first,     ///< positions as they are drawn, here and in the first of several views
+  surface,   ///< positions at rest and as displayed
+  matrices,  ///< symmetric logs that vertices blend; needs a blend that uses exponentials
+  frame,     ///< positions as displayed, and in double precision
+  shares,    ///< share of the selection's motion at each vertex
+  first,     ///< positions as displayed, here and in the first of several views
 };
 
 struct FieldInput {
-  const Strain* strain;                          ///< of the model at rest
-  std::span<const mesh::Point> first;            ///< where the first view has them
+  const Strain* strain;                          ///< strain of the rest model
+  std::span<const mesh::Point> first;            ///< positions in the first view
   std::span<const mesh::Point> drawn, exact;     ///< in the file's units
-  std::span<const sym3::Sym3<double>> matrices;  ///< one a vertex
-  std::span<const double> shares;                ///< one a vertex
-  sym3::Method method = sym3::Method::fast;      ///< whose error it is
-  base::WorkerPool* pool;                        ///< of surfaces
-  base::Progress* progress = nullptr;            ///< of matrices; may be null
+  std::span<const sym3::Sym3<double>> matrices;  ///< one per vertex
+  std::span<const double> shares;                ///< one per vertex
+  sym3::Method method = sym3::Method::fast;      ///< the method whose error is computed
+  base::WorkerPool* pool;                        ///< for surface fields
+  base::Progress* progress = nullptr;            ///< for matrix fields; may be null
 };
 
 struct FieldEntry {
@@ -70,42 +70,41 @@ struct FieldEntry {
   std::string_view unit{};  ///< shown with the title: "in diagonals"
   Source source = Source::nothing;
   Scale scale = Scale::plain;
-  bool symmetric = false;  ///< 0 is what it is where nothing happens, in the middle of the colours
-  double least_range = 1;  ///< the colours span at least this
-  double floor = 0;        ///< of logarithms: what smaller values count as
+  bool symmetric = false;  ///< 0 is the value at rest, at the middle of the colours
+  double least_range = 1;  ///< minimum span of the colours
+  double floor = 0;        ///< lower clamp before taking logarithms
   bool worst_is_least = false;
   bool has_directions = false;  ///< see strokes()
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };
 const FieldEntry& entry(Field field);
 
-/// As values are kept: logarithms where the entry's scale is one.
+/// Values in stored form: logarithms if the entry's scale is logarithmic.
 struct FieldStats {
   Field field = Field::none;
-  sym3::Method method = sym3::Method::fast;  ///< of its error
+  sym3::Method method = sym3::Method::fast;  ///< whose error it is
   std::size_t vertices = 0;                  ///< 0: not computed
-  double least = 0, median = 0, most = 0;    ///< of finite values
-  std::uint32_t worst = 0;  ///< the vertex of the most, or where that says more, of the least
-  bool is_nan = false;      ///< some value was none
-  /// From the first colour to the last one. Outliers, half a per cent, are beyond, and have the colours of
-  /// the ends.
+  double least = 0, median = 0, most = 0;    ///< over finite values
+  std::uint32_t worst = 0;                   ///< vertex of the maximum, or of the minimum if worst_is_least
+  bool is_nan = false;                       ///< a value is NaN
+  /// Values at the first and the last colour. Outliers (half a per cent) lie beyond and get the end colours.
   double low = 0, high = 1;
-  std::array<std::uint32_t, 48> counts{};  ///< of vertices, from low to high, evenly
+  std::array<std::uint32_t, 48> counts{};  ///< histogram of vertices, from low to high
 };
 struct FieldValues {
   std::vector<float> values;
   FieldStats stats;
 };
 
-/// The source of the field must be given. Throws base::Cancelled. Thread-safe.
+/// The input must include the field's source. Throws base::Cancelled. Thread-safe.
 FieldValues measure(Field field, const FieldInput& input);
-/// Short lines on the surface, pairs of ends in the file's units: along them it is stretched, or squeezed, as
-/// their length says. Of fields that have directions, else none.
+/// Short lines on the surface as pairs of end points, in the file's units: their direction and length show
+/// the stretch or compression. Empty for fields without directions.
 std::vector<mesh::Point> strokes(const FieldStats& stats, const FieldInput& input);
-/// Counts anew from low to high, which stay.
+/// Recomputes the histogram for the given low and high.
 void fit_counts(std::span<const float> values, FieldStats& stats);
 
-/// "1.25x", "12.5 deg", "3.2 %": a value as it is kept, as people read it.
+/// Formats a stored value for display: "1.25x", "12.5 deg", "3.2 %".
 std::string text(Field field, double value);
 
 }  // namespace viete::lab

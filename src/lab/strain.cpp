@@ -33,7 +33,7 @@ PlaneMap plane_map(const FlatFace& face, std::span<const Point> positions) {
   return {x, (1 / face.across) * (positions[c] - positions[a] - face.along * x)};
 }
 
-// The larger from the trace of J^T J and its discriminant, the smaller from the area.
+// The larger from the trace of J^T J and its discriminant, the smaller from the determinant.
 Stretches stretches(const PlaneMap& map) {
   const double xx = mesh::squared_norm(map.x), yy = mesh::squared_norm(map.y);
   const double larger = std::sqrt((xx + yy + std::hypot(xx - yy, 2 * mesh::dot(map.x, map.y))) / 2);
@@ -43,7 +43,7 @@ Stretches stretches(const PlaneMap& map) {
 
 namespace {
 
-constexpr double cosine = 0.5;  // as far as 60 degrees from straight ahead, and back
+constexpr double cosine = 0.5;  // up to 60 degrees from straight ahead, in both directions
 
 using Cell = std::array<long, 3>;
 
@@ -83,7 +83,7 @@ using mesh::cross, mesh::dot, mesh::norm, mesh::Point, mesh::Vec3;
 namespace {
 
 constexpr std::size_t at_once = 4096;
-constexpr double least_log = -20;  // of a triangle that has collapsed
+constexpr double least_log = -20;  // value of a collapsed triangle
 
 Vec3 unit(const Vec3& v) {
   const double length = norm(v);
@@ -94,7 +94,7 @@ void add_product(const Vec3& a, const Vec3& b, double share, sym3::Mat3<double>&
   for (std::size_t k = 0; k < 9; ++k) sum[k] += share * a[k / 3] * b[k % 3];
 }
 
-// Axes of a face at rest: along its first side, across it, and its normal.
+// Rest axes of a face: along its first side, across it, and its normal.
 std::array<Vec3, 3> axes(const FlatFace& face, std::span<const Point> rest) {
   const auto& [a, b, c] = face.corners;
   const Vec3 x = unit(rest[b] - rest[a]), n = unit(cross(rest[b] - rest[a], rest[c] - rest[a]));
@@ -114,7 +114,7 @@ Strain::Strain(const mesh::Surface& rest)
   choose_spread();
 }
 
-// The first vertex in each cell of a grid.
+// Chooses the first vertex in each cell of a grid.
 void Strain::choose_spread() {
   if (!(diagonal_ > 0)) return;
   std::set<std::array<long, 3>> taken;
@@ -203,12 +203,12 @@ Strain::Direction Strain::direction(std::span<const Point> deformed, std::size_t
   const Vec3 normal = this->normal(deformed, vertex);
   const Vec3 p = unit(std::abs(normal[0]) < 0.6 ? cross(normal, {1, 0, 0}) : cross(normal, {0, 1, 0}));
   const Vec3 q = cross(normal, p);
-  // The mean log of the stretch J J^T of each triangle's plane, as it is deformed, in the axes p and q.
+  // The mean log of the stretch J J^T of the deformed triangles' planes, in the axes p and q.
   double pp = 0, pq = 0, qq = 0, area = 0;
   for (const std::uint32_t f : around_.of(vertex)) {
     const PlaneMap map = plane_map(faces_[f], deformed);
     const auto [larger, smaller] = stretches(map);
-    // The most stretched direction: the eigenvector of J^T J, mapped.
+    // The direction of largest stretch: the mapped eigenvector of J^T J.
     const double xx = mesh::squared_norm(map.x), yy = mesh::squared_norm(map.y);
     const double angle = std::atan2(2 * dot(map.x, map.y), xx - yy) / 2;
     const Vec3 most = unit(std::cos(angle) * map.x + std::sin(angle) * map.y);

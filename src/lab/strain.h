@@ -1,4 +1,4 @@
-// Strain of a deformation at each vertex of a surface, and surfaces close to each other.
+// Strain of a deformation at each vertex of a surface, and distances between facing parts.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace viete::lab {
 
-/// A triangle with area, and its sides u = (length, 0) and v = (along, across) at rest, in axes of its plane.
+/// A triangle with area; its rest sides u = (length, 0) and v = (along, across) in axes of its plane.
 struct FlatFace {
   mesh::Triangle corners;
   double length, along, across;
@@ -21,16 +21,16 @@ struct FlatFace {
   double area() const { return length * across / 2; }
 };
 
-/// Nothing where the triangle has no area.
+/// Empty if the triangle has no area.
 std::optional<FlatFace> flat_face(std::span<const mesh::Point> rest, const mesh::Triangle& triangle);
 
-/// Where the axes of the plane have gone: columns of the map from the plane into space.
+/// The deformed axes of the plane: columns of the map from the plane to space.
 struct PlaneMap {
   mesh::Vec3 x, y;
 };
 PlaneMap plane_map(const FlatFace& face, std::span<const mesh::Point> positions);
 
-/// Singular values of such a map: how long the most and the least stretched unit vector has become.
+/// Singular values of the map: lengths of the most and the least stretched unit vectors.
 struct Stretches {
   double larger, smaller;
 };
@@ -38,49 +38,49 @@ Stretches stretches(const PlaneMap& map);
 
 inline constexpr std::uint32_t no_partner = ~0u;
 
-/// Of each vertex the nearest one, at most so far away, that it sees before it, and that looks back: what
-/// lies between the two is open. no_partner where there is none. Normals are of length 1. Some 50 ms for
-/// 50,000 vertices and a distance of 3 % of their diagonal.
+/// For each vertex the nearest vertex within `distance` in front of it that faces back, with free space
+/// between; no_partner if there is none. Normals must be unit vectors. About 50 ms for 50,000 vertices and a
+/// distance of 3 % of their diagonal.
 std::vector<std::uint32_t> facing_vertices(std::span<const mesh::Point> positions,
                                            std::span<const mesh::Vec3> normals, double distance);
 
-/// A surface at rest, ready to be compared with itself deformed. Values at vertices are means over the
-/// triangles around, by their areas at rest; 0 where none has area. A millisecond or two for 100,000
-/// triangles. The same bits for any number of threads; const and thread-safe.
+/// A rest surface prepared for comparison with its deformations. Vertex values are means over the adjacent
+/// triangles, weighted by rest area; 0 without area. One to two milliseconds for 100,000 triangles. Same bits
+/// for any number of threads; thread-safe.
 class Strain {
 public:
   explicit Strain(const mesh::Surface& rest);
 
   const std::vector<mesh::Point>& rest() const { return rest_; }
-  /// Of the model at rest.
+  /// The diagonal of the rest model.
   double diagonal() const { return diagonal_; }
 
-  /// Means of a number that a triangle's stretches tell.
+  /// Vertex means of a function of triangle stretches.
   std::vector<double> means(std::span<const mesh::Point> deformed, double (*of)(const Stretches&),
                             base::WorkerPool& pool) const;
-  /// Angles, in degrees from 0 to 180, of the rotations nearest to the mean maps of the triangles around; a
-  /// map takes the normal at rest to the normal.
+  /// Rotation angles in degrees, 0 to 180, of the rotations nearest to the mean maps of the adjacent
+  /// triangles. A map takes the rest normal to the deformed normal.
   std::vector<double> turns(std::span<const mesh::Point> deformed, base::WorkerPool& pool) const;
 
-  /// How far `to` is from `from` along the normals of `from`, which are means by area; in the file's units.
+  /// Offset of `to` from `from` along the area-weighted normals of `from`, in the file's units.
   std::vector<double> along_normals(std::span<const mesh::Point> from, std::span<const mesh::Point> to,
                                     base::WorkerPool& pool) const;
 
-  /// The most stretched direction at a vertex, as it is deformed, of length 1, and by how much; the least.
+  /// Unit directions of the largest and the smallest stretch at a deformed vertex, with their factors.
   struct Direction {
     mesh::Vec3 most, least, normal;
     double larger, smaller;
   };
-  /// From the mean of the logs of the triangles' stretches, projected to the plane across the normal.
+  /// From the mean log stretch of the triangles, projected onto the tangent plane.
   Direction direction(std::span<const mesh::Point> deformed, std::size_t vertex) const;
 
-  /// How many times as far each vertex is from the part that it faced at rest, at most 3 % of the diagonal
-  /// away; 1 where it faced none. Which that is, is found out by the first call.
+  /// Distance of each vertex from the part that it faced at rest, relative to the rest distance; 1 without
+  /// such a part within 3 % of the diagonal. The first call finds the facing parts.
   std::vector<double> openings(std::span<const mesh::Point> deformed) const;
 
-  /// Vertices that are spread over the surface at rest, about 50 along the diagonal.
+  /// Vertices spread over the rest surface, about 50 along the diagonal.
   const std::vector<std::uint32_t>& spread() const { return spread_; }
-  /// How far apart these are.
+  /// The distance between these vertices.
   double spacing() const { return diagonal_ / spread_along; }
 
 private:
@@ -90,12 +90,12 @@ private:
   mesh::Vec3 normal(std::span<const mesh::Point> deformed, std::size_t vertex) const;
 
   std::vector<mesh::Point> rest_;
-  std::vector<FlatFace> faces_;  // that have area
-  mesh::Adjacency around_;       // of vertices, of these
+  std::vector<FlatFace> faces_;  // with area
+  mesh::Adjacency around_;       // the faces around each vertex
   double diagonal_ = 0;
   std::vector<std::uint32_t> spread_;
   mutable std::once_flag faced_once_;
-  mutable std::vector<std::uint32_t> faced_;  // see facing_vertices(); what openings() has found out
+  mutable std::vector<std::uint32_t> faced_;  // see facing_vertices(); filled in by openings()
 };
 
 }  // namespace viete::lab

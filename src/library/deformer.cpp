@@ -34,7 +34,7 @@ void check(const char* what, std::optional<double> value, double low, double hig
 
 deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   deform::AskedScheme asked;
-  // Of points there is no surface along which weights could spread.
+  // Points have no surface along which weights could spread.
   if (has_triangles || b.way != Blending{}.way) take(deform::all_ways(), b.way, "way", asked.way);
   take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
   take(deform::all_blends(), b.blend, "blend", asked.choice.blend);
@@ -46,7 +46,7 @@ deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   asked.pins = b.pins, asked.hold = b.hold;
   try {
     return deform::scheme_of(asked, deform::default_scheme(has_triangles));
-  } catch (const base::Error& error) {  // whose words are options
+  } catch (const base::Error& error) {  // its message names command-line options
     using library::without_dashes;
     throw base::Error(without_dashes(error.place()), without_dashes(error.problem()),
                       without_dashes(error.advice()));
@@ -55,7 +55,7 @@ deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
 
 sym3::Method method_of(const std::string& name) {
   if (const auto method = sym3::method_from_name(name)) return *method;
-  throw base::Error("method", "there is none called " + name, "choose diag, sd, improved_sd or fast");
+  throw base::Error("method", "unknown name " + name, "choose diag, sd, improved_sd or fast");
 }
 
 mesh::Vec3 vector_of(const Point3& p) {
@@ -66,9 +66,8 @@ void check_finite(const Probe& probe) {
   const auto check = [](const char* what, std::span<const double> numbers) {
     for (const double x : numbers)
       if (!(std::abs(x) <= library::most_deformable))
-        throw base::Error("a probe",
-                          "its " + std::string(what) + " has a number that is not finite, or beyond 1e60",
-                          "leave such numbers out");
+        throw base::Error("a probe", "its " + std::string(what) + " is not finite, or beyond 1e60",
+                          "use finite numbers up to 1e60");
   };
   check("place", probe.place), check("turn", probe.turn), check("stretch", probe.stretch);
   check("move", probe.move);
@@ -79,7 +78,8 @@ void check_turns(const std::vector<Point3>* turns) {
   for (const Point3& turn : *turns)
     for (const double x : turn)
       if (!(std::abs(x) <= 1e6))
-        throw base::Error("turns", "one is not finite, or beyond 1e6", "give what came back");
+        throw base::Error("turns", "a rotation vector is not finite, or beyond 1e6",
+                          "pass the value of the previous call");
 }
 
 template <class T>
@@ -88,7 +88,7 @@ void check_size(std::span<T> numbers, std::size_t vertices, const char* what) {
     throw base::Error(
         what,
         "it has " + std::to_string(numbers.size()) + " numbers for " + std::to_string(vertices) + " vertices",
-        "give three for each vertex");
+        "pass three per vertex");
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ struct Deformer::Impl {
   deform::Mask mask;
   deform::SharedShape shape;
   deform::Probes probes;
-  std::unique_ptr<deform::ExactDeformer> exact_;  // each where it is asked for
+  std::unique_ptr<deform::ExactDeformer> exact_;  // created on first use
   std::unique_ptr<deform::Deformer> live_;
 };
 
@@ -226,18 +226,18 @@ void Deformer::deform(std::span<const double> cage, std::span<float> positions, 
     if (!within) fits = false;
   });
   if (!fits)
-    throw base::Error("positions", "one is beyond what floats hold",
-                      "deform in double, or scale the cage and the model");
+    throw base::Error("positions", "a coordinate exceeds the range of float",
+                      "use double, or scale the cage and the model");
 }
 
 void Deformer::set_mask(std::span<const float> shares) {
   const base::ForkDelay delay;
   if (!shares.empty() && shares.size() != vertex_count())
-    throw base::Error("the mask", "it has another number of shares than the model has vertices",
-                      "give one for each vertex");
+    throw base::Error("the mask", "its size differs from the number of vertices",
+                      "pass one value per vertex");
   for (const float share : shares)
     if (!(share >= 0 && share <= 1))
-      throw base::Error("the mask", "a share is not between 0 and 1", "keep them there");
+      throw base::Error("the mask", "a value is not between 0 and 1", "clamp the values");
   impl_->mask =
       shares.empty() ? nullptr : std::make_shared<const std::vector<float>>(shares.begin(), shares.end());
   impl_->exact_.reset();
@@ -262,7 +262,7 @@ void Deformer::set_probes(const std::vector<Probe>& probes) {
   for (const Probe& p : probes) {
     check_finite(p);
     if (!(p.radius > 0 && p.radius <= library::most_deformable))
-      throw base::Error("a probe", "its radius is not a length", "give one above 0, up to 1e60");
+      throw base::Error("a probe", "its radius is out of range", "choose a radius above 0, up to 1e60");
     const deform::Influence influence{library::named(deform::all_falloffs(), p.falloff, "falloff"), p.radius};
     deform::Probe probe{
         .place = vector_of(p.place), .turn = influence, .stretch = influence, .move = influence};

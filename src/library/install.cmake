@@ -1,11 +1,11 @@
-# The deformer for strangers, viete::deform: the archive of this room, and those of the rooms that it is a skin of, which nobody else
-# includes. What they link of packages is named; it is there where the package depends on it.
+# Installs viete::deform: the archive of this room and of the rooms that it uses, without their headers.
+# Their package dependencies are listed where the package depends on them.
 set(rooms base mesh formats cages sparse deform lab document files)
 foreach(room IN LISTS rooms)
   set_target_properties(viete_${room} PROPERTIES EXPORT_NAME room_${room})
 endforeach()
 set_target_properties(viete_library PROPERTIES EXPORT_NAME deform)
-# Headers of packages are no business of who finds it installed.
+# Headers of dependencies stay private.
 foreach(room IN LISTS rooms)
   get_target_property(linked viete_${room} INTERFACE_LINK_LIBRARIES)
   list(TRANSFORM linked REPLACE "^(dep::.+)" "$<BUILD_INTERFACE:\\1>")

@@ -11,9 +11,9 @@
 #include "library/surfaces.h"
 #include "library/watched.h"
 #include "library/words.h"
+#include "mesh/formats/printed.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
-#include "mesh/formats/printed.h"
 #include "mesh/triangulation.h"
 
 namespace viete {
@@ -30,16 +30,17 @@ void check_faces(const Mesh& mesh, const char* what) {
   const auto& starts = mesh.starts;
   const bool whole =
       starts.empty() ? mesh.corners.empty() : starts.front() == 0 && starts.back() == mesh.corners.size();
-  if (!whole) refuse(what, "its faces do not begin and end where its corners do", "check starts");
+  if (!whole)
+    refuse(what, "starts does not match corners", "start at 0, ascend, and end at the number of corners");
   for (std::size_t f = 0; f + 1 < starts.size(); ++f)
     if (starts[f + 1] < starts[f] + 3)
-      refuse(what, "face " + std::to_string(f) + " has fewer than three corners", "leave it out");
+      refuse(what, "face " + std::to_string(f) + " has fewer than three corners", "remove it");
   for (std::size_t c = 0; c < mesh.corners.size(); ++c)
     if (mesh.corners[c] >= mesh.vertices.size())
       refuse(what,
-             "a face refers to vertex " + std::to_string(mesh.corners[c]) + ", and there are " +
+             "a face refers to vertex " + std::to_string(mesh.corners[c]) + ", the mesh has " +
                  std::to_string(mesh.vertices.size()),
-             "count vertices from 0");
+             "vertex indices start at 0");
 }
 
 }  // namespace
@@ -61,24 +62,23 @@ void check_points(std::span<const mesh::Point> points, std::size_t vertices, con
     refuse(
         what,
         "it has " + base::counted(points.size(), "place") + " for " + std::to_string(vertices) + " vertices",
-        "give one for each");
+        "pass one per vertex");
   for (std::size_t v = 0; v < points.size(); ++v)
     for (const double x : points[v])
       if (!(std::abs(x) <= mesh::largest_coordinate))
-        refuse(what,
-               "vertex " + std::to_string(v) + " is at no place: a coordinate is not finite, or beyond 1e100",
-               "leave such numbers out");
+        refuse(what, "vertex " + std::to_string(v) + " has a coordinate that is not finite, or beyond 1e100",
+               "use finite coordinates");
 }
 
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice) {
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!mesh::is_place(points[v], std::numeric_limits<double>::max()))
-      refuse(what, "vertex " + std::to_string(v) + " would be at no place", advice);
+      refuse(what, "vertex " + std::to_string(v) + " would have a coordinate that is not finite", advice);
 }
 
 std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what) {
   if (numbers.size() % 3 != 0)
-    refuse(what, "it has " + std::to_string(numbers.size()) + " numbers", "give three for each vertex");
+    refuse(what, "it has " + std::to_string(numbers.size()) + " numbers", "pass three per vertex");
   std::vector<mesh::Point> points(numbers.size() / 3);
   for (std::size_t v = 0; v < points.size(); ++v)
     points[v] = {numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]};
@@ -103,9 +103,9 @@ void check_deformable(std::span<const mesh::Point> points, double least, const c
   const double extent = mesh::largest_abs(box.high - box.low);
   const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
   if (farthest > most_deformable)
-    refuse(what, "it reaches as far as " + plain(farthest), "scale it so that it stays within 1e60");
+    refuse(what, "it has a coordinate of size " + plain(farthest), "scale it so that it stays within 1e60");
   if (extent > 0 && extent < least)
-    refuse(what, "it is " + plain(extent) + " across", "scale it so that it is 1e-60 or more across");
+    refuse(what, "it is " + plain(extent) + " in size", "scale it to 1e-60 or more");
 }
 
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what) {

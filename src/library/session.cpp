@@ -14,7 +14,7 @@ namespace viete {
 struct Session::Impl {
   explicit Impl(const std::filesystem::path& file) {
     if (!scene::is_session(file))
-      throw base::Error(file.string(), "this is no session", "name a .viete file");
+      throw base::Error(file.string(), "this is not a session", "choose a .viete file");
     opened = scene::open_files({scene::OpenRequest::What::model, {file}}, {});
     scene::check_deformable(opened);
     what = scene::export_of(*opened.document, {});
@@ -74,7 +74,7 @@ const std::vector<std::string>& Session::notes() const {
 }
 
 std::vector<Point3> Session::frame(double frame) const {
-  if (!(std::abs(frame) <= 1e6)) throw base::Error("frame", "this is no frame", "choose one of its range");
+  if (!(std::abs(frame) <= 1e6)) throw base::Error("frame", "not a valid frame", "choose a frame of range()");
   const base::ForkDelay delay;
   return library::outside(impl_->positions(frame));
 }

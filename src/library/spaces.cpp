@@ -18,7 +18,7 @@ namespace viete {
 
 namespace {
 
-// Keys a frame apart, from 0 on.
+// One key per frame, from frame 0.
 scene::Timeline timeline_of(std::vector<scene::WholePose> poses, bool straight) {
   scene::Timeline timeline;
   timeline.first = 0, timeline.last = static_cast<int>(poses.size()) - 1;
@@ -33,13 +33,13 @@ scene::Timeline timeline_of(std::vector<scene::WholePose> poses, bool straight) 
 
 void check_moment(double at, std::size_t count) {
   if (!(at >= 0 && at <= static_cast<double>(count) - 1))
-    throw base::Error("at", "it is beyond the shapes that there are",
-                      "0 is the first one, " + std::to_string(count - 1) + " the last");
+    throw base::Error("at", "the value is out of range",
+                      "0 is the first shape, " + std::to_string(count - 1) + " the last");
 }
 
 void check_number(std::size_t number, std::size_t count) {
   if (number >= count)
-    throw base::Error("shapes", "there is none of the number " + std::to_string(number), "count them from 0");
+    throw base::Error("shapes", "there is no shape " + std::to_string(number), "indices start at 0");
 }
 
 void check_weights(std::span<const double> weights, std::size_t count) {
@@ -47,18 +47,18 @@ void check_weights(std::span<const double> weights, std::size_t count) {
     throw base::Error(
         "weights",
         "there are " + std::to_string(weights.size()) + " for " + std::to_string(count) + " shapes",
-        "give one for each");
+        "pass one per shape");
   for (const double w : weights)
     if (!(std::abs(w) <= 1000))
-      throw base::Error("weights", "one is not finite, or beyond 1000", "leave it out");
+      throw base::Error("weights", "a weight is not finite, or beyond 1000", "choose -1000 to 1000");
 }
 
 std::vector<Point3> sum_outside(const std::vector<mesh::Point>& sum) {
-  library::check_finite(sum, "weights", "keep them nearer to 0");
+  library::check_finite(sum, "weights", "use weights nearer to 0");
   return library::outside(sum);
 }
 
-// Of those that count; one of them alone is what it is, bit for bit.
+// Blends the entries whose weight is not 0. A single entry of weight 1 is returned bit for bit.
 template <class Whole, class Make>
 auto sum_of(std::span<const double> weights, const std::vector<deform::LogVector>& vectors,
             const Whole& whole, const Make& make) {
@@ -77,7 +77,7 @@ struct ShapeSpace::Impl {
       : rest(std::make_shared<const mesh::Surface>(library::deformable_surface_of(mesh, "the mesh at rest"))),
         pool(library::checked_threads(threads)),
         space(*rest, pool, progress) {
-    if (all.empty()) throw base::Error("shapes", "there is none", "name one or more");
+    if (all.empty()) throw base::Error("shapes", "the list is empty", "pass one or more");
     for (const auto& shape : all) {
       if (progress) progress->report(static_cast<double>(shapes.size()) / static_cast<double>(all.size()));
       const std::vector<mesh::Point> positions = library::inside(shape);
@@ -104,7 +104,7 @@ struct ShapeSpace::Impl {
   deform::ShapeSpace space;
   std::vector<scene::SharedShape> shapes;
   std::vector<deform::LogVector> vectors;
-  scene::KnownVectors known;
+  scene::VectorCache known;
   std::optional<scene::Animation> animation;
 };
 
@@ -153,17 +153,17 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
   library::check_points(targets, vertices.size(), "the places");
   library::check_deformable(targets, 0, "the places");
   if (!(firmness > 0))
-    throw base::Error("firmness", "it is not above 0", "0.3 pulls as strongly as neighbours do");
-  if (!(freedom >= 0 && freedom <= 1))
-    throw base::Error("freedom", "it is not between 0 and 1", "choose 0 to 1");
-  if (vertices.empty()) throw base::Error("vertices", "there is none to bring anywhere", "name one or more");
+    throw base::Error("firmness", "it must be above 0", "0.3 pulls as strongly as neighbours do");
+  if (!(freedom >= 0 && freedom <= 1)) throw base::Error("freedom", "it must be 0 to 1", "choose 0 to 1");
+  if (vertices.empty()) throw base::Error("vertices", "the list is empty", "pass one or more");
   std::vector<char> pinned(impl_->rest->positions.size(), 0);
   std::vector<deform::PosingPin> pins;
   for (const std::uint32_t v : vertices) {
     if (v >= impl_->rest->positions.size())
-      throw base::Error("vertices", "there is no vertex " + std::to_string(v), "count them from 0");
+      throw base::Error("vertices", "there is no vertex " + std::to_string(v), "indices start at 0");
     if (std::exchange(pinned[v], 1))
-      throw base::Error("vertices", "vertex " + std::to_string(v) + " is there twice", "name each one once");
+      throw base::Error("vertices", "vertex " + std::to_string(v) + " is given twice",
+                        "pass each vertex once");
     pins.push_back({v, firmness > 1e9 ? deform::holding : firmness});
   }
   std::vector<const deform::LogVector*> examples;
@@ -182,7 +182,7 @@ struct PoseSpace::Impl {
       : cage(std::make_shared<const deform::Cage>(
             deform::make_cage(library::deformable_surface_of(mesh, "the cage")))),
         space(cage) {
-    if (all.empty()) throw base::Error("poses", "there is none", "name one or more");
+    if (all.empty()) throw base::Error("poses", "the list is empty", "pass one or more");
     for (const auto& pose : all) {
       const std::vector<mesh::Point> positions = library::inside(pose);
       library::check_points(positions, cage->surface.positions.size(), "a pose");
@@ -205,7 +205,7 @@ struct PoseSpace::Impl {
   deform::PoseSpace space;
   std::vector<std::vector<mesh::Point>> poses;
   std::vector<deform::LogVector> vectors;
-  scene::KnownVectors known;
+  scene::VectorCache known;
   std::optional<scene::Animation> animation;
 };
 

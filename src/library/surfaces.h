@@ -1,4 +1,4 @@
-// Meshes of the public header as the rooms have them, checked.
+// Conversion between meshes of the public header and internal surfaces, with checks.
 #pragma once
 
 #include <span>
@@ -10,25 +10,24 @@
 
 namespace viete::library {
 
-/// As the rooms have them, and back.
 std::vector<mesh::Point> inside(std::span<const Point3> points);
 std::vector<Point3> outside(std::span<const mesh::Point> points);
 
-/// Throws base::Error that names `what` ("the model"): corners that are no vertices, faces of fewer than
-/// three, places that are not finite or farther out than files may be.
+/// Throws base::Error for `what` ("the model") on invalid indices, faces of fewer than three corners, and
+/// coordinates that are not finite or beyond largest_coordinate.
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
-/// The largest coordinate of anything that is deformed, as in `viete deform`.
+/// Limit of coordinates of deformable surfaces, as in `viete deform`.
 inline constexpr double most_deformable = 1e60;
-/// The same of what is deformed: `least` (of poses and shapes 0) to most_deformable across, or a point, and no
-/// farther out.
+/// Throws base::Error unless the extent is `least` (0 for poses and shapes) to most_deformable, or a single
+/// point, and all coordinates are within most_deformable.
 void check_deformable(std::span<const mesh::Point> points, double least, const char* what);
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 
-/// Places of so many vertices, three numbers each. Throws base::Error as above.
+/// Groups three numbers per vertex into points. Throws base::Error as above.
 std::vector<mesh::Point> points_of(std::span<const double> numbers, std::size_t vertices, const char* what);
 void check_points(std::span<const mesh::Point> points, std::size_t vertices, const char* what);
-/// Of what was made. Throws base::Error with that advice.
+/// Checks results. Throws base::Error with `advice`.
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice);
 
 }  // namespace viete::library

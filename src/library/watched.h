@@ -1,4 +1,4 @@
-// Long work in another thread, while the caller's watches it.
+// Runs long work in another thread while the calling thread reports its progress.
 #pragma once
 
 #include "base/background.h"
@@ -7,8 +7,8 @@
 
 namespace viete::library {
 
-/// work(base::Progress*), which is null where nobody watches. If the system allows no thread, the caller
-/// works unwatched.
+/// Runs work(base::Progress*). The pointer is null without a watch; then, or if the system cannot start a
+/// thread, the work runs in the calling thread.
 template <class Work>
 auto watched(const Watch& watch, const Work& work) {
   if (!watch) return work(static_cast<base::Progress*>(nullptr));

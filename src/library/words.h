@@ -1,4 +1,4 @@
-// Words and numbers that callers give, checked.
+// Checks of names and numbers passed by callers.
 #pragma once
 
 #include <cstdio>
@@ -10,14 +10,14 @@
 
 namespace viete::library {
 
-/// "0.0015", "20000".
+/// Formats a number briefly: "0.0015", "20000".
 inline std::string plain(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
-/// What a table has of that name. Throws base::Error that names `what` and the names that there are.
+/// The value of that name in the table. Throws base::Error for `what` that lists the valid names.
 template <class Entry>
 auto named(std::span<const Entry> table, const std::string& name, const char* what) {
   std::string names;
@@ -25,10 +25,10 @@ auto named(std::span<const Entry> table, const std::string& name, const char* wh
     if (entry.name == name) return entry.value;
     names += (names.empty() ? "" : ", ") + std::string(entry.name);
   }
-  throw base::Error(what, "there is none called " + name, "choose one of " + names);
+  throw base::Error(what, "unknown name " + name, "choose one of " + names);
 }
 
-/// Throws base::Error with the range.
+/// Throws base::Error that names the valid range.
 inline void check_range(const char* what, double value, double low, double high) {
   if (value >= low && value <= high) return;
   const std::string range = high < std::numeric_limits<double>::infinity() ? plain(low) + " to " + plain(high)
@@ -36,11 +36,10 @@ inline void check_range(const char* what, double value, double low, double high)
   throw base::Error(what, plain(value) + " is out of range", "choose " + range);
 }
 
-/// Options of the command line as words: "--mean-value" is mean_value.
+/// Replaces command-line options by parameter names: "--mean-value" becomes mean_value.
 std::string without_dashes(const std::string& sentence);
 
-/// What words there are for ways, elements, weights and blends, and for falloffs: "\n  'smooth': Spreads
-/// ...".
+/// Lists names with their descriptions, for docstrings: "\n  'smooth': Spreads ...".
 std::string ways_text();
 std::string choices_text();
 std::string falloffs_text();

@@ -1,4 +1,4 @@
-// Lists of what is next to what: neighbours in a graph, triangles around vertices.
+// Neighbour lists: neighbours in a graph, triangles around vertices.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace viete::mesh {
 
-/// Compressed rows: those next to i are items[starts[i]] up to items[starts[i + 1]].
+/// Compressed rows: the items of i are items[starts[i]] up to items[starts[i + 1]].
 struct Adjacency {
   std::vector<std::uint32_t> starts, items;
 
@@ -20,8 +20,8 @@ struct Adjacency {
   }
 };
 
-/// for_each(add) calls add(i, item) for each item of each i, twice in the same order, which that of the items
-/// is. Linear. At most 2^32 - 1 items.
+/// for_each(add) must call add(i, item) for each item of each i. It is called twice and must use the same
+/// order both times; items keep that order. Linear. At most 2^32 - 1 items.
 template <class ForEach>
 Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   Adjacency lists;

@@ -9,14 +9,14 @@ namespace viete::mesh {
 
 namespace {
 
-// An inner edge lists each end twice.
+// Lists each end of an inner edge twice.
 Adjacency neighbours(std::span<const Triangle> triangles, std::size_t vertices) {
   return make_adjacency(vertices, [&](const auto& add) {
     for (const auto& [a, b, c] : triangles) add(a, b), add(a, c), add(b, c), add(b, a), add(c, a), add(c, b);
   });
 }
 
-// In float, relative to the first point: what is asked of the angles is a shade of grey.
+// In float, relative to the first point: the precision of a shade of grey is enough.
 Vec3f rounded(const Point& a) {
   return {static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2])};
 }

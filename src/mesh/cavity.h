@@ -1,4 +1,4 @@
-// Darkening of creases, baked once per model: what makes details read in soft light.
+// Shading of creases, computed once per model: keeps details visible in soft light.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@ namespace viete::mesh {
 
 /// One value per vertex, 0 (deep crease) to 1 (flat, or a ridge): mean height of the neighbours over the
 /// tangent plane, relative to their distance, gathered over `levels` growing neighbourhoods by smoothing.
-/// Linear time; about 13 ms for 100k triangles. normals: unit, one per position; every index is of a
-/// position. Vertices that no triangle uses get 1.
+/// Linear time; about 13 ms for 100k triangles. normals: unit, one per position. Every index must be valid.
+/// Unused vertices get 1.
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
                                std::span<const Triangle> triangles, int levels = 4);
 

@@ -22,13 +22,13 @@ std::vector<std::uint8_t> used_vertices(const Surface& surface) {
   return used;
 }
 
-// The two vertices that a triangle has besides v.
+// The two vertices of a triangle other than v.
 std::array<std::uint32_t, 2> others(const Triangle& t, std::uint32_t v) {
   const int i = t[0] == v ? 0 : t[1] == v ? 1 : 2;
   return {t[(i + 1) % 3], t[(i + 2) % 3]};
 }
 
-// Fans are parts of the graph whose nodes are the triangles around a vertex, joined by edges through it.
+// The fans of a vertex: components of its triangles, connected by edges through the vertex.
 class Fans {
 public:
   std::size_t count(const std::vector<std::array<std::uint32_t, 2>>& around) {
@@ -86,7 +86,7 @@ std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) 
     if (!has_area(a, b, c)) continue;
     const Point u = b - a, v = c - a;
     const double longest = std::max({stable_norm(u), stable_norm(v), stable_norm(v - u)});
-    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // to the longest edge
+    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // over the longest edge
     if (height < ratio) thin.push_back(t);
   }
   return thin;
@@ -122,7 +122,7 @@ public:
   }
 
 private:
-  // Scaled by a power of two, which rounds nothing, so that no product leaves the range of double.
+  // Scales by a power of two, which is exact, so that products stay within the range of double.
   void take_corners(const Surface& surface, const Bounds& all) {
     double largest = 0;
     for (int k = 0; k < 3; ++k) largest = std::max({largest, std::abs(all.low[k]), std::abs(all.high[k])});
@@ -148,7 +148,7 @@ private:
   int axis_ = 0;
   std::vector<Corners> corners_;
   std::vector<Bounds> boxes_;
-  std::vector<std::uint32_t> order_;  // those with area, by where they begin along the axis
+  std::vector<std::uint32_t> order_;  // triangles with area, sorted by their lower end on the axis
   std::vector<std::uint8_t> found_;
 };
 

@@ -1,4 +1,4 @@
-// Which vertices of a surface its edges join, and whether a short way leads from one to another.
+// Connected components of a surface's edges, and short paths along edges.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace viete::mesh {
 
-/// Borrows the surface's positions. Constant; thread-safe.
+/// Borrows the surface's positions. Immutable; thread-safe.
 class EdgePaths {
 public:
   explicit EdgePaths(const Surface& surface);
 
-  /// A number that all vertices have which edges join, directly or not.
+  /// The component of a vertex: vertices joined by edges, directly or not, have the same number.
   std::uint32_t part(std::uint32_t vertex) const { return parts_[vertex]; }
   std::span<const std::uint32_t> parts() const { return parts_; }
-  /// A path along edges, no longer than that, leads from a to b.
+  /// True if a path along edges leads from a to b and is at most `longest` long.
   bool joined(std::uint32_t a, std::uint32_t b, double longest) const;
 
 private:

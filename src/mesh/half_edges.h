@@ -1,4 +1,4 @@
-// The edges of a surface, and the sides of its faces that run along them.
+// The edges of a surface and the triangle sides along them.
 #pragma once
 
 #include <array>
@@ -16,26 +16,25 @@ using Edge = std::array<std::uint32_t, 2>;  ///< two different vertices (or node
 /// One side of a triangle.
 struct HalfEdge {
   std::uint32_t triangle;
-  bool forward;  ///< the triangle runs along the edge from its lower vertex to the higher one
+  bool forward;  ///< the triangle's orientation runs from the lower vertex of the edge to the higher one
 };
 
-/// Of any triangles: an edge may have one of them, two, or more, in any orientation.
+/// Edges of arbitrary triangles: one, two or more triangles per edge, in any orientation.
 struct HalfEdges {
   std::vector<Edge> edges;            ///< sorted, each once
   std::vector<std::uint32_t> starts;  ///< one more than edges
-  std::vector<HalfEdge>
-      sides;  ///< those of edge e are sides[starts[e]] up to sides[starts[e + 1]], by triangle
+  std::vector<HalfEdge> sides;        ///< edge e has sides[starts[e]] up to sides[starts[e + 1]], by triangle
 
   std::span<const HalfEdge> of(std::size_t e) const {
     return std::span(sides).subspan(starts[e], starts[e + 1] - starts[e]);
   }
 };
 
-/// Triangles that repeat a corner have no edges. Nearly linear: sorted within the edges of each vertex.
+/// Skips triangles that repeat a corner. Nearly linear: sorts within the edges of each vertex.
 HalfEdges half_edges(std::size_t vertices, std::span<const Triangle> triangles);
 
-/// The edges of a surface's polygons, sorted, each once: a quad has four, not five. Edges between a vertex
-/// and itself are left out. Nearly linear.
+/// The edges of a surface's polygons, sorted, each once: a quad has four, not five. Skips edges from a vertex
+/// to itself. Nearly linear.
 std::vector<Edge> polygon_edges(const Surface& surface);
 
 }  // namespace viete::mesh

@@ -13,7 +13,7 @@ namespace viete::mesh {
 
 namespace {
 
-// Squares leave the range of double long before lengths do: then the largest component is taken out first.
+// Divides by the largest component first if squares would leave the range of double.
 Point unit(Point sum) {
   double squared = squared_norm(sum);
   if (!(squared > 1e-280 && squared < 1e280)) {
@@ -41,7 +41,7 @@ struct TriangleAxes {
   }
 };
 
-// The triangle's map takes its edges along, and its normal by the factor that areas have in one direction.
+// The triangle's affine map; the normal scales by the root of the area factor.
 struct TriangleMap {
   TriangleAxes from, to;
   double thickness = 1;
@@ -69,7 +69,7 @@ bool has_moved(const Triangle& t, std::span<const Point> rest, std::span<const P
   return rest[t[0]] != posed[t[0]] || rest[t[1]] != posed[t[1]] || rest[t[2]] != posed[t[2]];
 }
 
-// The least turn that takes one direction to another; as it was where they are opposite.
+// The smallest rotation that takes one direction to the other; identity if they are opposite.
 Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   const Vec3 a = unit(from), b = unit(to), axis = cross(a, b);
   const double cosine = dot(a, b);
@@ -77,8 +77,8 @@ Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   return cosine * n + cross(axis, n) + (dot(axis, n) / (1 + cosine)) * axis;
 }
 
-// How a motion turns what no triangle with area holds: as the nearest triangle does that has one, and where
-// there is none as triangles of the nearest points do.
+// Rotation of vectors not used by any triangle with area: that of the nearest triangle with area, or, without
+// any, that of triangles of the nearest points.
 class NearbyTurns {
 public:
   NearbyTurns(const Surface& rest, std::span<const Point> posed) : rest_(rest.positions), posed_(posed) {
@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  // Six, the nearest first, or as many as there are elsewhere.
+  // The nearest six vertices at other positions, or fewer if there are fewer; nearest first.
   std::vector<std::uint32_t> neighbours(std::uint32_t vertex) const {
     constexpr std::size_t enough = 6;
     const Point& p = rest_[vertex];
@@ -139,7 +139,7 @@ private:
   double diagonal_ = 0;
 };
 
-// of_vertex: of each vector its vertex, where it is of no corner.
+// of_vertex: the vertex of each vector; used for vectors without a corner.
 template <class Move>
 std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
                           std::span<const Vec3> vectors, std::span<const std::uint32_t> of_corner,
@@ -198,7 +198,7 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
     for (const std::uint32_t i : around.of(v)) {
       const Triangle& t = triangles[i];
       const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
-      sum = sum + cross(b - a, c - a);  // twice the area in length, so that the mean weighs by area
+      sum = sum + cross(b - a, c - a);  // twice the area in length: weights the mean by area
     }
     normals[v] = unit(sum);
   }

@@ -8,10 +8,10 @@
 
 namespace viete::mesh {
 
-/// Open addressing with linear probing, at most half full.
+/// Hash table with open addressing and linear probing, at most half full.
 class PointIndex {
 public:
-  /// The index of the position with the same bits as p, or positions.size() (then the caller appends p).
+  /// The index of the position with the same bits as p, or positions.size(); the caller then appends p.
   std::uint32_t find_or_add(const Point& p, const std::vector<Point>& positions);
 
 private:

@@ -1,4 +1,4 @@
-// Which of many points is nearest to a point, an edge or a triangle.
+// Nearest point to a point, an edge or a triangle.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace viete::mesh {
 
-/// A kd tree over some of an array of positions that the caller keeps. Thread-safe.
+/// A kd tree over a subset of positions, which the caller must keep alive. Thread-safe.
 class PointTree {
 public:
   /// Tree over positions[i] for all i of `some`, at least one. O(n log n).
   PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
 
-  /// The i whose point is nearest to the triangle (see closest_on_triangle(): repeated corners make it an
-  /// edge or a point); the lowest of those that are equally near.
+  /// The i whose point is nearest to the triangle; the lowest on a tie. Repeated corners make it an edge or a
+  /// point, see closest_on_triangle().
   std::uint32_t nearest(const Point& a, const Point& b, const Point& c) const;
   std::uint32_t nearest(const Point& p) const { return nearest(p, p, p); }
-  /// visit(i) of all points that are no farther from p than radius, in any order.
+  /// Calls visit(i) for every point within radius of p, in any order.
   void for_within(const Point& p, double radius, const std::function<void(std::uint32_t)>& visit) const;
 
 private:
@@ -36,7 +36,7 @@ private:
 
   std::span<const Point> positions_;
   std::vector<std::uint32_t> points_;
-  std::vector<Ball> balls_;  // of node i and its children 2 i + 1 and 2 i + 2
+  std::vector<Ball> balls_;  // node i has the children 2 i + 1 and 2 i + 2
 };
 
 }  // namespace viete::mesh

@@ -19,7 +19,7 @@ struct Neighbour {
   bool agrees;
 };
 
-// Across edges of exactly two triangles: at most three each.
+// Neighbours across edges of exactly two triangles: at most three each.
 std::vector<std::vector<Neighbour>> neighbours(const Surface& surface) {
   std::vector<std::vector<Neighbour>> all(surface.triangles.size());
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
@@ -38,7 +38,7 @@ public:
   explicit Orienter(const Surface& surface)
       : neighbours_(neighbours(surface)), side_(surface.triangles.size(), unseen) {}
 
-  // Whether each triangle is to be turned.
+  // Whether to flip each triangle.
   std::vector<std::uint8_t> turned() {
     std::vector<std::uint8_t> turn(side_.size(), 0);
     for (std::uint32_t seed = 0; seed < side_.size(); ++seed) {
@@ -54,14 +54,14 @@ public:
     return turn;
   }
 
-  // After turned(): the triangles of each part, and whether all parts could agree.
+  // Valid after turned(): the triangles of each component, and whether all are orientable.
   const std::vector<std::vector<std::uint32_t>>& parts() const { return parts_; }
   bool agree() const { return agree_; }
 
 private:
   static constexpr std::uint8_t unseen = 2;
 
-  // All that is connected with the seed; false if two ways around disagree.
+  // Visits the component of the seed; false if it is not orientable.
   bool reach(std::uint32_t seed) {
     bool agree = true;
     part_.assign(1, seed);
@@ -80,13 +80,13 @@ private:
   }
 
   std::vector<std::vector<Neighbour>> neighbours_;
-  std::vector<std::uint8_t> side_;  // 0 as the seed of its part, 1 opposite
+  std::vector<std::uint8_t> side_;  // 0: same orientation as the component's seed; 1: opposite
   std::vector<std::uint32_t> part_;
   std::vector<std::vector<std::uint32_t>> parts_;
   bool agree_ = true;
 };
 
-// The corners around a polygon from the lowest on, in that direction which is lower; which one that was.
+// The corners from the lowest on, in the lexicographically lower direction; true if that reverses them.
 std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> forward(corners.begin(), corners.end());
   std::ranges::rotate(forward, std::ranges::min_element(forward));
@@ -96,7 +96,7 @@ std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_
   return {ahead ? std::move(forward) : std::move(backward), ahead};
 }
 
-// Of polygons that are each other's backs all but the first.
+// Marks all but the first of coincident polygons with opposite orientation.
 std::vector<std::uint8_t> backs(const Surface& joined) {
   std::map<std::vector<std::uint32_t>, bool> seen;
   std::vector<std::uint8_t> is_back(joined.polygon_count(), 0);
@@ -120,8 +120,8 @@ Surface part_of(const Surface& whole, std::span<const std::uint32_t> triangles) 
   return part;
 }
 
-// Whether every edge is run through as often in one direction as in the other; what has one side only is
-// open.
+// True if every edge is used equally often in both directions. open_too: edges of one triangle count as
+// unbalanced.
 bool balanced(const Surface& surface, bool open_too) {
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
   for (std::size_t e = 0; e < table.edges.size(); ++e) {
@@ -132,8 +132,8 @@ bool balanced(const Surface& surface, bool open_too) {
   return true;
 }
 
-// Closed parts that are in no other, or in an even number of them, are all outward or all inward, and those
-// in an odd number the other way around: if not, what is not so is turned.
+// Orients closed components: those nested in an even number of others all outward or all inward, those nested
+// in an odd number the other way. Flips the components that disagree.
 void turn_parts(Surface& joined, const std::vector<std::vector<std::uint32_t>>& parts) {
   struct Part {
     Surface surface;
@@ -173,7 +173,7 @@ std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions) {
   PointIndex index;
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     Point p = positions[v];
-    for (double& x : p) x += 0.0;  // -0 becomes 0, which it equals
+    for (double& x : p) x += 0.0;  // -0 becomes 0
     const auto found = index.find_or_add(p, distinct);
     if (found == distinct.size()) {
       distinct.push_back(p);
@@ -208,7 +208,7 @@ OneSided one_sided(const Surface& surface) {
   const auto is_back = backs(joined);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const bool of_polygon = t < surface.triangle_polygon.size();  // or added by itself
+    const bool of_polygon = t < surface.triangle_polygon.size();  // false: an extra triangle
     if (!of_polygon || !is_back[surface.triangle_polygon[t]]) kept.push_back(t);
   }
   Surface front = part_of(joined, kept);

@@ -1,4 +1,4 @@
-// Welding and consistent orientation: of copies, for checks that need it; what the user opened stays.
+// Welding and consistent orientation. Checks use these on copies; the user's model stays unchanged.
 #pragma once
 
 #include <cstdint>
@@ -9,27 +9,27 @@
 
 namespace viete::mesh {
 
-/// Of each vertex the lowest one at exactly the same position. Linear.
+/// For each vertex the lowest vertex at exactly the same position. Linear.
 std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions);
 
-/// The same triangles, but each corner the lowest vertex at its position. Positions and their numbers stay.
+/// Replaces each corner by the lowest vertex at its position. Positions and numbering stay.
 Surface welded(const Surface& surface);
 
-/// Triangles turned so that neighbours agree across edges of two triangles. In each part that they connect,
-/// the side that most of them had stays; a part that cannot agree (a Moebius strip) is left as it is.
+/// Flips triangles so that neighbours agree across edges with two triangles. Each component keeps the
+/// orientation that most of its triangles had; non-orientable components (a Moebius strip) stay unchanged.
 /// Polygons become triangles.
 Surface consistently_oriented(const Surface& surface);
 
-/// Triangles of which each shows the same side outwards.
+/// Triangles with consistent orientation.
 struct OneSided {
-  std::vector<Triangle> triangles;  ///< none: parts of the surface cannot agree (a Moebius strip)
-  std::vector<std::uint32_t> of;    ///< which of the surface's each is, ascending
-  bool closed = false;              ///< every edge is run through as often in one direction as in the other
+  std::vector<Triangle> triangles;  ///< empty if a component is not orientable (a Moebius strip)
+  std::vector<std::uint32_t> of;    ///< index of each in the surface's triangles, ascending
+  bool closed = false;              ///< every edge is used equally often in both directions
 };
 
-/// As consistently_oriented, but of faces that are each other's backs the first alone, and closed parts
-/// turned so that these agree too: all outward, cavities in them inward, or all the other way around if they
-/// are so. A surface that agrees keeps its triangles as they are. Vertices at the same position count as one.
+/// As consistently_oriented(), but keeps only the first of coincident opposite faces, and orients closed
+/// components consistently with each other: all outward with cavities inward, or all reversed if they were. A
+/// consistent surface keeps its triangles. Vertices at the same position count as one.
 OneSided one_sided(const Surface& surface);
 
 }  // namespace viete::mesh

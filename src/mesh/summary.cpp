@@ -37,8 +37,8 @@ void find_parts(const Surface& surface, Summary& summary) {
   }
 }
 
-// Lengths are taken relative to the box, so that no square leaves the range of double; the volume is that of
-// the tetrahedra from the box's centre, which loses nothing far from the origin.
+// Computes lengths relative to the box, so that squares stay in range. The volume sums tetrahedra from the
+// box's centre, which keeps precision far from the origin.
 void measure(const Surface& surface, Summary& summary) {
   const Bounds box = used_bounds(surface);
   const Point center = box.center();

@@ -1,4 +1,4 @@
-// The summary of a surface: counts, boundary, non-manifold and misoriented edges, area and volume.
+// Summary of a surface: counts, boundary, non-manifold and misoriented edges, area and volume.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace viete::mesh {
 
-/// Edges are those of the triangles for work. A triangle with a repeated corner has no edges.
+/// Edges are triangle edges. A triangle with a repeated corner has none.
 struct Summary {
   std::size_t vertices = 0, polygons = 0, triangles = 0, edges = 0;
-  std::size_t parts = 0;                ///< connected by shared vertices; unused vertices do not count
+  std::size_t parts = 0;                ///< components by shared vertices; unused vertices do not count
   std::vector<Edge> boundary_edges;     ///< edges with one triangle
   std::vector<Edge> nonmanifold_edges;  ///< edges with three or more
-  std::vector<Edge> misoriented_edges;  ///< edges that two triangles run through in the same direction
+  std::vector<Edge> misoriented_edges;  ///< edges that two triangles use in the same direction
   std::vector<std::uint32_t> unused_vertices;
   std::vector<std::uint32_t> degenerate_triangles;  ///< a repeated corner, or not has_area()
   double area = 0;
@@ -26,7 +26,7 @@ struct Summary {
   bool oriented() const { return misoriented_edges.empty(); }
 };
 
-/// Linear in the size of the surface. Lists are in ascending order. Any length scale from 1e-100 to 1e100.
+/// Linear time. Lists are ascending. Any length scale from 1e-100 to 1e100.
 Summary summarize(const Surface& surface);
 
 }  // namespace viete::mesh

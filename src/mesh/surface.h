@@ -1,4 +1,4 @@
-// A polygon surface as flat arrays: what every reader fills and every later stage reads.
+// A polygon surface as flat arrays, filled by every reader.
 #pragma once
 
 #include <array>
@@ -15,28 +15,28 @@ namespace viete::mesh {
 using Point = Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Files with larger ones are refused, so that volumes stay finite.
+/// Limit of coordinates; files beyond it are rejected, so that volumes stay finite.
 inline constexpr double largest_coordinate = 1e100;
 
-/// In place of an index: there is none.
+/// Index value for "no element".
 inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Positions in the file's order and full precision; polygons as the file has them; triangles for work.
-/// Invariants (kept by the readers): every index < positions.size(); every position finite; triangles are
-/// those of one polygon after the other as triangulate() cuts them, n - 2 of one with n corners.
+/// Positions in the file's order and full precision, polygons as in the file, and their triangulation.
+/// Invariants (guaranteed by readers): indices < positions.size(); positions finite; triangles in polygon
+/// order as made by triangulate(), n - 2 for a polygon with n corners.
 struct Surface {
   std::vector<Point> positions;
-  std::vector<std::uint32_t> corners;  ///< of one polygon after the other, counter-clockwise from outside
-  std::vector<std::uint32_t> polygon_starts;  ///< p owns corners [starts[p], starts[p + 1])
+  std::vector<std::uint32_t> corners;  ///< vertices, polygon by polygon, counter-clockwise from outside
+  std::vector<std::uint32_t> polygon_starts;  ///< polygon p has corners [starts[p], starts[p + 1])
   std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> triangle_polygon;  ///< the polygon that each triangle was cut from
-  /// Of the triangles of polygons that are no fans about their first corner: places in corners.
+  std::vector<std::uint32_t> triangle_polygon;  ///< the polygon of each triangle
+  /// Triangles of polygons that are not a fan about their first corner, as indices into corners.
   std::vector<Triangle> clipped;
 
   std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }
 };
 
-/// use(triangle, corners) for each of triangles, in order; corners: its places in Surface::corners.
+/// Calls use(triangle, corners) for each triangle in order; corners are indices into Surface::corners.
 template <class Use>
 void for_each_triangle(const Surface& s, const Use& use) {
   std::size_t t = 0, own = 0;
@@ -48,16 +48,16 @@ void for_each_triangle(const Surface& s, const Use& use) {
   }
 }
 
-/// Those of `clipped` that are of the polygon: none of a fan.
+/// The part of `clipped` that belongs to the polygon; empty for a fan.
 std::span<const Triangle> clipped_of(const Surface& surface, std::size_t polygon);
 
-/// True if they have the same polygons, or the same triangles of other ones.
+/// True if the polygons are equal, or if the triangles are equal and only the polygons differ.
 bool same_faces(const Surface& a, const Surface& b);
 
 /// A surface of triangles only (polygons = triangles).
 Surface from_triangles(std::vector<Point> positions, const std::vector<Triangle>& triangles);
 
-/// The smallest axis-parallel box. An empty set of points gives the box (0,0,0)-(0,0,0).
+/// Axis-aligned bounding box. No points give the box (0,0,0)-(0,0,0).
 struct Bounds {
   Point low{0, 0, 0}, high{0, 0, 0};
 
@@ -65,7 +65,7 @@ struct Bounds {
   double diagonal() const;
 };
 
-/// True if the boxes share a point.
+/// True if the boxes touch or overlap.
 inline bool meet(const Bounds& a, const Bounds& b) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
@@ -74,20 +74,18 @@ inline bool meet(const Bounds& a, const Bounds& b) {
 }
 
 Bounds bounds(std::span<const Point> positions);
-/// Of these positions alone.
+/// The box of the listed positions.
 Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> some);
 
-/// The box of the vertices that a polygon uses (stray vertices do not count); of all vertices if there is no
-/// polygon.
+/// The box of all vertices used by a polygon; of all vertices if there are no polygons.
 Bounds used_bounds(const Surface& surface);
 
-/// Twice as far as the farthest of those vertices is from the centre of the surface's area (from their mean
-/// where it has none): of a box its diagonal, and the same however the surface is turned, which the diagonal
-/// of its bounds is not.
+/// Twice the largest distance of those vertices from the area centroid (from their mean without area): a size
+/// that does not depend on the rotation of the surface. For a box it is the diagonal.
 double used_size(const Surface& surface);
 
-/// base::Checksum of positions and triangles: of their values and their order. Depends on the machine's byte
-/// order. At the speed of memory.
+/// base::Checksum of the values and order of positions and triangles. Depends on the machine's byte order.
+/// Memory-bound.
 std::uint64_t content_key(const Surface& surface);
 
 }  // namespace viete::mesh

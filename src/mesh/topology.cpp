@@ -14,13 +14,13 @@ namespace {
 
 using Connectivity = OpenMesh::TriConnectivity;
 
-// OpenMesh tells the terminal about each face that it refuses; we tell the caller.
+// Suppresses OpenMesh's terminal output; the return value reports rejected faces.
 void silence_openmesh() {
   static std::once_flag once;
   std::call_once(once, [] { ::omerr().disable(); });
 }
 
-// False if a face does not fit.
+// False if OpenMesh rejects a face.
 bool build(const Surface& surface, Connectivity& mesh) {
   mesh.reserve(surface.positions.size(), 3 * surface.triangles.size() / 2, surface.triangles.size());
   for (std::size_t v = 0; v < surface.positions.size(); ++v) mesh.add_vertex();

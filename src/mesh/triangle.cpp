@@ -39,10 +39,10 @@ std::vector<Triangle> proper_triangles(const Surface& surface) {
 }
 
 bool has_area(const Point& a, const Point& b, const Point& c) {
-  constexpr double least = 1e-12;  // far above rounding, far below what anyone models
+  constexpr double least = 1e-12;  // far above rounding, far below any modelled triangle
   const Vec3 u = b - a, v = c - a;
   const double longest = std::max({largest_abs(u), largest_abs(v), largest_abs(c - b)});
-  const double scale = 1 / longest;  // sides of a size near 1, whose products are in range
+  const double scale = 1 / longest;  // scales sides to about 1, so that products are in range
   return longest > 0 && std::isfinite(scale) && norm(cross(scale * u, scale * v)) > least;
 }
 
@@ -81,7 +81,7 @@ int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
-// A sum without rounding: parts that do not overlap, in ascending size (Shewchuk's expansions).
+// Exact sum as non-overlapping parts of ascending size (Shewchuk's expansions).
 class ExactSum {
 public:
   void add(double x) {
@@ -96,7 +96,7 @@ public:
     size_ = kept;
   }
 
-  // A product of two is a head and a tail; each of them times the third again.
+  // A product of two is a head and a tail; multiplies each by the third factor.
   void add_product(double x, double y, double z) {
     const double head = x * y, tail = std::fma(x, y, -head);
     for (const double part : {tail, head}) {
@@ -117,11 +117,11 @@ public:
   int sign() const { return size_ == 0 ? 0 : mesh::sign(parts_[size_ - 1]); }
 
 private:
-  std::array<double, 128> parts_;  // each add() makes at most one more; a determinant adds 96
+  std::array<double, 128> parts_;  // each add() adds at most one part; a determinant adds 96
   std::size_t size_ = 0;
 };
 
-// Of det(u, v, w), whose entries are rounded once; exact() where its rounding leaves the sign open.
+// The sign of det(u, v, w), whose entries are rounded once; calls exact() if rounding leaves it open.
 template <class Exact>
 int sign_of(const Vec3& u, const Vec3& v, const Vec3& w, const Exact& exact) {
   double determinant = 0, permanent = 0;
@@ -176,7 +176,7 @@ Point2 without(const Point& p, int axis) {
   return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
 }
 
-// The axis along which the triangle is seen with area; -1 if it has none.
+// The axis along which the projected triangle has area; -1 if there is none.
 int visible_axis(const Corners& t) {
   for (int axis = 0; axis < 3; ++axis) {
     if (orientation(without(t[0], axis), without(t[1], axis), without(t[2], axis)) != 0) return axis;
@@ -184,7 +184,7 @@ int visible_axis(const Corners& t) {
   return -1;
 }
 
-// An edge of s has t wholly on its outer side, or on it.
+// True if t lies entirely on or outside an edge of s.
 bool edge_separates(const Corners& s, const Corners& t, int axis) {
   for (int i = 0; i < 3; ++i) {
     const Point2 a = without(s[i], axis), b = without(s[(i + 1) % 3], axis);
@@ -195,12 +195,12 @@ bool edge_separates(const Corners& s, const Corners& t, int axis) {
   return false;
 }
 
-// Two of equal sign, or one and zeros.
+// True if no two of the signs are opposite, and not all are zero.
 bool same_side(int a, int b, int c) {
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-// An edge of s goes through t: its ends lie on both sides of the plane, and its line meets the triangle.
+// True if an edge of s passes through t: ends on opposite sides of the plane, line through the triangle.
 bool edge_crosses(const Corners& s, const Corners& t, const std::array<int, 3>& sides) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -225,8 +225,8 @@ bool some_edge_crosses(const Corners& s, const Corners& t) {
   return false;
 }
 
-// Of the segments from p along d and from q along e. After C. Ericson, Real-Time Collision Detection (2005),
-// 5.1.9.
+// Distance of the segments from p along d and from q along e. Source: C. Ericson, Real-Time Collision
+// Detection (2005), 5.1.9.
 double squared_distance(const Point& p, const Vec3& d, const Point& q, const Vec3& e) {
   const Vec3 r = p - q;
   const double a = squared_norm(d), b = dot(d, e), c = dot(d, r), g = squared_norm(e), f = dot(e, r);

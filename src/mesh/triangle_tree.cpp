@@ -12,7 +12,7 @@ namespace viete::mesh {
 namespace {
 
 constexpr std::uint32_t triangles_per_leaf = 4;
-constexpr double far_away = 2;  // radii from which a node counts as a dipole (Barill et al. 2018, 3.3)
+constexpr double far_away = 2;  // radii from which a node acts as a dipole (Barill et al. 2018, 3.3)
 
 double squared_distance(const Point& p, const Bounds& box) {
   double sum = 0;
@@ -23,7 +23,7 @@ double squared_distance(const Point& p, const Bounds& box) {
   return sum;
 }
 
-// Told by the middle of the other one where that is enough.
+// Tests the centroid of the other triangle first, which is often enough.
 bool are_near(const Corners& t, const Corners& other, double distance) {
   if (distance <= 0) return cut(t, other);
   const Point middle = (1.0 / 3) * (other[0] + other[1] + other[2]);
@@ -59,7 +59,7 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
   make_dipoles();
 }
 
-// Halves along the longest side of the centres' box, which bounds the depth by the logarithm.
+// Halves the triangles along the longest side of the centres' box; the depth is logarithmic.
 std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers,
                                   base::Progress* progress) {
   const auto self = static_cast<std::uint32_t>(nodes_.size());
@@ -98,7 +98,7 @@ void TriangleTree::group_nodes() {
   }
 }
 
-// From the leaves up: children stand behind their parent.
+// Runs from the leaves up: children follow their parent.
 void TriangleTree::make_dipoles() {
   dipoles_.resize(nodes_.size());
   std::vector<double> weights(nodes_.size(), 0);
@@ -201,8 +201,8 @@ bool TriangleTree::is_near(const Corners& t, double distance) const {
   };
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], across = cross(u, v);
   const double reach = distance * norm(across);
-  const double rounding = 1e-14 * std::sqrt(squared_norm(u) * squared_norm(v));  // of across
-  // Wholly on one side of its plane, and farther from that.
+  const double rounding = 1e-14 * std::sqrt(squared_norm(u) * squared_norm(v));  // error bound of `across`
+  // True if the box lies entirely on one side of the plane, farther away than the rounding error.
   const auto beside = [&](const Bounds& other) {
     const Vec3 middle = 0.5 * (other.low + other.high) - t[0], half = 0.5 * (other.high - other.low);
     double spread = reach;
@@ -214,12 +214,12 @@ bool TriangleTree::is_near(const Corners& t, double distance) const {
     const Bounds& node = nodes_[i].box;
     if (!meet(node, box) || beside(node)) return Step::past;
     if (distance <= 0) return Step::into;
-    // Its triangles lie within a ball; some point of them is at every side of the box.
+    // The triangles lie within a ball and touch every side of the box.
     const double radius = 0.5 * node.diagonal() * (1 + 1e-12), gap = gap_to(node.center());
     if (gap > radius + distance) return Step::past;
     return gap + radius < distance ? Step::found : Step::into;
   };
-  // As most are that its box meets; no rounding tells that wrongly.
+  // True for most triangles whose box meets; rounding causes no wrong positives.
   const auto is_beside = [&](const Corners& other) {
     int sides = 0;
     for (const Point& p : other) {

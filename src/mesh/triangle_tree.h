@@ -1,5 +1,4 @@
-// A tree over triangles: which is nearest to a point, which are near a box, how often they wind around a
-// point.
+// A bounding-box tree over triangles: nearest triangle, proximity tests, winding numbers.
 #pragma once
 
 #include <cstdint>
@@ -13,51 +12,51 @@
 
 namespace viete::mesh {
 
-/// A tree of boxes over any triangles, those without area too: these are their longest edge, or their point.
-/// It keeps copies of their corners. Thread-safe. Lengths from 1e-75 to 1e75.
+/// Accepts any triangles; those without area act as their longest edge, or as a point. Copies the corners.
+/// Thread-safe. Lengths from 1e-75 to 1e75.
 class TriangleTree {
 public:
-  /// At least one triangle; indices are of positions. O(n log n), 0.3 microseconds a triangle. progress may
-  /// be null; throws base::Cancelled. groups: one number for each position, if any; a triangle belongs to the
-  /// group of its first corner.
+  /// Needs at least one triangle; indices refer to positions. O(n log n), 0.3 microseconds a triangle.
+  /// progress may be null; throws base::Cancelled. groups: empty, or a number per position; a triangle
+  /// belongs to the group of its first corner.
   TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles,
                base::Progress* progress = nullptr, std::span<const std::uint32_t> groups = {});
 
   struct Nearest {
-    /// The largest number: no triangle is so near.
+    /// The maximum of the type if no triangle is near enough.
     std::uint32_t triangle = std::numeric_limits<std::uint32_t>::max();
     double squared_distance = std::numeric_limits<double>::infinity();
   };
 
-  /// The triangle nearest to p, if it is nearer than the root of `below`. The distance is the same for any
-  /// bound that lets it be found; of triangles that are equally near, any.
+  /// The triangle nearest to p among those with a squared distance less than `below`. The distance found does
+  /// not depend on `below`. On a tie any of the triangles.
   Nearest nearest(const Point& p, double below = std::numeric_limits<double>::infinity()) const;
 
   struct NearestOfGroup {
     std::uint32_t group, triangle;
     double squared_distance;
   };
-  /// The nearest triangle of each group but `but_group`, if it is no farther from p than radius; in any
-  /// order. The tree must have groups.
+  /// The nearest triangle of each group except `but_group`, within radius of p; in any order. The tree must
+  /// have groups.
   std::vector<NearestOfGroup> nearest_of_groups(const Point& p, double radius, std::uint32_t but_group) const;
 
-  /// A triangle of the tree cuts this one, or is nearer to it than `distance`. This one has a plane. Cuts are
-  /// found exactly.
+  /// True if a triangle of the tree cuts t or is nearer to it than `distance`. t must have a plane. Cuts are
+  /// exact.
   bool is_near(const Corners& t, double distance = 0) const;
 
-  /// The generalised winding number around p, to a few hundredths: triangles far away count as one dipole.
-  /// Sources: Jacobson et al. 2013, Robust inside-outside segmentation using generalized winding numbers;
-  /// Barill et al. 2018, Fast winding numbers for soups and clouds.
+  /// The generalised winding number around p, accurate to a few hundredths: distant triangles act as one
+  /// dipole. Sources: Jacobson et al. 2013, Robust inside-outside segmentation using generalized winding
+  /// numbers; Barill et al. 2018, Fast winding numbers for soups and clouds.
   double winding_number(const Point& p) const;
 
 private:
   static constexpr auto no_group = std::numeric_limits<std::uint32_t>::max();
-  // A node's triangles are order_[begin] up to order_[end]; the first child follows it, `second` is the
-  // other; 0 in a leaf. As long as a line of the cache.
+  // The triangles of a node are order_[begin] up to order_[end]. The first child is the next node, the other
+  // is `second`, which is 0 in a leaf. As large as a cache line.
   struct alignas(64) Node {
     Bounds box;
     std::uint32_t begin = 0, end = 0, second = 0;
-    std::uint32_t group = no_group;  // of all its triangles, if it is the same
+    std::uint32_t group = no_group;  // common to all its triangles, or no_group
   };
   struct Dipole {
     Point center{};
@@ -69,8 +68,8 @@ private:
   void group_nodes();
   void make_dipoles();
   enum class Step { past, into, found };
-  // Calls enter(node's number), which says how to go on, and visit(place in order_) for triangles of leaves
-  // that were entered, until that returns true. Returns whether one was found.
+  // Calls enter(node), which decides how to go on, and visit(index into order_) for triangles of entered
+  // leaves until it returns true. Returns whether one was found.
   template <class Enter, class Visit>
   bool find(Enter&& enter, Visit&& visit) const;
 
@@ -78,7 +77,7 @@ private:
   std::vector<Corners> corners_;       // in that order
   std::vector<std::uint32_t> groups_;  // in that order, if there are groups
   std::vector<Node> nodes_;
-  std::vector<Dipole> dipoles_;  // of each node
+  std::vector<Dipole> dipoles_;  // one per node
 };
 
 template <class Enter, class Visit>

@@ -14,11 +14,11 @@ namespace viete::mesh {
 
 namespace {
 
-// Twice a triangle's area by the square of its longer spoke, or a polygon's by that of its extent; below it
-// rounding decides.
+// Threshold where rounding decides: twice a triangle's area relative to the square of its longer spoke, or
+// twice a polygon's area relative to the square of its extent.
 constexpr double flat_fan = 1e-12;
 
-// The triangles about a polygon's first corner, in units of its extent.
+// Triangles about a polygon's first corner, in units of its extent.
 class Fan {
 public:
   explicit Fan(std::span<const Point> corners) : corners_(corners) {
@@ -28,7 +28,7 @@ public:
     for (std::size_t i = 2; i < corners.size(); ++i) normal_ = normal_ + cross(spoke(i - 1), spoke(i));
   }
 
-  // As long as twice the polygon's area.
+  // Its length is twice the polygon's area.
   const Vec3& normal() const { return normal_; }
 
   bool covers() const {
@@ -50,7 +50,7 @@ private:
   Vec3 normal_{0, 0, 0};
 };
 
-// The same points in a unit in which products of three coordinates are in range, to the last bit.
+// Scales the points exactly, so that products of three coordinates are in range.
 std::vector<Point> in_range(std::span<const Point> corners) {
   double largest = 0;
   for (const Point& p : corners) largest = std::max(largest, largest_abs(p));
@@ -60,7 +60,7 @@ std::vector<Point> in_range(std::span<const Point> corners) {
   return points;
 }
 
-// Where the points are, but for rounding, in a plane across the normal.
+// Projects the points onto a plane across the normal, up to rounding.
 std::vector<Point2> places_across(const Vec3& normal, std::span<const Point> points) {
   Vec3 axis{0, 0, 0};
   std::size_t least = 0;
@@ -95,7 +95,7 @@ Box2 box_of(std::span<const Point2> places) {
   return box;
 }
 
-// Places by the cells of a grid.
+// A uniform grid of points.
 class Cells {
 public:
   explicit Cells(std::span<const Point2> places)
@@ -107,7 +107,7 @@ public:
     });
   }
 
-  // True if is_one(i) of any in the cells that the box meets.
+  // True if is_one(i) is true for any i in the cells that the box meets.
   template <class IsOne>
   bool any(const Box2& box, const IsOne& is_one) const {
     for (std::size_t y = cell(box.low, 1); y <= cell(box.high, 1); ++y) {
@@ -131,12 +131,12 @@ private:
   Adjacency lists_;
 };
 
-// Which corners are clipped, if there are no better ones: ears that touch no other corner; those that none
-// reaches into; corners without area.
+// Kinds of ears in order of preference: without any corner on or in them; with corners only on their
+// boundary; without area.
 enum class Ears { clear, touched, flat };
 
-// Clips corners off a ring until it is none. With exact signs there is always one of these kinds, if the ring
-// does not cross itself: of a simple ring near it, which is cut into triangles, an outer triangle is one.
+// Clips corners off a ring until it is empty. With exact signs a simple ring always has an ear of one of
+// these kinds: a nearby simple ring is triangulated by an outer triangle.
 class EarClipper {
 public:
   EarClipper(std::span<const Point> corners, const Vec3& normal)
@@ -176,20 +176,20 @@ public:
   }
 
 private:
-  // A corner with its neighbours in the ring; by length of the cut, then by the way from the first corner.
+  // A corner with its ring neighbours, sorted by cut length, then by distance from the first corner.
   struct Ear {
     long length;
     std::uint32_t way, corner, previous, next;
     auto operator<=>(const Ear&) const = default;
   };
-  // Of rings that cross themselves: how often each corner is asked about before the rest becomes a fan.
+  // For self-crossing rings: tries per corner before the rest becomes a fan.
   static constexpr std::size_t patience_ = 16;
 
   int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return orientation_along(normal_, points_[a], points_[b], points_[c]);
   }
 
-  // Cuts of almost one length count as equally long, so that rounding decides nothing.
+  // Rounds cut lengths, so that rounding errors do not decide between nearly equal cuts.
   long length_of_cut(std::uint32_t a, std::uint32_t b) const {
     return std::lround(64 * std::log2(std::max(squared_distance(places_[a], places_[b]) / size_, 0x1p-200)));
   }
@@ -227,8 +227,7 @@ private:
     });
   }
 
-  // Whether a corner, which is not convex, is in the ear, or on it, or a side of the ring leads into it
-  // there.
+  // True if a reflex corner lies in the ear or on it, or if a side of the ring enters the ear there.
   bool spoils(std::uint32_t corner, const Triangle& ear, Ears kind) const {
     std::array<int, 3> sides;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -236,7 +235,7 @@ private:
       if (sides[k] < 0) return false;
     }
     if (kind == Ears::clear && std::ranges::count(sides, 0) < 2) return true;
-    // At its tip a notch may be all that the ear would be; if it is not, it is better clipped later.
+    // At its tip a notch may fill the whole ear; otherwise it is clipped better later.
     if (kind != Ears::flat && sides[0] == 0 && sides[1] == 0 && turns_[corner] < 0) return true;
     return leads_into(ear, sides, previous_[corner]) || leads_into(ear, sides, next_[corner]);
   }
@@ -275,8 +274,8 @@ private:
   std::vector<Point> points_;
   std::vector<Point2> places_;
   Cells cells_;
-  std::vector<std::uint32_t> previous_, next_;  // in the ring; of what is clipped itself
-  std::vector<int> turns_;                      // at each corner; of what is clipped 1
+  std::vector<std::uint32_t> previous_, next_;  // ring neighbours; of a clipped corner itself
+  std::vector<int> turns_;                      // turn direction at each corner; 1 if clipped
   std::size_t left_, looked_at_ = 0;
   std::uint32_t first_ = 0;
   double size_ = 0, slack_ = 0;

@@ -1,4 +1,4 @@
-// Disjoint sets (union-find): what is connected with what.
+// Disjoint sets (union-find) for connected components.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace viete::mesh {
 
-/// Sets of the numbers from 0 to n - 1, at first one each.
+/// Sets of the numbers 0 to n - 1; initially one set per number.
 class UnionFind {
 public:
   explicit UnionFind(std::size_t n = 0) { reset(n); }
@@ -18,13 +18,13 @@ public:
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
-  /// The same number for all of a set, one of its own. Halves the path to it.
+  /// The representative of i's set. Halves the path to it.
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
 
-  /// True if they were in different sets.
+  /// Merges the sets of a and b. Returns true if they were different.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

@@ -1,4 +1,4 @@
-// Places and directions, by their names here.
+// Names of the vector functions of base in this namespace.
 #pragma once
 
 #include "base/vector.h"

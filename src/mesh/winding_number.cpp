@@ -14,7 +14,7 @@ namespace viete::mesh {
 
 namespace {
 
-// A few points at a time, one in each lane.
+// Points processed at a time, one per vector lane.
 constexpr std::size_t lanes = 8;
 using Lanes = std::array<double, lanes>;
 
@@ -39,8 +39,8 @@ struct Complex {
   Lanes re, im;
 };
 
-// Half the solid angle of the triangle is the argument: im = a . (b x c), re = 1 + a.b + b.c + c.a for unit
-// directions.
+// Half the solid angle of a triangle is the argument of a complex number with im = a . (b x c), re = 1 + a.b
+// + b.c + c.a for unit directions.
 void half_solid_angle(const Directions& a, const Directions& b, const Directions& c, Complex& out) {
   for (std::size_t l = 0; l < lanes; ++l) {
     out.im[l] = a.x[l] * (b.y[l] * c.z[l] - b.z[l] * c.y[l]) + a.y[l] * (b.z[l] * c.x[l] - b.x[l] * c.z[l]) +
@@ -51,9 +51,9 @@ void half_solid_angle(const Directions& a, const Directions& b, const Directions
   }
 }
 
-// A sum of arguments in (-pi, pi], kept as the argument of the product plus whole turns: if both factors lie
-// in the same half plane and the product does not, it went through the negative real axis. No arc tangent
-// until the end.
+// A sum of arguments in (-pi, pi], stored as the argument of the product plus full rotations: if both factors
+// lie in the same half plane and the product does not, it crossed the negative real axis. Needs a single arc
+// tangent at the end.
 struct ArgumentSum {
   Complex product;
   Lanes turns;
@@ -73,14 +73,14 @@ struct ArgumentSum {
       const bool down = both_down & ((im > 0) | ((im == 0) & (re < 0)));
       turns[l] += (up ? 1.0 : 0.0) - (down ? 1.0 : 0.0);
       const double size = std::abs(re) + std::abs(im);
-      const bool usable = size > 0;  // on an edge the factor has no argument: it counts as 0
+      const bool usable = size > 0;  // on an edge the argument is undefined and counts as 0
       const double inverse = 1 / size;
       product.re[l] = usable ? re * inverse : a;
       product.im[l] = usable ? im * inverse : b;
     }
   }
 
-  // In whole turns.
+  // In full rotations.
   double value(std::size_t l) const {
     return turns[l] + std::atan2(product.im[l] + 0.0, product.re[l]) / (2 * std::numbers::pi);
   }
@@ -96,7 +96,7 @@ public:
   explicit Winding(const Surface& surface, double scale)
       : surface_(surface), scale_(scale), directions_(surface.positions.size()) {}
 
-  // Of points[begin] and the lanes - 1 behind it, as far as there are that many.
+  // Evaluates points[begin] and up to lanes - 1 following ones.
   void evaluate(std::span<const Point> points, std::size_t begin, std::span<double> numbers) {
     Directions at;
     for (std::size_t l = 0; l < lanes; ++l) {

@@ -13,7 +13,7 @@ const void* buffer_offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
 }
 
-/// The clip rectangle in framebuffer pixels from the bottom left, cut to the framebuffer.
+/// The clip rectangle in framebuffer pixels with origin bottom left, clipped to the framebuffer.
 struct Scissor {
   int x, y, width, height;
 };
@@ -29,7 +29,7 @@ Scissor scissor(const ImDrawCmd& command, const ImDrawData& data) {
           static_cast<int>(bottom - top)};
 }
 
-// Of what ImGui fills with zeros first, so that there are no unknown bytes between its members.
+// For types that ImGui zero-fills, so that padding bytes compare equal.
 template <class T>
 bool same(const ImVector<T>& a, const ImVector<T>& b) {
   return a.Size == b.Size &&

@@ -10,18 +10,18 @@
 
 namespace viete::platform {
 
-/// For the ImGui context that is current when it is made. Works with ImGui 1.86 to 1.92. Fonts must be added
-/// before upload_fonts(). Texture ids in draw commands are GL texture names: (ImTextureID)(intptr_t)texture.
+/// For the ImGui context current at construction. Works with ImGui 1.86 to 1.92. Add fonts before
+/// upload_fonts(). Texture ids in draw commands are GL texture names: (ImTextureID)(intptr_t)texture.
 class ImGuiRenderer {
 public:
   explicit ImGuiRenderer(const render::Gl& gl);
 
-  /// Builds the font atlas and uploads it; again after fonts changed.
+  /// Builds and uploads the font atlas. Call again after font changes.
   void upload_fonts();
   /// Draws into the bound framebuffer, whose size must be DisplaySize * FramebufferScale. Data from
   /// ImGui::GetDrawData() after ImGui::Render(). Leaves blending and scissor off.
   void draw(const ImDrawData& data);
-  /// True if the last draw() was of the same: another one would give the same picture.
+  /// True if the last draw() had the same data, so that another one would give the same picture.
   bool has_drawn(const ImDrawData& data) const;
 
 private:
@@ -40,7 +40,7 @@ private:
   render::Buffer vertices_, indices_;
   render::Texture font_;
   std::vector<Drawn> drawn_;
-  ImVec2 size_{0, 0}, scale_{0, 0};  // of what was drawn
+  ImVec2 size_{0, 0}, scale_{0, 0};  // used in the last drawing
 };
 
 }  // namespace viete::platform

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
-// GLFW's codes of the modifier keys, left and right.
+// GLFW codes of the left and right modifier keys.
 bool is_shift(int code) {
   return code == 340 || code == 344;
 }
@@ -28,12 +28,12 @@ bool is_modifier(const InputEvent& e) {
   return e.kind == Kind::key && (is_shift(e.code) || is_ctrl(e.code) || is_alt(e.code));
 }
 
-// With these a key is a command, in a field too.
+// With these modifiers a key is a command, even in a text field.
 bool is_command_key(const InputEvent& e) {
   return e.kind == Kind::key && (is_ctrl(e.code) || is_alt(e.code));
 }
 
-// GLFW's codes of keys that give characters: of the alphanumeric part, and of the number pad.
+// GLFW codes of character keys: alphanumeric block and number pad.
 bool writes(int code) {
   return (code >= 32 && code < 256) || (code >= 320 && code <= 334);
 }
@@ -81,7 +81,7 @@ void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
 void InputQueue::configure() {
   ImGuiIO& io = ImGui::GetIO();
 #if IMGUI_VERSION_NUM >= 18700
-  io.ConfigInputTrickleEventQueue = false;  // the queue has done that
+  io.ConfigInputTrickleEventQueue = false;  // done by this queue
 #else
   const struct {
     ImGuiKey key;
@@ -101,7 +101,7 @@ void InputQueue::configure() {
 #endif
 }
 
-// A field takes the character, not the key; what of a key it has not seen go down it need not see come up.
+// Text fields use the character, not the key. A key release is only passed on if its press was.
 bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   if (event.kind != Kind::key || is_modifier(event)) return false;
   if (!event.down) return std::erase(written_, event.code) > 0;
@@ -110,10 +110,10 @@ bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   return true;
 }
 
-// One frame takes many events, but never two changes of one key or button, no movement after a button, no
-// change of a modifier after a key or button, no second key, and in a field no text after a key: ImGui looks
-// once a frame, and would see neither the short press, nor where the button went down, nor that Ctrl was held
-// when the key was, nor which key came first. Text alone goes into a field at once, however long, capitals too.
+// A frame accepts many events, but never two changes of one key or button, a move after a button, a modifier
+// change after a key or button, a second key, or, in a text field, text after a key. ImGui samples its input
+// once per frame and would lose short presses, press positions, modifiers and the order of keys. Text alone
+// goes into a field at once, including capitals.
 void InputQueue::feed_frame() {
   ImGuiIO& io = ImGui::GetIO();
   const bool typing = io.WantTextInput;

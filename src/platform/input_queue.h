@@ -1,4 +1,4 @@
-// Events of window or test, handed to ImGui in order: one path for real and for scripted input.
+// Passes events of the window or of a script to ImGui in order.
 #pragma once
 
 #include <deque>
@@ -27,19 +27,19 @@ struct InputEvent {
   static InputEvent left_window() { return {.kind = Kind::leave}; }
 };
 
-/// A click that goes down and up between two frames must still be a click: what ImGui could not tell apart in
-/// one frame is left for the next.
+/// Events that ImGui cannot tell apart within one frame, such as a press and release, wait for the next
+/// frame, so that a fast click is not lost.
 class InputQueue {
 public:
-  /// ImGui's key for a key code; before ImGui 1.87 the code itself; 0: not used.
+  /// ImGui's key for a key code; before ImGui 1.87 the code itself; 0: unused.
   using KeyTable = int (*)(int code);
   explicit InputQueue(KeyTable imgui_key) : imgui_key_(imgui_key) {}
 
-  /// Any number of characters goes into a field in one frame.
+  /// All characters of a frame go to the text field at once.
   void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
-  /// Sets up ImGui's input (old versions need a key map). Once per ImGui context.
+  /// Configures ImGui's input (old versions need a key map). Call once per ImGui context.
   static void configure();
   /// Feeds ImGuiIO; call before ImGui::NewFrame().
   void feed_frame();
@@ -48,8 +48,8 @@ private:
   bool is_only_written(const InputEvent& event, bool typing);
 
   KeyTable imgui_key_;
-  bool commands_ = false;     // Ctrl or Alt is held
-  std::vector<int> written_;  // keys that went down for their character alone
+  bool commands_ = false;     // Ctrl or Alt is pressed
+  std::vector<int> written_;  // keys pressed only for their character
   std::deque<InputEvent> events_;
 };
 

@@ -24,8 +24,8 @@ namespace {
 
 using base::Error;
 
-/// A library that stays open until the process ends: drivers do not survive being closed.
-/// RTLD_LOCAL keeps its GL functions from mixing with those of another GL library.
+/// A library that stays loaded until the process ends, because drivers do not survive unloading. RTLD_LOCAL
+/// separates its GL functions from those of other GL libraries.
 class Library {
 public:
   explicit Library(std::initializer_list<const char*> names) {
@@ -47,7 +47,7 @@ private:
 
 constexpr std::array<std::pair<int, int>, 3> versions{{{4, 5}, {4, 3}, {3, 3}}};
 
-// From GL/osmesa.h, so that the header need not be installed.
+// Copied from GL/osmesa.h, so that the header need not be installed.
 struct OsmesaApi {
   static constexpr int format = 0x22, depth_bits = 0x30, profile = 0x33, core_profile = 0x34, major = 0x36,
                        minor = 0x37;
@@ -84,7 +84,7 @@ public:
   }
 
 private:
-  static constexpr int side = 16;  // OSMesa wants a buffer; pictures are drawn elsewhere
+  static constexpr int side = 16;  // OSMesa needs a buffer, but drawing uses a framebuffer object
 
   void* create() const {
     for (const auto& [major, minor] : versions) {
@@ -140,8 +140,7 @@ struct EglApi {
   PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
 };
 
-/// Sets an environment variable (Mesa reads this one while a display is initialised) and puts the old value
-/// back.
+/// Sets an environment variable for the current scope (Mesa reads it while initialising a display).
 class EnvironmentScope {
 public:
   EnvironmentScope(const char* name, const char* value) : name_(name) {
@@ -157,7 +156,7 @@ private:
   std::optional<std::string> old_;
 };
 
-// The display is never terminated: it is shared by every context of the process.
+// Never terminates the display, which all contexts of the process share.
 class EglContext final : public OffscreenContext {
 public:
   explicit EglContext(bool software) {
@@ -189,8 +188,8 @@ private:
     for (EGLint i = 0; i < count; ++i) {
       if (open(api_.platform_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr), "EGL device")) return;
     }
-    throw Error("EGL", "no display without a window, and none of " + std::to_string(count) +
-                           " devices, can be initialised");
+    throw Error("EGL", "neither a surfaceless display nor any of " + std::to_string(count) +
+                           "  devices can be initialised");
   }
 
   bool open(EGLDisplay display, const char* name) {
@@ -246,7 +245,7 @@ std::unique_ptr<OffscreenContext> attempt(std::string& tried, Make make) {
 
 void spare_rasteriser_threads() {
   const int wanted =
-      static_cast<int>(std::thread::hardware_concurrency()) + 2;  // the driver makes others too
+      static_cast<int>(std::thread::hardware_concurrency()) + 2;  // the driver creates additional threads
   if (base::WorkerPool(wanted).threads() < wanted) setenv("LP_NUM_THREADS", "0", 0);
 }
 

@@ -1,4 +1,4 @@
-// An OpenGL context without a window: OSMesa, else EGL without a surface, both opened at run time.
+// An OpenGL context without a window: OSMesa, else EGL without a surface, both loaded at run time.
 #pragma once
 
 #include <memory>
@@ -8,16 +8,16 @@
 
 namespace viete::platform {
 
-/// One context, current in the thread that made it. Draw into a render::Framebuffer: there is no window
-/// behind it. One context per thread: never make one in the thread that owns a GLFW window (they share Mesa's
+/// A context, current in the thread that created it. Draw into a render::Framebuffer, as there is no default
+/// one. One context per thread: never create one in the thread that owns a GLFW window (they share Mesa's
 /// current-context slot).
 class OffscreenContext {
 public:
   enum class Kind { any, osmesa, egl };
 
-  /// any: OSMesa first, then EGL. software: ask EGL for Mesa's CPU rasteriser (LIBGL_ALWAYS_SOFTWARE=1, set
-  /// only while the context is made), so that pictures are the same on every machine; otherwise EGL takes a
-  /// GPU when there is one. Throws base::Error that says what was tried and why each attempt failed.
+  /// any: OSMesa first, then EGL. software: makes EGL use Mesa's CPU rasteriser (LIBGL_ALWAYS_SOFTWARE=1, set
+  /// only during creation), so that pictures are the same on every machine; otherwise EGL uses a GPU if
+  /// present. Throws base::Error with the reason of each failed attempt.
   static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any, bool software = true);
 
   virtual ~OffscreenContext() = default;
@@ -34,9 +34,9 @@ protected:
   OffscreenContext() = default;
 };
 
-/// Before a context is made, also of a window: Mesa's CPU rasteriser waits forever for threads that the
-/// system refused to make. If there are too few, it is told to draw without any (LP_NUM_THREADS=0, unless
-/// set).
+/// Call before creating any context, including a window's. Mesa's CPU rasteriser waits forever for threads
+/// that the system refused to create; if there are too few, this disables its threads (LP_NUM_THREADS=0,
+/// unless set).
 void spare_rasteriser_threads();
 
 }  // namespace viete::platform

@@ -31,7 +31,7 @@ std::string utf8(unsigned code) {
   return {byte(0xf0 | code >> 18), tail(12), tail(6), tail(0)};
 }
 
-// GLFW names keys by their place on a US keyboard; shortcuts mean what is printed on the key.
+// GLFW names keys by their position on a US keyboard; shortcuts use the printed label.
 int labelled(int key, int scancode) {
   if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
   const char* name = glfwGetKeyName(key, scancode);
@@ -39,8 +39,8 @@ int labelled(int key, int scancode) {
   return letter ? name[0] - 'a' + GLFW_KEY_A : key;
 }
 
-// Where neither is named, nothing is asked: the Wayland library would complain on stderr where the session
-// has no runtime folder, and open a window on whatever display of that folder it finds.
+// Without any of these variables GLFW is not initialised: the Wayland library would print an error if the
+// session has no runtime folder, and otherwise open a window on any display found there.
 bool display_is_named() {
   const auto given = [](const char* variable) {
     const char* value = std::getenv(variable);
@@ -49,10 +49,10 @@ bool display_is_named() {
   return given("DISPLAY") || given("WAYLAND_DISPLAY") || given("WAYLAND_SOCKET");
 }
 
-// The only thing that a signal handler may touch.
+// Set by the signal handler, which must not touch anything else.
 volatile std::sig_atomic_t end_signal = 0;
 
-// A request, as by the window's close button. One more before the window has taken notice ends the program.
+// The first signal acts as the close button. A second one before the window has reacted ends the program.
 void take_end_signal(int number) {
   if (end_signal) {
     std::signal(number, SIG_DFL);
@@ -61,14 +61,14 @@ void take_end_signal(int number) {
   end_signal = 1;
 }
 
-// What was told to be ignored (nohup) stays so.
+// Keeps signals ignored that were ignored at start (nohup).
 void listen_to_end_signals() {
   for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
     if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
   }
 }
 
-// Core 3.3 is all that is used; some drivers hand out exactly what is asked for, so ask for the newest first.
+// Only core 3.3 is used; some drivers return exactly the requested version, so requests the newest first.
 GLFWwindow* open_window(glm::ivec2 size) {
   constexpr int versions[][2] = {{4, 5}, {4, 3}, {3, 3}};
   for (const auto& version : versions) {
@@ -79,8 +79,8 @@ GLFWwindow* open_window(glm::ivec2 size) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, 0);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // full screen stays while one works on another screen
-    // Whose window it is: the desktop looks for these in assets/desktop/viete.desktop.
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // keeps full screen while another screen is used
+    // Identifies the application: the desktop looks for these names in assets/desktop/viete.desktop.
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
 #ifdef GLFW_WAYLAND_APP_ID
@@ -99,7 +99,7 @@ float content_scale(GLFWwindow* window) {
   return scale;
 }
 
-// What the screen has room for, without its bars and the frame of the window.
+// The screen area without desktop bars and window frame.
 glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (!screen) return otherwise;
@@ -110,8 +110,8 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   return room.x > 0 && room.y > 0 ? room : otherwise;
 }
 
-// Where window units are pixels, a window of logical pixels is larger; no larger than the screen, and no
-// smaller than what has room for the panels.
+// Scales the window if window units are pixels; at most as large as the screen, and at least large enough for
+// the panels.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;
@@ -136,8 +136,8 @@ Area area_of(GLFWmonitor* screen) {
   return {corner, corner + (mode ? glm::ivec2(mode->width, mode->height) : glm::ivec2(0))};
 }
 
-// Which shows most of it; null if there is none. Some systems do not tell where windows are: the first one
-// then.
+// The screen that shows most of the window; null if there is none. The first screen if the system does not
+// report window positions.
 GLFWmonitor* screen_of(const Area& window) {
   int count = 0;
   GLFWmonitor** const screens = glfwGetMonitors(&count);
@@ -198,8 +198,8 @@ glm::ivec2 Window::size() const {
   return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(device_size()) / scale_));
 }
 
-// Window units are pixels on X11 and logical on Wayland: events are converted by what one unit is in device
-// pixels.
+// Window units are pixels on X11 and logical pixels on Wayland; events are converted by the size of one unit
+// in device pixels.
 float Window::logical_per_unit() const {
   int units = 0;
   glfwGetWindowSize(handle_, &units, nullptr);
@@ -243,7 +243,7 @@ void Window::listen(WindowEvents events) {
   listen_to_end_signals();
 }
 
-// Old and new versions of ImGui keep the clipboard functions in different places.
+// The clipboard functions differ between ImGui versions.
 void Window::share_clipboard() {
 #if IMGUI_VERSION_NUM >= 19110
   ImGuiPlatformIO& io = ImGui::GetPlatformIO();

@@ -1,4 +1,4 @@
-// A window with an OpenGL context, by GLFW: events in, a picture out.
+// A GLFW window with an OpenGL context: receives events, presents pictures.
 #pragma once
 
 #include <filesystem>
@@ -17,19 +17,19 @@ struct GLFWwindow;
 
 namespace viete::platform {
 
-/// Called while the window waits for events.
+/// Callbacks, called while the window polls or waits for events.
 struct WindowEvents {
   std::function<void(InputEvent)> input;
-  std::function<void(std::vector<std::filesystem::path>)> dropped;  ///< files, on the window
-  std::function<void()> exposed;                                    ///< of another size, or uncovered
+  std::function<void(std::vector<std::filesystem::path>)> dropped;  ///< files dropped on the window
+  std::function<void()> exposed;                                    ///< the window was resized or uncovered
 };
 
-/// One at a time, in the main thread, whose current context is its own. While it is open, SIGTERM, SIGINT and
-/// SIGHUP ask it to close.
+/// At most one, in the main thread, where its context is current. While it exists, SIGTERM, SIGINT and SIGHUP
+/// ask it to close.
 class Window {
 public:
-  /// `size` in logical pixels, of `scale` device pixels each; 0 asks the display. No larger than the screen.
-  /// Null, saying why in `reason`, if there is no display or no OpenGL 3.3.
+  /// `size` is in logical pixels of `scale` device pixels each (0: the display's scale), and is limited to
+  /// the screen. Null without a display or OpenGL 3.3; `reason` then explains why.
   static std::unique_ptr<Window> open(glm::ivec2 size, float scale, std::string& reason);
   ~Window();
   Window(const Window&) = delete;
@@ -41,19 +41,18 @@ public:
   glm::ivec2 size() const;
 
   void listen(WindowEvents events);
-  /// With the ImGui context that is current.
+  /// For the current ImGui context.
   void share_clipboard();
   void poll_events();
   void wait_for_events(double seconds);
-  /// By its close button or a signal; each time once.
+  /// True once per click on the close button or signal.
   bool asked_to_close();
 
   void set_title(const std::string& title);
-  /// Over the whole screen that shows most of it, or back to its place and size there. Nothing where it is
-  /// so.
+  /// Fills the screen that shows most of the window, or restores its place and size. No effect if already so.
   void set_full_screen(bool full);
   bool full_screen() const;
-  /// The window may be behind others.
+  /// For a window that may be behind others.
   void call_for_attention();
   void present(render::Framebuffer& framebuffer);
 
@@ -72,7 +71,7 @@ private:
   struct Place {
     glm::ivec2 corner, size;
   };
-  std::optional<Place> windowed_;  ///< where it goes back to, while it fills the screen
+  std::optional<Place> windowed_;  ///< place to restore after full screen
 };
 
 }  // namespace viete::platform

@@ -18,7 +18,7 @@ using sym3::Affine, sym3::AffineLog;
 using Numbers = Contiguous<double>;
 using Axes = std::vector<py::ssize_t>;
 
-// An argument in double: what its last axes are, and those before.
+// An argument converted to double, split into leading axes and its own last axes.
 struct Argument {
   Numbers numbers;
   bool single;  // float32
@@ -28,14 +28,14 @@ struct Argument {
     const py::array array = as_array(function, object);
     single = is_single(function, array);
     numbers = Numbers(array);
-    if (numbers.ndim() < own_axes) wrong(function, "too few axes: this shape is " + shape_text(numbers));
+    if (numbers.ndim() < own_axes) wrong(function, "too few axes; this shape is " + shape_text(numbers));
     before.assign(numbers.shape(), numbers.shape() + numbers.ndim() - own_axes);
   }
 
   Axes own() const { return {numbers.shape() + before.size(), numbers.shape() + numbers.ndim()}; }
 };
 
-// Whose last two axes are 3, 3 or 4, 4.
+// An argument whose last two axes are 3, 3 or 4, 4.
 struct Maps : Argument {
   py::ssize_t rows;
 
@@ -68,7 +68,7 @@ Axes common(const Axes& a, const Axes& b) {
   return py::cast<Axes>(numpy("broadcast_shapes")(py::tuple(py::cast(a)), py::tuple(py::cast(b))));
 }
 
-// With these axes before its own, by repetition.
+// Broadcasts to these leading axes by repetition.
 Numbers spread(const Argument& a, const Axes& before) {
   return Numbers(numpy("broadcast_to")(a.numbers, py::tuple(py::cast(joined(before, a.own())))));
 }
@@ -98,7 +98,7 @@ sym3::Vec3<double> vector_at(const Numbers& vectors, std::size_t i) {
   return {v[0], v[1], v[2]};
 }
 
-// Matrices, number i by make(i), which makes a map or a log; other Python threads run.
+// An array of matrices (maps or logarithms), the i-th made by make(i); releases the GIL.
 template <class Make>
 py::array made(const Axes& before, py::ssize_t rows, bool single, const Make& make) {
   Numbers result(joined(before, {rows, rows}));
@@ -110,7 +110,7 @@ py::array made(const Axes& before, py::ssize_t rows, bool single, const Make& ma
   return single ? py::array_t<float>(result) : py::array(result);
 }
 
-// Every map of a's leading axes, as f wants them.
+// Applies f to every map.
 template <class Map, class F>
 py::array of_each(const Maps& a, const Axes& before, const F& f) {
   const Numbers numbers = spread(a, before);
@@ -119,7 +119,7 @@ py::array of_each(const Maps& a, const Axes& before, const F& f) {
               [&](std::size_t i) { return f(read<Map>(from + i * a.rows * a.rows, a.rows), i); });
 }
 
-// Rotation vectors, one a map: the last axis is 3.
+// Rotation vectors, one per map: the last axis is 3.
 Argument vectors_of(const char* function, const py::object& near) {
   finite_numbers(function, "near", near);
   Argument vectors(function, near, 1);
@@ -179,7 +179,7 @@ py::array affine_interpolate(const py::object& a, const py::object& b, const py:
   });
 }
 
-// Maps along the third axis from the end, with a weight each.
+// Maps along the third last axis, with a weight each.
 struct Weighted {
   Maps maps;
   std::size_t count;
@@ -230,7 +230,7 @@ py::tuple affine_mean(const py::object& m, const py::object& w) {
 
 constexpr const char* maps_text =
     "\n\nMaps are (..., 3, 3), or (..., 4, 4) with the translation in the last column; their last row is not "
-    "read. float32 or float64; computed in double. Other Python threads run meanwhile.";
+    "read. float32 or float64; computed in double. Releases the GIL.";
 
 std::string about(const char* text) {
   return std::string(text) + maps_text;
@@ -239,24 +239,26 @@ std::string about(const char* text) {
 }  // namespace
 
 void define_affine(py::module_& m) {
-  m.def("affine_log", affine_log, py::arg("m"), py::arg("near") = py::none(),
-        about("The principal logarithm of each map; where there is none a bounded one: see affine_has_log.\n"
-              "One of a map that is flat (a stretch below 1e-11 of another) counts as none.\n"
-              "near: (..., 3), rotation vectors: the logarithm on the branch nearest to them, bounded.")
-            .c_str());
-  m.def("affine_exp", affine_exp, py::arg("l"), about("The map that each logarithm is of.").c_str());
+  m.def(
+      "affine_log", affine_log, py::arg("m"), py::arg("near") = py::none(),
+      about(
+          "The principal logarithm of each map, or a bounded substitute if it has none: see affine_has_log.\n"
+          "A flat map (a stretch below 1e-11 of another) counts as having none.\n"
+          "near: (..., 3), rotation vectors that select the nearest branch of the logarithm, bounded.")
+          .c_str());
+  m.def("affine_exp", affine_exp, py::arg("l"), about("The map of each logarithm.").c_str());
   m.def("affine_has_log", affine_has_log, py::arg("m"),
-        about("True where affine_exp(affine_log(m)) is m.").c_str());
+        about("True if affine_exp(affine_log(m)) equals m.").c_str());
   m.def("affine_combine", affine_combine, py::arg("maps"), py::arg("weights"),
         about("exp(sum w log A): maps (..., k, 3, 3) or (..., k, 4, 4), weights (..., k).").c_str());
   m.def("affine_interpolate", affine_interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
         py::arg("near") = py::none(),
-        about("From a at t = 0 to b at 1: a exp(t log(a^-1 b)). t: a number or (...).\nnear: (..., 3), the "
-              "branch of that logarithm.")
+        about("Interpolates from a at t = 0 to b at t = 1: a exp(t log(a^-1 b)). t: a number or "
+              "(...).\nnear: (..., 3), the branch of that logarithm.")
             .c_str());
   m.def("affine_mean", affine_mean, py::arg("maps"), py::arg("weights") = py::none(),
-        about("mean, converged: the maps with sum w log(mean^-1 A) = 0; maps (..., k, 3, 3) or (..., k, 4, "
-              "4), weights (..., k), at first all the same.")
+        about("Returns (mean, converged): mean solves sum w log(mean^-1 A) = 0. maps: (..., k, 3, 3) or "
+              "(..., k, 4, 4); weights: (..., k), default equal.")
             .c_str());
 }
 

@@ -1,7 +1,7 @@
-"""Functions of many matrices, beside numpy's and scipy's ways, in one run: PYTHONPATH=build/python /usr/bin/python3 src/python/bench.py
+"""Compares functions of many matrices with numpy and scipy in one run: PYTHONPATH=build/python /usr/bin/python3 src/python/bench.py
 
-Medians of rounds that take turns; errors against numpy's longdouble by scaling and squaring are those of `viete bench accuracy`.
-scipy is left out where it is not installed (apt-get install python3-scipy).
+Prints medians over alternating rounds. For errors see `viete bench accuracy`.
+Skips scipy if it is not installed (apt-get install python3-scipy).
 """
 import sys
 import time
@@ -15,7 +15,7 @@ except ImportError:
     scipy = None
 
 COUNT = int(sys.argv[1]) if len(sys.argv) > 1 else 100_000
-FEW = 1000  # of what takes one matrix after the other
+FEW = 1000  # for functions that take one matrix at a time
 
 
 def by_eigh(f):
@@ -30,7 +30,7 @@ def one_by_one(f):
 
 
 def times(ways, rounds=7):
-    """Nanoseconds a matrix, the median of rounds in which the ways take turns."""
+    """Nanoseconds a matrix, the median over rounds that alternate between the candidates."""
     all_of = {name: [] for name in ways}
     for _ in range(rounds):
         for name, (f, a) in ways.items():

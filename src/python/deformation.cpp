@@ -11,7 +11,7 @@ namespace py = pybind11;
 
 namespace {
 
-// Names of files need not be UTF-8: what is not comes as Python has it in paths.
+// Messages may contain file names that are not UTF-8; these are decoded as Python decodes paths.
 void raise(PyObject* type, const std::string& sentence) {
   const auto text = py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
@@ -22,7 +22,8 @@ void raise(PyObject* type, const std::string& sentence) {
 
 void define_deformation(py::module_& m) {
   static PyObject* const error = PyErr_NewExceptionWithDoc(
-      "viete.Error", "What is wrong with files or arrays, and what to do.", PyExc_ValueError, nullptr);
+      "viete.Error", "Raised for invalid files and arrays; the message says what is wrong and what to do.",
+      PyExc_ValueError, nullptr);
   m.attr("Error") = py::reinterpret_borrow<py::object>(error);
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {

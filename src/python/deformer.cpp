@@ -18,7 +18,7 @@ namespace viete::python {
 
 namespace {
 
-// Some rows or columns are of the same memory, but for views that leave gaps in others.
+// True if rows or columns overlap; strided views with gaps do not.
 bool overlaps_itself(const py::array& a) {
   if (a.size() <= 1) return false;
   py::ssize_t steps[] = {std::abs(a.strides(0)), std::abs(a.strides(1))}, counts[] = {a.shape(0), a.shape(1)};
@@ -26,8 +26,7 @@ bool overlaps_itself(const py::array& a) {
   return (counts[1] > 1 && steps[1] < a.itemsize()) || (counts[0] > 1 && steps[0] < steps[1] * counts[1]);
 }
 
-/// Where answers go, of any order and strides: where they do not lie one after the other, a copy is put there
-/// at last.
+/// The result array, of any order and strides. A non-contiguous one is filled by a final copy.
 template <class T>
 class Out {
 public:
@@ -46,7 +45,7 @@ public:
         static_cast<int>(py::array::c_style) | static_cast<int>(py::detail::npy_api::NPY_ARRAY_ALIGNED_);
     if (overlaps_itself(result_)) wrong("Deformer.deform", std::string(what) + " overlaps itself");
     const bool lies =
-        (result_.flags() & direct) == direct && py::isinstance<py::array_t<T>>(out);  // also in order
+        (result_.flags() & direct) == direct && py::isinstance<py::array_t<T>>(out);  // also contiguous
     work_ = lies ? py::reinterpret_borrow<py::array_t<T>>(out) : py::array_t<T>(shape_);
   }
   std::span<T> numbers() { return {work_.mutable_data(), static_cast<std::size_t>(work_.size())}; }
@@ -64,11 +63,11 @@ private:
 
 py::array checked_out(const char* what, const py::object& out) {
   if (!py::isinstance<py::array>(out))
-    throw py::type_error("viete.Deformer.deform: " + std::string(what) + " is an array" +
+    throw py::type_error("viete.Deformer.deform: " + std::string(what) + " must be an array" +
                          (std::string(what) == "normals" ? ", or True or False" : ""));
   const auto array = py::reinterpret_borrow<py::array>(out);
   if (array.dtype().kind() != 'f' || (array.itemsize() != 4 && array.itemsize() != 8))
-    throw py::type_error("viete.Deformer.deform: " + std::string(what) + " is float32 or float64");
+    throw py::type_error("viete.Deformer.deform: " + std::string(what) + " must be float32 or float64");
   return array;
 }
 
@@ -86,7 +85,7 @@ public:
     bool single = single_;
     if (!out.is_none()) single = checked_out("out", out).itemsize() == 4;
     if (wants_normals && !own_normals && (checked_out("normals", normals).itemsize() == 4) != single)
-      throw py::type_error("viete.Deformer.deform: normals are of the same type as the places");
+      throw py::type_error("viete.Deformer.deform: normals must have the same type as out");
     const py::object to = own_normals ? py::none() : normals;
     return single ? deform_as<float>(cage, out, wants_normals, to)
                   : deform_as<double>(cage, out, wants_normals, to);
@@ -160,7 +159,7 @@ std::unique_ptr<PythonDeformer> make_deformer(const py::object& vertices, const 
              cage = mesh_of("Deformer", cage_vertices, cage_faces);
   const auto type = py::dtype::from_args(dtype);
   if (type.kind() != 'f' || (type.itemsize() != 4 && type.itemsize() != 8))
-    throw py::type_error("viete.Deformer: dtype is float32 or float64");
+    throw py::type_error("viete.Deformer: dtype must be float32 or float64");
   const py::gil_scoped_release release;
   return std::make_unique<PythonDeformer>(model, cage, blending, threads, type.itemsize() == 4);
 }
@@ -171,11 +170,11 @@ T taken(const py::dict& from, const char* key, T otherwise) {
   try {
     return from[key].cast<T>();
   } catch (const py::cast_error&) {
-    const char* kind = std::is_same_v<T, std::string> ? "a word"
+    const char* kind = std::is_same_v<T, std::string> ? "a string"
                        : std::is_same_v<T, double>    ? "a number"
                        : std::is_same_v<T, Point3>    ? "three numbers"
                                                       : "six numbers";
-    wrong("Deformer.set_probes", std::string("a probe's ") + key + " is " + kind);
+    wrong("Deformer.set_probes", std::string("a probe's ") + key + " must be " + kind);
   }
 }
 
@@ -184,7 +183,7 @@ Probe probe_of(const py::dict& words) {
     const std::string name = py::str(key);
     if (name != "place" && name != "radius" && name != "falloff" && name != "turn" && name != "stretch" &&
         name != "move")
-      wrong("Deformer.set_probes", "a probe has place, radius, falloff, turn, stretch and move, not " + name);
+      wrong("Deformer.set_probes", "probes have place, radius, falloff, turn, stretch and move, not " + name);
   }
   if (!words.contains("place")) wrong("Deformer.set_probes", "a probe needs a place");
   Probe probe;
@@ -202,10 +201,10 @@ void set_mask(PythonDeformer& d, const py::object& mask) {
   if (!mask.is_none()) {
     const py::array given = as_array("Deformer.set_mask", mask);
     is_single("Deformer.set_mask", given);
-    if (given.ndim() != 1) wrong("Deformer.set_mask", "a mask is (n,), a share for each vertex");
+    if (given.ndim() != 1) wrong("Deformer.set_mask", "a mask must be (n,), one value per vertex");
     const py::array_t<float, py::array::c_style | py::array::forcecast> array(given);
     if (array.size() == 0 && d.deformer().vertex_count() > 0)
-      wrong("Deformer.set_mask", "it has no shares; None lets all vertices move");
+      wrong("Deformer.set_mask", "the mask is empty; None lets all vertices move");
     shares.assign(array.data(), array.data() + array.size());
   }
   d.change([&](Deformer& deformer) { deformer.set_mask(shares); });
@@ -214,7 +213,7 @@ void set_mask(PythonDeformer& d, const py::object& mask) {
 void set_shape(PythonDeformer& d, const py::object& shape) {
   if (shape.is_none()) return d.change([](Deformer& deformer) { deformer.set_shape({}); });
   const py::array_t<double> array = rows_of_3("Deformer.set_shape", shape);
-  if (array.size() == 0) wrong("Deformer.set_shape", "it has no places; None is the model at rest");
+  if (array.size() == 0) wrong("Deformer.set_shape", "the shape is empty; None restores the rest shape");
   d.change([from = numbers_of(array)](Deformer& deformer) { deformer.set_shape(from); });
 }
 
@@ -226,35 +225,34 @@ std::string init_text() {
   std::string methods;
   for (const sym3::MethodEntry& entry : sym3::methods())
     methods += "\n  '" + std::string(entry.name) + "': " + entry.sentence;
-  return "Binds a model to a cage at rest; fractions of a second to some seconds, and Ctrl-C ends it. All is "
+  return "Binds a model to a cage at rest, which takes up to some seconds; Ctrl-C cancels. Arguments are "
          "copied. Raises Error.\n\n"
          "vertices, cage_vertices: (n, 3), 1e-60 to 1e60 across. faces, cage_faces: (m, k), or a list of "
          "lists.\n"
          "way: how the cage moves the model." +
          library::ways_text() +
-         "\nweights, blend: in place of what the way has; not all of them go together, and Error "
-         "says which do." +
+         "\nweights, blend: override those of the way. Not all combinations are valid; Error lists the valid "
+         "ones." +
          library::choices_text() +
-         "\nradius: where cut-off weights end, 0.001 to 10 sizes of the cage.\n"
-         "turn, stretch: how much of rotations and stretches acts, 0 to 2.\n"
-         "stitched: triangles follow the maps, and vertices are solved for so often, 1 to 20. pins, hold (0 "
-         "to "
-         "1): what holds them, by nearness to the cage (in sizes of the cage), and everywhere.\n"
-         "method: of the exponential of each vertex." +
+         "\nradius: reach of cut-off weights in cage sizes, 0.001 to 10.\n"
+         "turn, stretch: factors on rotations and stretches, 0 to 2.\n"
+         "stitched: number of iterations, 1 to 20, that solve for vertices whose triangles follow the maps. "
+         "pins, hold (0 to 1): pin radius around the cage in cage sizes, and weight of every vertex's "
+         "blended position.\n"
+         "method: how the matrix exponential of each vertex is computed." +
          methods +
-         "\nthreads: at most so many, to 1024; 0 for all processors. fork() waits for a deform() of another "
-         "thread "
-         "to end; the child works with one.\n"
-         "dtype: of what deform() makes: float64 with the bits of viete deform; or float32 with compressed "
-         "weights, three to nine times as fast and off by up to 1e-4 of the diagonal of the cage, at rest or "
-         "posed, usually by 1e-5.\n\n"
-         "It cannot be copied or pickled.";
+         "\nthreads: maximum number, up to 1024; 0: one per processor. fork() waits until deform() calls of "
+         "other threads end; the child process uses one thread.\n"
+         "dtype: type of deform() results: float64 gives the bits of `viete deform`; float32 uses compressed "
+         "weights, three to nine times as fast, with an error of up to 1e-4 of the diagonal of the cage at "
+         "rest or posed, usually 1e-5.\n\n"
+         "Cannot be copied or pickled.";
 }
 
 }  // namespace
 
 void define_deformer(py::module_& m) {
-  py::class_<PythonDeformer>(m, "Deformer", "One model bound to one cage.")
+  py::class_<PythonDeformer>(m, "Deformer", "A model bound to a cage.")
       .def(py::init([](const py::object& vertices, const py::object& faces, const py::object& cage_vertices,
                        const py::object& cage_faces, const std::string& way, const std::string& weights,
                        const std::string& blend, std::optional<double> radius, std::optional<double> turn,
@@ -271,21 +269,22 @@ void define_deformer(py::module_& m) {
            py::arg("stitched") = py::none(), py::arg("pins") = py::none(), py::arg("hold") = py::none(),
            py::arg("method") = "fast", py::arg("threads") = 0, py::arg("dtype") = "float64",
            init_text().c_str())
-      .def("deform", &PythonDeformer::deform, py::arg("cage"), py::arg("out") = py::none(),
-           py::arg("normals") = py::none(),
-           "The model's vertices (n, 3) for the cage's, (k, 3), as they are posed.\n\n"
-           "out: where they go, of any strides: float64 or float32, in which they are then computed, "
-           "whatever dtype says.\n"
-           "normals: an array of the same type for normals, or True; then vertices, normals are returned.\n"
-           "Other Python threads run meanwhile; calls of one deformer take turns.")
+      .def(
+          "deform", &PythonDeformer::deform, py::arg("cage"), py::arg("out") = py::none(),
+          py::arg("normals") = py::none(),
+          "The model's vertices (n, 3) for a pose of the cage's vertices, (k, 3).\n\n"
+          "out: an array for the result, with any strides: float64 or float32, which sets the precision, "
+          "regardless of dtype.\n"
+          "normals: an array of the same type for normals, or True; the result is then (vertices, normals).\n"
+          "Releases the GIL; calls of one deformer run one after another.")
       .def_readwrite("keeps_turns", &PythonDeformer::keeps_turns,
-                     "False at first: each connected part of the cage turns the least. True: as a whole as "
-                     "near as can be to the pose before, so that it may turn round and round.")
-      .def("forget_turns", &PythonDeformer::forget_turns, "The next pose turns the least.")
+                     "False (default): each connected part of the cage takes the shortest rotation. True: "
+                     "takes the rotation nearest to the previous pose, so that full rotations add up.")
+      .def("forget_turns", &PythonDeformer::forget_turns, "The next pose takes the shortest rotations.")
       .def("set_mask", set_mask, py::arg("mask"),
-           "How much of its motion each vertex makes, (n,), 0 to 1; None: all of it. Binds anew.")
+           "Scales the motion of each vertex, (n,), 0 to 1; None: no scaling. Binds again.")
       .def("set_shape", set_shape, py::arg("shape"),
-           "What the cage acts upon, (n, 3); None: the model at rest.")
+           "The shape that the cage deforms, (n, 3); None: the model at rest.")
       .def(
           "set_probes",
           [](PythonDeformer& d, const std::vector<py::dict>& all) {
@@ -294,17 +293,15 @@ void define_deformer(py::module_& m) {
             d.change([&](Deformer& deformer) { deformer.set_probes(probes); });
           },
           py::arg("probes"),
-          ("A layer upon the cage, of dictionaries.\n\n"
-           "place: at rest, (x, y, z). radius: where it ends; 1.\nturn: a rotation vector. stretch: a "
-           "logarithm, "
-           "xx xy xz yy yz zz. move: (x, y, z). 0 each.\nfalloff:" +
+          ("Sets probes, which act after the cage: a list of dictionaries.\n\n"
+           "place: rest position, (x, y, z). radius: reach, default 1.\nturn: a rotation vector. stretch: "
+           "the logarithm, xx xy xz yy yz zz. move: (x, y, z). 0 each.\nfalloff:" +
            library::falloffs_text())
               .c_str())
       .def_property_readonly(
           "notes", [](const PythonDeformer& d) { return d.deformer().notes(); },
-          "What a person should know of the cage, one line each: that it is open, flat, ... Whether the "
-          "model "
-          "is inside is not looked at.");
+          "Warnings about the cage, one line each: that it is open, flat, ... They do not cover whether the "
+          "model is inside.");
 }
 
 }  // namespace viete::python

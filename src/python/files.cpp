@@ -45,7 +45,7 @@ SurfaceOfFile read_surface(const fs::path& file) {
   return {mesh::read(file)};
 }
 
-// With all that was in its file, where the vertices of one move.
+// Writes all content of the original file with moved vertices.
 std::vector<std::string> write_moved(const fs::path& file, const SurfaceOfFile& surface,
                                      const py::object& vertices) {
   const mesh::Surface& s = surface.read.surface;
@@ -60,11 +60,11 @@ std::vector<std::string> write_moved(const fs::path& file, const SurfaceOfFile& 
 std::vector<std::string> write_surface(const fs::path& file, const py::object& surface,
                                        const py::object& faces, const py::object& vertices) {
   if (py::isinstance<SurfaceOfFile>(surface)) {
-    if (!faces.is_none()) wrong("write", "a surface has faces of its own: leave them out");
+    if (!faces.is_none()) wrong("write", "a surface already has faces; omit faces");
     return write_moved(file, surface.cast<const SurfaceOfFile&>(), vertices);
   }
-  if (faces.is_none()) wrong("write", "arrays of vertices need faces");
-  if (!vertices.is_none()) wrong("write", "vertices are named once, or with a surface that was read");
+  if (faces.is_none()) wrong("write", "faces are required with an array of vertices");
+  if (!vertices.is_none()) wrong("write", "vertices= is only allowed with a surface from read()");
   const Mesh mesh = mesh_of("write", surface, faces);
   const py::gil_scoped_release release;
   write_mesh(file, mesh);
@@ -78,7 +78,7 @@ py::array_t<T> filled(std::size_t rows, std::size_t columns, T value) {
   return array;
 }
 
-// Of each corner of the faces, one face after the other; NaN where it has none.
+// A vector per corner, face by face; NaN if a corner has none.
 template <class Vector>
 py::object of_corners(const std::vector<Vector>& values, const std::vector<std::uint32_t>& corners) {
   if (values.empty()) return py::none();
@@ -113,31 +113,29 @@ py::array_t<std::int32_t> face_materials(const SurfaceOfFile& s) {
   const std::size_t count = s.read.surface.polygon_count();
   py::array_t<std::int32_t> numbers(static_cast<py::ssize_t>(count));
   std::fill_n(numbers.mutable_data(), count, -1);
-  for (const mesh::Group& group : attributes_of(s).groups)  // the next one goes on from its first
+  for (const mesh::Group& group : attributes_of(s).groups)  // a group ends where the next begins
     std::fill(numbers.mutable_data() + group.first_polygon, numbers.mutable_data() + count,
               group.material == mesh::none ? -1 : static_cast<std::int32_t>(group.material));
   return numbers;
 }
 
 void define_attributes(py::class_<SurfaceOfFile>& surface) {
-  surface
-      .def_property_readonly("colors", colors_of,
-                             "Of vertices, (n, 4) float32, red to opacity, 0 to 1; or None.")
+  surface.def_property_readonly("colors", colors_of, "Vertex colours, (n, 4) float32, RGBA, 0 to 1; or None.")
       .def_property_readonly(
           "corner_normals",
           [](const SurfaceOfFile& s) {
             return of_corners(attributes_of(s).normals, attributes_of(s).corner_normal);
           },
-          "Of the corners of one face after the other, (c, 3); NaN where there is none; or None.")
+          "Normals of corners, face by face, (c, 3); NaN if a corner has none; or None.")
       .def_property_readonly(
           "corner_texture",
           [](const SurfaceOfFile& s) {
             return of_corners(attributes_of(s).texture_points, attributes_of(s).corner_texture);
           },
-          "Texture coordinates of these, (c, 2), the second upwards; or None.")
-      .def_property_readonly("materials", material_names, "Their names.")
+          "Texture coordinates of corners, (c, 2), v upwards; or None.")
+      .def_property_readonly("materials", material_names, "Material names.")
       .def_property_readonly("face_materials", face_materials,
-                             "Of each face, (m,) int32: the number of its material, -1 for none.");
+                             "Material index of each face, (m,) int32; -1: none.");
 }
 
 }  // namespace
@@ -145,19 +143,19 @@ void define_attributes(py::class_<SurfaceOfFile>& surface) {
 void define_files(py::module_& m) {
   py::class_<SurfaceOfFile> surface(
       m, "Surface",
-      "What read() gives: a mesh, and all else that its file says of it. Arrays are "
-      "copies; write() writes what is in the file, also what is not seen here.");
+      "A mesh returned by read(), with all other content of its file. Arrays are copies; write() keeps all "
+      "content of the file, also content without an attribute here.");
   surface
       .def_property_readonly(
           "vertices",
           [](const SurfaceOfFile& s) { return array_of(library::outside(s.read.surface.positions)); },
-          "(n, 3) float64, a copy.")
+          "Vertex positions, (n, 3) float64, a copy.")
       .def_property_readonly(
           "faces",
           [](const SurfaceOfFile& s) {
             return faces_of(s.read.surface.corners, s.read.surface.polygon_starts);
           },
-          "(m, k) int32 where all have k corners, else a list of arrays.")
+          "Vertex indices, (m, k) int32 if all faces have k corners, otherwise a list of arrays.")
       .def_property_readonly(
           "triangles",
           [](const SurfaceOfFile& s) {
@@ -167,30 +165,30 @@ void define_files(py::module_& m) {
             for (const auto& t : s.read.surface.triangles) to = std::copy(t.begin(), t.end(), to);
             return all;
           },
-          "(t, 3) int32: the faces, cut into triangles.")
+          "The triangulated faces, (t, 3) int32.")
       .def_property_readonly(
           "format", [](const SurfaceOfFile& s) { return s.read.format; },
-          "Of the file: 'OBJ', 'PLY ascii', ...")
+          "Format of the file: 'OBJ', 'PLY ascii', ...")
       .def_property_readonly(
           "notes", [](const SurfaceOfFile& s) { return s.read.warnings; },
-          "What a person should know of it, one line each.");
+          "Warnings about the file, one line each.");
   define_attributes(surface);
   m.def("read", read_surface, py::arg("path"),
-        "A mesh of a file: .obj, .ply, .off, .stl, .gltf, .glb. Raises Error, also where there is none.");
+        "Reads a mesh: .obj, .ply, .off, .stl, .gltf, .glb. Raises Error, also if the file does not exist.");
   m.def("write", write_surface, py::arg("path"), py::arg("surface"), py::arg("faces") = py::none(),
         py::arg("vertices") = py::none(),
-        "Writes a mesh whole or not at all: .obj, .ply, .off, .stl, .gltf or .glb. Returns notes, one line "
-        "each, of what the format has no place for. Raises Error.\n\n"
-        "surface: what read() gave: all that was in its file is written again, its vertices at `vertices` "
-        "(n, 3) where "
-        "these are named. Or vertices (n, 3), with faces: (m, k), or a list of lists.");
+        "Writes a mesh atomically: .obj, .ply, .off, .stl, .gltf or .glb. Returns warnings, one line each, "
+        "about content that the format does not support. Raises Error.\n\n"
+        "surface: a Surface from read(), written with all content of its file, and with its vertices at "
+        "`vertices` (n, 3) where if given. Or an array of vertices (n, 3), with faces: (m, k), or a list of "
+        "lists.");
   m.def(
       "make_cage",
       [](const py::object& vertices, const py::object& faces, std::int64_t triangles, const std::string& kind,
          double margin, double gap, const std::string& symmetry, bool quads,
          const std::array<std::size_t, 3>& cells, bool own_axes) {
         const Mesh model = mesh_of("make_cage", vertices, faces);
-        if (triangles < 0) wrong("make_cage", "triangles are 12 to 20000");
+        if (triangles < 0) wrong("make_cage", "triangles must be 12 to 20000");
         Mesh cage;
         {
           const py::gil_scoped_release release;
@@ -205,15 +203,15 @@ void define_files(py::module_& m) {
       py::arg("kind") = "automatic", py::arg("margin") = CageWish{}.margin, py::arg("gap") = CageWish{}.gap,
       py::arg("symmetry") = "auto", py::arg("quads") = false, py::arg("cells") = CageWish{}.cells,
       py::arg("own_axes") = false,
-      "vertices (k, 3), faces: a closed cage around the model, free of self-intersection.\n\n"
-      "triangles: about so many, 12 to 20000; not of boxes.\n"
-      "kind: 'automatic' or 'box' (of cells along each axis, 1 to 32).\n"
-      "margin: the distance, 0.0005 to 0.2 diagonals of the model. gap: gaps narrower than twice this are "
-      "closed, 0 to 0.2 of these.\n"
-      "symmetry: 'auto', 'none', 'x', 'y', 'z'. quads: pairs of triangles become quads. own_axes: boxes "
-      "along "
-      "the model's extents.\n"
-      "Seconds, for many triangles; Ctrl-C ends it. Raises Error.");
+      "Makes a closed cage around the model, without self-intersections. Returns (vertices (k, 3), "
+      "faces).\n\n"
+      "triangles: approximate number, 12 to 20000; automatic cages only.\n"
+      "kind: 'automatic' or 'box' (with `cells` boxes along each axis, 1 to 32).\n"
+      "margin: distance to the model as a fraction of its diagonal, 0.0005 to 0.2. gap: closes gaps narrower "
+      "than twice this fraction, 0 to 0.2.\n"
+      "symmetry: 'auto', 'none', 'x', 'y', 'z'. quads: pairs triangles into quads. own_axes: aligns boxes "
+      "with the model's principal axes.\n"
+      "Takes seconds for many triangles; Ctrl-C cancels. Raises Error.");
 }
 
 }  // namespace viete::python

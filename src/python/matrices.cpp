@@ -45,14 +45,14 @@ py::array_t<double, py::array::c_style | py::array::forcecast> finite_numbers(co
   py::array_t<double, py::array::c_style | py::array::forcecast> numbers(array);
   for (py::ssize_t i = 0; i < numbers.size(); ++i)
     if (!std::isfinite(numbers.data()[i]))
-      wrong(function, std::string(what) + " has a number that is not finite");
+      wrong(function, std::string(what) + " contains a number that is not finite");
   return numbers;
 }
 
 py::array_t<double, py::array::c_style | py::array::forcecast> shares(const char* function,
                                                                       const py::object& weights) {
   auto numbers = finite_numbers(function, "weights", weights);
-  if (numbers.ndim() == 0) wrong(function, "weights are (k,) or (..., k)");
+  if (numbers.ndim() == 0) wrong(function, "weights must be (k,) or (..., k)");
   py::array_t<double> result(std::vector<py::ssize_t>(numbers.shape(), numbers.shape() + numbers.ndim()));
   const py::ssize_t count = numbers.shape(numbers.ndim() - 1);
   for (py::ssize_t row = 0; row < numbers.size(); row += count) {
@@ -80,13 +80,13 @@ bool overlap(const py::array& a, const py::array& b) {
 Shape symmetric_shape(const char* function, const py::array& a) {
   if (ends_in_3_3(a)) return {sym3::Layout::full, product(a, a.ndim() - 2)};
   if (a.ndim() >= 1 && a.shape(a.ndim() - 1) == 6) return {sym3::Layout::packed, product(a, a.ndim() - 1)};
-  wrong(function,
-        "matrices are (..., 3, 3) or (..., 6), the upper triangle by rows; this shape is " + shape_text(a));
+  wrong(function, "matrices must be (..., 3, 3) or (..., 6), the upper triangle by rows; this shape is " +
+                      shape_text(a));
 }
 
 Shape general_shape(const char* function, const py::array& a) {
   if (ends_in_3_3(a)) return {sym3::Layout::packed, product(a, a.ndim() - 2)};
-  wrong(function, "matrices are (..., 3, 3); this shape is " + shape_text(a));
+  wrong(function, "matrices must be (..., 3, 3); this shape is " + shape_text(a));
 }
 
 bool is_single(const char* function, const py::array& a) {
@@ -94,7 +94,7 @@ bool is_single(const char* function, const py::array& a) {
   if (kind == 'f' && a.itemsize() == sizeof(float)) return true;
   if (kind == 'f' && a.itemsize() == sizeof(double)) return false;
   if (kind == 'i' || kind == 'u' || kind == 'b') return false;
-  wrong_type(function, "entries are float32 or float64, or integers; these are " + text_of(a.dtype()));
+  wrong_type(function, "entries must be float32, float64 or integers; these are " + text_of(a.dtype()));
 }
 
 std::optional<py::array> array_like(const py::handle& a) {
@@ -108,7 +108,7 @@ std::optional<py::array> array_like(const py::handle& a) {
 
 py::array as_array(const char* function, const py::object& a) {
   if (auto array = array_like(a)) return *std::move(array);
-  wrong_type(function, "an array is needed; this is a " + text_of(py::type::of(a).attr("__name__")));
+  wrong_type(function, "expected an array; this is a " + text_of(py::type::of(a).attr("__name__")));
 }
 
 template <class T>
@@ -116,12 +116,12 @@ py::array_t<T> output(const char* function, const py::object& out, const Contigu
   const std::vector<py::ssize_t> shape(in.shape(), in.shape() + in.ndim());
   if (out.is_none()) return py::array_t<T>(shape);
   if (!py::isinstance<py::array>(out)) {
-    wrong_type(function, "out is an array; this is a " + text_of(py::type::of(out).attr("__name__")));
+    wrong_type(function, "out must be an array; this is a " + text_of(py::type::of(out).attr("__name__")));
   }
   const auto array = py::reinterpret_borrow<py::array>(out);
   if (!array.dtype().is(py::dtype::of<T>()) && !py::dtype::of<T>().equal(array.dtype())) {
     wrong_type(function,
-               "out is " + text_of(array.dtype()) + ", the answers are " + text_of(py::dtype::of<T>()));
+               "out is " + text_of(array.dtype()) + ", the results are " + text_of(py::dtype::of<T>()));
   }
   if (array.ndim() != in.ndim() || !std::equal(shape.begin(), shape.end(), array.shape())) {
     wrong(function, "out has shape " + shape_text(array) + ", the matrices " + shape_text(in));

@@ -10,7 +10,7 @@ py::array_t<double> rows_of_3(const char* what, const py::object& object) {
   const py::array array = as_array(what, object);
   is_single(what, array);
   if (array.ndim() != 2 || array.shape(1) != 3)
-    wrong(what, "places are (n, 3), x, y, z each; this shape is " + shape_text(array));
+    wrong(what, "points must be (n, 3); this shape is " + shape_text(array));
   return py::array_t<double, py::array::c_style | py::array::forcecast>(array);
 }
 
@@ -36,12 +36,11 @@ namespace {
 
 std::uint32_t corner_of(const char* what, std::int64_t corner) {
   if (corner < 0 || corner >= std::numeric_limits<std::uint32_t>::max())
-    wrong(what,
-          "a corner of a face is no vertex: they are counted from 0, and this is " + std::to_string(corner));
+    wrong(what, "a face has an invalid vertex index (they start at 0): " + std::to_string(corner));
   return static_cast<std::uint32_t>(corner);
 }
 
-// One face after the other, of an array (m, k) or of sequences of their own length each.
+// Adds the faces of an array (m, k), or of a list of sequences.
 void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
   using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
   const auto add = [&](const std::int64_t* corners, py::ssize_t count) {
@@ -53,26 +52,27 @@ void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
     const char kind = given ? given->dtype().kind() : '?';
     if (!given || (kind != 'i' && kind != 'u' && given->size() > 0))
       throw py::type_error("viete." + std::string(what) +
-                           ": faces are whole numbers, (m, corners), or a list of lists where they have "
+                           ": faces must be integers, (m, corners), or a list of lists if they have "
                            "different numbers of corners");
     const py::array& array = *given;
     if (kind == 'u' && array.itemsize() == 8 && array.size() > 0 &&
         array.attr("max")().attr("__gt__")(std::numeric_limits<std::uint32_t>::max()).cast<bool>())
-      wrong(what, "a corner of a face is no vertex: they are counted from 0");
+      wrong(what, "a face has an invalid vertex index: they start at 0");
     return Integers(array);
   };
   mesh.starts = {0};
   if (py::isinstance<py::array>(faces) || py::isinstance<py::buffer>(faces)) {
     const Integers all = integers_of(faces);
-    if (all.ndim() != 2) wrong(what, "faces are (m, corners), or a list; this shape is " + shape_text(all));
+    if (all.ndim() != 2)
+      wrong(what, "faces must be (m, corners), or a list; this shape is " + shape_text(all));
     for (py::ssize_t f = 0; f < all.shape(0); ++f) add(all.data() + f * all.shape(1), all.shape(1));
     return;
   }
   if (!py::isinstance<py::sequence>(faces))
-    throw py::type_error("viete." + std::string(what) + ": faces are an array or a list");
+    throw py::type_error("viete." + std::string(what) + ": faces must be an array or a list");
   for (const py::handle face : faces) {
     const Integers corners = integers_of(face);
-    if (corners.ndim() != 1) wrong(what, "each face is a list of its corners");
+    if (corners.ndim() != 1) wrong(what, "each face must be a list of vertex indices");
     add(corners.data(), corners.shape(0));
   }
 }

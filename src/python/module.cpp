@@ -1,4 +1,4 @@
-// The Python module `viete`: the library's functions of numpy arrays of matrices.
+// The Python module `viete`: functions on numpy arrays of matrices.
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ sym3::SymView<T> writable_view(const Shape& shape, py::array_t<T>& a) {
   return {shape.layout, a.mutable_data()};
 }
 
-/// f(in, out, count) with views of the two arrays' memory, other Python threads running.
+/// Calls f(in, out, count) with views of the arrays' memory, without the GIL.
 template <class T, class F>
 py::array apply_as(const char* name, const py::array& a, const py::object& out, const F& f) {
   const Contiguous<T> in(a);
@@ -48,11 +48,11 @@ py::array apply(const char* name, const py::object& a, const py::object& out, co
 }
 
 constexpr const char* shapes =
-    "\n\na: (..., 3, 3), of which the upper triangle is read, or (..., 6), that triangle by rows: xx xy xz "
-    "yy yz zz; "
-    "float32 or float64 (integers are computed as float64). Contiguous arrays are not copied.\n"
-    "out: where the answers go, of the same shape and type; may be a itself.\n"
-    "Other Python threads run meanwhile.";
+    "\n\na: (..., 3, 3), of which only the upper triangle is read; or (..., 6), the upper triangle by rows: "
+    "xx xy xz yy yz zz; float32 or float64 (integers are computed as float64). Contiguous arrays are not "
+    "copied.\n"
+    "out: an array for the results, of the same shape and type; may be a itself.\n"
+    "Releases the GIL.";
 
 template <class F>
 void define(py::module_& m, const char* name, const std::string& text, const F& f) {
@@ -61,7 +61,7 @@ void define(py::module_& m, const char* name, const std::string& text, const F& 
       py::arg("a"), py::arg("out") = py::none(), (text + shapes).c_str());
 }
 
-/// Where the two answers of polar go: a pair of arrays, or None for new ones.
+/// The results of polar(): a pair of arrays, or None for new ones.
 struct PolarOutputs {
   py::object rotations = py::none(), stretches = py::none();
 
@@ -80,7 +80,7 @@ py::tuple polar_as(const py::array& a, const PolarOutputs& out) {
   const Shape shape = general_shape("polar", in);
   py::array_t<T> r = output<T>("polar", out.rotations, in), u = output<T>("polar", out.stretches, in);
   if (overlap(u, in) || overlap(u, r))
-    throw py::value_error("viete.polar: out's u must be an array of its own");
+    throw py::value_error("viete.polar: u in out must not share memory with m or r");
   const T* m = in.data();
   T *rotations = r.mutable_data(), *stretches = u.mutable_data();
   {
@@ -96,19 +96,19 @@ py::tuple polar(const py::object& m, const py::object& out) {
   return is_single("polar", array) ? polar_as<float>(array, outputs) : polar_as<double>(array, outputs);
 }
 
-/// How many directions at each matrix: an array of the same shape, or one with an axis more in front.
+/// Directions per matrix: 1 for an array of the same shape, otherwise the length of an additional first axis.
 template <class T>
 std::size_t directions_at(const std::string& name, const Contiguous<T>& a, const Contiguous<T>& e) {
   const py::ssize_t more = e.ndim() - a.ndim();
   if ((more != 0 && more != 1) || !std::equal(a.shape(), a.shape() + a.ndim(), e.shape() + more)) {
     throw py::value_error("viete." + name +
-                          ": directions are of the shape of the matrices, or of that after the "
+                          ": directions must have the shape of the matrices, or one more axis in front, the "
                           "number of directions");
   }
   return more ? static_cast<std::size_t>(e.shape(0)) : 1;
 }
 
-/// f(matrices, directions, derivatives, count) with views, other Python threads running.
+/// Calls f(matrices, directions, derivatives, count) with views, without the GIL.
 template <class T, class F>
 py::array derivative_as(const char* name, const py::array& a, const py::array& directions,
                         const py::object& out, const F& f) {
@@ -163,17 +163,15 @@ py::array tangent(const char* name, const py::object& a, const F& f) {
 }
 
 constexpr const char* derivative_text =
-    "The derivative of the function at each matrix of `a` in the direction `e`."
-    "\n\na: as for the function itself.\ne: symmetric matrices, an array of the shape of a; or of several "
-    "directions at each matrix, with one axis more, in front.\nout: where the answers go, of the shape and "
-    "type "
-    "of e; may be e itself.\nOther Python threads run meanwhile.";
+    "The derivative of the function at each matrix of `a` in the direction `e`.\n\na: as for the function "
+    "itself.\ne: symmetric matrices, an array of the shape of a; for several directions per matrix, with one "
+    "more axis in front.\nout: an array for the results, of the shape and type of e; may be e "
+    "itself.\nReleases the GIL.";
 
 constexpr const char* tangent_text =
-    "The derivatives of the function at each matrix in all six directions, (..., 6, 6): [..., k, j] is that "
-    "of "
-    "the j-th number of the function by the k-th number of the matrix, both in the order xx xy xz yy yz zz."
-    "\n\na: as for the function itself.\nOther Python threads run meanwhile.";
+    "All derivatives of the function at each matrix, (..., 6, 6): [..., k, j] is the derivative of component "
+    "j of the result by component k of the matrix, both in the order xx xy xz yy yz zz.\n\na: as for the "
+    "function itself.\nReleases the GIL.";
 
 template <class Derivative, class Tangent>
 void define_derivatives(py::module_& m, const char* derivative_name, const char* tangent_name,
@@ -209,14 +207,14 @@ void define_pow_derivatives(py::module_& m) {
       py::arg("a"), py::arg("p"), tangent_text);
 }
 
-// The axis of an array of matrices that comes before theirs.
+// The axis before those of the matrices.
 py::ssize_t axis_before(const char* name, const py::array& a) {
   const py::ssize_t of_matrix = symmetric_shape(name, a).layout == sym3::Layout::full ? 2 : 1;
-  if (a.ndim() <= of_matrix) wrong(name, "there is one matrix alone; this shape is " + shape_text(a));
+  if (a.ndim() <= of_matrix) wrong(name, "expected several matrices; this shape is " + shape_text(a));
   return a.ndim() - of_matrix - 1;
 }
 
-// An array of numbers with as many axes of length 1 behind as matrices have.
+// Appends as many axes of length 1 as matrices have.
 py::object spread(const py::object& numbers, py::ssize_t axes) {
   py::object array = py::module_::import("numpy").attr("asarray")(numbers);
   for (py::ssize_t i = 0; i < axes; ++i) array = py::module_::import("numpy").attr("expand_dims")(array, -1);
@@ -233,7 +231,7 @@ py::array log_of(const char* name, const py::object& a) {
                [](const auto& in, const auto& to, std::size_t count) { sym3::log(in, to, count); });
 }
 
-// V. Arsigny et al., Log-Euclidean metrics for fast and simple calculus on diffusion tensors, 2006.
+// Source: V. Arsigny et al., Log-Euclidean metrics for fast and simple calculus on diffusion tensors, 2006.
 py::object mean(const py::object& a, const py::object& weights) {
   const py::array logs = log_of("mean", a);
   const py::ssize_t axis = axis_before("mean", logs);
@@ -259,33 +257,30 @@ py::object interpolate(const py::object& a, const py::object& b, const py::objec
 
 void define_means(py::module_& m) {
   m.def("mean", mean, py::arg("a"), py::arg("weights") = py::none(),
-        "The log-Euclidean mean: exp of the mean of logs, of (..., k, 3, 3) or (..., k, 6), positive "
-        "definite.\n\n"
-        "weights: (k,) or (..., k), divided by their sum; None: all the same. It does not swell, as the "
-        "plain mean does: "
-        "its determinant is the geometric mean of theirs.");
-  m.def(
-      "interpolate", interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
-      "From a at t = 0 to b at 1, in log space: exp((1 - t) log a + t log b), positive definite matrices.\n\n"
-      "t: a number or an array, one for each matrix; shapes are spread as numpy spreads them.");
+        "The log-Euclidean mean, exp(mean(log a)), of (..., k, 3, 3) or (..., k, 6), positive definite.\n\n"
+        "weights: (k,) or (..., k), divided by their sum; None: equal weights. Unlike the plain mean it does "
+        "not swell: its determinant is the geometric mean of the determinants.");
+  m.def("interpolate", interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
+        "Interpolates positive definite matrices in log space: exp((1 - t) log a + t log b).\n\n"
+        "t: a number, or an array with one for each matrix; shapes broadcast as in numpy.");
 }
 
 }  // namespace
 
 PYBIND11_MODULE(viete, m) {
-  m.doc() = "Deformation of models by cages, and functions of many symmetric 3x3 matrices, fast and exact.";
+  m.doc() = "Cage-based mesh deformation, and fast, accurate functions of many symmetric 3x3 matrices.";
   m.attr("__version__") = VIETE_VERSION;
   m.def(
       "kernel", [] { return std::string(sym3::kernel_name()); },
-      "The instruction set that runs, such as 'avx512'.");
+      "The instruction set in use, such as 'avx512'.");
   define(m, "exp", "The exponential of each matrix.",
          [](const auto& in, const auto& out, std::size_t count) { sym3::exp(in, out, count); });
-  define(m, "log", "The logarithm of each matrix; NaN where it is not positive definite.",
+  define(m, "log", "The logarithm of each matrix; NaN for matrices that are not positive definite.",
          [](const auto& in, const auto& out, std::size_t count) { sym3::log(in, out, count); });
-  define(m, "sqrt", "The square root of each matrix; NaN where it is not positive semi-definite.",
+  define(m, "sqrt", "The square root of each matrix; NaN for matrices that are not positive semi-definite.",
          [](const auto& in, const auto& out, std::size_t count) { sym3::sqrt(in, out, count); });
   define(m, "inv_sqrt",
-         "The inverse of the square root of each matrix; NaN where it is not positive definite.",
+         "The inverse of the square root of each matrix; NaN for matrices that are not positive definite.",
          [](const auto& in, const auto& out, std::size_t count) { sym3::inv_sqrt(in, out, count); });
   m.def(
       "pow",
@@ -294,7 +289,8 @@ PYBIND11_MODULE(viete, m) {
                      [p](const auto& in, const auto& to, std::size_t count) { sym3::pow(in, p, to, count); });
       },
       py::arg("a"), py::arg("p"), py::arg("out") = py::none(),
-      (std::string("Each matrix to the power p; NaN where it is not positive definite.") + shapes).c_str());
+      (std::string("Each matrix to the power p; NaN for matrices that are not positive definite.") + shapes)
+          .c_str());
 #define VIETE_DERIVATIVES_OF(f)                                                \
   define_derivatives(                                                          \
       m, #f "_derivative", #f "_tangent",                                      \
@@ -307,13 +303,11 @@ PYBIND11_MODULE(viete, m) {
   VIETE_DERIVATIVES_OF(sqrt);
 #undef VIETE_DERIVATIVES_OF
   define_pow_derivatives(m);
-  m.def(
-      "polar", polar, py::arg("m"), py::arg("out") = py::none(),
-      "r, u with m = r u for each matrix: r the nearest rotation, whatever the sign of the determinant, and "
-      "u symmetric."
-      "\n\nm: (..., 3, 3), float32 or float64 (integers are computed as float64).\nout: a pair (r, u) of "
-      "arrays "
-      "of the same shape and type for the answers; r may be m itself.\nOther Python threads run meanwhile.");
+  m.def("polar", polar, py::arg("m"), py::arg("out") = py::none(),
+        "The polar decomposition m = r u of each matrix: r the nearest rotation, for any sign of the "
+        "determinant, and u symmetric. Returns (r, u).\n\nm: (..., 3, 3), float32 or float64 (integers are "
+        "computed as float64).\nout: a pair (r, u) of arrays of the same shape and type for the results; r "
+        "may be m itself.\nReleases the GIL.");
   define_means(m);
   define_affine(m);
 #ifdef VIETE_HAS_DEFORMER

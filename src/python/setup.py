@@ -1,6 +1,6 @@
-"""A wheel of the module, from the sources beside it: `pip install --no-build-isolation ./src/python`.
+"""Builds a wheel of the module from the sources: `pip install --no-build-isolation ./src/python`.
 
-Name, version and licence are those of CMakeLists.txt. VIETE_KERNELS=native compiles for this machine alone, in half the time.
+Name and version come from CMakeLists.txt. VIETE_KERNELS=native compiles for the current machine only, in half the time.
 """
 import os
 import pathlib

@@ -20,7 +20,7 @@ std::vector<Points> all_points(const char* what, const py::object& shapes) {
   return all;
 }
 
-/// One thread after the other, the interpreter being free meanwhile.
+/// A space whose calls run one after another, without the GIL.
 template <class Space>
 struct Guarded {
   Space space;
@@ -71,7 +71,7 @@ void define_sums(py::class_<Guarded<Space>>& space) {
         return array;
       },
       py::arg("number"),
-      "Of the one of that number, from 0: the log of each triangle's map, (t, 9): stretch xx xy xz yy yz zz, "
+      "The log of each triangle's map in shape or pose `number`, from 0, (t, 9): stretch xx xy xz yy yz zz, "
       "rotation vector.");
   space.def(
       "mix",
@@ -79,17 +79,15 @@ void define_sums(py::class_<Guarded<Space>>& space) {
         return array_of(s.with([&](const Space& space) { return space.mix(weights); }));
       },
       py::arg("weights"),
-      "The sum of all, each times its weight, (n, 3): 0 is rest, [1, 0, ...] the first one; up to 1000 in "
-      "size.");
+      "The weighted sum, (n, 3): all 0 is rest, [1, 0, ...] the first one; weights up to 1000 in size.");
   space.def(
       "between",
       [](const Guarded<Space>& s, double at, bool straight) {
         return array_of(s.with([&](const Space& space) { return space.between(at, straight); }));
       },
       py::arg("at"), py::arg("straight") = false,
-      "On the way through all of them, (n, 3): 0 is the first one, 1 the second, 0.5 halfway in log space; "
-      "straight: "
-      "each vertex on its straight line.");
+      "Interpolates the sequence, (n, 3): 0 is the first one, 1 the second, 0.5 halfway in log space; "
+      "straight: moves vertices along straight lines.");
 }
 
 py::tuple pose_by_pins(const Shapes& shapes, const std::vector<std::uint32_t>& vertices,
@@ -105,7 +103,7 @@ py::tuple pose_by_pins(const Shapes& shapes, const std::vector<std::uint32_t>& v
 
 void define_spaces(py::module_& m) {
   py::class_<Shapes> shapes(m, "ShapeSpace",
-                            "Shapes of one mesh in log space: halfway to a half turn is a quarter turn.");
+                            "Shapes of one mesh in log space: half of a 180 degree rotation is 90 degrees.");
   shapes.def(
       py::init([](const py::object& vertices, const py::object& faces, const py::object& all, int threads) {
         const Mesh rest = mesh_of("ShapeSpace", vertices, faces);
@@ -114,15 +112,15 @@ void define_spaces(py::module_& m) {
         return Shapes{ShapeSpace(rest, places, threads, heed_signals)};
       }),
       py::arg("vertices"), py::arg("faces"), py::arg("shapes"), py::arg("threads") = 0,
-      "vertices (n, 3) and faces at rest; shapes: (n, 3) each, in the order of a motion. Raises Error.");
+      "vertices (n, 3), faces: the rest mesh. shapes: (n, 3) each, in order of motion. Raises Error.");
   define_sums(shapes);
   shapes.def("pose", pose_by_pins, py::arg("vertices"), py::arg("places"),
              py::arg("firmness") = std::numeric_limits<double>::infinity(), py::arg("freedom") = 0.3,
-             "positions (n, 3), weights: the shape among mixes, and near them, that has these vertices "
-             "(their numbers) at these places "
-             "(p, 3).\n\nfirmness: infinite holds them, 0.3 pulls about as strongly as neighbours do. "
-             "freedom: 0 as the shapes say, 1 as rigid as can be. At most 1000 vertices, each once: the "
-             "time goes with their square and more. Raises Error.");
+             "Example-based posing: the shape near the blends that has these vertices (by index) at these "
+             "places (p, 3). Returns (positions (n, 3), weights).\n\nfirmness: infinite makes places exact, "
+             "0.3 pulls about as strongly as neighbouring vertices do. freedom: 0 follows the shapes, 1 is "
+             "as rigid as possible. At most 1000 vertices, each once; the time grows at least with the "
+             "square of their number. Raises Error.");
   py::class_<Poses> poses(m, "PoseSpace", "Poses of a cage in log space.");
   poses.def(py::init([](const py::object& vertices, const py::object& faces, const py::object& all) {
               const Mesh cage = mesh_of("PoseSpace", vertices, faces);
@@ -131,53 +129,54 @@ void define_spaces(py::module_& m) {
               return Poses{PoseSpace(cage, places)};
             }),
             py::arg("cage_vertices"), py::arg("cage_faces"), py::arg("poses"),
-            "The cage at rest, and poses of it, (k, 3) each. Raises Error.");
+            "The rest cage and its poses, (k, 3) each. Raises Error.");
   define_sums(poses);
 }
 
 void define_session(py::module_& m) {
-  py::class_<Sessions>(
-      m, "Session", "A session of the viewer: its model as it is posed, and at the frames of its timeline.")
+  py::class_<Sessions>(m, "Session",
+                       "A session of the viewer: the posed model, and the model at frames of its timeline.")
       .def(py::init([](const fs::path& file) {
              const py::gil_scoped_release release;
              return Sessions{Session(file)};
            }),
-           py::arg("path"), "Reads a .viete file, its model and its cage. Raises Error.")
+           py::arg("path"), "Reads a .viete file with its model and cage. Raises Error.")
       .def(
           "frame",
           [](const Sessions& s, double frame) {
             return array_of(s.with([&](const Session& session) { return session.frame(frame); }));
           },
           py::arg("frame") = 1.0,
-          "The model's vertices (n, 3) at that frame, which may lie between two, as viete animate writes "
-          "them; "
-          "beyond the range as its ends have it; without keys as it is posed.")
+          "The model's vertices (n, 3) at a frame, which may be fractional, as `viete animate` writes them; "
+          "clamped to the range; without keys the current pose.")
       .def_property_readonly(
           "range", [](const Sessions& s) { return s.space.range(); }, "The first and the last frame.")
       .def_property_readonly(
           "vertices", [](const Sessions& s) { return array_of(s.space.model().vertices); },
-          "Of the model at rest, (n, 3).")
+          "Vertices of the rest model, (n, 3).")
       .def_property_readonly(
           "faces",
           [](const Sessions& s) {
             const Mesh model = s.space.model();
             return faces_of(model.corners, model.starts);
           },
-          "Of the model.")
+          "Faces of the model.")
       .def_property_readonly(
           "cage_vertices", [](const Sessions& s) { return array_of(s.space.cage().vertices); },
-          "Of the cage at rest, (k, 3).")
+          "Vertices of the rest cage, (k, 3).")
       .def_property_readonly(
           "cage_faces",
           [](const Sessions& s) {
             const Mesh cage = s.space.cage();
             return faces_of(cage.corners, cage.starts);
           },
-          "Of the cage.")
+          "Faces of the cage.")
       .def_property_readonly(
-          "pose", [](const Sessions& s) { return array_of(s.space.pose()); }, "Of the cage, (k, 3).")
+          "pose", [](const Sessions& s) { return array_of(s.space.pose()); },
+          "The cage's posed vertices, (k, 3).")
       .def_property_readonly(
-          "notes", [](const Sessions& s) { return s.space.notes(); }, "What a person should know of it.");
+          "notes", [](const Sessions& s) { return s.space.notes(); },
+          "Warnings about the session, one line each.");
 }
 
 }  // namespace viete::python

@@ -22,7 +22,7 @@ void Backdrop::draw(const Theme& theme) const {
 
 namespace {
 
-/// How far `value` lies beyond the last multiple of `period`: phases stay exact far from the world's origin.
+/// The remainder of `value` after division by `period`; keeps phases exact far from the origin.
 float phase(double value, double period) {
   return static_cast<float>(value - period * std::floor(value / period));
 }

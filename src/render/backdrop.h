@@ -7,7 +7,7 @@
 
 namespace viete::render {
 
-/// A vertical gradient over the whole target, dithered so that it does not band. Draw first; ignores depth.
+/// A vertical gradient over the whole target, dithered against banding. Draw first; ignores depth.
 class Backdrop {
 public:
   explicit Backdrop(const Gl& gl);
@@ -19,9 +19,9 @@ private:
   VertexArray vertex_array_;
 };
 
-/// Where the ground lies and how wide its cells are, in the caller's world.
+/// Place and cell size of the ground grid, in world units.
 struct GridStyle {
-  Point center{0, 0, 0};  ///< a point of the ground below the model; the grid fades out around it; lines pass
+  Point center{0, 0, 0};  ///< a ground point below the model; the grid fades out around it; lines pass
                           ///< through world 0
   double cell = 1;        ///< distance of fine lines; every tenth one is stronger
   double radius = 10;     ///< distance from center at which the grid has faded out
@@ -32,7 +32,7 @@ struct GridStyle {
 };
 
 /// A plane of fine lines of constant width, faded by distance and at grazing angles. Draw after the surface:
-/// it is tested against depth but writes none.
+/// uses the depth test but writes no depth.
 class Grid {
 public:
   explicit Grid(const Gl& gl);

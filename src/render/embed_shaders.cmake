@@ -1,4 +1,4 @@
-# cmake -DOUTPUT=x.cpp -DSHADERS="a.vert;b.frag" -P embed_shaders.cmake: shader files as one C++ table of texts.
+# cmake -DOUTPUT=x.cpp -DSHADERS="a.vert;b.frag" -P embed_shaders.cmake: writes shader files as a C++ string table.
 set(rows "")
 foreach(path IN LISTS SHADERS)
   get_filename_component(name "${path}" NAME)
@@ -27,7 +27,7 @@ std::string_view shader_text(std::string_view file) {
   for (const ShaderFile& entry : files) {
     if (entry.name == file) return entry.text;
   }
-  throw base::Error(std::string(file), \"no shader of this name is embedded\");
+  throw base::Error(std::string(file), \"unknown shader name\");
 }
 
 }  // namespace viete::render

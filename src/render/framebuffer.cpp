@@ -18,8 +18,9 @@ void require_supported(const Gl& gl, glm::ivec2 size) {
   const int limit = longest_side(gl);
   if (size.x <= limit && size.y <= limit) return;
   throw base::Error(
-      "picture", size_text(size) + " pixels is more than the driver's " + std::to_string(limit) + " a side",
-      "ask for a smaller size or scale");
+      "picture",
+      size_text(size) + "  pixels exceeds the driver's limit of " + std::to_string(limit) + " per side",
+      "choose a smaller size or scale");
 }
 
 }  // namespace
@@ -90,8 +91,8 @@ void Framebuffer::allocate_multisampled(glm::ivec2 size) {
 
 void Framebuffer::require_complete(const char* what, glm::ivec2 size) const {
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
-  throw base::Error(what, "the driver refuses a target of " + size_text(size) + " pixels",
-                    "ask for a smaller size or fewer samples");
+  throw base::Error(what, "the driver rejects a target of " + size_text(size) + " pixels",
+                    "choose a smaller size or fewer samples");
 }
 
 void Framebuffer::resolve() {

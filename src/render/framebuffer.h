@@ -1,4 +1,4 @@
-// Our own render target: multisampled when asked, resolved to a texture, read back or copied to the window.
+// A render target: multisampled on request, resolved to a texture, read back or copied to the window.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,9 +8,9 @@
 
 namespace viete::render {
 
-/// Window, OSMesa and EGL all draw in here, which is what makes their pictures the same. Re-made only when
+/// Target of all drawing, in a window, OSMesa or EGL, which makes their pictures equal. Reallocated only when
 /// size or samples change. Colour is RGBA8 as displayed (no sRGB conversion by GL), depth 24 bits.
-/// The longest side of a target that the driver takes, device pixels.
+/// The driver's limit on the longest side of a target, in device pixels.
 int longest_side(const Gl& gl);
 
 class Framebuffer {
@@ -18,19 +18,17 @@ public:
   explicit Framebuffer(const Gl& gl);
 
   /// Binds the target and clears it to opaque black, depth 1. samples is clamped to GL_MAX_SAMPLES; below 2
-  /// means none. size is in device pixels and is raised to at least 1 x 1. Throws base::Error if the driver
-  /// refuses the size.
+  /// means no multisampling. size is in device pixels, at least 1 x 1. Throws base::Error if the driver
+  /// rejects the size.
   void begin(glm::ivec2 size, int samples);
-  /// Turns samples into pixels (nothing to do without multisampling) and binds the result, still open for
-  /// drawing.
+  /// Resolves multisampling (if any) and binds the result for further drawing.
   void resolve();
-  /// The same without clearing: begins with another's resolved picture, stretched to the size, still open for
-  /// drawing.
+  /// Starts with another resolved picture stretched to the size instead of clearing; then open for drawing.
   void begin_with(const Framebuffer& picture, glm::ivec2 size);
   /// Copies the resolved picture to the default framebuffer of the current context and leaves that bound.
   void blit_to_window(glm::ivec2 window_size);
-  /// The resolved picture, top row first, alpha 255.
-  /// Without `opaque` with the opacity that was drawn, by which colours are multiplied.
+  /// The resolved picture, top row first, alpha 255. If not `opaque`, keeps the drawn alpha; colours are
+  /// premultiplied.
   Image read(bool opaque = true);
 
   glm::ivec2 size() const { return size_; }

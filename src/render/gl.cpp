@@ -67,7 +67,7 @@ void check_gl(const Gl& gl, const char* where) {
   if (error != GL_NO_ERROR) throw base::Error(where, std::string("OpenGL reports ") + error_name(error));
 }
 
-// GL_ARRAY_BUFFER is not part of a vertex array's state, so binding there for an upload disturbs nothing.
+// GL_ARRAY_BUFFER is not part of a vertex array's state, so binding it for an upload has no side effects.
 void Buffer::upload(const void* data, std::size_t bytes, GLenum usage) {
   gl_->BindBuffer(GL_ARRAY_BUFFER, object_.id());
   if (bytes == bytes_ && usage != GL_STATIC_DRAW) {

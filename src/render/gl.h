@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <utility>
 
-
 #if defined(__gl_h_)
 #error "GL/gl.h was included first: define GLFW_INCLUDE_NONE"
 #endif
@@ -16,7 +15,7 @@
 
 namespace viete::render {
 
-/// The entry points that the program calls. Calling glFoo instead of gl.Foo does not link, which is wanted.
+/// The entry points that the program uses. Calling glFoo instead of gl.Foo intentionally fails to link.
 // clang-format off
 #define VIETE_GL_FUNCTIONS(X) \
   X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) \
@@ -37,11 +36,11 @@ namespace viete::render {
 // clang-format on
 
 using Proc = void (*)();
-/// Answers an entry point by its full name ("glClear") or null; needs a current context.
+/// Returns an entry point by its full name ("glClear") or null; needs a current context.
 using GetProc = std::function<Proc(const char*)>;
 
-/// The functions of one context: made once after the context is current, then passed by reference to
-/// everything that draws, which keeps the reference. Use only in the thread where that context is current.
+/// The functions of one context: load once the context is current, then pass by reference to drawing objects,
+/// which keep the reference. Use only in the thread where that context is current.
 struct Gl {
 #define X(name) decltype(&::gl##name) name = nullptr;
   VIETE_GL_FUNCTIONS(X)
@@ -49,7 +48,7 @@ struct Gl {
   std::string renderer;    ///< GL_RENDERER, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string version;     ///< GL_VERSION
   int max_samples = 1;     ///< GL_MAX_SAMPLES
-  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE: bounds 3 x triangles and 2 x vertices of a surface
+  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE: limits 3 x triangles and 2 x vertices of a surface
   bool software =
       false;  ///< a CPU rasteriser (llvmpipe, softpipe, swrast): draw without multisampling in a window
 };
@@ -57,17 +56,17 @@ struct Gl {
 /// Throws base::Error naming the first missing entry point, or the version found when it is below 3.3.
 Gl load_gl(const GetProc& get);
 
-/// Throws base::Error naming `where` if GL has recorded an error since the last call.
+/// Throws base::Error naming `where` if GL has recorded an error since the last check.
 void check_gl(const Gl& gl, const char* where);
 
-/// The same in debug builds; nothing in release builds, where it would stall the pipeline.
+/// Calls check_gl() in debug builds only, as it stalls the pipeline.
 inline void debug_check_gl([[maybe_unused]] const Gl& gl, [[maybe_unused]] const char* where) {
 #ifndef NDEBUG
   check_gl(gl, where);
 #endif
 }
 
-/// One GL name made by `create(1, &id)` and released by `destroy(1, &id)`. The Gl must outlive it.
+/// A GL object created by `create(1, &id)` and deleted by `destroy(1, &id)`. The Gl must outlive it.
 template <auto create, auto destroy>
 class Object {
 public:
@@ -94,17 +93,17 @@ using Texture = Object<&Gl::GenTextures, &Gl::DeleteTextures>;
 using Renderbuffer = Object<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>;
 using FramebufferObject = Object<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>;
 
-/// A buffer that remembers its size, so that a frame that uploads as much as the last one allocates nothing.
+/// A buffer that reuses its storage if the size is unchanged.
 class Buffer {
 public:
   explicit Buffer(const Gl& gl) : gl_(&gl), object_(gl) {}
 
   GLuint id() const { return object_.id(); }
   std::size_t bytes() const { return bytes_; }
-  /// Replaces the content. usage: GL_STATIC_DRAW for topology, GL_STREAM_DRAW for what changes each frame.
+  /// Replaces the content. usage: GL_STATIC_DRAW for topology, GL_STREAM_DRAW for per-frame data.
   void upload(const void* data, std::size_t bytes, GLenum usage);
-  /// Memory for `bytes` new bytes, the old content thrown away (never waits for the GPU); then unmap(). bytes
-  /// > 0.
+  /// Maps `bytes` > 0 bytes of new storage and discards the old content (never waits for the GPU). Call
+  /// unmap() after writing.
   void* map(std::size_t bytes);
   void unmap();
 
@@ -114,7 +113,7 @@ private:
   std::size_t bytes_ = 0;
 };
 
-/// A buffer seen by shaders as a one-dimensional array of texels (texelFetch on a samplerBuffer).
+/// A buffer that shaders read as a one-dimensional array of texels (texelFetch on a samplerBuffer).
 class BufferTexture {
 public:
   /// format: GL_RGBA32F, GL_R32UI, ...

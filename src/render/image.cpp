@@ -14,7 +14,7 @@ namespace viete::render {
 
 namespace {
 
-// Display values of the bytes, as light.
+// Linear light of display values.
 const std::array<float, 256>& light_of_bytes() {
   static const auto table = [] {
     std::array<float, 256> light;
@@ -32,7 +32,7 @@ std::uint8_t byte_of_light(float light) {
   return static_cast<std::uint8_t>(std::lround(255 * x));
 }
 
-// Means of four pixels; an odd last row or column goes.
+// Averages blocks of four pixels; drops an odd last row or column.
 Image halved(const Image& image) {
   Image half;
   half.width = std::max(1, image.width / 2);

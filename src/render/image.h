@@ -1,4 +1,4 @@
-// A picture in memory, and as a PNG file.
+// A picture in memory, and its PNG file.
 #pragma once
 
 #include <array>
@@ -23,14 +23,14 @@ struct Image {
   Rgba8 pixel(int x, int y) const;
 };
 
-/// What is drawn over nothing has its colour times its opacity; files have it whole.
+/// Divides colours by alpha: drawing gives premultiplied colours, files store straight ones.
 void divide_by_opacity(Image& image);
 
-/// Writes beside the file, syncs and renames, so that the file is whole or untouched. Throws base::Error.
+/// Writes a temporary file, syncs and renames it: atomic. Throws base::Error.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// A PNG, JPEG, BMP or TGA, halved until no side is longer than `longest` (in linear light). Its size is
-/// checked before anything is decoded: sides up to 16384, 64 million pixels. Throws base::Error at `place`.
+/// Decodes PNG, JPEG, BMP or TGA; halves it (in linear light) until no side is longer than `longest`. Checks
+/// the size first: sides up to 16384, 64 million pixels. Throws base::Error at `place`.
 Image decode_image(const std::string& place, std::string_view bytes, int longest);
 
 }  // namespace viete::render

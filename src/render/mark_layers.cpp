@@ -109,7 +109,7 @@ void LineLayer::draw(const View& view, const LineStyle& style) const {
   const auto draw_all = [&] { gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * segment_count_)); };
   const auto set_opacity = [&](float opacity) { program_.set("opacity", opacity); };
   constexpr float halo_width = 1.0F;  // logical pixels on each side
-  // Before all lines: the halo of one does not cut another in two.
+  // Draws halos before all lines, so that they do not cut other lines.
   if (style.halo.a > 0) {
     program_.set("width", (style.width + 2 * halo_width) * view.scale);
     program_.set("halo", style.halo);
@@ -165,7 +165,7 @@ void FaceLayer::draw_triangles() const {
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
 }
 
-// Pushed back a little, so that the faces do not hide their own edges.
+// Pushed back slightly, so that faces do not hide their own edges.
 void FaceLayer::draw_depth() const {
   gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   gl_.DepthMask(GL_TRUE);

@@ -1,4 +1,4 @@
-// Points, lines and translucent faces drawn over the scene, of constant size on screen.
+// Points, lines and translucent faces drawn over the scene, with constant size on screen.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace viete::render {
 
-/// How one point looks.
+/// Appearance of one point.
 struct Disc {
   glm::vec4 color{1, 1, 1, 1};  ///< as displayed, alpha 0 to 1
   float radius = 3.0F;          ///< logical pixels, without the outline; 0 draws nothing
-  bool ring = false;            ///< a thin ring around it, for the point under the cursor
+  bool ring = false;            ///< a thin ring around it, for the hovered point
 
   friend bool operator==(const Disc&, const Disc&) = default;
 };
@@ -25,21 +25,20 @@ struct DiscStyle {
   glm::vec3 outline{0, 0, 0};  ///< colour of the thin edge (theme.outline)
   glm::vec3 ring{1, 1, 1};     ///< colour of rings (theme.hover)
   float opacity = 1;
-  /// Of discs behind something, as a factor on opacity; rings are as strong as in front. A point less
-  /// than 2.5 radii behind a face counts as in front of it, so that the slanted faces around it do not cut
-  /// into its disc.
+  /// Opacity factor of discs behind something; rings are not faded. A point less than 2.5 radii behind a face
+  /// counts as in front, so that the slanted faces around it do not cut into its disc.
   float hidden_opacity = 0.3F;
 };
 
-/// Not thread-safe. All spans are copied. Throws base::Error if discs and positions differ in number when
-/// drawn.
+/// Not thread-safe. Copies all spans. draw() throws base::Error if the numbers of discs and positions differ.
 class DiscLayer {
 public:
   explicit DiscLayer(const Gl& gl);
 
-  /// Looks, when a selection or the hovered point changes: one per point. Later points lie over earlier ones.
+  /// Appearance, one per point; call when the selection or the hovered point changes. Later points cover
+  /// earlier ones.
   void set_discs(std::span<const Disc> discs);
-  /// Every frame; one per point.
+  /// One per point; call every frame.
   void set_positions(std::span<const Point> positions);
   void draw(const View& view, const DiscStyle& style) const;
 
@@ -56,27 +55,27 @@ using Segment = std::array<std::uint32_t, 2>;
 
 struct LineStyle {
   float width = 1.5F;            ///< logical pixels
-  float opacity = 1;             ///< of the visible part
-  float hidden_opacity = 0.25F;  ///< of the hidden part, as a factor on opacity
-  glm::vec4 halo{0};  ///< colour of a thin edge around the visible part, so that it stands out from
-                      ///< what lies behind; opacity 0: none
+  float opacity = 1;             ///< opacity of visible parts
+  float hidden_opacity = 0.25F;  ///< factor on opacity for hidden parts
+  glm::vec4 halo{0};             ///< colour of a thin edge around the visible part, which
+                                 ///< separates it from the background; opacity 0: none
 };
 
-/// Not thread-safe. All spans are copied. Throws base::Error if a size does not fit or a segment names a
-/// missing point.
+/// Not thread-safe. Copies all spans. Throws base::Error if sizes do not match or a segment uses an invalid
+/// point index.
 class LineLayer {
 public:
   explicit LineLayer(const Gl& gl);
 
-  /// New topology: pairs of point numbers. Forgets positions and colours.
+  /// New topology: pairs of point indices. Discards positions and colours.
   void set_segments(std::span<const Segment> segments, std::size_t point_count);
-  /// Every frame; size equal to the point count.
+  /// One per point; call every frame.
   void set_positions(std::span<const Point> positions);
   /// One colour per segment as displayed, alpha 0 to 1. Until then lines are white.
   void set_colors(std::span<const glm::vec4> colors);
-  /// Two per segment: of its ends, and between them what lies between.
+  /// Two colours per segment, one for each end, interpolated between.
   void set_end_colors(std::span<const glm::vec4> colors);
-  /// The same colour for all.
+  /// One colour for all segments.
   void set_color(const glm::vec4& color);
 
   /// Draws nothing before set_positions().
@@ -94,20 +93,20 @@ private:
 
 struct FaceStyle {
   glm::vec3 color{1, 1, 1};  ///< as displayed
-  float opacity = 0.05F;     ///< of a face seen from the front; 0 tints nothing
-  float rim = 0.10F;         ///< added where a face is seen edge-on
-  bool occlude = true;  ///< write depth after tinting, so that lines and discs behind a face are drawn faint
+  float opacity = 0.05F;     ///< opacity of front-facing faces; 0: no tint
+  float rim = 0.10F;         ///< added for faces seen edge-on
+  bool occlude = true;  ///< writes depth after tinting, so that lines and discs behind faces appear faint
 };
 
-/// Not thread-safe. All spans are copied. Throws base::Error if a size does not fit or a triangle names a
-/// missing point.
+/// Not thread-safe. Copies all spans. Throws base::Error if sizes do not match or a triangle uses an invalid
+/// point index.
 class FaceLayer {
 public:
   explicit FaceLayer(const Gl& gl);
 
-  /// New topology; forgets positions.
+  /// New topology; discards positions.
   void set_triangles(std::span<const Triangle> triangles, std::size_t point_count);
-  /// Every frame; size equal to the point count.
+  /// One per point; call every frame.
   void set_positions(std::span<const Point> positions);
   /// Draws nothing before set_positions().
   void draw(const View& view, const FaceStyle& style) const;

@@ -11,7 +11,7 @@ namespace viete::render {
 
 namespace {
 
-/// Deletes a shader object when its scope ends: a linked program keeps what it needs.
+/// Deletes a shader object at the end of the scope; the linked program keeps what it needs.
 struct Shader {
   Shader(const Gl& api, GLenum kind) : gl(api), id(api.CreateShader(kind)) {}
   Shader(const Shader&) = delete;
@@ -22,8 +22,7 @@ struct Shader {
   GLuint id;
 };
 
-/// The text of a shader with `defines` behind its version line, which must come first; line numbers stay
-/// true.
+/// Inserts `defines` after the version line of a shader, which must come first; preserves line numbers.
 std::string with_defines(const std::string& file, const std::string& defines) {
   std::string text(shader_text(file));
   const std::size_t version = text.find("#version");

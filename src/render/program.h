@@ -1,4 +1,4 @@
-// A linked shader program from the embedded texts of shaders/.
+// A linked shader program from the embedded sources of shaders/.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,18 +10,18 @@
 
 namespace viete::render {
 
-/// The text of an embedded shader by file name ("surface.vert"). Throws base::Error if there is none.
+/// The source of an embedded shader by file name ("surface.vert"). Throws base::Error if it does not exist.
 std::string_view shader_text(std::string_view file);
 
-/// A vertex and a fragment shader, compiled and linked. set() needs use() first and ignores names that the
+/// A vertex and a fragment shader, compiled and linked. Call use() before set(). set() ignores names that the
 /// compiler removed.
 class Program {
 public:
-  /// Texts from shaders/`name`.vert and shaders/`name`.frag, with `defines` ("#define A\n") after their
-  /// version line. Throws base::Error with the file name and the compiler's message ("surface.frag: 0:12(3):
-  /// error: ...").
+  /// Compiles shaders/`name`.vert and shaders/`name`.frag, with `defines` ("#define A\n") after the version
+  /// line. Throws base::Error with the file name and the compiler's message ("surface.frag: 0:12(3): error:
+  /// ...").
   Program(const Gl& gl, const std::string& name, const std::string& defines = "");
-  /// Texts given; `name` is used in messages only.
+  /// Compiles the given sources; `name` is only used in messages.
   Program(const Gl& gl, const std::string& name, std::string_view vertex, std::string_view fragment);
   Program(Program&& other) noexcept;
   Program& operator=(Program&&) = delete;

@@ -10,10 +10,10 @@ namespace viete::render {
 namespace {
 
 constexpr std::size_t place_count = 24000;
-constexpr int cells_per_size = 96, most_cells = 252;        // whole squares
-constexpr int near_radius = 1, far_radius = 4, passes = 3;  // of blurs, in cells
-constexpr int margin = passes * far_radius + 1;             // where they have ended
-// Heights, as shares of the size, at which what is above has lost most of its effect, and how dark it is.
+constexpr int cells_per_size = 96, most_cells = 252;        // multiple of GroundShadow::square
+constexpr int near_radius = 1, far_radius = 4, passes = 3;  // blur radii and passes, in cells
+constexpr int margin = passes * far_radius + 1;             // reach of the blurs
+// Heights (relative to the size) at which points above lose most of their effect, and the darkness depth.
 constexpr float near_height = 0.03F, far_height = 0.32F, depth = 0.02F;
 constexpr float near_darkness = 0.8F, far_darkness = 0.75F;
 
@@ -23,8 +23,8 @@ double area(const Point& a, const Point& b, const Point& c) {
   return std::isfinite(twice) ? 0.5 * twice : 0;
 }
 
-// The i-th of a sequence that fills a triangle evenly (M. Roberts, 2018, "The unreasonable effectiveness of
-// quasirandom sequences").
+// The i-th point of a low-discrepancy sequence in a triangle (M. Roberts, 2018, "The unreasonable
+// effectiveness of quasirandom sequences").
 std::array<float, 3> shares(std::size_t i) {
   double a = std::fmod(0.7548776662466927 * static_cast<double>(i) + 0.5, 1.0);
   double b = std::fmod(0.5698402909980532 * static_cast<double>(i) + 0.5, 1.0);
@@ -32,7 +32,7 @@ std::array<float, 3> shares(std::size_t i) {
   return {static_cast<float>(1 - a - b), static_cast<float>(a), static_cast<float>(b)};
 }
 
-// Values of cells, and the work on them.
+// Cell values and operations on them.
 class Cells {
 public:
   Cells(int width, int height)
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  // Each value becomes the mean of those around; beyond the ends there is 0.
+  // Replaces each value by the mean of its neighbourhood; 0 beyond the ends.
   void average(float* line, int count, int stride, int radius) {
     line_.assign(static_cast<std::size_t>(count + 2 * radius + 1), 0);
     for (int i = 0; i < count; ++i) line_[i + radius] = line[static_cast<std::ptrdiff_t>(i) * stride];
@@ -67,7 +67,7 @@ private:
   std::vector<float> values_, line_;
 };
 
-// Farther off floats do not tell cells apart, and past all numbers there is no cell.
+// False if floats cannot resolve cells at that distance, or if the point is not finite.
 bool has_cell(const glm::vec3& point, float cell) {
   return glm::all(glm::lessThan(glm::abs(glm::vec2(point)), glm::vec2(0x1p22F * cell)));
 }
@@ -90,7 +90,7 @@ int whole_squares(float cells) {
   return (static_cast<int>(cells) + side - 1) / side * side;
 }
 
-// Filtered, a cell darkens half of its neighbours.
+// Filtering spreads a cell's darkness half a cell into its neighbours.
 void find_squares(GroundShadow& shadow) {
   constexpr int side = GroundShadow::square, least = 2;
   const auto is_dark = [&](int column, int row) {
@@ -127,7 +127,7 @@ SpreadPoints::SpreadPoints(std::span<const Triangle> triangles, std::span<const 
   }
 }
 
-// Cells lie on a fixed grid, so that the shadow of what moves does not swim.
+// Cells lie on a fixed grid, so that shadows of moving models do not shimmer.
 GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
   GroundShadow shadow;
   shadow.cell = size / cells_per_size;
@@ -164,7 +164,7 @@ GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
 
 namespace {
 
-// 1 where one looks down on the ground, 0 from below it; it fades where the ground becomes a line.
+// 1 as seen from above, 0 from below; fades near the edge-on view.
 float from_above(const View& view, const ShadowStyle& style) {
   const glm::dvec4 center = view.view * glm::dvec4(style.center[0], style.center[1], style.center[2], 1);
   const glm::dvec3 up(glm::normalize(glm::dvec3(view.view[style.up])));
@@ -211,7 +211,7 @@ void ShadowLayer::set_positions(std::span<const Point> positions) {
   set_vertices(vertices, origin);
 }
 
-// In units of the model's size, so that very large and very small ones stay within floats.
+// In units of the model's size, so that very large and very small models stay within the range of float.
 void ShadowLayer::cast(const ShadowStyle& style) {
   const int across = (style.up + 1) % 3, along = (style.up + 2) % 3;
   const auto per_size = static_cast<float>(1 / style.size);

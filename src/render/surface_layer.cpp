@@ -14,8 +14,7 @@ namespace {
 
 static_assert(sizeof(SurfaceVertex) == 8 * sizeof(float));
 
-// With smaller copies of itself, filtered in linear light. Where a processor draws, the finest filter is too
-// slow.
+// Uploads mipmaps, filtered in linear light. Software rasterisers skip the finest filter, which is too slow.
 void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
   constexpr GLenum anisotropy = 0x84FE, most_anisotropy = 0x84FF;  // an extension everywhere, core in 4.6
   gl.ActiveTexture(GL_TEXTURE4);

@@ -15,76 +15,75 @@
 
 namespace viete::render {
 
-/// What the surface looks as if made of. `plain` is one colour for all; `zebra` mirrors stripes, whose bends
-/// show curvature; `file`, `checker` and `normals` colour it by what is known of its points.
+/// Appearance of the surface: `plain` has one colour; `zebra` reflects stripes, whose bends show curvature;
+/// `file`, `checker` and `normals` use the file's colours, a texture pattern and the normals.
 enum class Paint { plain, file, checker, normals, porcelain, jade, zebra };
 
-/// Consecutive triangles that look alike.
+/// Consecutive triangles of the same appearance.
 struct SurfaceRun {
   std::size_t triangles = 0;
-  glm::vec3 color{1};  ///< in linear light; multiplied by image and vertex colours
-  int image = -1;      ///< of SurfaceLooks::images; -1: none
+  glm::vec3 color{1};  ///< linear light; multiplied by image and vertex colours
+  int image = -1;      ///< index into SurfaceLooks::images; -1: none
   bool repeats = true;
-  bool flat = false;  ///< faces are lit as planes
+  bool flat = false;  ///< flat shading
 };
 
-/// How a surface looks by itself. Arrays are empty where there is none of it.
+/// Appearance stored in the file. Arrays are empty if not available.
 struct SurfaceLooks {
   std::vector<std::array<float, 2>>
-      texture_points;         ///< of each corner of each triangle; (0, 0) is the upper left
-  std::vector<Rgba8> colors;  ///< of each vertex, or of each corner of each triangle; display values
+      texture_points;         ///< per corner of each triangle; (0, 0) is the upper left
+  std::vector<Rgba8> colors;  ///< per vertex, or per corner of each triangle; display values
   bool colors_of_corners = false;
-  std::vector<Image> images;     ///< where opacity is below a half, one looks through
-  std::vector<SurfaceRun> runs;  ///< all triangles, in order
+  std::vector<Image> images;     ///< pixels with opacity below a half are cut out
+  std::vector<SurfaceRun> runs;  ///< covers all triangles in order
 };
 
 struct SurfaceStyle {
   Paint paint = Paint::plain;
-  /// The surface is closed and wound outwards: backs are skipped, which more than halves the time of
-  /// this layer on a software rasteriser. Where a deformation has turned a part inside out, one then looks
-  /// through it.
+  /// Skips back faces of a closed surface wound outwards, which more than halves the time of this layer on a
+  /// software rasteriser. Parts turned inside out by a deformation then appear transparent.
   bool closed = false;
-  float wireframe = 0;   ///< opacity of triangle edges, 0 = none; 0.3 is a good hint. Fades on tiny triangles
-  float wire_width = 1;  ///< logical pixels
-  float occlusion = 1;   ///< how much of the baked darkening is used, 0 to 1
-  bool scalars = false;  ///< colour by set_scalars() through set_palette() instead of theme.model
-  float scalar_low = 0;  ///< the scalar at the first palette colour
-  float scalar_high = 1;  ///< the scalar at the last palette colour
+  float wireframe = 0;    ///< opacity of triangle edges, 0: none; 0.3 is subtle. Fades on tiny triangles
+  float wire_width = 1;   ///< logical pixels
+  float occlusion = 1;    ///< strength of the baked darkening, 0 to 1
+  bool scalars = false;   ///< colour by set_scalars() through set_palette() instead of theme.model
+  float scalar_low = 0;   ///< scalar of the first palette colour
+  float scalar_high = 1;  ///< scalar of the last palette colour
 
   friend bool operator==(const SurfaceStyle&, const SurfaceStyle&) = default;
 };
 
-/// A vertex as the graphics card takes it.
+/// A vertex in GPU layout.
 struct SurfaceVertex {
   float position[3], unused0 = 0;
-  float normal[3], unused1 = 0;  ///< of length 1
+  float normal[3], unused1 = 0;  ///< unit length
 };
 
-/// Not thread-safe. All spans are copied. Throws base::Error if a size does not fit the vertex count, or a
-/// triangle names a vertex that is not there.
+/// Not thread-safe. Copies all spans. Throws base::Error if a size does not match the vertex count, or if a
+/// triangle uses an invalid vertex index.
 class SurfaceLayer {
 public:
   explicit SurfaceLayer(const Gl& gl);
 
-  /// New topology: forgets positions, occlusion and scalars. The front is where corners run
-  /// counter-clockwise; backs are lit too.
+  /// New topology: discards positions, occlusion and scalars. Front faces are counter-clockwise; back faces
+  /// are lit too.
   void set_triangles(std::span<const Triangle> triangles, std::size_t vertex_count);
-  /// Every frame: copied as they are, one per vertex, positions relative to origin. Vertices that are not
-  /// finite are put at the origin.
+  /// One per vertex, positions relative to origin; call every frame. Copied unchanged, except that non-finite
+  /// vertices move to the origin.
   void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
-  /// The same of positions in the caller's world and unit normals, relative to the first finite position.
+  /// Takes world positions and unit normals; stores them relative to the first finite position.
   void set_positions(std::span<const Point> positions, std::span<const Point> normals);
-  /// Per vertex 0 (dark) to 1 (open), as mesh/cavity.h makes it. An empty span removes it.
+  /// Per vertex 0 (dark) to 1 (open), see mesh/cavity.h. An empty span removes it.
   void set_occlusion(std::span<const float> occlusion);
-  /// One value per vertex, any range (see SurfaceStyle). An empty span removes it.
+  /// One value per vertex, any range (see SurfaceStyle). An empty span removes them.
   void set_scalars(std::span<const float> scalars);
-  /// At least 2 colours as displayed, spread evenly and interpolated.
+  /// At least 2 colours as displayed, evenly spaced and interpolated.
   void set_palette(std::span<const glm::vec3> colors);
 
-  /// After set_triangles(), which forgets them.
+  /// Call after set_triangles(), which discards the looks.
   void set_looks(const SurfaceLooks& looks);
 
-  /// Draws nothing before there are vertices.
+  /// Draws nothing before set_vertices() or set_positions().
   void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
   std::size_t triangle_count() const { return triangle_count_; }
@@ -99,15 +98,15 @@ private:
                  const SurfaceStyle& style) const;
 
   const Gl& gl_;
-  // What is not asked for costs nothing: each has a wireframe or none, colours of vertices or none, and plain
-  // colour, scalars, looks, looks of flat faces, a material, or a pass.
+  // One program per combination, so that unused features cost nothing: wireframe or not, vertex colours or
+  // not, and plain colour, scalars, looks, flat looks, a material, or a depth pass.
   mutable std::array<std::optional<Program>, 32> programs_;
   VertexArray vertex_array_;
-  BufferTexture indices_;         // 3 vertex numbers per triangle
+  BufferTexture indices_;         // 3 vertex indices per triangle
   BufferTexture vertices_;        // SurfaceVertex, two texels each
   BufferTexture looks_;           // occlusion and scalar of each vertex
-  BufferTexture texture_points_;  // of each corner
-  BufferTexture colors_;          // of each vertex or corner
+  BufferTexture texture_points_;  // per corner
+  BufferTexture colors_;          // per vertex or corner
   std::vector<Texture> images_;
   std::vector<SurfaceRun> runs_;
   bool has_texture_points_ = false, has_colors_ = false, colors_of_corners_ = false;

@@ -43,7 +43,8 @@ void require_count(const char* what, std::size_t count, std::size_t expected) {
 void require_texels(const Gl& gl, const char* what, std::size_t texels) {
   if (texels <= static_cast<std::size_t>(gl.max_texels)) return;
   throw base::Error(
-      what, "need " + std::to_string(texels) + " texels, the driver holds " + std::to_string(gl.max_texels),
+      what,
+      "need " + std::to_string(texels) + " texels, the driver's limit is " + std::to_string(gl.max_texels),
       "use a smaller mesh or another graphics driver");
 }
 
@@ -55,7 +56,7 @@ void require_indices(const char* what, std::span<const std::array<std::uint32_t,
       if (vertex < vertex_count) continue;
       throw base::Error(
           std::string(what) + ": element " + std::to_string(i),
-          "names vertex " + std::to_string(vertex) + ", there are " + std::to_string(vertex_count));
+          "refers to vertex " + std::to_string(vertex) + ", the mesh has " + std::to_string(vertex_count));
     }
   }
 }

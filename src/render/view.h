@@ -1,6 +1,6 @@
-// How the scene is seen: camera matrices, size in pixels, and the colours of a theme.
+// View of the scene: camera matrices, size in pixels, and theme colours.
 //
-// One frame, put together by a caller (in this order; every layer is optional):
+// Drawing of one frame (in this order; every layer is optional):
 //
 //   framebuffer.begin(view.size, samples);         // our own target, cleared
 //   backdrop.draw(theme);                          // background gradient
@@ -11,12 +11,12 @@
 //   lines.draw(view, line_style);                  // hidden parts faint, visible parts full
 //   discs.draw(view, disc_style);
 //   framebuffer.resolve();                         // samples -> pixels; the resolved picture is now bound
-//   whole.begin_with(framebuffer, size);           // another one, so that the view is kept while panels
-//   change imgui_renderer.draw(*ImGui::GetDrawData());    // panels, after the resolve
+//   whole.begin_with(framebuffer, size);           // a second target keeps the view while panels change
+//   imgui_renderer.draw(*ImGui::GetDrawData());    // panels, after the resolve
 //   whole.blit_to_window(window_size);             // or: Image image = whole.read();
 //
-// Every draw() sets the GL state that it needs and leaves blending, depth test and scissor off and depth
-// writes on. Data changes at three speeds: topology (set_triangles, set_segments), looks (set_colors,
+// Every draw() sets the GL state that it needs, and leaves blending, depth test and scissor off and depth
+// writes on. Data change at three rates: topology (set_triangles, set_segments), looks (set_colors,
 // set_discs), positions (set_positions, every frame, no allocation while the count stays the same).
 #pragma once
 
@@ -28,12 +28,12 @@
 
 namespace viete::render {
 
-/// One point or direction in the caller's world.
+/// A point or direction in world space.
 using Point = base::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Double precision up to the last step: vertices are kept relative to one of them, so that a model far from
-/// the origin does not tremble. glm::mat4 converts by itself.
+/// Double precision until the last step: vertices are stored relative to one of them, which avoids jitter far
+/// from the origin. Converts to glm::mat4 implicitly.
 struct View {
   glm::dmat4 view{1};        ///< world to eye: right-handed, looking down -z
   glm::dmat4 projection{1};  ///< eye to clip space, depth -1 to 1 as glm::perspective and glm::ortho make it
@@ -42,12 +42,11 @@ struct View {
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// World to eye for vertices that are stored relative to `origin`.
+/// World to eye matrix for vertices stored relative to `origin`.
 glm::mat4 eye_matrix(const View& view, const Point& origin);
 
-/// Factor (x, y) and offset (z, w) from device pixels (bottom left first) to the ray from the eye through
-/// that pixel: (factor * pixel + offset, -1) in eye space. For an orthographic view the ray is (0, 0, -1)
-/// everywhere.
+/// Factor (x, y) and offset (z, w) that map device pixels (origin bottom left) to the view ray: (factor *
+/// pixel + offset, -1) in eye space. For an orthographic view the ray is (0, 0, -1) everywhere.
 glm::vec4 eye_ray(const View& view);
 
 /// A colour from 0xRRGGBB, components 0 to 1 as displayed (sRGB).
@@ -61,15 +60,15 @@ struct Theme {
   glm::vec3 background_top, background_bottom;
   glm::vec3 grid;       ///< ground lines
   glm::vec3 model;      ///< the surface in full light
-  glm::vec3 held;       ///< the surface where it stays at rest
+  glm::vec3 held;       ///< vertices that stay at rest
   glm::vec3 wire;       ///< triangle edges on the surface
   glm::vec3 cage;       ///< cage lines and vertices at rest
-  glm::vec3 selection;  ///< what is selected
+  glm::vec3 selection;  ///< selected elements
   glm::vec3 hover;      ///< the ring under the cursor
-  glm::vec3 finding;    ///< what the checks found
-  glm::vec3 outline;    ///< thin edge around discs, so that they read on any ground
+  glm::vec3 finding;    ///< problems found by checks
+  glm::vec3 outline;    ///< thin edge around discs, for contrast
   glm::vec4 halo;       ///< thin edge around lines, with its opacity
-  glm::vec4 shadow;     ///< on the ground, with the opacity of the darkest
+  glm::vec4 shadow;     ///< ground shadow, with its largest opacity
   float exposure;       ///< brightness of the lights, 1 = neutral
 };
 

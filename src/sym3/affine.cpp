@@ -83,10 +83,10 @@ bool is_finite(const AffineLog& log) {
   return std::ranges::all_of(log.linear, finite) && std::ranges::all_of(log.translation, finite);
 }
 
-// Terms that overflow, although their sum may not, are summed at a smaller scale.
+// Terms that overflow, although their sum may be finite, are summed at a smaller scale.
 template <class LogOf>
 AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
-  constexpr int room = 64;  // for the sum of any number of terms
+  constexpr int room = 64;  // margin for the sum of any number of terms
   AffineLog sum = scaled_sum(weights, 0, log_of);
   if (is_finite(sum)) return sum;
   const int shift = std::max(exponent_of(weights), 0) + room;
@@ -116,7 +116,7 @@ Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double
 
 namespace {
 
-// The sum of weights times 2^-shift; 0 if it is 0 but for rounding.
+// The sum of weights times 2^-shift; 0 if it is 0 up to rounding.
 double sum_of(std::span<const double> weights, int shift) {
   double sum = 0, size = 0;
   for (const double w : weights) sum += std::scalbn(w, -shift), size += std::abs(std::scalbn(w, -shift));
@@ -127,7 +127,7 @@ double sum_of(std::span<const double> weights, int shift) {
 
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   constexpr int most_steps = 200;
-  constexpr double near_the_end = 1e-6;  // from there on what is left falls until it is rounding
+  constexpr double near_the_end = 1e-6;  // below it the residual decreases until it is rounding
   const int shift = exponent_of(weights);
   const double total = sum_of(weights, shift);
   const auto [least, most] = std::ranges::minmax_element(weights);

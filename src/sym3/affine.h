@@ -1,15 +1,15 @@
-// Transformations by themselves: log, exp, weighted sums, interpolation and means of affine maps.
+// Logarithm, exponential, weighted sums, interpolation and means of affine maps.
 //
-// M. Alexa, Linear combination of transformations (2002): maps are added and multiplied by numbers through
-// their logarithms. A linear map (3x3) is one without translation, and stays so exactly. Precision and range
-// of log and exp: see general.h and translation_log.h. Maps that have no logarithm are those whose linear
-// part has none (has_log() tells): mirrored and flat ones, and those that turn by 180 degrees and stretch
-// across. They get a bounded one, which exp does not lead back from. What is not finite gives NaN.
+// M. Alexa, Linear combination of transformations (2002): maps are added and scaled through their logarithms.
+// A linear map (3x3) is an affine map without translation, and stays so exactly. Precision and range of log
+// and exp: see general.h and translation_log.h. Maps have no logarithm if their linear part has none (see
+// has_log()): mirrored and flat maps, and maps that rotate by 180 degrees and stretch perpendicular to the
+// axis. These get a bounded logarithm that exp does not invert. Input that is not finite gives NaN.
 // Thread-safe; no allocation, no throw.
 //
-// combine() does not ask for the order of maps; of inverses it is the inverse, of C A C^-1 it is C combine
-// C^-1: no coordinates are special. interpolate() and mean() go along with maps before and after, too: of C A
-// D they are C mean D; and of inverses the inverse.
+// combine() does not depend on the order of maps, commutes with inversion and with conjugation: inverses give
+// the inverse, C A C^-1 gives C combine C^-1, so no coordinates are special. interpolate() and mean() are
+// also bi-invariant: C A D gives C mean D; inverses give the inverse.
 #pragma once
 
 #include <span>
@@ -26,7 +26,7 @@ struct Affine {
   friend bool operator==(const Affine&, const Affine&) = default;
 };
 
-/// The logarithm of one, whose fourth row is 0. These can be added and multiplied by numbers.
+/// The logarithm of an affine map, with fourth row 0. Logarithms can be added and scaled.
 struct AffineLog {
   Mat3<double> linear{};
   Vec3<double> translation{};
@@ -34,36 +34,35 @@ struct AffineLog {
   friend bool operator==(const AffineLog&, const AffineLog&) = default;
 };
 
-/// First b, then a.
+/// The composition: first b, then a.
 Affine operator*(const Affine& a, const Affine& b);
-/// By elimination; not finite where the linear part is singular.
+/// The inverse, by elimination; not finite if the linear part is singular.
 Affine inverse(const Affine& a);
 
 /// The principal logarithm: (L, phi(L)^-1 l) of (M, l), L = log_general(M).
 AffineLog log_affine(const Affine& map);
-/// The logarithm on the branch nearest to a rotation vector, as that of a log before (see turn_of()): L =
-/// log_near(M, near). Near turns of 360, 720 ... degrees the translation's log is bounded, too, and not
-/// exact.
+/// The logarithm on the branch nearest to a rotation vector, for example that of an earlier log (see
+/// turn_of()): L = log_near(M, near). Near turns of 360, 720 ... degrees the log of the translation is
+/// bounded and approximate.
 AffineLog log_affine(const Affine& map, const Vec3<double>& near);
 
-/// (e^L, phi(L) l). Exactly the identity for 0.
+/// The exponential: (e^L, phi(L) l). Exactly the identity for 0.
 Affine exp_affine(const AffineLog& log);
 
-/// What L is but for what is symmetric of it: by how much, and about what axis, exp(L) turns.
+/// The antisymmetric part of L as a rotation vector: the axis and angle by which exp(L) rotates.
 Vec3<double> turn_of(const AffineLog& log);
 
-/// sum w L. As many weights as logs; any sum.
+/// sum w L. logs.size() == weights.size(); weights may have any sum.
 AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights);
 
-/// exp(sum w log A), principal logarithms. As many weights as maps. With weights that sum to 1 a mean that
-/// mean() improves upon; with others a scaled one: combine({A}, {0.5}) is the square root. To choose
-/// branches, add logs.
+/// exp(sum w log A), principal logarithms. One weight per map. If weights sum to 1 this is an approximation
+/// of mean(); otherwise a scaled mean: combine({A}, {0.5}) is the square root. To choose branches, add logs.
 Affine combine(std::span<const Affine> maps, std::span<const double> weights);
 
-/// A exp(t log(A^-1 B)): from A at 0 (exactly) to B at 1, on at a constant rate; any t. Where A^-1 B has no
-/// logarithm it does not reach B; where A has no inverse it is not finite.
+/// A exp(t log(A^-1 B)): exactly A at t = 0, B at t = 1, with constant rate; any t. Does not reach B if A^-1
+/// B has no logarithm; not finite if A has no inverse.
 Affine interpolate(const Affine& a, const Affine& b, double t);
-/// With the branch of log(A^-1 B) nearest to a rotation vector: any number of turns on the way.
+/// As above, with the branch of log(A^-1 B) nearest to a rotation vector: any number of turns.
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near);
 
 struct AffineMean {
@@ -73,11 +72,11 @@ struct AffineMean {
 };
 
 /// The map with sum w log(mean^-1 A) = 0 (V. Arsigny, X. Pennec, N. Ayache, Bi-invariant means in Lie groups,
-/// 2006), by steps mean exp(sum w log(mean^-1 A)) from the map that weighs most. Each takes a part of what is
-/// left, less the farther the maps are apart: some 15 where they differ by 60 degrees and a factor of 2. At
-/// most 200; where these do not end, as may be for maps half a turn apart, where a map has no inverse, and
-/// where the weights sum to 0 but for rounding, `converged` is false and the map the last one. Weights are
-/// divided by their sum, whatever their size; as many as maps, at least one.
+/// 2006), by steps mean exp(sum w log(mean^-1 A)) from the map with the largest weight. Convergence is
+/// linear, slower for distant maps: about 15 steps for differences of 60 degrees and a factor of 2. At most
+/// 200 steps. If these do not converge (possible for maps half a turn apart), a map has no inverse, or the
+/// weights sum to 0 up to rounding, `converged` is false and the map is the last iterate. Weights are divided
+/// by their sum; one per map, at least one.
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights);
 
 }  // namespace viete::sym3

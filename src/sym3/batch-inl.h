@@ -1,5 +1,5 @@
-// From a function of registers to a function of batches, in every layout, and of one item. Included once per
-// instruction set. (No #pragma once: Highway's foreach_target includes this text again for each target.)
+// From functions of registers to functions of batches, in every layout, and of single items. Included once
+// per instruction set. (No #pragma once: Highway's foreach_target includes this file again for each target.)
 // Internal.
 #if defined(VIETE_SYM3_BATCH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_BATCH_INL_H
@@ -14,15 +14,15 @@ HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
 // A function F of small matrices or vectors has
-//   in, out                        how many numbers an item takes and gives
-//   group                          how many registers of items go through it at a time
-//   memory_bound                   whether loads and stores take as long as the arithmetic: then every layout
-//                                  is read and written in place, and stores may go past the caches
-//   f.quick<G>(d, from, to)        V from[G][in], to[G][out]: true if `to` is right in every lane
-//   f.general(d, from, to)         V from[in], to[out], right for any input; not needed where quick always is
+//   in, out                        numbers per item of input and output
+//   group                          number of registers processed together
+//   memory_bound                   true if loads and stores take as long as the arithmetic: then every layout
+//                                  is read and written in place, and stores may bypass the caches
+//   f.quick<G>(d, from, to)        V from[G][in], to[G][out]: true if `to` is valid in every lane
+//   f.general(d, from, to)         V from[in], to[out], valid for any input; unused if quick always succeeds
 
-/// G registers' worth of items from the i-th on. All are read before any is written, so in == out is fine.
-/// For the general way they are read again: kept for it, they would take the quick way's registers.
+/// Processes G registers of items from the i-th on. Reads all before it writes any, so in == out is allowed.
+/// The general path reads them again: keeping them would occupy registers of the quick path.
 template <int G, class From, class To, bool streaming, class F, class D, class T>
 static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>& in,
                                      const View<T, F::out>& out, std::size_t i) {
@@ -46,8 +46,8 @@ static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>
   for (int g = 0; g < G; ++g) To::template store<streaming>(d, to[g], out, i + g * lanes);
 }
 
-/// As many whole groups as there are; returns where it stopped. (A function of its own: a second loop over
-/// the same constants would take their registers.)
+/// Processes as many whole groups as possible; returns the end. (A separate function: a second loop over the
+/// same constants would take their registers.)
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in> in, View<T, F::out> out,
                                            std::size_t i, std::size_t end) {
@@ -59,7 +59,7 @@ static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in>
   return i;
 }
 
-/// As many whole registers as there are; returns where it stopped.
+/// Processes as many whole registers as possible; returns the end.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_INLINE std::size_t map_whole(D d, const F& f, const View<const T, F::in>& in,
                                         const View<T, F::out>& out, std::size_t i, std::size_t end) {
@@ -72,8 +72,8 @@ static HWY_INLINE std::size_t map_whole(D d, const F& f, const View<const T, F::
   return i;
 }
 
-/// Planes of numbers beside each other that stay in the first cache: items on their way from a layout to
-/// registers or back. The stride keeps planes off each other's cache sets.
+/// Contiguous planes of numbers that stay in the first-level cache, for conversion between layouts and
+/// registers. The stride places planes in different cache sets.
 template <class T>
 struct Tile {
   static constexpr std::size_t items = 64, stride = items + 64 / sizeof(T);
@@ -87,8 +87,8 @@ struct Tile {
   }
 };
 
-/// Items [i, i + count) into a tile. The last register is filled up with copies of an item, for answers that
-/// nobody reads; returns how many items that makes.
+/// Loads items [i, i + count) into a tile. Pads the last register with copies of an item, whose results are
+/// ignored; returns the padded number of items.
 template <class D, class T, int N>
 static HWY_INLINE std::size_t fill_tile(D d, const View<const T, N>& in, std::size_t i, std::size_t count,
                                         T* tile) {
@@ -101,8 +101,8 @@ static HWY_INLINE std::size_t fill_tile(D d, const View<const T, N>& in, std::si
   return filled;
 }
 
-/// Items [begin, end) of any layout by tiles; put(numbers, i, count) takes the answers of items [i, i +
-/// count) out of a tile.
+/// Processes items [begin, end) of any layout by tiles; put(numbers, i, count) stores the results of items
+/// [i, i + count) from a tile.
 template <class F, class D, class T, class Put>
 static HWY_NOINLINE void map_tiles(D d, const F& f, const View<const T, F::in>& in, std::size_t begin,
                                    std::size_t end, const Put& put) {
@@ -135,7 +135,7 @@ static HWY_INLINE bool is_aligned(const View<T, N>& v) {
   return bits % 64 == 0;
 }
 
-/// Within one layout, without tiles but for the end.
+/// Within one layout, using tiles only for the remainder.
 template <class Way, class F, class D, class T>
 static HWY_INLINE void map_directly(D d, const F& f, const View<const T, F::in>& in,
                                     const View<T, F::out>& out, const Range& range) {
@@ -167,8 +167,8 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   map_to_layout(d, f, in, out, range.begin, range.end);
 }
 
-/// N contiguous numbers from registers of one lane, in stores of 16 bytes: a caller that copies the answer by
-/// 16 bytes would wait for stores of 8.
+/// Stores N contiguous numbers from registers of one lane in 16-byte stores: a caller that copies the result
+/// in 16-byte loads would stall on 8-byte stores.
 template <class D, class T, class V, int N>
 static HWY_INLINE void store_row(D d, const V (&v)[N], T* out) {
   int k = 0;
@@ -202,7 +202,7 @@ static HWY_INLINE void map_one(const F& f, const T* in, T* out) {
   store_row(d, to[0], out);
 }
 
-/// What the table of kernels points to. More: the parameters of F.
+/// The entry of the kernel table. More: the parameters of F.
 template <class F, class T, class... More>
 struct Mapped {
   static void one(const T* in, T* out, More... more) { map_one(F{more...}, in, out); }
@@ -212,8 +212,8 @@ struct Mapped {
   }
 };
 
-/// VIETE_DEFINE_FUNCTION(pow, Pow, double): pow_double and pow_float of kernel.cpp, from F = Pow with a
-/// parameter of type double.
+/// VIETE_DEFINE_FUNCTION(pow, Pow, double) defines pow_double and pow_float of kernel.cpp, from F = Pow with
+/// a parameter of type double.
 #define VIETE_DEFINE_FUNCTION_OF(T, name, F, ...)                                \
   extern const Function<T, F::in, F::out __VA_OPT__(, ) __VA_ARGS__> name##_##T; \
   const Function<T, F::in, F::out __VA_OPT__(, ) __VA_ARGS__> name##_##T = {     \
@@ -222,7 +222,7 @@ struct Mapped {
   VIETE_DEFINE_FUNCTION_OF(double, name, F __VA_OPT__(, ) __VA_ARGS__) \
   VIETE_DEFINE_FUNCTION_OF(float, name, F __VA_OPT__(, ) __VA_ARGS__)
 
-// Six, Nine and Three from and to arrays of registers.
+// Conversions between arrays of registers and Six, Nine and Three.
 
 template <class V>
 static HWY_INLINE Six<V> six(const V (&s)[6]) {

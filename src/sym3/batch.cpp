@@ -8,8 +8,8 @@ namespace viete::sym3 {
 
 namespace {
 
-// Beyond about half of a large last-level cache, reading the lines that are going to be overwritten costs
-// more than it brings.
+// Beyond about half of a large last-level cache, reading cache lines before overwriting them costs more than
+// it saves.
 constexpr std::size_t streaming_bytes = 24u << 20;
 
 constexpr std::size_t granule = 64;  // a whole number of registers, cache lines and blocks

@@ -1,4 +1,4 @@
-// How a batch is run: by which kernel, on which threads, with which stores.
+// Settings of a batch: kernel, threads, and stores.
 #pragma once
 
 #include <cstddef>
@@ -7,22 +7,22 @@ namespace viete::sym3 {
 
 struct Kernel;
 
-/// A way to run a few tasks at once, without owning threads: run(self, n, task, context) calls
-/// task(context, i) once for each i < n, on any threads in any order, and returns when all are done.
+/// Runs several tasks, possibly in parallel: run(self, n, task, context) must call task(context, i) once for
+/// each i < n, on any threads in any order, and return when all are done.
 struct Executor {
   void (*run)(void* self, std::size_t tasks, void (*task)(void* context, std::size_t i), void* context);
   void* self = nullptr;
-  std::size_t threads = 1;  ///< tasks worth making
+  std::size_t threads = 1;  ///< useful number of tasks
 };
 
 enum class Stores : unsigned char {
-  automatic,  ///< streaming where it pays: not in place, aligned, and far more data than caches hold
+  automatic,  ///< streaming if it pays: not in place, aligned, and much more data than the caches hold
   ordinary,
-  streaming,  ///< past the caches (non-temporal), where the layout and alignment allow it
+  streaming,  ///< bypasses the caches (non-temporal), if layout and alignment allow it
 };
 
-/// Defaults: the best kernel, the calling thread. Chunks are static, at least `least_chunk` items each; the
-/// answers do not depend on their number.
+/// Defaults: the best kernel, the calling thread. Chunks are static, at least `least_chunk` items each;
+/// results do not depend on their number.
 struct Batch {
   const Kernel* kernel = nullptr;  ///< one of kernels(), or null: kernel()
   const Executor* executor = nullptr;

@@ -1,5 +1,5 @@
-// exp, polar decomposition and spectral functions of single matrices by Jacobi rotations, for entries that
-// vector code cannot take.
+// exp, polar decomposition and spectral functions of single matrices by Jacobi rotations, for input that
+// vector code cannot process.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,10 +17,10 @@ namespace {
 // Beyond +-2800 every exponential, times any double, is infinite or zero; a fourth of it is in range.
 constexpr double exponent_limit = 2800;
 
-// Larger entries are scaled down for Jacobi, whose sums and products of halves would overflow.
+// Larger entries are scaled down, since sums and products in Jacobi's method would overflow.
 constexpr double large_entry = 1e270, down = 0x1p-64;
 
-/// The eigenvalues are `values` / scale. They stay unscaled until they are differences: only those are in
+/// The eigenvalues are `values` / scale. They stay scaled until they are subtracted: only differences are in
 /// range.
 struct Exponents {
   Eigen3<DoubleDouble> eigen;
@@ -36,15 +36,15 @@ double exp_of(const DoubleDouble& x) {
   return std::exp(x.hi) * (1 + x.lo);
 }
 
-/// x e^y in four factors, so that e^y alone may be out of range.
+/// x e^y in four factors, because e^y alone may overflow.
 double times_exp(double x, const DoubleDouble& y) {
   const double part = std::exp(y.hi / 4);
   for (int k = 0; k < 4; ++k) x *= part;
   return x * (1 + y.lo);
 }
 
-/// Entry (i, j) of V exp(values) V^T. Terms that are zero do not count for the common exponent, so that an
-/// overflow stays in its own block of the matrix.
+/// Entry (i, j) of V exp(values) V^T. Zero terms are ignored in the common exponent, so that an overflow
+/// stays in its own block of the matrix.
 double entry(const Exponents& e, int i, int j) {
   const auto& [values, vectors] = e.eigen;
   double weight[3];
@@ -73,15 +73,15 @@ Sym3<double> exp_in_double(const Sym3<double>& s) {
   return {entry(e, 0, 0), entry(e, 0, 1), entry(e, 0, 2), entry(e, 1, 1), entry(e, 1, 2), entry(e, 2, 2)};
 }
 
-/// Numbers k <= l of the six pairs of eigenvectors, in the order of Sym3.
+/// Index pairs k <= l of eigenvectors, in the order of Sym3.
 constexpr int first_of[] = {0, 0, 0, 1, 1, 2}, second_of[] = {0, 1, 2, 1, 2, 2};
 
-/// (e^x - e^y) / (x - y) over the larger one of both, or over e^x if they are equal: below 1.
+/// (e^x - e^y) / (x - y) relative to the larger one of both, or to e^x if they are equal: at most 1.
 double relative_slope(double distance) {
   return distance > 0 ? -std::expm1(-distance) / distance : 1;
 }
 
-/// Entry (i, j) of the sum over pairs of eigenvectors of their slope times that part of E; as `entry`.
+/// Entry (i, j) of the sum over pairs of eigenvectors of their slope times that component of E; as `entry`.
 double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
   const auto& values = e.eigen.values;
   double weight[6];
@@ -167,7 +167,7 @@ double off_diagonal(const Matrix4& a) {
   return sum;
 }
 
-/// The unit quaternion of the largest eigenvalue; the first of equal ones.
+/// The unit quaternion of the largest eigenvalue; ties: the first.
 std::array<double, n> top_vector(Matrix4 a) {
   Matrix4 v = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
   for (int sweep = 0; sweep < most_sweeps && off_diagonal(a) > 1e-20; ++sweep) {
@@ -201,8 +201,7 @@ std::array<double, 9> to_matrix(const std::array<double, n>& q) {
           s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
 }
 
-/// Column i of R times column j of M minus the other way round, in double-double: what is left of the
-/// asymmetry.
+/// Column i of R times column j of M minus the transposed product, in double-double: the remaining asymmetry.
 double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m, int i, int j) {
   DoubleDouble sum;
   for (int k = 0; k < 9; k += 3) {
@@ -211,7 +210,8 @@ double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m,
   return sum.hi;
 }
 
-/// One Newton step: R^T M is symmetric at the solution; a turn by w changes its asymmetry by (tr U - U) w.
+/// One Newton step: R^T M is symmetric at the solution; a rotation by w changes its asymmetry by (tr U - U)
+/// w.
 std::array<double, n> refined(const std::array<double, n>& q, const std::array<double, 9>& m) {
   const auto r = to_matrix(q);
   const auto dot = [&](int i, int j) { return r[i] * m[j] + r[3 + i] * m[3 + j] + r[6 + i] * m[6 + j]; };
@@ -221,7 +221,7 @@ std::array<double, n> refined(const std::array<double, n>& q, const std::array<d
   const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
   const double cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
   const double det = xx * cxx + xy * cxy + xz * cxz;
-  if (!(det > 1e-30)) return q;  // no rotation is nearest alone
+  if (!(det > 1e-30)) return q;  // the nearest rotation is not unique
   const double a = asymmetry(r, m, 1, 2), b = asymmetry(r, m, 2, 0), c = asymmetry(r, m, 0, 1);
   const double x = -(cxx * a + cxy * b + cxz * c) / det / 2, y = -(cxy * a + cyy * b + cyz * c) / det / 2,
                z = -(cxz * a + cyz * b + czz * c) / det / 2;
@@ -260,12 +260,12 @@ void polar_by_jacobi(const float* in, float* out) {
   by_jacobi(in, out);
 }
 
-// log, square roots and eigenvalues by Jacobi's eigenvectors.
+// log, square roots and eigenvalues from Jacobi's eigenvectors.
 
 namespace {
 
-// Jacobi in double errs by some u of the largest eigenvalue: where the smallest is below it by more than this
-// factor, that is repeated in double-double.
+// Jacobi in double has errors of some u of the largest eigenvalue; if the smallest is smaller by more than
+// this factor, the computation is repeated in double-double.
 constexpr double wide = 8;
 
 struct LogOf {
@@ -282,7 +282,7 @@ struct InvSqrtOf {
   double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
 };
 
-/// What rounding made negative counts as zero.
+/// Values that are negative by rounding count as zero.
 struct SqrtOf {
   double operator()(double x) const { return x > 0 ? std::sqrt(x) : 0; }
   double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
@@ -307,7 +307,7 @@ Eigen3<Real> eigen_of(const Sym3<double>& s, double scale) {
   return e;
 }
 
-/// f(S) for S all of whose eigenvalues are above `least` times its largest entry, else NaN.
+/// f(S) if all eigenvalues of S are above `least` times its largest entry, else NaN.
 template <class F>
 Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) {
   const double scale = comfortable_scale(s), bound = least * largest_entry(s);
@@ -324,7 +324,7 @@ Sym3<double> of_positive(const F& f, const Sym3<double>& s) {
   return of_spectrum_above(0, f, s);
 }
 
-/// Where S - I is exact, and its eigenvalues keep the digits that those of S would lose.
+/// True if S - I is exact, so that its eigenvalues keep digits that those of S would lose.
 bool is_near_identity(const Sym3<double>& s) {
   const double off = std::max({std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yz)});
   const auto [low, high] = std::minmax({s.xx, s.yy, s.zz});
@@ -349,7 +349,7 @@ Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
   return is_usable(s) ? of_positive(InvSqrtOf(), s) : nan_matrix<double>();
 }
 
-/// An eigenvalue this far below zero, relative to the largest entry, is rounding in the entries of S.
+/// A negative eigenvalue up to this size, relative to the largest entry, is due to rounding in S.
 template <class T>
 constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
@@ -386,7 +386,7 @@ struct SlopeOf {
   }
 };
 
-/// f(256 S) goes by that power of 256.
+/// The power p with f(256 S) = 256^p f(S).
 double homogeneity(const SlopeOf& slope) {
   return slope.f == Of::pow ? slope.p : slope.f == Of::sqrt ? 0.5 : 0;
 }

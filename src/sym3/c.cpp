@@ -13,7 +13,7 @@ namespace viete::sym3 {
 
 namespace {
 
-constexpr std::size_t block = 256;  // matrices that are copied at once
+constexpr std::size_t block = 256;  // matrices per copied block
 
 template <int N, class T>
 bool is_sound(const T* data, viete_layout layout) {
@@ -25,7 +25,7 @@ bool is_full(viete_layout layout) {
   return layout.entry_stride == 0;
 }
 
-// Whether a view can see it as it lies.
+// True if a view supports the layout without copying.
 template <int N>
 bool is_viewed(viete_layout layout) {
   if (is_full(layout)) return layout.matrix_stride == 9;
@@ -39,7 +39,7 @@ View<T, N> view_of(T* data, viete_layout layout) {
   return {Layout::packed, data};
 }
 
-// A part of a batch: where it lies, or copied to a buffer and, at last, back.
+// A part of a batch: in place, or copied to a buffer and finally back.
 template <class T, int N>
 class Part {
 public:
@@ -66,7 +66,7 @@ public:
   }
 
 private:
-  // Of an entry, in its matrix.
+  // Offset of an entry within its matrix.
   std::size_t place(std::size_t k) const {
     constexpr std::size_t upper[9] = {0, 1, 2, 4, 5, 8};
     return is_full(layout_) ? upper[k] : k * layout_.entry_stride;
@@ -78,7 +78,7 @@ private:
   std::remove_const_t<T> buffer_[block * N];
 };
 
-// act(begin, count) of all at once, or block by block.
+// Calls act(begin, count) once for all, or block by block.
 template <class Act>
 void for_parts(bool at_once, std::size_t count, const Act& act) {
   const std::size_t step = at_once ? std::max<std::size_t>(count, 1) : block;

@@ -1,17 +1,17 @@
-/* The functions of many symmetric 3x3 matrices for C, and for all that calls C: Rust, Julia, C#, Fortran.
+/* Functions of many symmetric 3x3 matrices for C and languages that can call C: Rust, Julia, C#, Fortran.
  *
- * A batch is a pointer to numbers, how many matrices there are, and where they lie:
+ * A batch is a pointer to numbers, the number of matrices, and a layout:
  *   entry_stride   numbers from one entry of a matrix to its next one
  *   matrix_stride  numbers from one matrix to the next one
- * so that {1, 6} are matrices one after the other, each its upper triangle by rows: xx xy xz yy yz zz, and
- * {n, 1} are six planes of n numbers. General matrices and rotations have nine entries, by rows: {1, 9};
- * and {0, n} are symmetric ones with all nine, n >= 9, of which the upper triangle is read. Strides are above
- * 0 but for that. Those two forms are computed where they lie; others are copied through blocks. Answers
- * may lie where the matrices do, with the same strides; else they share no memory.
+ * {1, 6} is an array of matrices, each stored as its upper triangle by rows: xx xy xz yy yz zz; {n, 1} is six
+ * planes of n numbers. General matrices and rotations have nine entries, by rows: {1, 9}. {0, n}, n >= 9, is
+ * an array of symmetric matrices with all nine entries, of which the upper triangle is read; other strides
+ * must be positive. Packed and planar layouts are processed in place; others are copied through blocks.
+ * Results may overwrite the matrices with the same strides; otherwise they must not overlap them.
  *
- * Where there is no real answer (the log of what is not positive definite) it is NaN. Errors and ranges are
- * those of the C++ headers <viete/sym3/exp.h> and so on. Thread-safe; nothing is kept. Every function returns
- * 0, or -1 where a pointer is null or a stride is 0 that must not be, and then does nothing.
+ * Undefined results (the log of a matrix that is not positive definite) are NaN. Errors and ranges are those
+ * of the C++ headers <viete/sym3/exp.h> and so on. Thread-safe; no global state. Every function returns 0;
+ * if a pointer is null or a stride is invalid, it does nothing and returns -1.
  *
  * Link with the C++ library: cc example.c -lviete_sym3 -lstdc++ -lm. Before 1.0 a new minor version may
  * change this. */
@@ -28,7 +28,7 @@ typedef struct {
   size_t entry_stride, matrix_stride;
 } viete_layout;
 
-/* Of float64. */
+/* Double precision. */
 int viete_exp(const double* in, viete_layout in_layout, double* out, viete_layout out_layout, size_t count);
 int viete_log(const double* in, viete_layout in_layout, double* out, viete_layout out_layout, size_t count);
 int viete_sqrt(const double* in, viete_layout in_layout, double* out, viete_layout out_layout, size_t count);
@@ -36,7 +36,7 @@ int viete_inv_sqrt(const double* in, viete_layout in_layout, double* out, viete_
                    size_t count);
 int viete_pow(const double* in, viete_layout in_layout, double p, double* out, viete_layout out_layout,
               size_t count);
-/* The derivative of exp at each matrix in a symmetric direction; so of log and sqrt. */
+/* Derivatives of exp, log and sqrt at each matrix in a symmetric direction. */
 int viete_exp_derivative(const double* in, viete_layout in_layout, const double* direction,
                          viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
 int viete_log_derivative(const double* in, viete_layout in_layout, const double* direction,
@@ -47,7 +47,7 @@ int viete_sqrt_derivative(const double* in, viete_layout in_layout, const double
 int viete_polar(const double* in, viete_layout in_layout, double* rotations, viete_layout rotation_layout,
                 double* stretches, viete_layout stretch_layout, size_t count);
 
-/* Of float32. */
+/* Single precision. */
 int viete_exp_f(const float* in, viete_layout in_layout, float* out, viete_layout out_layout, size_t count);
 int viete_log_f(const float* in, viete_layout in_layout, float* out, viete_layout out_layout, size_t count);
 int viete_sqrt_f(const float* in, viete_layout in_layout, float* out, viete_layout out_layout, size_t count);
@@ -58,7 +58,7 @@ int viete_pow_f(const float* in, viete_layout in_layout, double p, float* out, v
 int viete_polar_f(const float* in, viete_layout in_layout, float* rotations, viete_layout rotation_layout,
                   float* stretches, viete_layout stretch_layout, size_t count);
 
-/* The instruction set that runs: "avx512"; never null. */
+/* The active instruction set, for example "avx512"; never null. */
 const char* viete_kernel(void);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-// From a public function to the kernel that runs it, a batch in static chunks. Internal.
+// From a public function to the kernel that runs it; splits a batch into static chunks. Internal.
 #pragma once
 
 #include "sym3/kernel.h"
@@ -18,32 +18,32 @@ const KernelFunctions<T>& functions(const Kernel& k) {
   }
 }
 
-/// run(context, range) does the items of the range.
+/// run(context, range) processes the items of the range.
 struct RangeTask {
   void (*run)(const void* context, const Range& range);
   const void* context;
 };
 
-/// Of a function of a range that outlives the task.
+/// A task that calls a function of a range; the function must outlive it.
 template <class Call>
 RangeTask task_of(const Call& call) {
   return {[](const void* context, const Range& range) { (*static_cast<const Call*>(context))(range); },
           &call};
 }
 
-/// All of [0, count), on the batch's executor. `bytes`: what is read and written in all.
+/// Processes [0, count) on the batch's executor. `bytes`: total of reads and writes.
 void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
                const Batch& batch);
 
 const Kernel& kernel_of(const Batch& batch);
 
-/// One item by the running kernel; `which` is a member of KernelFunctions, `more` are its parameters.
+/// One item, by the active kernel; `which` is a member of KernelFunctions, `more` are its parameters.
 template <class T, class F, class... More>
 void call_one(const F* KernelFunctions<T>::*which, const T* in, T* out, const More&... more) {
   (functions<T>(kernel()).*which)->one(in, out, more...);
 }
 
-/// Many, by the kernel of the batch.
+/// Many items, by the kernel of the batch.
 template <class T, int N, int M, class F, class... More>
 void call_many(const F* KernelFunctions<T>::*which, const View<const T, N>& in, const View<T, M>& out,
                std::size_t count, const Batch& batch, const More&... more) {

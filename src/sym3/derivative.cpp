@@ -40,7 +40,7 @@ void many_derivatives(Of f, double p, const SymView<const T>& s, Directions<T> d
 
 }  // namespace
 
-// p: the exponent; after it its declaration, for functions that have one.
+// p: the exponent; followed by its declaration, for functions that have one.
 #define VIETE_FOR(T, name, p, ...)                                                                       \
   template Sym3<T> name##_derivative(const Sym3<T>& __VA_OPT__(, ) __VA_ARGS__, const Sym3<T>&);         \
   template Tangent<T> name##_tangent(const Sym3<T>& __VA_OPT__(, ) __VA_ARGS__);                         \

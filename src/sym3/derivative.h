@@ -1,11 +1,11 @@
-// Derivatives of exp, log, square root and powers of symmetric 3x3 matrices: in one direction, in several, in
-// all six; of one matrix or of many.
+// Derivatives of exp, log, square root and powers of symmetric 3x3 matrices: in one direction, in several, or
+// in all six; for one matrix or for many.
 //
 // f'(S)[E] = lim (f(S + h E) - f(S)) / h is the directional (Frechet) derivative of f at S in the direction
-// E: symmetric, linear in E, and self-adjoint, tr(F f'(S)[E]) = tr(E f'(S)[F]), so that it is its own reverse
+// E: symmetric, linear in E, and self-adjoint, tr(F f'(S)[E]) = tr(E f'(S)[F]), so it is its own reverse
 // mode. With eigenvectors V and eigenvalues x_i it is V (F o V^T E V) V^T, F_ij = (f(x_i) - f(x_j)) / (x_i -
-// x_j), or f'(x_i) where they are equal. No formula here subtracts close values: it is as exact at equal
-// eigenvalues as at any others.
+// x_j), or f'(x_i) if they are equal. No formula here subtracts close values: equal eigenvalues are as
+// accurate as any others.
 //
 // exp: the recurrence of method `fast`, differentiated (exp_derivative-inl.h): no eigenvalues, no division.
 // The others: eigenvectors and divided differences (spectral_derivative-inl.h).
@@ -15,13 +15,13 @@
 //   exp        <= (6 + 2 spread) u with fused multiply-add, (8 + 2.5 spread) u without, at any trace
 //   log, sqrt  <= (16 + 2 k) u
 //   pow        <= (16 + 4 (1 + |p|) k + 4 |p log S|) u
-// at any gap between eigenvalues; where log.h goes through Jacobi's eigenvectors, and so where S^p is past
-// e^(+-500) (float e^(+-50)), <= 16 (1 + |p|) u, some 5 us. The bounds are empirical: tests/sym3 pins them
-// against 113 bits.
+// at any gap between eigenvalues; inputs for which log.h uses Jacobi's eigenvectors, or S^p is outside
+// e^(+-500) (float e^(+-50)), have <= 16 (1 + |p|) u and take some 5 us. The bounds are empirical: tests/sym3
+// verifies them against 113 bits.
 //
-// NaN or an infinity anywhere in S or E gives six NaN, and so does an S that is not positive definite, of
-// log, sqrt and pow. (The root has no derivative where an eigenvalue is 0.) For other finite numbers exp
-// gives no NaN: where an entry overflows, that entry alone is a signed infinity; underflow is gradual. Powers
+// NaN or an infinity in S or E gives six NaN; so does an S that is not positive definite, for log, sqrt and
+// pow. (The root has no derivative at an eigenvalue 0.) For other finite numbers exp gives no NaN: an entry
+// that overflows becomes a signed infinity, without effect on other entries; underflow is gradual. Powers
 // that overflow are infinite or NaN. Thread-safe; no allocation, no throw.
 #pragma once
 
@@ -37,19 +37,19 @@ namespace viete::sym3 {
 
 template <class T>
 Sym3<T> exp_derivative(const Sym3<T>& s, const Sym3<T>& direction);
-/// S is positive definite, here and in the next two.
+/// S must be positive definite, here and in the next two.
 template <class T>
 Sym3<T> log_derivative(const Sym3<T>& s, const Sym3<T>& direction);
 template <class T>
 Sym3<T> sqrt_derivative(const Sym3<T>& s, const Sym3<T>& direction);
-/// The derivative of S to the power p, any finite p.
+/// The derivative of S^p, any finite p.
 template <class T>
 Sym3<T> pow_derivative(const Sym3<T>& s, double p, const Sym3<T>& direction);
 
-/// The derivatives in all six directions: number k in the direction in which the k-th number of Sym3 is 1 and
-/// the others are 0. So the j-th number of [k] is the derivative of the j-th number of f(S) by the k-th
-/// number of S; for k = xy, xz or yz, xy and yx move both by 1. The order is that of Sym3: xx xy xz yy yz zz
-/// (eigen.h has that of Voigt). Equal to the single derivatives but for rounding.
+/// The derivatives in all six directions: number k has the direction in which the k-th number of Sym3 is 1
+/// and the others are 0. The j-th number of [k] is thus the derivative of the j-th number of f(S) by the k-th
+/// number of S; for k = xy, xz or yz both off-diagonal entries change by 1. The order is that of Sym3: xx xy
+/// xz yy yz zz (for Voigt order see eigen.h). Equal to the single derivatives up to rounding.
 template <class T>
 using Tangent = std::array<Sym3<T>, 6>;
 
@@ -62,13 +62,13 @@ Tangent<T> sqrt_tangent(const Sym3<T>& s);
 template <class T>
 Tangent<T> pow_tangent(const Sym3<T>& s, double p);
 
-// The same of many. Several directions at once: number i of out[k] becomes the derivative at number i of `s`
-// in the direction that is number i of directions[k]; what does not depend on the direction is computed once.
+// Batches. With several directions, number i of out[k] is the derivative at number i of `s` in the direction
+// that is number i of directions[k]; direction-independent work is done once.
 //   const SymView<const double> directions[] = {e0, e1, e2};
 //   const SymView<double> out[] = {f0, f1, f2};
 //   exp_derivative(s, directions, out, count);
-// directions.size() == out.size(). Any layout of view.h for each view; planes are fastest. out[k] may be the
-// same view as directions[k] or as `s`; else it must overlap no other view. Each answer has the bits of the
+// out.size() == directions.size(). Any layout of view.h for each view; planes are fastest. out[k] may be the
+// same view as directions[k] or as `s`, and must not overlap any other view. Each result has the bits of the
 // single call under that kernel.
 
 template <class T>

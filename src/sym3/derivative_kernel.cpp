@@ -11,9 +11,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-// A function F whose derivative is taken has
-//   Point<D>                      what all directions at one S share, one S a lane
-//   f.put_point(d, s, point)      makes that of S
+// A function F to be differentiated has
+//   Point<D>                      data shared by all directions at one S, one S per lane
+//   f.put_point(d, s, point)      computes that of S
 //   f.derivative(d, point, e)     f'(S)[E]
 
 struct ExpDerivative {
@@ -77,7 +77,7 @@ static HWY_INLINE void one_by(const F& f, const T* s, const T* direction, T* out
   store_row(d, answer, out);
 }
 
-/// Whether items [i, i + count) can be read and written in planes where they lie, in whole registers.
+/// True if items [i, i + count) can be processed in place in planes, in whole registers.
 template <class D, class T>
 static HWY_INLINE bool is_direct(D, const View<T, 6>& v, std::size_t count) {
   return v.layout == Layout::planes && count % hn::MaxLanes(D()) == 0;
@@ -91,7 +91,7 @@ static HWY_INLINE View<T, 6> planes_from(const View<T, 6>& v, std::size_t i) {
   return there;
 }
 
-/// Items [i, i + count) in planes: there, or gathered into a tile.
+/// Items [i, i + count) in planes: in place, or gathered into a tile.
 template <class D, class T>
 static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std::size_t i, std::size_t count,
                                             T* tile) {
@@ -100,8 +100,8 @@ static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std:
   return Tile<T>::template view<6, const T>(tile);
 }
 
-/// By tiles: first what the directions share of all S in a tile, then one direction after the other, read
-/// before its answers are written.
+/// Processes tiles: first the shared data of all S in a tile, then one direction after the other, each read
+/// before its results are written.
 template <class F, class T>
 static HWY_INLINE void many_by(const F& f, const View<const T, 6>& s, const View<const T, 6>* directions,
                                const View<T, 6>* out, std::size_t n, const Range& range) {
@@ -150,7 +150,7 @@ extern const DerivativeFunction<float> derivative_float;
 const DerivativeFunction<double> derivative_double = {derivative_one<double>, derivative_many<double>};
 const DerivativeFunction<float> derivative_float = {derivative_one<float>, derivative_many<float>};
 
-/// One direction after the other. Only the lanes without `done` are written.
+/// One direction after the other. Writes only lanes that are not `done`.
 template <class F, class D, class V, class M>
 static HWY_NOINLINE void tangent_by_directions(D d, const F& f, const typename F::template Point<D>& point,
                                                const M& done, V (&tangent)[36]) {
@@ -163,7 +163,7 @@ static HWY_NOINLINE void tangent_by_directions(D d, const F& f, const typename F
   }
 }
 
-/// The derivatives in the six directions in which one of the six numbers is 1 and the others are 0.
+/// The derivatives in the six directions with one number 1 and the others 0.
 struct Tangent {
   static constexpr int in = 6, out = 36, group = 1;
   static constexpr bool memory_bound = false;

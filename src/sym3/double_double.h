@@ -26,7 +26,7 @@ inline DoubleDouble halves(double a) {
   return {hi, a - hi};
 }
 
-/// a b exactly, but for over- and underflow.
+/// a b exactly, except for over- and underflow.
 inline DoubleDouble two_product(double a, double b) {
   const double product = a * b;
   const DoubleDouble x = halves(a), y = halves(b);

@@ -1,5 +1,4 @@
-// Adapter between Sym3 and Eigen's matrices, and the vector orders of mechanics. The only header that needs
-// Eigen.
+// Adapter between Sym3 and Eigen's matrices, and Voigt vectors. The only header that needs Eigen.
 #pragma once
 
 #include <Eigen/Core>
@@ -48,7 +47,8 @@ Sym3<T> from_voigt_strain(const Eigen::Matrix<T, 6, 1>& v) {
   return {v[0], v[5] / 2, v[4] / 2, v[1], v[3] / 2, v[2]};
 }
 
-/// The tangent of mechanics, symmetric but for rounding: times a strain it is the derivative of the stress.
+/// The tangent stiffness in Voigt order, symmetric up to rounding: times a strain it gives the derivative of
+/// the stress.
 template <class T>
 Eigen::Matrix<T, 6, 6> to_voigt_tangent(const Tangent<T>& t) {
   Eigen::Matrix<T, 6, 6> m;

@@ -1,5 +1,5 @@
-// exp of symmetric matrices in vector registers: the source of the kernels, and for fused loops elsewhere.
-// (No #pragma once: Highway's foreach_target includes this text again for each target.)
+// exp of symmetric matrices in vector registers: the source of the kernels, and usable in fused loops
+// elsewhere. (No #pragma once: Highway's foreach_target includes this file again for each target.)
 //
 // How to use it, in a file that Highway compiles once per target:
 //   #include "sym3/highway_targets.h"  // the instruction sets of the library's own kernels
@@ -12,15 +12,15 @@
 //   ... const auto both = lanes::exp_lanes(d, lanes::together(s, t));  // lanes::first(both), second(both)
 //   ...
 // Link viete::sym3; compile with -ffp-contract=off. Each lane has the bits of the single call sym3::exp under
-// the kernel of that target, whatever the other lanes hold. Bounds and special values: exp.h, method `fast`.
+// the kernel of that target, independent of other lanes. Bounds and special values: exp.h, method `fast`.
 //
 // Algorithm: S = (m + e) I + A with A traceless; for a polynomial f(x) = sum a_k x^k,
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
-// with p = |A|^2 / 2 and q = det A: A^3 = p A + q I (Cayley and Hamilton), and dividing f by x^3 - p x - q
-// gives the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2, where A^2 - p I = adj
-// A. No eigenvalues, no division of numbers, no case distinction: equal eigenvalues are as accurate as any
-// others. f is the minimax polynomial of exp for every p up to p_limit; larger p go there by A / 2^j, and
-// back by squaring the matrix j times.
+// with p = |A|^2 / 2 and q = det A: A^3 = p A + q I (Cayley-Hamilton), and dividing f by x^3 - p x - q gives
+// the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2, where A^2 - p I = adj A. No
+// eigenvalues, no division of numbers, no case distinction: equal eigenvalues are as accurate as any others.
+// f is the minimax polynomial of exp for every p up to p_limit; for larger p, A is scaled to A / 2^j and the
+// result squared j times.
 #if defined(VIETE_SYM3_EXP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_INL_H
 #undef VIETE_SYM3_EXP_INL_H
@@ -35,7 +35,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// S = (mean + rest) I + a, with a traceless; rest is what rounding the mean left over.
+/// S = (mean + rest) I + a, with a traceless; rest is the rounding error of the mean.
 template <class V>
 struct Split {
   V trace, mean, rest;
@@ -53,7 +53,7 @@ static HWY_INLINE Split<V> split(D d, const Six<V>& s) {
   return {trace, mean, rest, {Sub(dx, rest), s.xy, s.xz, Sub(dy, rest), s.yz, Sub(dz, rest)}};
 }
 
-/// The invariants of a traceless matrix with adjugate c: A^3 = p A + q I. (-p saves a negation.)
+/// The invariants of a traceless matrix with adjugate c: A^3 = p A + q I. (Storing -p saves a negation.)
 template <class V>
 static HWY_INLINE V minus_p(const Six<V>& c) {
   return Add(Add(c.xx, c.yy), c.zz);
@@ -63,14 +63,14 @@ static HWY_INLINE V determinant(const Six<V>& a, const Six<V>& c) {
   return sum_of_products(a.xx, c.xx, a.xy, c.xy, a.xz, c.xz);
 }
 
-/// f(A) = z0 I + z1 A + z2 adj A for the polynomial with these coefficients and a last one of 1.
+/// f(A) = z0 I + z1 A + z2 adj A for the polynomial with these coefficients and leading coefficient 1.
 template <class V>
 struct Coefficients {
   V z0, z1, z2;
 };
 
-/// With other work, beside(step, z_{k+2}), beside each step, which is from z_{k+3}, z_{k+2} and z_{k+1} to
-/// z_k: it hides the latency of this chain of dependent steps.
+/// Interleaves other work, beside(step, z_{k+2}), with each step from z_{k+3}, z_{k+2} and z_{k+1} to z_k, to
+/// hide the latency of this chain of dependent steps.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -122,7 +122,7 @@ static HWY_INLINE Two<V> add_to_exponent(D d, Two<V> x, Two<V> shifted) {
   return {add_to_exponent(d, x.a, shifted.a), add_to_exponent(d, x.b, shifted.b)};
 }
 
-/// Where the polynomial serves, and e^mean alone is in the normal range.
+/// True if the polynomial applies, and e^mean alone is in the normal range.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_quick(D d, V minus_p, V trace) {
   using C = ExpTables<hn::TFromD<D>>;
@@ -134,7 +134,7 @@ static HWY_INLINE hn::Mask<D> is_quick(D d, Two<V> minus_p, Two<V> trace) {
   return hn::And(is_quick(d, minus_p.a, trace.a), is_quick(d, minus_p.b, trace.b));
 }
 
-/// Table::lead e^(mean + rest), right where is_quick says so, in steps that go beside those of a recurrence.
+/// Table::lead e^(mean + rest), valid if is_quick, in steps to be interleaved with those of a recurrence.
 template <class Table, class D, class V>
 struct ScalarExp {
   using T = hn::TFromD<D>;
@@ -162,7 +162,7 @@ static HWY_INLINE Coefficients<V> times(const Coefficients<V>& z, V factor) {
   return {Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)};
 }
 
-/// exp(S) from its parts and the invariants of A, right where is_quick says so.
+/// exp(S) from its parts and the invariants of A, valid if is_quick.
 template <class D, class V>
 static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>& c, V minus_p, V q) {
   using C = ExpTables<hn::TFromD<D>>;
@@ -173,8 +173,8 @@ static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>&
   return combine(times(z, scalar.value()), m.a, c);
 }
 
-/// The fast path, V one register or Two: true if it served every lane, for spreads up to 4.9 (float 6.9) at
-/// any trace that leaves exp in the normal range.
+/// The fast path, V one register or Two: true if it served every lane; for spreads up to 4.9 (float 6.9) at
+/// any trace with exp in the normal range.
 template <class D, class V>
 static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   const Split<V> m = split(d, s);
@@ -185,8 +185,7 @@ static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   return true;
 }
 
-/// m e^(x + rest) for any x; over- and underflow entry by entry. Four factors, because 2^n alone may be out
-/// of range.
+/// m e^(x + rest) for any x; over- and underflow per entry. Four factors, because 2^n alone may overflow.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   using T = hn::TFromD<D>;
@@ -202,7 +201,7 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// How many halvings of A, and which factor those are, bring its p below p_limit, as far as max_squarings go.
+/// Number of halvings of A, and their factor, that bring its p below p_limit, limited to max_squarings.
 template <class V>
 struct Halvings {
   V p, scale, count;
@@ -224,13 +223,13 @@ static HWY_INLINE Halvings<V> halvings_of(D d, V minus_p) {
   return h;
 }
 
-/// Any input. Lane by lane exp(A) = exp(A / 2^j)^(2^j) with the least j that brings p, which goes with the
-/// square of A, below p_limit. The matrix is squared j times and not the three coefficients: those know the
-/// spectrum by p and q alone, and a rounding of q moves a close pair of large eigenvalues, an error of u
-/// times the square of the spread; that of the matrix grows by u with each unit of the spread. e^mean comes
-/// last, for any mean. Lanes that need no squaring take the steps of exp_quick, so that an answer does not
-/// depend on the lanes beside it. What is left goes through Jacobi one by one: more than max_squarings,
-/// overflow, NaN and infinities, and diagonal matrices, each entry of which is then accurate by itself.
+/// Any input. Per lane exp(A) = exp(A / 2^j)^(2^j) with the least j that brings p, which scales with the
+/// square of A, below p_limit. Squares the matrix j times instead of the three coefficients: these depend on
+/// the spectrum only through p and q, and a rounding error of q moves a close pair of large eigenvalues, an
+/// error of u times the square of the spread; that of the matrix grows by u per unit of the spread. e^mean is
+/// applied last, for any mean. Lanes without squaring take the steps of exp_quick, so that results do not
+/// depend on neighbouring lanes. Remaining cases use Jacobi one by one: more than max_squarings, overflow,
+/// NaN and infinities, and diagonal matrices, whose entries are then accurate individually.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;
@@ -259,16 +258,16 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   return {to[0], to[1], to[2], to[3], to[4], to[5]};
 }
 
-/// exp of one matrix a lane. T = float or double; any number of lanes.
+/// exp of one matrix per lane. T = float or double; any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_lanes(D d, const Six<V>& s) {
   Six<V> e;
   if (HWY_LIKELY(exp_quick(d, s, e))) return e;
-  const Six<V> matrix = s;  // a copy: what is passed by reference lives in memory, on the quick way too
+  const Six<V> matrix = s;  // a copy: arguments by reference would live in memory, even on the quick path
   return exp_general(d, matrix);
 }
 
-/// The same for two registers at a time, which is faster than one after the other.
+/// The same for two registers at once, faster than sequentially.
 template <class D, class V>
 static HWY_INLINE Six<Two<V>> exp_lanes(D d, const Six<Two<V>>& s) {
   Six<Two<V>> e;

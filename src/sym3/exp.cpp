@@ -15,7 +15,7 @@ constexpr MethodEntry table[] = {
     {Method::sd, "sd", "SD", "Spectral form with eigenvalues by QR."},
     {Method::improved_sd, "improved_sd", "Improved SD",
      "Spectral form, eigenvalues by Viete's formula: the paper's method."},
-    {Method::improved_sd_faithful, "improved_sd_faithful", "ISD as printed",
+    {Method::improved_sd_faithful, "improved_sd_faithful", "ISD unguarded",
      "The paper's method without guards: NaN for matrices with a double eigenvalue."},
     {Method::fast, "fast", "Fast", "A recurrence in two invariants, without eigenvalues."},
 };
@@ -31,7 +31,7 @@ Sym3<T> exp_fast(const Sym3<T>& s) {
   return out;
 }
 
-/// What computes one matrix.
+/// The function of a method for one matrix.
 template <class T>
 auto one_by(Method method) -> Sym3<T> (*)(const Sym3<T>&) {
   switch (method) {

@@ -1,25 +1,25 @@
-// The derivative of exp in vector registers: the source of the kernels, and for fused loops elsewhere.
-// (No #pragma once: Highway's foreach_target includes this text again for each target.)
+// The derivative of exp in vector registers: the source of the kernels, and usable in fused loops elsewhere.
+// (No #pragma once: Highway's foreach_target includes this file again for each target.)
 //
-// How to use it: as exp-inl.h, with
+// Usage: as exp-inl.h, with
 //   ... const auto at = lanes::exp_point(d, s);                      // once for each S
 //   ... const lanes::Six<V> f = lanes::exp_value(d, at);             // exp(S), if that is needed, too
 //   ... const lanes::Six<V> df = lanes::exp_derivative(d, at, e);    // for each direction E at S
-// (A point is initialised so, or made in place by put_exp_point, in an array; it cannot be assigned.)
-// Each lane has the bits of the single call sym3::exp_derivative under the kernel of that target, whatever
-// the other lanes hold. Bounds and special values: derivative.h. exp_value has the bounds of sym3::exp, not
-// its bits: its polynomial is another one.
+// (Initialise a point as above, or in an array in place by put_exp_point; points cannot be assigned.) Each
+// lane has the bits of the single call sym3::exp_derivative under the kernel of that target, independent of
+// other lanes. Bounds and special values: derivative.h. exp_value has the bounds of sym3::exp, but not its
+// bits: it uses another polynomial.
 //
 // Algorithm: that of exp-inl.h, differentiated. With t = tr E / 3, E - t I traceless and C = adj A,
 //   dp = <A, E>,   dq = <C, E> + t p,   dC = adj'(A)[E] + t A,
 //   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S),
-// where adj'(A)[E] is bilinear. The coefficients z_k are sums of a_{n+k} h_n over n, and h_n those of the
-// power series 1 / (1 - p x^2 - q x^3), whose derivatives by p and by q are x^2 and x^3 over the square of
-// that: so dz_k = u_k dp + u_{k+1} dq with one more recurrence, the same for every direction,
+// where adj'(A)[E] is bilinear. The coefficients z_k are sums of a_{n+k} h_n over n, with h_n those of the
+// power series 1 / (1 - p x^2 - q x^3), whose derivatives by p and q are x^2 and x^3 over its square: so dz_k
+// = u_k dp + u_{k+1} dq with one more recurrence, the same for every direction,
 //   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}.
-// No eigenvalues, no division of numbers, no case distinction: exact at equal eigenvalues. The polynomial is
-// one whose derivative is close to exp; a minimax polynomial's is not, at the ends of its range. Squaring:
-// f' <- f f' + f' f, f <- f f.
+// No eigenvalues, no division of numbers, no case distinction: exact at equal eigenvalues. The polynomial has
+// a derivative close to exp; that of a minimax polynomial is not, at the ends of its range. Squaring: f' <- f
+// f' + f' f, f <- f f.
 #if defined(VIETE_SYM3_EXP_DERIVATIVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_DERIVATIVE_INL_H
 #undef VIETE_SYM3_EXP_DERIVATIVE_INL_H
@@ -34,20 +34,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// exp(S) = z0 I + z1 A + z2 C, with u_k = dz_k / dp, u_{k+1} = dz_k / dq; and what follows of them.
+/// exp(S) = z0 I + z1 A + z2 C, with u_k = dz_k / dp, u_{k+1} = dz_k / dq, and derived values.
 template <class V>
 struct ExpParts {
   Six<V> a, c;
   V minus_p;
   Coefficients<V> z;
   V u0, u1, u2, u3;
-  V t0, t1;                        ///< what t brings to the coefficients: z0 - z1, z1 + z2; the third is z2
+  V t0, t1;                        ///< coefficients of t: z0 - z1, z1 + z2; the third is z2
   Six<V> w;                        ///< z2 A
   V beside_x, beside_y, beside_z;  ///< z1 - w.xx and so on
 };
 
-/// From A = `a`, times a factor that is made beside the recurrence: scalar.step(k) in its steps, then
-/// scalar.value(). (Into a place and not returned: what would copy it is the compiler's, for no target.)
+/// From A = `a`, times a factor that is computed interleaved with the recurrence: scalar.step(k) in its
+/// steps, then scalar.value(). (Writes in place: a returned copy would be compiled for no specific target.)
 template <class D, class V, class Scalar>
 static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpParts<V>& parts) {
   using C = ExpDerivativeTables<hn::TFromD<D>>;
@@ -81,7 +81,7 @@ static HWY_INLINE Coefficients<V> coefficient_slopes(const ExpParts<V>& m, V t, 
           sum_of_products(m.u2, dp, m.u3, dq, m.z.z2, t)};
 }
 
-/// exp'(S)[E] where the parts are right.
+/// exp'(S)[E], valid where the parts are.
 template <class D, class V>
 static HWY_INLINE Six<V> exp_slope(D d, const ExpParts<V>& m, const Six<V>& e) {
   const Six<V>&a = m.a, &c = m.c, &w = m.w;
@@ -103,7 +103,7 @@ static HWY_INLINE Six<V> exp_slope(D d, const ExpParts<V>& m, const Six<V>& e) {
   };
 }
 
-/// exp_slope in the six directions in which one number is 1 and the others are 0.
+/// exp_slope in the six directions with one number 1 and the others 0.
 template <class D, class V>
 static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]) {
   const Six<V>&a = m.a, &c = m.c, &w = m.w;
@@ -136,16 +136,16 @@ static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]
   add(f[5].xx, w.yy), subtract(f[5].xy, w.xy), add(f[5].yy, w.xx), add(f[5].zz, z1);
 }
 
-/// One S a lane with what all its directions share.
+/// One S per lane with the data that all its directions share.
 template <class D, class V = hn::Vec<D>>
 struct ExpPoint {
   Six<V> s;
-  hn::Mask<D> ok;        ///< where `parts` are those of S
-  ExpParts<V> parts;     ///< elsewhere those of A times halvings.scale
+  hn::Mask<D> ok;        ///< lanes in which `parts` are those of S
+  ExpParts<V> parts;     ///< in other lanes those of A times halvings.scale
   Halvings<V> halvings;  ///< none where `ok`
 };
 
-/// In place of ScalarExp, where not every lane is `ok`.
+/// Replaces ScalarExp if not every lane is `ok`.
 template <class Table, class D, class V>
 struct ScalarExpOrLead {
   ScalarExp<Table, D, V> scalar;
@@ -202,7 +202,7 @@ static HWY_INLINE Six<V> twice_symmetric_product(const Six<V>& f, const Six<V>& 
           Add(zz, zz)};
 }
 
-/// Any S and any E, as exp_general, of which it is the derivative.
+/// Any S and any E; the derivative of exp_general.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_derivative_general(D d, const ExpPoint<D>& point, const Six<V>& e) {
   using T = hn::TFromD<D>;
@@ -227,14 +227,14 @@ static HWY_NOINLINE Six<V> exp_derivative_general(D d, const ExpPoint<D>& point,
   return {to[0], to[1], to[2], to[3], to[4], to[5]};
 }
 
-/// exp'(S)[E], one S and one E a lane.
+/// exp'(S)[E], one S and one E per lane.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_derivative(D d, const ExpPoint<D>& point, const Six<V>& e) {
   if (HWY_LIKELY(hn::AllTrue(d, point.ok))) {
     const Six<V> quick = exp_slope(d, point.parts, e);
     if (HWY_LIKELY(hn::AllTrue(d, is_finite(d, quick)))) return quick;
   }
-  const Six<V> direction = e;  // a copy: what is passed by reference lives in memory
+  const Six<V> direction = e;  // a copy: arguments by reference live in memory
   return exp_derivative_general(d, point, direction);
 }
 

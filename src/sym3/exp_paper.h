@@ -10,7 +10,7 @@
 
 namespace viete::sym3 {
 
-/// det(x I - S) = (x - shift)^3 + p (x - shift) + q, p <= 0 but for rounding.
+/// det(x I - S) = (x - shift)^3 + p (x - shift) + q, p <= 0 up to rounding.
 template <class T>
 struct DepressedCubic {
   T p, q, shift;
@@ -36,15 +36,15 @@ std::array<T, 3> viete_cosines(T t, T k, T shift) {
           t * std::cos(angle + 2 * third_turn) + shift};
 }
 
-/// r = sqrt(-12 p), k = -108 q / r^3 (the appendix misprints it as -4 q / p^3), t = r / 3. NaN where rounding
-/// makes p positive, |k| > 1 or r = 0.
+/// r = sqrt(-12 p), k = -108 q / r^3 (the appendix misprints it as -4 q / p^3), t = r / 3. NaN if rounding
+/// makes p positive or |k| > 1, or if r = 0.
 template <class T>
 std::array<T, 3> viete_roots_as_printed(const DepressedCubic<T>& f) {
   const T r = std::sqrt(-12 * f.p);
   return viete_cosines(r / 3, -108 * f.q / (r * r * r), f.shift);
 }
 
-/// The same, with k clamped to [-1, 1], and a triple root where r^3 is not above zero.
+/// The same, with k clamped to [-1, 1], and a triple root unless r^3 is positive.
 template <class T>
 std::array<T, 3> viete_roots(const DepressedCubic<T>& f) {
   const T r = std::sqrt(std::max(-12 * f.p, T(0)));
@@ -53,7 +53,7 @@ std::array<T, 3> viete_roots(const DepressedCubic<T>& f) {
   return viete_cosines(r / 3, std::clamp(-108 * f.q / r3, T(-1), T(1)), f.shift);
 }
 
-/// How many of them the paper's threshold of section 2.2 tells apart, 1 to 3. NaN counts as distinct.
+/// Number of eigenvalues that the paper's threshold of section 2.2 separates, 1 to 3. NaN counts as distinct.
 template <class T>
 int distinct_eigenvalues(const std::array<T, 3>& eigenvalues);
 
@@ -66,7 +66,7 @@ Sym3<T> exp_sd(const Sym3<T>& s);
 template <class T>
 Sym3<T> exp_improved_sd(const Sym3<T>& s);
 
-/// Without any guard: NaN where the printed formula gives NaN.
+/// Unguarded: NaN whenever the printed formula gives NaN.
 template <class T>
 Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s);
 

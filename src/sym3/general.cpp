@@ -17,8 +17,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi, u = 0x1p-53;
 constexpr double flattest = 1e-12;               // stretch over the largest one
-constexpr double kept_up_to = 2, left_from = 4;  // times |X| + |Y|
-constexpr double least_clear = 1e-7;             // there X + Y is log M but for so much
+constexpr double kept_up_to = 2, left_from = 4;  // in multiples of |X| + |Y|
+constexpr double least_clear = 1e-7;             // below it X + Y replaces log M, with an error of this size
 constexpr double squared_to =
     100;  // size of a log: a squaring costs up to two digits where the condition has one
 
@@ -49,7 +49,7 @@ Deviator deviator(Mat3<double> m, double base) {
   return {base, above, m, p, determinant(m)};
 }
 
-// a I + b D + c D^2, which every power series of D is.
+// a I + b D + c D^2, the form of every power series of D.
 struct InPowers {
   double a, b, c;
 };
@@ -88,8 +88,8 @@ constexpr auto log_terms = [] {
   return terms;
 }();
 
-// Of the roots of x^3 = p x + q the real one that is largest in size, by Newton's steps from above. No other
-// one is near it, unless all are near 0.
+// The real root of x^3 = p x + q that is largest in size, by Newton's method from above. It is well
+// separated, unless all roots are near 0.
 double largest_root(double p, double q) {
   const double size = std::abs(q);
   double x = std::cbrt(size) + std::sqrt(std::max(p, 0.0));
@@ -107,13 +107,13 @@ double angle_of(const Mat3<double>& l) {
 
 namespace {
 
-// Eigenvalues that are within some 13 % of each other: a series of M / mean - I serves, whatever its norm.
+// Eigenvalues within some 13 % of each other: a series of M / mean - I converges for any norm.
 bool close_together(const Deviator& v) {
   const double m = v.mean();
   return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;
 }
 
-// About a power of two, which costs no digit of what M differs from it by.
+// Expands about a power of two, so that the difference of M from it is exact.
 Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   int exponent;
   if (std::frexp(mean, &exponent) < std::numbers::sqrt2 / 2) --exponent;
@@ -125,12 +125,12 @@ Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   return l;
 }
 
-// M = A T A, A symmetric and orthogonal, t[3] = t[6] = 0: an eigenvalue by itself, and a block of two.
+// M = A T A, A symmetric and orthogonal, t[3] = t[6] = 0: one eigenvalue, and a 2x2 block.
 struct Deflated {
   Mat3<double> axes, t;
 };
 
-// I - 2 n n^T with its first column along v.
+// The reflection I - 2 n n^T whose first column is along v.
 Mat3<double> reflection(const Vec3<double>& v) {
   const double length = norm(v);
   const Vec3<double> n{v[0] + std::copysign(length, v[0]), v[1], v[2]};
@@ -141,7 +141,7 @@ Mat3<double> reflection(const Vec3<double>& v) {
   return m;
 }
 
-// What M - value takes to next to nothing: across two of its rows.
+// The approximate null vector of M - value: the cross product of two of its rows.
 Vec3<double> eigenvector(Mat3<double> m, double value) {
   add_to_diagonal(m, -value);
   const Vec3<double> rows[] = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
@@ -154,8 +154,8 @@ Vec3<double> eigenvector(Mat3<double> m, double value) {
   return longest;
 }
 
-// Newton's steps for the first axis, until what is left below the eigenvalue is rounding. `value`: about an
-// eigenvalue that no other one is near to. Nothing where they lead nowhere.
+// Newton's method for the first axis, until the residual below the eigenvalue is rounding. `value`:
+// approximately an eigenvalue that is well separated. Nothing if the steps do not converge.
 std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
   constexpr int most_steps = 8;
   const double rounding = 32 * u * norm(m), surely = rounding / 8;
@@ -167,7 +167,7 @@ std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
     d.t = product(d.axes, product(m, d.axes));
     const Mat3<double>& t = d.t;
     const double left = std::hypot(t[3], t[6]);
-    if (!(left < least)) break;  // of what is rounding, steps may find more
+    if (!(left < least)) break;  // stops when steps no longer reduce the residual
     const bool ends = left <= rounding && left > least / 2;
     least = left, best = d;
     if (ends) break;
@@ -179,7 +179,7 @@ std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
   return best;
 }
 
-// Eigenvalues of the block: middle +- sqrt(disc), of product det.
+// Eigenvalues of the block: middle +- sqrt(disc), with product det.
 struct Pair {
   double middle, disc, det;
 
@@ -193,17 +193,17 @@ struct Pair {
   bool turns() const { return disc < 0; }
   bool positive() const { return turns() || (middle > 0 && det > 0); }
   double angle() const { return turns() ? std::atan2(std::sqrt(-disc), middle) : 0; }
-  // By |sin| of the angle, which is how many digits are left of the plane that it turns in.
+  // |sin| of the angle limits the accuracy of the rotation plane.
   bool clear() const { return -disc >= least_clear * least_clear * det; }
 };
 
-// A function of T: `single` at the eigenvalue by itself, mean + slope (B - middle) of the block B, and
+// A function of T: `single` at the separate eigenvalue, mean + slope (B - middle) of the block B, and
 // difference = single - mean.
 struct Values {
   double single, mean, slope, difference;
 };
 
-// (log s - log t) / (s - t) of the pair.
+// (log s - log t) / (s - t) for the pair.
 double log_slope(const Pair& pair) {
   if (pair.turns()) return pair.angle() / std::sqrt(-pair.disc);
   const double d = std::sqrt(pair.disc), part = d / pair.middle;
@@ -211,7 +211,7 @@ double log_slope(const Pair& pair) {
   return d > 0 ? std::atanh(part) / d : 1 / pair.middle;
 }
 
-// In the axes of M. Newton's form: mean + slope (T - middle) + curve ((T - middle)^2 - disc).
+// In the basis of M. Newton's form: mean + slope (T - middle) + curve ((T - middle)^2 - disc).
 Mat3<double> value_of(const Values& f, const Deflated& d, const Pair& pair) {
   const Mat3<double>& t = d.t;
   const double way = t[0] - pair.middle, curve = (f.difference - f.slope * way) / (way * way - pair.disc);
@@ -249,7 +249,7 @@ Mat3<double> exp_of_apart(const Deflated& d, const Pair& pair) {
   return value_of({single, mean, slope, single - mean}, d, pair);
 }
 
-// By eigenvalues, of which one is far from the others.
+// By eigenvalues, one of which is well separated.
 std::optional<Mat3<double>> exp_of_apart(const Mat3<double>& l, const Deviator& v) {
   const auto d = deflated(l, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
@@ -276,21 +276,21 @@ Mat3<double> exp_general(const Mat3<double>& l) {
 
 namespace {
 
-// J, which commutes with M and turns the plane of the pair by a quarter: adds whole turns.
+// J, which commutes with M and rotates the plane of the pair by 90 degrees; used to add whole turns.
 Mat3<double> quarter_turn(const Deflated& d, const Pair& pair) {
   return value_of({0, 0, 1 / std::sqrt(-pair.disc), 0}, d, pair);
 }
 
-// How many whole turns the branch of Y has made more.
+// Number of whole turns that Y has beyond the principal branch.
 double whole_turns(const Mat3<double>& j, double angle, const Vec3<double>& turn) {
   const Vec3<double> axis{j[7] - j[5], j[2] - j[6], j[3] - j[1]};
   return std::round((dot(axis, turn) / norm(axis) - angle) / (2 * pi));
 }
 
-// The branch nearest to a turn; of no turn the principal one. Nothing where there is none, and where rounding
-// alone would decide which.
+// The branch nearest to a rotation; for none the principal one. Nothing if there is no logarithm, or if
+// rounding would decide the branch.
 std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<double>& turn) {
-  constexpr double close_angle = 0.2;  // more than eigenvalues that are close together have
+  constexpr double close_angle = 0.2;  // larger than for eigenvalues that are close together
   const Deviator v = deviator(m, 0);
   const bool close = close_together(v);
   const double turned = norm(turn);
@@ -298,7 +298,7 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   const auto d = deflated(m, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
   const Pair pair(d->t);
-  const bool other = turned + pair.angle() > pi;  // maybe another branch
+  const bool other = turned + pair.angle() > pi;  // possibly another branch
   if (!(d->t[0] > 0) || !pair.positive()) return std::nullopt;
   if ((other || (pair.turns() && pair.middle < 0)) && !pair.clear()) return std::nullopt;
   const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);
@@ -311,13 +311,13 @@ bool is_zero(const Mat3<double>& m) {
   return m == Mat3<double>{};
 }
 
-// Powers of its entries stay in range; shift: what to add to the log.
+// M scaled so that powers of its entries stay in range; shift: to be added to the log.
 struct InRange {
   Mat3<double> m;
   double shift;
 };
 
-// NaN where an entry is not finite. 0 counts as I times the smallest number.
+// NaN if an entry is not finite. 0 counts as I times the smallest number.
 InRange in_range(const Mat3<double>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::abs(x) + 0 * x);
@@ -339,7 +339,7 @@ std::optional<Mat3<double>> log_in_range(const Mat3<double>& m, const Vec3<doubl
   return l;
 }
 
-// 0 up to 0, 1 from 1 on, with a continuous slope.
+// 0 below 0, 1 above 1, with a continuous slope.
 double smooth_step(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -349,7 +349,7 @@ Mat3<double> sum_of(const PolarLog& parts) {
   return plus(full(parts.stretch), 1, cross_matrix(parts.turn));
 }
 
-// But for rounding: X + Y is log M.
+// True if X + Y is log M up to rounding.
 bool commute(const PolarLog& parts) {
   const Mat3<double> x = full(parts.stretch), y = cross_matrix(parts.turn);
   return norm(plus(product(x, y), -1, product(y, x))) <= 8 * u * norm(parts.turn) * (1 + norm(x));
@@ -357,7 +357,7 @@ bool commute(const PolarLog& parts) {
 
 struct Split {
   PolarLog parts;
-  bool whole;  // M = exp(Y) exp(X): nothing was raised, nor its sign left out
+  bool whole;  // M = exp(Y) exp(X): no stretch was raised or changed its sign
 };
 
 Sym3<double> log_of_sizes(const Sym3<double>& stretch) {
@@ -371,7 +371,7 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   const InRange r = in_range(m);
   const Polar<double> p = polar(r.m);
   const Vec3<double> turn = log_rotation(p.rotation);
-  // To 0 half turns either way are equally near: that of the rotation stays.
+  // For a reference of 0 both half turns are equally near: keeps that of the rotation.
   Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);
@@ -388,12 +388,12 @@ bool is_sum(const Split& s) {
 
 }  // namespace
 
-// |(angle + 2 pi k) n - reference|^2 with v = angle n is a parabola in k with its least value at
-// k = (n . reference - angle) / 2 pi: the nearest whole number is the branch. Near a whole turn v is nearly 0
-// and its direction rounding, so that a long reference gives the axis.
+// |(angle + 2 pi k) n - reference|^2 with v = angle n is a parabola in k with its minimum at k = (n .
+// reference - angle) / 2 pi: the nearest integer is the branch. Near a whole turn v is nearly 0 and its
+// direction is rounding, so a long reference defines the axis.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
-  // What v may have across a reference, in radians, by rounding alone: about a hundred units in the last
-  // place of a whole turn.
+  // Component of v across a reference, in radians, that may be rounding alone: about a hundred units in the
+  // last place of a whole turn.
   constexpr double along_reference = 1e-13;
   const double angle = norm(v);
   if (dot(reference, reference) > pi * pi) {
@@ -416,13 +416,13 @@ PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near) {
 
 namespace {
 
-// The logarithm if there is one, else X + Y.
+// The logarithm if it exists, else X + Y.
 struct Answer {
   Mat3<double> log;
   bool is_log;
 };
 
-// Logs that are so short are of maps that turn by less than 122 degrees and are not flat.
+// Logs this short belong to maps that rotate by less than 122 degrees and are not flat.
 Answer principal_log(const Mat3<double>& m) {
   constexpr double is_short = 3;
   const bool symmetric = m[1] == m[3] && m[2] == m[6] && m[5] == m[7];

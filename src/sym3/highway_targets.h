@@ -1,8 +1,8 @@
-// Which instruction sets the kernels are compiled for; before any header of Highway. Internal.
+// Selects the instruction sets of the kernels; include before any header of Highway. Internal.
 #pragma once
 
-// "scalar" is the fallback with every compiler, as in GCC 12, and newer variants of AVX-512 bring nothing
-// here. Vectors without a fixed size (SVE, RISC-V) cannot be members of a struct.
+// "scalar" is the fallback with every compiler, as in GCC 12; newer variants of AVX-512 do not help here.
+// Vectors without a fixed size (SVE, RISC-V) cannot be members of a struct.
 #define HWY_BROKEN_EMU128 1
 #include <hwy/detect_targets.h>
 
@@ -21,7 +21,7 @@
 #else
 #define VIETE_HWY_SSE2 0
 #endif
-// What the build leaves out besides (VIETE_KERNELS).
+// Instruction sets that the build excludes (VIETE_KERNELS).
 #ifndef VIETE_KERNELS_LEFT_OUT
 #define VIETE_KERNELS_LEFT_OUT 0
 #endif

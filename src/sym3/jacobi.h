@@ -1,4 +1,4 @@
-// Eigenvalues and eigenvectors by Jacobi rotations: where eigenvectors are needed and speed is not. Internal.
+// Eigenvalues and eigenvectors by Jacobi rotations, for code that is not time-critical. Internal.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace viete::sym3 {
 
-/// values[k] belongs to the unit vector (vectors[0][k], vectors[1][k], vectors[2][k]); in no order.
+/// values[k] belongs to the unit vector (vectors[0][k], vectors[1][k], vectors[2][k]); not sorted.
 template <class Real>
 struct Eigen3 {
   std::array<Real, 3> values;
@@ -98,7 +98,7 @@ Eigen3<Real> eigen_by_jacobi(const Sym3<double>& s) {
   return {{a[0][0], a[1][1], a[2][2]}, v};
 }
 
-/// V f(values) V^T. Terms that are zero do not count: an overflow stays in its own block of the matrix.
+/// V f(values) V^T. Zero terms are skipped: an overflow stays in its own block of the matrix.
 template <class F, class Real>
 Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
   const double f[3] = {at(e.values[0]), at(e.values[1]), at(e.values[2])};

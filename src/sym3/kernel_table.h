@@ -1,4 +1,4 @@
-// The functions that every instruction set compiles. Internal; no inline functions here (fallback.h).
+// The functions compiled for every instruction set. Internal; no inline functions here (fallback.h).
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct Function {
   void (*many)(const View<const T, N>& in, const View<T, M>& out, More... more, const Range& range);
 };
 
-/// Rotations and stretches. `one` writes nine numbers and six behind them.
+/// Rotations and stretches. `one` writes nine numbers, then six.
 template <class T>
 struct PolarFunction {
   void (*one)(const T* in, T* out);
@@ -32,7 +32,7 @@ struct PolarFunction {
 };
 
 /// One matrix and one direction, six numbers each, to six. Many matrices: n views of directions, and n of
-/// answers. p: the exponent of pow.
+/// results. p: the exponent of pow.
 template <class T>
 struct DerivativeFunction {
   void (*one)(const T* s, const T* direction, T* out, Of f, double p);

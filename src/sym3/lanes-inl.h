@@ -1,5 +1,5 @@
-// Matrices in vector registers: one lane a matrix, one register an entry. Included once per instruction set.
-// (No #pragma once: Highway's foreach_target includes this text again for each target.)
+// Matrices in vector registers: one matrix per lane, one register per entry. Included once per instruction
+// set. (No #pragma once: Highway's foreach_target includes this file again for each target.)
 #if defined(VIETE_SYM3_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_LANES_INL_H
 #undef VIETE_SYM3_LANES_INL_H
@@ -14,7 +14,7 @@ namespace viete::sym3::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Symmetric matrices, one a lane. Copied entry by entry, because GCC would copy the whole through memory.
+/// Symmetric matrices, one per lane. Copied entry by entry, because GCC would copy the whole through memory.
 template <class V>
 struct Six {
   V xx, xy, xz, yy, yz, zz;
@@ -28,21 +28,20 @@ struct Six {
   }
 };
 
-/// Vectors of three, one a lane.
+/// Vectors of three, one per lane.
 template <class V>
 struct Three {
   V x, y, z;
 };
 
-/// General matrices, one a lane, entries by rows.
+/// General matrices, one per lane, entries by rows.
 template <class V>
 struct Nine {
   V xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
 
-/// Two registers that go through the same steps in turn, written as one: their chains of dependent operations
-/// hide each other's latencies. Arithmetic on V and on Two<V> alike is called without hn::, which
-/// argument-dependent lookup finds.
+/// Two registers processed in turn, written as one: their dependency chains hide each other's latencies.
+/// Arithmetic on V and on Two<V> is called without hn::, found by argument-dependent lookup.
 template <class V>
 struct Two {
   V a, b;
@@ -97,7 +96,7 @@ static HWY_INLINE Six<V> times(const Six<V>& m, V s) {
           hn::Mul(m.yy, s), hn::Mul(m.yz, s), hn::Mul(m.zz, s)};
 }
 
-/// Lane by lane: `yes` where the mask is set, else `no`.
+/// Per lane: `yes` if the mask is set, else `no`.
 template <class M, class V>
 static HWY_INLINE Six<V> select(M mask, const Six<V>& yes, const Six<V>& no) {
   return {hn::IfThenElse(mask, yes.xx, no.xx), hn::IfThenElse(mask, yes.xy, no.xy),
@@ -146,7 +145,7 @@ static HWY_INLINE Six<V> adjugate(const Six<V>& a) {
           difference_of_products(a.xy, a.xz, a.xx, a.yz), difference_of_products(a.xx, a.yy, a.xy, a.xy)};
 }
 
-/// Set where every entry is finite.
+/// True in lanes with only finite entries.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_finite(D d, const Six<V>& m) {
   const V zero = hn::Zero(d);
@@ -161,7 +160,7 @@ static HWY_INLINE hn::Mask<D> is_diagonal(D d, const Six<V>& m) {
   return hn::And(hn::Eq(m.xy, zero), hn::And(hn::Eq(m.xz, zero), hn::Eq(m.yz, zero)));
 }
 
-/// c_0 + c_1 x + ... times scale, where the products c_k scale are the compiler's.
+/// (c_0 + c_1 x + ...) times scale; the products c_k scale are constants.
 template <class D, class T, std::size_t N, class V>
 static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   V sum = hn::Set(d, c[N - 1] * scale);
@@ -170,8 +169,8 @@ static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   return sum;
 }
 
-/// The lanes of the mask one by one: one(from, to) with the N numbers of a lane of `in` and room for the M of
-/// `out`. Others are left as they are.
+/// Calls one(from, to) for each lane of the mask, with the N numbers of the lane of `in` and space for the M
+/// of `out`. Leaves other lanes unchanged.
 template <class D, class V, int N, int M, class One>
 static HWY_NOINLINE void replace_lanes(D d, hn::Mask<D> mask, const V (&in)[N], V (&out)[M], One one) {
   using T = hn::TFromD<D>;

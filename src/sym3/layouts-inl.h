@@ -1,5 +1,5 @@
-// From the layouts of view.h to registers and back. Included once per instruction set. Internal.
-// (No #pragma once: Highway's foreach_target includes this text again for each target.)
+// Conversion between the layouts of view.h and registers. Included once per instruction set. Internal. (No
+// #pragma once: Highway's foreach_target includes this file again for each target.)
 #if defined(VIETE_SYM3_LAYOUTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_LAYOUTS_INL_H
 #undef VIETE_SYM3_LAYOUTS_INL_H
@@ -25,9 +25,8 @@ static HWY_INLINE void put(D d, V v, T* p) {
   }
 }
 
-/// How a register's worth of items, the i-th and those after it, comes from a view and goes to one: entry k
-/// in e[k]; i is a multiple of the lanes. prefetch asks for `bytes` bytes an entry that are read a little
-/// later.
+/// Load and store of a register of items, the i-th and later ones, for a view: entry k in e[k]; i must be a
+/// multiple of the lanes. prefetch() requests the data that is `bytes` bytes per entry ahead.
 struct InPlanes {
   template <class D, class T, int N, class V>
   static HWY_INLINE void load(D d, const View<const T, N>& v, std::size_t i, V (&e)[N]) {
@@ -40,7 +39,7 @@ struct InPlanes {
     for (int k = 0; k < N; ++k) put<streaming>(d, e[k], v.plane[k] + i);
   }
   template <class T>
-  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // done by processors
+  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // done by hardware
 };
 
 static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
@@ -72,7 +71,7 @@ struct InBlocks {
   }
 };
 
-/// Two matrices' entries 0 and 3, alternating in a register, from and to one register for each entry.
+/// Entries 0 and 3 of two matrices, alternating in a register, from and to one register per entry.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]] V& b) {
 #if HWY_TARGET != HWY_SCALAR
@@ -81,7 +80,7 @@ static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]
 #endif
 }
 
-/// `count` registers from where they were just put together, past the caches.
+/// Non-temporal stores of `count` registers from a buffer.
 template <class D, class T>
 static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
   const std::size_t lanes = hn::Lanes(d);
@@ -143,7 +142,7 @@ static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
   }
 }
 
-/// Where the entries of Sym3 are among all nine, and where those nine are among the entries.
+/// The positions of Sym3's entries among all nine, and of the nine entries among those.
 inline constexpr int entry_in_nine[6] = {0, 1, 2, 4, 5, 8};
 inline constexpr int nine_of_entries[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
@@ -169,7 +168,7 @@ struct InFull {
   }
 };
 
-/// One number from an item of a view to a row, or back.
+/// Copies one number from an item of a view to a row, or back.
 template <class T>
 struct ToRow {
   static HWY_INLINE void move(const T* item, T* row) { *row = *item; }
@@ -179,7 +178,7 @@ struct FromRow {
   static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
 };
 
-/// Items [i, i + count) one by one between a view and rows of `stride` numbers.
+/// Copies items [i, i + count) one by one between a view and rows of `stride` numbers.
 template <class Direction, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {
@@ -208,13 +207,13 @@ static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t 
   }
 }
 
-/// Whether items of a view are nine numbers in a row.
+/// True if items of a view are contiguous rows of nine numbers.
 template <class T, int N>
 static HWY_INLINE bool is_nine(const View<T, N>& v) {
   return v.layout == Layout::full || (N == 9 && v.layout == Layout::packed);
 }
 
-/// Items [i, i + count) to rows of `stride` numbers.
+/// Copies items [i, i + count) to rows of `stride` numbers.
 template <class D, class T, int N>
 static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, std::size_t count, T* rows,
                                 std::size_t stride) {
@@ -230,7 +229,7 @@ static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, s
   transfer<ToRow<T>>(v, i + j, count - j, rows + j, stride);
 }
 
-/// And back.
+/// Copies them back.
 template <class D, class T, int N>
 static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::size_t count,
                                  const View<T, N>& v, std::size_t i) {

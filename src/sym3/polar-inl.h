@@ -1,10 +1,10 @@
 // The nearest rotation of general matrices, in registers. Included once per instruction set. (No #pragma
-// once: Highway's foreach_target includes this text again for each target.) Internal.
+// once: Highway's foreach_target includes this file again for each target.) Internal.
 //
 // M = R U with R a rotation: tr U is the largest root of x^4 - 2 N x^2 - 8 det(M) x + N^2 - 4 Q, N and Q the
-// squared norms of M and of its cofactors; R = (x M + cof M)(M^T M + y I)^-1, y = (x^2 - N) / 2. An error of
-// x or of the inverse's scale stretches R along the axes of U, and one step R (3 I - R^T R) / 2 towards
-// orthogonality takes it out.
+// squared norms of M and of its cofactors; R = (x M + cof M)(M^T M + y I)^-1, y = (x^2 - N) / 2. Errors of x
+// or of the inverse's scale stretch R along the axes of U; one step R (3 I - R^T R) / 2 towards orthogonality
+// removes them.
 #if defined(VIETE_SYM3_POLAR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_POLAR_INL_H
 #undef VIETE_SYM3_POLAR_INL_H
@@ -66,8 +66,8 @@ static HWY_INLINE V squared_norm(const Nine<V>& m) {
                  sum_of_products(m.zx, m.zx, m.zy, m.zy, m.zz, m.zz));
 }
 
-/// The largest root by Newton's method from above. For G registers at a time: divisions in a row hide each
-/// other.
+/// The largest root by Newton's method from above, for G registers at a time, to hide the latency of
+/// divisions.
 template <int G, class D, class V>
 static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G], const V (&q)[G],
                                          V (&x)[G]) {
@@ -92,7 +92,7 @@ static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G]
   }
 }
 
-/// The rotations, right in the lanes of ok: where s2 + s3 (with the sign of det M) is no small part of s1.
+/// The rotations, valid in the lanes of ok: if s2 + s3 (with the sign of det M) is not small relative to s1.
 template <class D, class V = hn::Vec<D>>
 struct Rotations {
   Nine<V> r;
@@ -141,7 +141,7 @@ static HWY_INLINE void polar_quick(D d, const Nine<V> (&m)[G], Rotations<D> (&ou
   for (int g = 0; g < G; ++g) out[g] = rotation_from_trace(d, m[g], k[g], n[g], x[g]);
 }
 
-/// The symmetric part of R^T M. (Halved before it is summed: entries may be near the largest number.)
+/// The symmetric part of R^T M. (Halved before the sum, so that large entries do not overflow.)
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> stretch(D d, const Nine<V>& r, const Nine<V>& m) {
   const V half = hn::Set(d, hn::TFromD<D>(0.5));

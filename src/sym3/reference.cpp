@@ -34,7 +34,7 @@ Matrix scaled(const Matrix& m, double s) {
           scaled(m.yy, s), scaled(m.yz, s), scaled(m.zz, s)};
 }
 
-/// Taylor's polynomial of exp at x, |x| <= 1.
+/// Taylor polynomial of exp at x, |x| <= 1.
 Real exp_taylor(const Real& x) {
   const auto& a = inverse_factorials();
   Real sum = a[terms - 1];
@@ -42,7 +42,7 @@ Real exp_taylor(const Real& x) {
   return sum;
 }
 
-/// Taylor's polynomial of exp at a traceless matrix of norm up to about 1, by the recurrence of the fast
+/// Taylor polynomial of exp at a traceless matrix of norm up to about 1, by the recurrence of the fast
 /// method.
 Matrix exp_taylor(const Matrix& m) {
   const Matrix c = {m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
@@ -63,7 +63,7 @@ Real mean_of_diagonal(const Sym3<double>& s) {
   return (Real{s.xx, 0} + Real{s.yy, 0} + Real{s.zz, 0}) * third;
 }
 
-/// m 2^n in four steps, because 2^n alone may be out of range.
+/// m 2^n in four steps, because 2^n alone may overflow.
 Matrix times_power(Matrix m, int n) {
   const int quarter = n / 4;
   for (int i = 0; i < 3; ++i) m = scaled(m, std::ldexp(1.0, quarter));
@@ -88,7 +88,7 @@ Matrix traceless(const Sym3<double>& s, const Real& mean) {
           Real{s.yy, 0} - mean, Real{s.yz, 0}, Real{s.zz, 0} - mean};
 }
 
-/// exp(S - top I), where top is about the largest eigenvalue: norm about 1, so that squaring never overflows.
+/// exp(S - top I), where top is about the largest eigenvalue: norm about 1, so that squaring cannot overflow.
 Matrix exp_below(const Sym3<double>& s, double top) {
   const Real mean = mean_of_diagonal(s);
   const Matrix a = traceless(s, mean);
@@ -106,7 +106,7 @@ Matrix all_nan() {
   return {nan, nan, nan, nan, nan, nan};
 }
 
-/// An overflow leaves no meaningful low part.
+/// Clears the low part after an overflow.
 Real tidy(const Real& x) {
   return std::isfinite(x.hi) ? x : Real{x.hi, 0};
 }

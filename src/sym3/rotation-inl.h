@@ -1,13 +1,13 @@
-// exp of rotation vectors and log of rotations in vector registers: the source of the kernels, and for fused
-// loops elsewhere. (No #pragma once: Highway's foreach_target includes this text again for each target.)
-// How to use it: exp-inl.h. Bounds and special values: rotation.h.
+// exp of rotation vectors and log of rotations in vector registers: the source of the kernels, and usable in
+// fused loops elsewhere. (No #pragma once: Highway's foreach_target includes this file again for each
+// target.) Usage: exp-inl.h. Bounds and special values: rotation.h.
 //
-// Half the angle: h = |w|^2 / 4, cos(sqrt h) and sin(sqrt h) / (2 sqrt h) are polynomials in h up to 3.24
-// radians, which gives the quaternion without a root and without a case for small angles; the matrix follows
-// by products.
+// exp uses half the angle: h = |w|^2 / 4, cos(sqrt h) and sin(sqrt h) / (2 sqrt h) are polynomials in h up to
+// 3.24 radians, which gives the quaternion without a root and without a case for small angles; the matrix
+// follows by products.
 //
-// Back, a quarter of the angle: its tangent t is at most one, and atan(t) / t is a polynomial in t^2, so that
-// neither small angles nor half turns are a case.
+// log uses a quarter of the angle: its tangent t is at most one, and atan(t) / t is a polynomial in t^2,
+// without cases for small angles or half turns.
 #if defined(VIETE_SYM3_ROTATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_ROTATION_INL_H
 #undef VIETE_SYM3_ROTATION_INL_H
@@ -56,13 +56,13 @@ struct HalfAngle {
   V cosine, sine;
 };
 
-/// |w|^2 / 4; NaN or infinite where w is, and where it overflows.
+/// |w|^2 / 4; NaN or infinite if w is, or if it overflows.
 template <class D, class V>
 static HWY_INLINE V quarter_of_square(D d, const Three<V>& w) {
   return Mul(sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z), hn::Set(d, hn::TFromD<D>(0.25)));
 }
 
-/// True where the polynomials serve: angles up to 3.24.
+/// True if the polynomials apply: angles up to 3.24.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_small_angle(D d, V h) {
   return hn::Le(h, hn::Set(d, RotationTables<hn::TFromD<D>>::h_limit));
@@ -78,7 +78,7 @@ static HWY_INLINE HalfAngle<V> half_angle_quick(D d, V h) {
   return {horner(d, C::cosine, h), horner(d, C::sine, h)};
 }
 
-/// Any angle: the lanes beyond one by one.
+/// Any angle; lanes beyond 3.24 one by one.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE HalfAngle<V> half_angle_general(D d, const Three<V>& w, const V& h) {
   using T = hn::TFromD<D>;
@@ -101,18 +101,18 @@ template <class D, class V>
 static HWY_INLINE HalfAngle<V> half_angle_lanes(D d, const Three<V>& w) {
   const V h = quarter_of_square(d, w);
   if (HWY_LIKELY(hn::AllTrue(d, is_small_angle(d, h)))) return half_angle_quick(d, h);
-  const Three<V> vector = w;  // a copy: what is passed by reference lives in memory, on the quick way too
+  const Three<V> vector = w;  // a copy: arguments by reference would live in memory, even on the quick path
   return half_angle_general(d, vector, h);
 }
 
-/// The rotations about w / |w| by |w| radians, one a lane. T = float or double; any number of lanes.
+/// The rotations about w / |w| by |w| radians, one per lane. T = float or double; any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Nine<V> exp_rotation_lanes(D d, const Three<V>& w) {
   const HalfAngle<V> half = half_angle_lanes(d, w);
   return to_matrix(d, half_angle_quaternion(half.cosine, half.sine, w));
 }
 
-/// exp_rotation_lanes(d, w) u without the matrix: u + 2 c s w x u + 2 s^2 w x (w x u) for c and s of half the
+/// exp_rotation_lanes(d, w) u without the matrix: u + 2 c s w x u + 2 s^2 w x (w x u), c and s from half the
 /// angle. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE Three<V> rotate_lanes(D d, const Three<V>& w, const Three<V>& u) {
@@ -131,8 +131,8 @@ static HWY_INLINE Quaternion<V> select(M mask, const Quaternion<V>& yes, const Q
           hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Four times the products of w, x, y, z with the one of them that is largest (Shepperd 1978), so that
-/// nothing cancels: quaternions of length between 2 and 4.
+/// Four times the products of w, x, y, z with the largest of them (Shepperd 1978), which avoids cancellation:
+/// quaternions of length between 2 and 4.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   const V one = hn::Set(d, hn::TFromD<D>(1));
@@ -148,7 +148,7 @@ static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   return select(w_is_largest, by_w, select(x_is_largest, by_x, select(hn::Ge(r.yy, r.zz), by_y, by_z)));
 }
 
-/// What decides between q and -q: the one with angle <= pi; at pi the one whose axis starts with a positive
+/// The sign that selects q or -q: the one with angle <= pi; at pi the one whose axis starts with a positive
 /// number.
 template <class D, class V>
 static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
@@ -157,8 +157,8 @@ static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   return hn::IfThenElse(hn::Eq(q.w, zero), xyz, q.w);
 }
 
-/// The rotation vectors of rotations, one a lane. T = float or double; any number of lanes. Squares of
-/// entries that are no rotation's and overflow give NaN, as infinities do.
+/// The rotation vectors of rotations, one per lane. T = float or double; any number of lanes. Infinite
+/// entries, or entries whose squares overflow, give NaN.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Three<V> log_rotation_lanes(D d, const Nine<V>& r) {
   using T = hn::TFromD<D>;

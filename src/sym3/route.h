@@ -1,5 +1,4 @@
-// What a method decides by a matrix before it computes the exponential. For people to look at: nothing here
-// is part of a computation.
+// The branch that a method takes for a matrix. For display only: no computation uses it.
 #pragma once
 
 #include "sym3/exp.h"
@@ -7,21 +6,21 @@
 
 namespace viete::sym3 {
 
-/// 0 where the method has no such thing.
+/// Fields are 0 if the method does not have them.
 struct Route {
-  /// Of SD and improved SD: how many eigenvalues they tell apart by the paper's threshold, 1 to 3. The form
-  /// of exp is constant, linear or quadratic in the matrix accordingly (section 2.2 of the paper).
+  /// SD and improved SD: number of eigenvalues that the paper's threshold separates, 1 to 3. The form of exp
+  /// is constant, linear or quadratic in the matrix accordingly (section 2.2 of the paper).
   int distinct = 0;
-  int degree = 0;     ///< of `fast`: of the polynomial
-  int squarings = 0;  ///< of `fast`: how often the matrix is halved before it, and squared behind it
-  /// `fast` leaves it to Jacobi's method: diagonal matrices of a large spread, too many squarings, results
-  /// that overflow, and what is not finite.
+  int degree = 0;     ///< `fast`: degree of the polynomial
+  int squarings = 0;  ///< `fast`: number of halvings before it, and of squarings after it
+  /// `fast` uses Jacobi's method: for diagonal matrices of a large spread, too many squarings, results that
+  /// overflow, and input that is not finite.
   bool by_jacobi = false;
 
   friend bool operator==(const Route&, const Route&) = default;
 };
 
-/// In double. Within rounding of a limit it may say the neighbour of what the vector code does. Thread-safe.
+/// In double. Within rounding of a limit it may differ from the vector code. Thread-safe.
 Route route(const Sym3<double>& s, Method method);
 
 }  // namespace viete::sym3

@@ -1,5 +1,5 @@
-// Small algebra of symmetric and general 3x3 matrices and vectors. Internal; not for the kernels, which share
-// no inline code.
+// Algebra of symmetric and general 3x3 matrices and vectors. Internal; not for kernels, which must not share
+// inline code.
 #pragma once
 
 #include <algorithm>
@@ -43,13 +43,13 @@ Sym3<T> square(const Sym3<T>& s) {
           s.xy * s.xz + s.yy * s.yz + s.yz * s.zz, s.xz * s.xz + s.yz * s.yz + s.zz * s.zz};
 }
 
-/// Where eigenvalues may be past the largest number: functions of S go by those of S / 256.
+/// True if eigenvalues may overflow: functions of S then use S / 256.
 template <class T>
 bool has_huge_eigenvalues(const Sym3<T>& s) {
   return !is_diagonal(s) && largest_entry(s) > std::numeric_limits<T>::max() / 4;
 }
 
-/// log(256 S) of log(S).
+/// log(256 S) from log(S).
 template <class T>
 Sym3<T> log_of_256_times(Sym3<T> log) {
   constexpr T more = T(5.545177444479562475337856971665412545);
@@ -114,7 +114,7 @@ double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Of a matrix: Frobenius.
+/// Norm; Frobenius norm for a matrix.
 template <std::size_t N>
 double norm(const std::array<double, N>& a) {
   return std::sqrt(dot(a, a));
@@ -133,8 +133,8 @@ inline double determinant(const Mat3<double>& m) {
          m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-/// X with A X = B, by elimination with pivots of columns: backward stable. B and X by rows; not finite where
-/// A is singular.
+/// X with A X = B, by elimination with column pivoting: backward stable. B and X by rows; not finite if A is
+/// singular.
 template <std::size_t N>
 std::array<std::array<double, N>, 3> solved(Mat3<double> a, std::array<std::array<double, N>, 3> b) {
   std::array<std::size_t, 3> row{0, 1, 2};

@@ -1,5 +1,5 @@
 // Functions of symmetric matrices by eigenvalues in closed form and Newton's divided differences, in
-// registers. Included once per instruction set. (No #pragma once: Highway's foreach_target includes this text
+// registers. Included once per instruction set. (No #pragma once: Highway's foreach_target includes this file
 // again for each target.) Internal.
 //
 // S = M I + s B with B traceless and s a power of two that makes its largest entry about 1; p, q and C = adj
@@ -56,8 +56,8 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
 ///   (b_i c_j - b_j c_i)^2, i < j, by Lagrange's identity, for coordinates b, c of B and C' in an orthonormal
 ///   basis of the traceless matrices: (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz.
 ///   Below they are sqrt 2 times as large.
-/// As 4 p^3 - 27 q^2 it would have an error of u, and the gap of two close eigenvalues, its root, one of sqrt
-/// u. A minor has an error of u, so that the root of the sum has an error of u as well.
+/// Computed as 4 p^3 - 27 q^2 it would have an error of u, and the gap of two close eigenvalues, its root, an
+/// error of sqrt u. A minor has an error of u, so the root of the sum also has an error of u.
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
@@ -108,7 +108,7 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   return e;
 }
 
-/// Set where S is positive definite with room to spare, in a range where nothing over- or underflows.
+/// True if S is positive definite with some margin, and in a range without over- and underflow.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {
   using C = SpectralTables<hn::TFromD<D>>;
@@ -145,7 +145,7 @@ static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
                      hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
 }
 
-/// log(x / y), and that over x - y, for positive normal x and y whose difference is known well.
+/// log(x / y), and its quotient by x - y, for positive normal x and y whose difference is accurate.
 template <class V>
 struct LogRatio {
   V log, slope;
@@ -157,7 +157,7 @@ static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
   using C = SpectralTables<T>;
   const hn::RebindToUnsigned<D> du;
   using U = hn::TFromD<decltype(du)>;
-  // 2^k nearest to x / y, but for a tenth: the exponent of the difference of the bits.
+  // 2^k nearest to x / y, within a tenth: the exponent of the difference of the bits.
   const U shift = (U(C::exponent_bias) << C::mantissa_bits) + (U(1) << (C::mantissa_bits - 1));
   const auto bits = hn::Add(hn::Sub(hn::BitCast(du, x), hn::BitCast(du, y)), hn::Set(du, shift));
   const V power = hn::BitCast(d, hn::And(bits, hn::Set(du, U(2 * C::exponent_bias + 1) << C::mantissa_bits)));
@@ -180,7 +180,7 @@ template <class D, class V>
 static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
   using T = hn::TFromD<D>;
   const V one = hn::Set(d, T(1));
-  // b - 1 from the entries minus 1, which are exact where the logarithm is small.
+  // b - 1 from the entries minus 1, which are exact if the logarithm is small.
   const V above = hn::Mul(hn::Add(hn::Add(hn::Sub(s.xx, one), hn::Sub(s.yy, one)), hn::Sub(s.zz, one)),
                           hn::Set(d, T(1) / T(3)));
   const V at_b = log_ratio(d, e.at_b, one, hn::MulAdd(e.size, e.b, above)).log;
@@ -191,7 +191,7 @@ static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
   return newton_form(e, at_b, hn::Mul(e.size, bc), hn::Mul(e.size, curvature));
 }
 
-/// Ascending.
+/// Eigenvalues in ascending order.
 template <class D, class V>
 static HWY_INLINE Three<V> eigenvalues_lanes(D d, const Spectrum<V>& e) {
   const auto far_is_top = hn::Ge(e.a, hn::Zero(d));

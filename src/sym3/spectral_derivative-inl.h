@@ -1,12 +1,12 @@
 // Derivatives of functions of positive definite matrices by eigenvectors and divided differences, in
-// registers. Included once per instruction set. (No #pragma once: Highway's foreach_target includes this text
+// registers. Included once per instruction set. (No #pragma once: Highway's foreach_target includes this file
 // again for each target.) Internal.
 //
 // f'(S)[E] = V (F o V^T E V) V^T, where F has the divided differences of f over pairs of eigenvalues
-// (Daleckii and Krein 1965), formulas that subtract no close values: exact at equal eigenvalues. The vectors
-// V need to be orthogonal and to leave a small rest in S V - V diag: where eigenvalues are close, so are the
-// entries of F, and any vectors of their space serve. That of a, which is far from the others, is a column of
-// adj(B - a I) = adj B + a B + a^2 I; those of b and c diagonalise the 2x2 rest by one rotation.
+// (Daleckii and Krein 1965), computed without subtracting close values: exact at equal eigenvalues. The
+// vectors V must be orthogonal with a small residual S V - V diag: close eigenvalues have close entries of F,
+// so any basis of their space works. The vector of a, which is far from the others, is a column of adj(B - a
+// I) = adj B + a B + a^2 I; one rotation diagonalises the remaining 2x2 block for b and c.
 #if defined(VIETE_SYM3_SPECTRAL_DERIVATIVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_SPECTRAL_DERIVATIVE_INL_H
 #undef VIETE_SYM3_SPECTRAL_DERIVATIVE_INL_H
@@ -20,7 +20,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// What the directions at one S share: orthonormal vectors, and F as a symmetric matrix in the order a, b, c.
+/// Shared by the directions at one S: orthonormal vectors, and F as a symmetric matrix in the order a, b, c.
 template <class V>
 struct Slopes {
   Three<V> a, b, c;
@@ -43,14 +43,14 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Changes no number of size 1, and its square is in range: what stands in for zero.
+/// A replacement for zero that changes no number of size 1 and whose square is in range.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   using T = hn::TFromD<D>;
   return hn::Set(d, T(sizeof(T) == 8 ? 1e-100 : 1e-15));
 }
 
-/// The unit vector of a; of B = 0, (1, 0, 0).
+/// The unit vector of a; (1, 0, 0) for B = 0.
 template <class D, class V>
 static HWY_INLINE Three<V> far_vector(D d, const Spectrum<V>& e) {
   const Six<V>&m = e.matrix, &c = e.adjugate;
@@ -84,7 +84,7 @@ static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   s.a = far_vector(d, e);
   complete(d, s.a, u, v);
   const Three<V> bu = times(e.matrix, u), bv = times(e.matrix, v);
-  // The 2x2 rest is its mean plus (half, cross; cross, -half).
+  // The remaining 2x2 block is its mean plus (half, cross; cross, -half).
   const V half = hn::Mul(hn::Sub(dot(u, bu), dot(v, bv)), hn::Set(d, T(0.5))), cross = dot(u, bv);
   const V radius = hn::Sqrt(hn::MulAdd(half, half, hn::Mul(cross, cross)));
   const V size = hn::Add(hn::Add(hn::Abs(half), radius), next_to_nothing(d));
@@ -122,7 +122,7 @@ static HWY_INLINE Six<V> log_slopes(D d, const Spectrum<V>& e) {
           hn::Div(one, e.at_c)};
 }
 
-/// x^p, and with it the divided differences of pow from those of log.
+/// x^p, and the divided differences of pow from those of log.
 template <class D, class V>
 struct PowSlopes {
   using T = hn::TFromD<D>;
@@ -130,7 +130,7 @@ struct PowSlopes {
 
   D d;
   V p;
-  hn::Mask<D> ok;  ///< where powers are in the normal range
+  hn::Mask<D> ok;  ///< lanes with powers in the normal range
 
   HWY_INLINE V power(V x) {
     const V one = hn::Set(d, T(1)), y = hn::Mul(p, log_ratio(d, x, one, hn::Sub(x, one)).log);
@@ -139,7 +139,7 @@ struct PowSlopes {
     return add_to_exponent(d, horner(d, C::scalar_exp, r.r), r.shifted);
   }
 
-  /// of_log: that of log. By t = p log(x / y): y^p (e^t - 1) / t times p of_log, or plainly where t is large.
+  /// of_log: that of log. With t = p log(x / y): y^p (e^t - 1) / t times p of_log, or directly if t is large.
   HWY_INLINE V between(V x_power, V y_power, V difference, V of_log) const {
     constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
     const V slope = hn::Mul(p, of_log), t = hn::Mul(slope, difference);
@@ -169,7 +169,7 @@ static HWY_INLINE Six<V> pow_slopes(D d, const Spectrum<V>& e, V p, hn::Mask<D>&
           over(c, log.zz)};
 }
 
-/// The mask of the lanes that are right.
+/// The mask of valid lanes.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> put_slopes(D d, Of f, double p, const Six<V>& s, Slopes<V>& slopes) {
   const Spectrum<V> e = spectrum(d, s);

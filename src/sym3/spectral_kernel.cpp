@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// F::lanes where the spectrum is ordinary, F::one for the others.
+/// Uses F::lanes for ordinary spectra, F::one for the others.
 template <class F>
 struct OfPositive {
   static constexpr int in = 6, out = 6, group = 1;
@@ -27,7 +27,7 @@ struct OfPositive {
   }
 
 private:
-  /// The mask of the lanes that are right.
+  /// The mask of valid lanes.
   template <class D, class V>
   static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[6]) {
     const Six<V> s = six(in);
@@ -106,7 +106,7 @@ struct Eigenvalues {
   }
 
 private:
-  /// The mask of the lanes that are right: finite, and of a size whose powers are in range.
+  /// The mask of valid lanes: finite, and of a size whose powers are in range.
   template <class D, class V>
   static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[3]) {
     using T = hn::TFromD<D>;

@@ -1,12 +1,12 @@
-// The coefficients of the spectral functions: the cube root of a unit complex number, and log. Internal; data
+// Coefficients of the spectral functions: the cube root of a unit complex number, and log. Internal; data
 // only.
 #pragma once
 
 namespace viete::sym3 {
 
 /// `sine` and `cosine`: sin and cos of (2/3) atan(sqrt w), the former over sqrt w, on 0 <= w <= 1. `atanh`:
-/// atanh(s) / s in s^2 <= 0.0445. Interpolated at Chebyshev's points by tests/sym3/make_tables.cpp; error
-/// below 0.9 u (float 1.5 u).
+/// atanh(s) / s in s^2 <= 0.0445. Interpolated at Chebyshev points by tests/sym3/make_tables.cpp; error below
+/// 0.9 u (float 1.5 u).
 template <class T>
 struct SpectralTables;
 

@@ -15,8 +15,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
 constexpr double small_angle = 0.05;
 
-// How much of the even part is kept at an angle: 0 at whole turns, 1 where none is near, its slope
-// continuous.
+// Damping factor of the even part at an angle: 0 at whole turns, 1 away from them, with a continuous slope.
 double kept(double angle) {
   if (angle < full_turn - pole_width) return 1;
   const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);
@@ -27,7 +26,7 @@ double kept(const Mat3<double>& log, const Vec3<double>& turn) {
   return norm(turn) > 3 ? kept(angle_of(log)) : 1;
 }
 
-// (angle / 2) cot(angle / 2), times what is kept of it.
+// (angle / 2) cot(angle / 2), times the damping factor.
 double across(double angle) {
   const double square = angle * angle;
   if (angle < small_angle) return 1 - square / 12 * (1 + square / 60 * (1 + square / 42));
@@ -43,11 +42,11 @@ Mat3<double> projector(const Vec3<double>& axis) {
   return m;
 }
 
-// Powers of L / 2^k, each a combination of the first three (Cayley and Hamilton).
+// Powers of L / 2^k, each a combination of the first three (Cayley-Hamilton).
 struct Powers {
   double t1, t2, t3;  // L^3 = t1 L^2 - t2 L + t3 I
 
-  // Times L.
+  // Multiplies by L.
   Vec3<double> shifted(const Vec3<double>& p) const {
     return {p[2] * t3, p[0] - p[2] * t2, p[1] + p[2] * t1};
   }
@@ -102,7 +101,7 @@ Mat3<double> by_rows(const std::array<Vec3<double>, 3>& m) {
 Sym3<double> even_part(const Vec3<double>& y) {
   const double angle = norm(y), g = across(angle);
   if (angle == 0) return identity<double>();
-  // 1 - g is small where the axis is rounding.
+  // 1 - g is small where the axis is determined only by rounding.
   const double along = (1 - g) / dot(y, y);
   return {g + along * y[0] * y[0], along * y[0] * y[1], along * y[0] * y[2],
           g + along * y[1] * y[1], along * y[1] * y[2], g + along * y[2] * y[2]};
@@ -123,8 +122,8 @@ Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
   return Phi(log) * x;
 }
 
-// I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, by half the angle: x sin / theta + ... + what is
-// along the axis.
+// I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, by half the angle: x sin / theta + ... + the
+// component along the axis.
 Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
   const double square = dot(y, y), angle = std::sqrt(square);
   const double half_sine = angle > 0 ? std::sin(angle / 2) / angle : 0.5,

@@ -74,7 +74,7 @@ void PicturePainter::weighed(const Shape& shape) {
   triangles(shape, colors);
 }
 
-// With a colour a corner.
+// One colour per corner.
 void PicturePainter::triangles(const Shape& shape, const std::vector<ImU32>& colors) {
   const auto points = placed(shape);
   const auto count = static_cast<unsigned>(points.size());
@@ -106,8 +106,7 @@ void draw_picture(const Context& ui, const scene::ChoicePicture& picture) {
   list.PopClipRect();
 }
 
-// As far down in the tooltip as the item is in the program's window: so it is within that, however high it
-// is itself.
+// Aligns the tooltip with the item vertically, as far as it fits into the window.
 void place_beside() {
   constexpr float gap = 4;
   const ImVec2 display = ImGui::GetIO().DisplaySize;

@@ -11,7 +11,7 @@
 
 namespace viete::ui {
 
-/// Into the window that is being built, from a corner on.
+/// Draws into the current window, relative to a corner.
 class PicturePainter {
 public:
   PicturePainter(const Context& ui, ImVec2 corner);
@@ -37,11 +37,11 @@ private:
   ImVec2 corner_;
 };
 
-/// Beside the window or list that the last item is in, so that it covers none of the other entries.
+/// Placed next to the window or list of the last item, so that no other entry is covered.
 void picture_hint(const Context& ui, const scene::ChoicePicture& picture, const std::string& sentence,
                   const std::string& more = "");
 
-/// Of the last item, while the cursor is over it: only then its picture is made.
+/// For the last item while it is hovered; only then the picture is created.
 template <class Choice>
 void choice_hint(const Context& ui, Choice choice, const std::string& more = "") {
   if (wants_hint())
@@ -50,12 +50,12 @@ void choice_hint(const Context& ui, Choice choice, const std::string& more = "")
 }
 
 struct ChoiceListWords {
-  const char* prefix = "";  ///< of the names of its lines, for tests
-  const char* none = "";    ///< stands in it where there is no value,
-  const char* about = "";   ///< and what it is for, instead of what the value does
+  const char* prefix = "";  ///< of the entries' widget names, for tests
+  const char* none = "";    ///< text shown without a value
+  const char* about = "";   ///< hint that replaces that of the value
 };
 
-/// Closed it shows the value, open all of them; what it stands at is marked.
+/// A combo box of all values with the current one marked.
 template <class Value>
 void choice_list(const Context& ui, const std::string& name, std::optional<Value> now, float width,
                  const ChoiceListWords& words = {}) {
@@ -76,7 +76,7 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
   ImGui::EndCombo();
 }
 
-/// The same of a table of what is no command: what is chosen, where something is.
+/// As choice_list(), for a table without commands; returns a newly chosen value.
 template <class Entry, class Value = decltype(Entry::value)>
 std::optional<Value> entry_list(const Context& ui, const std::string& name, std::span<const Entry> table,
                                 Value now) {

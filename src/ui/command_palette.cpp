@@ -1,4 +1,4 @@
-// Every command by name, found by a few letters of it: arrow keys and Enter, or a click.
+// The command palette: search by name; arrow keys and Enter, or a click.
 #include <algorithm>
 
 #include "scene/workspace/menus.h"
@@ -32,12 +32,12 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
   draw.AddText({at.x + 8, y}, enabled ? ui.colors.text : faded(ui.colors.faint, 0.7f), label.c_str());
   const float after = std::max(160.0f, ImGui::CalcTextSize(label.c_str()).x + 16);
   draw.AddText({at.x + 8 + after, y}, faded(ui.colors.faint, enabled ? 0.9f : 0.5f), group.c_str());
-  text_right(ui, at.x + width - 8, scene::text(ui.workspace.remembered.keymap.of(command).first),
+  text_right(ui, at.x + width - 8, scene::text(ui.workspace.preferences.keymap.of(command).first),
              ui.colors.faint, y);
   return clicked;
 }
 
-// What the highlighted one does or, in place of it, why it cannot now: two lines are always kept for it.
+// The hint of the highlighted command, or why it is disabled; always two lines high.
 void explanation(const Context& ui, const scene::Command* command) {
   if (!command) return note_within(ui, 2, " ");
   const bool enabled = command->enabled(ui.workspace);
@@ -52,7 +52,7 @@ void step(scene::Palette& palette, std::size_t count, int steps) {
   palette.highlighted = static_cast<std::size_t>((static_cast<int>(palette.highlighted) + steps + n) % n);
 }
 
-// Closes first: a command may open what takes the keyboard.
+// Closes first: a command may open a window that takes the keyboard.
 void run(scene::Workspace& w, const scene::Command& command) {
   if (!command.enabled(w)) return;
   w.palette.open = false;
@@ -88,10 +88,10 @@ void command_palette(const Context& ui) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (row(ui, *found[i], i, steps != 0)) chosen = found[i], palette.highlighted = i;
   }
-  if (found.empty()) note(ui, "No command has that in its name.");
+  if (found.empty()) note(ui, "No command matches.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  note(ui, "Right click on a command gives it another key;  Help, Change keys lists every one");
+  note(ui, "Right click a command to change its key;  Help, Change keys lists all");
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (!found.empty() && (key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter)))
@@ -101,17 +101,16 @@ void command_palette(const Context& ui) {
   if (chosen) run(w, *chosen);
 }
 
-// What the next key is for.
+// Asks for the new key of a command.
 void key_prompt(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   const scene::Command* const command = scene::find_command(w.interaction.setting_key);
-  if (!command || w.key_list.open) return;  // the list says it itself
+  if (!command || w.key_list.open) return;  // the list shows it itself
   const scene::Viewport& v = w.viewport;
   const Window window("New key", {.at = middle_at(ui, v.origin.y + 0.4f * v.size.y)}, sized_flags);
-  const std::string now = scene::text(w.remembered.keymap.of(*command).first);
-  ImGui::TextUnformatted(("Press the new key of \"" + std::string(command->label) + '"').c_str());
-  note(ui, (now.empty() ? "It has none now" : "It is " + now + " now") +
-               std::string(";  Delete takes it away, Esc leaves it"));
+  const std::string now = scene::text(w.preferences.keymap.of(*command).first);
+  ImGui::TextUnformatted(("Press the new key for \"" + std::string(command->label) + '"').c_str());
+  note(ui, (now.empty() ? "No key now" : "Now " + now) + std::string(";  Delete removes it, Esc cancels"));
 }
 
 }  // namespace viete::ui

@@ -1,4 +1,4 @@
-// The context of every panel: workspace, fonts, theme, and a recorder of widgets for tests.
+// The context of every panel: workspace, fonts, theme, and a widget recorder for tests.
 #pragma once
 
 #include <imgui.h>
@@ -14,7 +14,7 @@ namespace viete::ui {
 /// Logical pixels from the top left of the window.
 struct WidgetRect {
   float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool visible = false;  ///< false when scrolled or clipped away
+  bool visible = false;  ///< false if scrolled or clipped away
   bool enabled = true;
 };
 
@@ -39,18 +39,18 @@ struct Fonts {
   ImFont* numbers = nullptr;  ///< tabular figures
 };
 
-/// Colours that ImGui's style has no place for.
+/// Colours that ImGui's style does not include.
 struct Palette {
   ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
   ImU32 model;             ///< in small pictures
-  ImU32 axis[3], on_axis;  ///< of x, y and z, and of letters on them
+  ImU32 axis[3], on_axis;  ///< x, y and z, and letters on them
   ImU32 neutral, highlight,
-      halo;  ///< of a gizmo: handles without an axis, the one under the cursor, the edge around lines
+      halo;  ///< gizmo: handles without an axis, hovered handle, outline of lines
 };
 
 Palette palette(bool dark);
 
-/// Of maps, from the low end to the high one.
+/// Colour maps, from the low end to the high end.
 struct FieldColors {
   std::vector<ImU32> even, diverging;
 };
@@ -59,13 +59,13 @@ struct Context {
   scene::Workspace& workspace;
   const Fonts& fonts;
   Palette colors;
-  Recorder* recorder;  ///< null when nobody is watching
+  Recorder* recorder;  ///< null: not recording
   const FieldColors& field_colors;
 };
 
 inline constexpr float status_height = scene::PanelLayout::status_height;
 
-/// The colour of a stage of the deformation, the same everywhere.
+/// The colour of a stage of the deformation, used everywhere.
 ImU32 stage_color(scene::Link stage);
 
 }  // namespace viete::ui

@@ -19,20 +19,20 @@ using What = scene::OpenRequest::What;
 
 const char* title(Purpose purpose) {
   switch (purpose) {
-    case Purpose::model: return "Open a model or a session###file_panel";
-    case Purpose::cage: return "Open a cage###file_panel";
-    case Purpose::pose: return "Open a pose###file_panel";
-    case Purpose::poses: return "Import poses: a file, or all of its folder###file_panel";
-    case Purpose::shapes: return "Import shapes of the model: a file, or all of its folder###file_panel";
-    case Purpose::animation: return "Import an animation of the cage or the model###file_panel";
-    case Purpose::locate_model: return "Locate the model of the session###file_panel";
-    case Purpose::locate_cage: return "Locate the cage of the session###file_panel";
-    case Purpose::save_session: return "Save the session###file_panel";
-    case Purpose::save_pose: return "Save the posed cage###file_panel";
-    case Purpose::save_named_pose: return "Export the chosen pose###file_panel";
-    case Purpose::save_cage: return "Save the cage at rest###file_panel";
-    case Purpose::save_model: return "Export the deformed mesh###file_panel";
-    case Purpose::save_animation: return "Export the animation###file_panel";
+    case Purpose::model: return "Open model or session###file_panel";
+    case Purpose::cage: return "Open cage###file_panel";
+    case Purpose::pose: return "Open pose###file_panel";
+    case Purpose::poses: return "Import poses from a file or its folder###file_panel";
+    case Purpose::shapes: return "Import shapes from a file or its folder###file_panel";
+    case Purpose::animation: return "Import animation###file_panel";
+    case Purpose::locate_model: return "Locate model of the session###file_panel";
+    case Purpose::locate_cage: return "Locate cage of the session###file_panel";
+    case Purpose::save_session: return "Save session###file_panel";
+    case Purpose::save_pose: return "Save pose###file_panel";
+    case Purpose::save_named_pose: return "Export pose###file_panel";
+    case Purpose::save_cage: return "Save cage###file_panel";
+    case Purpose::save_model: return "Export deformed mesh###file_panel";
+    case Purpose::save_animation: return "Export animation###file_panel";
   }
   return "###file_panel";
 }
@@ -61,39 +61,39 @@ void request(scene::Workspace& w, Purpose purpose, const std::filesystem::path& 
   }
 }
 
-// The panel stays until that has been read or written.
+// The panel stays open until the file has been read or written.
 void ask(scene::Workspace& w, const std::filesystem::path& path) {
   if (!w.browser.asked.empty()) return;
   request(w, w.browser.purpose, path);
   w.browser.asked = path;
 }
 
-// A folder is entered, a file is asked for.
+// Enters a folder or requests a file.
 void choose(scene::Workspace& w, const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return scene::enter(w.browser, path);
   ask(w, path);
-  w.remembered.folder = path.parent_path();
+  w.preferences.folder = path.parent_path();
 }
 
 void choose_recent(scene::Workspace& w, std::size_t index) {
   if (!w.browser.asked.empty()) return;
   open_recent(w, index);
-  w.browser.asked = w.remembered.recent[index].file;
+  w.browser.asked = w.preferences.recent[index].file;
 }
 
 void choose_typed(scene::Workspace& w) {
-  if (w.browser.recent < w.remembered.recent.size()) return choose_recent(w, w.browser.recent);
+  if (w.browser.recent < w.preferences.recent.size()) return choose_recent(w, w.browser.recent);
   if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
   const std::filesystem::path typed = scene::typed_path(w.browser);
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) return choose(w, typed);
   w.browser.problem = scene::problem_of_name(w.browser);
   if (w.browser.problem.empty())
-    choose(w, scene::chosen_file(w.browser));  // else the name stays, to be corrected
+    choose(w, scene::chosen_file(w.browser));  // otherwise the name stays for correction
 }
 
-// One Enter too many loses no file.
+// Overwriting a file needs a second Enter.
 void confirm_typed(scene::Workspace& w) {
   if (w.browser.replaces() && w.browser.warned != w.browser.path) {
     w.browser.warned = w.browser.path;
@@ -122,16 +122,14 @@ void path_field(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   if (browser.appearing && browser.saves()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  // What is typed takes the place of what is proposed, wherever the caret was the time before; what is to be
-  // corrected or confirmed stays.
+  // Typing replaces a proposed name; a name to correct or confirm is kept.
   const bool proposed = browser.problem.empty() && browser.warned.empty();
   const auto flags = ImGuiInputTextFlags_EnterReturnsTrue |
                      (proposed ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None);
   const std::string before = browser.path;
   const bool enter = text_field("##path", "", browser.path, flags);
   record(ui, "file_path");
-  hint(browser.saves() ? "The file to write; its extension chooses the format."
-                       : "Type or paste a path; Enter opens it.");
+  hint(browser.saves() ? "File to write. The extension sets the format." : "File to open. Enter opens it.");
   if (browser.path != before) {
     browser.problem.clear();
     browser.highlighted = browser.saves() ? Browser::none : 0;
@@ -148,7 +146,7 @@ std::string in_capitals(std::string_view format) {
   return text;
 }
 
-// OBJ, PLY and so on as buttons that change the extension.
+// Buttons for OBJ, PLY and so on that change the extension.
 void format_buttons(const Context& ui, const std::vector<std::string_view>& formats, bool own_row) {
   Browser& browser = ui.workspace.browser;
   const std::string now = scene::format_of(browser);
@@ -169,7 +167,7 @@ void filter_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   if (ImGui::Button("Up")) scene::enter(browser, browser.folder.parent_path());
   record(ui, "file_up");
-  hint("To the folder above.  (Backspace)");
+  hint("Go to the parent folder.  (Backspace)");
   ImGui::SameLine();
   if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
   const auto formats = browser.saves() ? browser.formats() : std::vector<std::string_view>();
@@ -187,7 +185,7 @@ void filter_row(const Context& ui) {
   format_buttons(ui, formats, own_row);
 }
 
-// The clicked entry, if any; it is acted on after the list is drawn, because that changes the list.
+// The clicked entry; handled after drawing the list, because that changes it.
 std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const Browser::Entry*>& entries,
                                       bool moved) {
   std::optional<std::size_t> clicked;
@@ -205,20 +203,20 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
     ImGui::PopStyleColor();
     if (highlighted && moved) ImGui::SetScrollHereY();
     record(ui, "file/" + entry.name);
-    if (!entry.folder) {  // over the highlight, on the same line
+    if (!entry.folder) {  // drawn over the highlight, on the same line
       text_right(ui, right, bytes_text(entry.bytes), ui.colors.faint, line);
     }
   }
   if (!entries.empty()) return clicked;
   const bool sessions = ui.workspace.browser.purpose == Purpose::save_session;
   note(ui, scene::filters_by_path(ui.workspace.browser) ? "Enter goes to this path."
-           : !ui.workspace.browser.filter.empty()       ? "Nothing here has that in its name."
-           : sessions                                   ? "No session here yet."
-                      : "No " + scene::format_list(ui.workspace.browser) + " file here.");
+           : !ui.workspace.browser.filter.empty()       ? "No file matches."
+           : sessions                                   ? "No session in this folder."
+                      : "No " + scene::format_list(ui.workspace.browser) + " file in this folder.");
   return clicked;
 }
 
-// Enters a folder and opens a file; when saving, it proposes to replace that file.
+// Enters a folder or opens a file; when saving, proposes to replace that file.
 void take(scene::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.browser.folder / entry.name;
   if (entry.folder || !w.browser.saves()) return choose(w, path);
@@ -226,7 +224,7 @@ void take(scene::Workspace& w, const Browser::Entry& entry) {
   w.browser.path = path.string();
 }
 
-// One click selects, two take; but none replaces a file.
+// A click selects, a double click confirms, but never overwrites a file.
 void click_entry(scene::Workspace& w, std::size_t index) {
   scene::highlight(w.browser, index);
   const Browser::Entry& entry = *scene::shown(w.browser)[index];
@@ -236,11 +234,11 @@ void click_entry(scene::Workspace& w, std::size_t index) {
 void click_recent(scene::Workspace& w, std::size_t index) {
   if (ImGui::IsMouseDoubleClicked(0)) return choose_recent(w, index);
   w.browser.recent = index;
-  w.browser.path = w.remembered.recent[index].file.string();
+  w.browser.path = w.preferences.recent[index].file.string();
 }
 
-// Up and Down walk the list, Enter takes, Backspace without a filter goes up a folder, Esc closes. Says
-// whether the list was walked.
+// Up and Down move in the list, Enter confirms, Backspace without a filter goes to the parent folder, Esc
+// closes. True if the highlight moved.
 bool handle_keys(const Context& ui, bool typing_path) {
   Browser& browser = ui.workspace.browser;
   const int steps =
@@ -260,7 +258,7 @@ bool handle_keys(const Context& ui, bool typing_path) {
     choose_typed(ui.workspace);
   } else if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
-    browser.appearing = browser.open;  // the keyboard stays with the list
+    browser.appearing = browser.open;  // keeps the keyboard in the list
   } else if (key_pressed(scene::Key::enter) && browser.saves()) {
     confirm_typed(ui.workspace);
   }
@@ -271,30 +269,30 @@ bool shows_pictures(const Browser& browser) {
   return browser.pictures && browser.makes_pictures();
 }
 
-// How near morph targets are to be, and what that takes.
+// Tolerance of morph targets, and their size.
 void morph_row(const Context& ui) {
   scene::MorphChoice& morphs = ui.workspace.browser.morphs;
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Off by up to");
+  ImGui::TextUnformatted("Tolerance");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(64);
   if (const auto percent = number_field(ui, "morph_tolerance", 100 * morphs.tolerance))
     morphs.tolerance = std::clamp(*percent / 100, 1e-7, 1.0);
   record(ui, "morph_tolerance");
-  hint("How far what is played may be from the motion, in percent of the model's diagonal.");
+  hint("Maximum playback error, in percent of the model's diagonal.");
   ImGui::SameLine();
   ImGui::TextUnformatted("%");
   ImGui::SameLine(0, 18);
   ImGui::Checkbox("Normals", &morphs.normals);
   record(ui, "morph_normals");
-  hint("Light follows the motion in every player. Without, the file is half as large.");
+  hint("Export normals, for correct shading in every player. Doubles the file size.");
   ImGui::SameLine(0, 18);
   const std::string& size = ui.workspace.browser.morph_size;
-  note(ui, size.empty() ? "finding out the size" : size);
+  note(ui, size.empty() ? "computing size" : size);
   record(ui, "morph_size");
 }
 
-// How pictures are drawn.
+// Options of pictures.
 void picture_choices(const Context& ui) {
   scene::PictureChoice& choice = *ui.workspace.browser.pictures;
   const auto box = [&](const char* label, const char* name, bool& on, const char* what) {
@@ -305,8 +303,8 @@ void picture_choices(const Context& ui) {
   };
   box("Cage", "picture_cage", choice.cage, "Draw the cage.");
   box("Grid", "picture_grid", choice.grid, "Draw the ground grid.");
-  box("Light", "picture_light", choice.light, "On a light background.");
-  box("Panels", "picture_panels", choice.panels, "Draw the columns and bars of the window, too.");
+  box("Light theme", "picture_light", choice.light, "Use the light theme.");
+  box("Panels", "picture_panels", choice.panels, "Include the panels and bars of the window.");
   const auto side = [&](const char* name, int& pixels) {
     ImGui::SetNextItemWidth(64);
     if (const auto typed = number_field(ui, name, pixels))
@@ -324,13 +322,13 @@ void picture_choices(const Context& ui) {
 
 void lists(const Context& ui, bool moved) {
   Browser& browser = ui.workspace.browser;
-  const bool recent = browser.purpose == Purpose::model && !ui.workspace.remembered.recent.empty();
+  const bool recent = browser.purpose == Purpose::model && !ui.workspace.preferences.recent.empty();
   const float row = ImGui::GetFrameHeight() + 12;
   const float height = browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row;
   if (recent) {
     ImGui::BeginChild("recent", {220, height}, true);
     note(ui, "Recent");
-    const auto clicked = recent_list(ui, scene::Remembered::most, browser.recent);
+    const auto clicked = recent_list(ui, scene::Preferences::most, browser.recent);
     ImGui::EndChild();
     ImGui::SameLine();
     if (clicked) click_recent(ui.workspace, *clicked);
@@ -341,7 +339,7 @@ void lists(const Context& ui, bool moved) {
   if (clicked) click_entry(ui.workspace, *clicked);
 }
 
-// Below the path, in two lines of room: why it is refused, or which file it replaces.
+// Below the path, two lines high: an error, or the file to be replaced.
 void path_note(const Context& ui) {
   const Browser& browser = ui.workspace.browser;
   const float line = ImGui::GetCursorPosY();
@@ -351,8 +349,8 @@ void path_note(const Context& ui) {
   } else if (browser.replaces()) {
     const std::string name = scene::chosen_file(browser).filename().string();
     note(ui,
-         name + (browser.warned == browser.path ? " is there already; Enter again replaces it."
-                                                : " is there already and will be replaced."),
+         name + (browser.warned == browser.path ? " already exists; press Enter again to replace it."
+                                                : " already exists and will be replaced."),
          ui.colors.warn);
     record(ui, "file_replaces");
   }
@@ -371,10 +369,10 @@ void button_row(const Context& ui) {
   record(ui, "file_cancel");
   if (browser.purpose == Purpose::poses || browser.purpose == Purpose::shapes) {
     ImGui::SameLine();
-    if (ImGui::Button("All of this folder")) ask(ui.workspace, browser.folder);
+    if (ImGui::Button("Import folder")) ask(ui.workspace, browser.folder);
     record(ui, "file_folder");
-    hint(browser.purpose == Purpose::poses ? "Every model of this folder that is a pose of the cage."
-                                           : "Every model of this folder that is a shape of the model.");
+    hint(browser.purpose == Purpose::poses ? "Import all posed versions of the cage in this folder."
+                                           : "Import all shapes of the model in this folder.");
   }
   if (!confirmed) return;
   const auto entries = scene::shown(browser);
@@ -383,7 +381,7 @@ void button_row(const Context& ui) {
                                                    : choose_typed(ui.workspace);
 }
 
-// Keeps the dialog inside a window that was made smaller.
+// Keeps the dialog inside a window that became smaller.
 void keep_within(const ImVec2& display) {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   const ImVec2 fitting{std::min(size.x, display.x), std::min(size.y, display.y)};
@@ -421,7 +419,7 @@ void file_panel(const Context& ui) {
   if (shows_pictures(browser)) picture_choices(ui);
   button_row(ui);
   if (!open) browser.open = false;
-  if (!browser.open) browser.asked.clear();  // what goes wrong from now on is a message
+  if (!browser.open) browser.asked.clear();  // later errors become messages
   ImGui::End();
   ImGui::PopStyleVar();
 }

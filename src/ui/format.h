@@ -1,4 +1,4 @@
-// Numbers as panels show them.
+// Number formats of the panels.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ inline std::string count(std::size_t n) {
 }
 /// "3.1e-16"; "0" for exactly 0; "NaN" for NaN.
 std::string error(double relative);
-/// The same with one digit: "3e-16".
+/// With one digit: "3e-16".
 std::string rough_error(double relative);
 /// Three significant digits: "0.123", "12.3", "1.23e+07".
 std::string length(double value);

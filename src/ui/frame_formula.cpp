@@ -12,18 +12,18 @@ namespace {
 
 using scene::Link;
 
-constexpr float script_size = 0.72f;  // of indices and exponents
+constexpr float script_size = 0.72f;  // relative size of indices and exponents
 
-// A letter or more of one size; a sum's sign and a bar over a letter are drawn.
+// Letters of one size; sum signs and bars over letters are drawn.
 struct Piece {
   std::string text;
-  int script = 0;  // 1 raised, -1 lowered
+  int script = 0;  // 1 superscript, -1 subscript
   std::optional<Link> stage{};
   bool sum = false, bar = false;
-  bool may_break = false;  // before it
+  bool may_break = false;  // allow a line break before it
 };
 
-// Puts formulas together: which stage computes what depends on the engine.
+// Assembles formulas: the stage of each term depends on the engine.
 class Formula {
 public:
   Formula(bool fused, bool stitched) : fused_(fused), stitched_(stitched) {}
@@ -118,14 +118,14 @@ private:
   std::vector<Piece> pieces_;
 };
 
-// Of bars, but text: darker on light ground, lighter on dark.
+// Adjusts a bar's colour for text: darker on light background, lighter on dark.
 ImU32 legible(ImU32 color, bool dark) {
   ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
   for (float* part : {&c.x, &c.y, &c.z}) *part = dark ? *part + 0.25f * (1 - *part) : 0.68f * *part;
   return ImGui::ColorConvertFloat4ToU32(c);
 }
 
-// Pieces set one after the other, in lines.
+// Lays out pieces in lines.
 class Setting {
 public:
   Setting(const Context& ui, float width)
@@ -154,7 +154,7 @@ private:
     if (piece.sum) return 0.62f * size_;
     return font_->CalcTextSizeA(size_of(piece), 1e6f, 0, piece.text.c_str()).x;
   }
-  // From a piece up to the next place for a break.
+  // The width from a piece up to the next possible break.
   float extent(const std::vector<Piece>& pieces, std::size_t i) const {
     float sum = 0;
     for (; i < pieces.size() && !pieces[i].may_break; ++i) sum += advance(pieces[i]);
@@ -208,7 +208,7 @@ private:
   std::optional<Link> under_cursor_;
 };
 
-// Its terms, at a vertex: the one that is picked, or what is in the middle of the view.
+// Opens the vertex inspector at the picked vertex, or at the one in the middle of the view.
 void show_sum(scene::Workspace& w) {
   scene::show_sum_at(w, w.vertex.vertex ? w.vertex.vertex : scene::pointed_vertex(w, w.viewport.middle()));
 }

@@ -15,14 +15,14 @@
 
 namespace viete::ui {
 
-// The gizmo, and what a drag tells while it lasts.
+// The gizmo, and the guides of a drag.
 
 namespace {
 
 using scene::Constraint;
 using Kind = Constraint::Kind;
 
-// The gizmo at rest, or the one handle of it that is in use.
+// The complete gizmo, or the one handle in use.
 class GizmoDrawing {
 public:
   GizmoDrawing(const Context& ui, OverlayPainter& painter, const scene::Gizmo& gizmo)
@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  // While one handle is dragged the others are out of the way.
+  // During a drag the other handles are hidden.
   bool shown(const Constraint& handle) const {
     return !interaction_.drag || interaction_.drag->constraint() == handle;
   }
@@ -84,7 +84,7 @@ private:
     if (gizmo_.tool == scene::Tool::scale) {
       painter_.line(square(gizmo_.center, scene::gizmo_center - 1), c, width, true);
     } else {
-      // No ring: that is what the vertex under the cursor has.
+      // Not a ring, which marks the hovered vertex.
       painter_.line(diamond(gizmo_.center, scene::gizmo_center + 1), c, width, true);
     }
   }
@@ -101,7 +101,7 @@ private:
     }
   }
 
-  // The ring's points on one side, begun where that side begins.
+  // The ring's points on one side, in order.
   void ring_side(int axis, bool front) {
     const auto& ring = gizmo_.rings[axis];
     const std::size_t n = ring.size();
@@ -143,7 +143,7 @@ void guides(const Context& ui, OverlayPainter& painter, const scene::DragGuides&
   painter.line(guides.start, guides.arc.back(), c, 1.5f);
 }
 
-// The amount beside the cursor, inside the view.
+// The amount next to the cursor, inside the view.
 void readout(const Context& ui, const std::string& text) {
   const auto& v = ui.workspace.viewport;
   ImGui::PushFont(ui.fonts.numbers);
@@ -171,7 +171,7 @@ void gizmo_overlay(const Context& ui) {
   if (w.interaction.drag) readout(ui, w.interaction.drag->readout());
 }
 
-// What goes along with the selection, in the view: partners in the mirror, the radius, the placed pivot.
+// Additions to the selection in the view: mirror partners, soft radius, placed pivot.
 
 namespace {
 
@@ -194,7 +194,7 @@ void placed_pivot(const Context& ui, OverlayPainter& painter, const scene::Proje
   if (const auto at = project(*w.handling.point)) cross(ui, painter, glm::vec2(*at), ui.colors.neutral);
 }
 
-// Lines between partners; those on the plane, and those without one, are marked by themselves.
+// Lines between partners; vertices on the plane and unpaired ones are marked individually.
 void partner_map(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
                  const scene::Mirror& mirror) {
   const auto& positions = ui.workspace.document.pose.positions;
@@ -211,7 +211,7 @@ void partner_map(const Context& ui, OverlayPainter& painter, const scene::Projec
   }
 }
 
-// Of the selection: rings on the other side, and a warning where there is no other side.
+// For the selection: rings on the other side, and a warning for unpaired vertices.
 void partners_of_selection(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
                            const scene::Mirror& mirror) {
   const scene::Document& document = ui.workspace.document;
@@ -223,7 +223,7 @@ void partners_of_selection(const Context& ui, OverlayPainter& painter, const sce
   }
 }
 
-// Nothing where a corner is behind the camera.
+// Not drawn if a corner is behind the camera.
 void mirror_plane(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
                   const scene::Mirror& mirror) {
   std::vector<glm::vec2> corners;

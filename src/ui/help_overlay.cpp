@@ -26,7 +26,7 @@ void add_looking(const scene::Keymap& keymap, std::vector<MouseLine>& lines) {
     lines.push_back({"Middle, right or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"});
   }
   lines.push_back({"Wheel", "zoom to the cursor"});
-  lines.push_back({"Double click", "orbit about that place from now on"});
+  lines.push_back({"Double click", "orbit about this point"});
 }
 
 }  // namespace
@@ -40,20 +40,19 @@ std::string key_or_label(const scene::Keymap& keymap, std::string_view name) {
 std::vector<MouseLine> mouse_lines(const scene::Keymap& keymap) {
   std::vector<MouseLine> lines = {
       {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
-      {"Left drag on it", "move the selection (faces, and crowded vertices: once selected)"}};
+      {"Left drag on it", "move the selection (select faces and dense vertices first)"}};
   if (keymap.left_orbits()) {
-    lines.push_back({"Left drag elsewhere", "orbit; select with a box after " +
-                                                key_or_label(keymap, "select_box") + ", with Shift or Ctrl"});
+    lines.push_back({"Left drag elsewhere", "orbit; box select after " + key_or_label(keymap, "select_box") +
+                                                ", with Shift or Ctrl"});
   } else {
-    lines.push_back(
-        {"Left drag elsewhere", "select with a box; from anywhere with Shift (adds) or Ctrl (removes)"});
+    lines.push_back({"Left drag elsewhere", "box select; with Shift (add) or Ctrl (remove) start anywhere"});
   }
-  lines.push_back({"Left drag on a handle", "move, rotate or scale along what it points at"});
-  lines.push_back({"Ctrl, Shift while dragging", "snap to steps; go a tenth of the way"});
-  lines.push_back({"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, done"});
-  lines.push_back({"Esc or right button", "during a drag: everything as it was"});
-  lines.push_back({"Double click on a slider", "type its number (or Ctrl+click)"});
-  lines.push_back({"Right click", "a menu of what can be done there"});
+  lines.push_back({"Left drag on a handle", "move, rotate or scale along its axis"});
+  lines.push_back({"Ctrl, Shift while dragging", "snap to steps; move at a tenth of the speed"});
+  lines.push_back({"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, confirm"});
+  lines.push_back({"Esc or right button", "cancel the drag"});
+  lines.push_back({"Double click on a slider", "type a number (or Ctrl+click)"});
+  lines.push_back({"Right click", "context menu"});
   add_looking(keymap, lines);
   return lines;
 }
@@ -71,14 +70,14 @@ std::string empty_space_words(const scene::Keymap& keymap) {
 
 namespace {
 
-// A line of the table; a heading where there is nothing on its right.
+// A table row; a heading if the right side is empty.
 struct Row {
   std::string left, right;
 };
 using Rows = std::vector<Row>;
 
-// Every key, under the headings of its groups, which the table of commands has one after the other: those of
-// files, edits and selections, or the others.
+// All keys with the headings of their groups, which are consecutive in the command table: those for files,
+// edits and selections, or the others.
 void add_commands(const scene::Keymap& keymap, Rows& rows, bool of_hands) {
   std::string_view group;
   for (const auto& command : scene::commands()) {
@@ -139,19 +138,19 @@ void table(const Context& ui, const char* name, const Rows& rows) {
 }
 
 std::string preset_label(const Context& ui) {
-  const scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  const scene::Keymap& keymap = ui.workspace.preferences.keymap;
   const std::string label(scene::entry_of(keymap.preset()).label);
   return label + (keymap.changes().empty() ? "" : ", changed");
 }
 
 }  // namespace
 
-// Two tables side by side where there is room, else one below the other.
+// Two tables side by side, or one below the other if there is no room.
 void help_overlay(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   constexpr float gap = 32;
-  const Rows hands = hands_rows(ui.workspace.remembered.keymap),
-             settings = settings_rows(ui.workspace.remembered.keymap, ui.workspace.about);
+  const Rows hands = hands_rows(ui.workspace.preferences.keymap),
+             settings = settings_rows(ui.workspace.preferences.keymap, ui.workspace.about);
   const float both = width_of(hands) + gap + width_of(settings) + 4 * ImGui::GetStyle().WindowPadding.x;
   const scene::Viewport& v = ui.workspace.viewport;
   const float middle = v.size.x > both ? v.origin.x + 0.5f * v.size.x : 0.5f * display.x;
@@ -163,37 +162,37 @@ void help_overlay(const Context& ui) {
       {.at = {middle, 0.5f * (display.y + scene::PanelLayout::menu_height - status_height)}},
       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize,
       &open);
-  note(ui, "Keys of " + preset_label(ui) + ".  Help, Change keys gives any command another one.");
+  note(ui, "Keymap: " + preset_label(ui) + ".  Help, Change keys assigns other keys.");
   table(ui, "hands", hands);
   if (both < display.x - 40) ImGui::SameLine(0, gap);
   table(ui, "settings", settings);
   if (!open) ui.workspace.view.help = false;
 }
 
-// Every command with its keys: found by a few letters, given another key by a click and the key.
+// The list of commands with their keys: search, and a new key by a click and a key press.
 
 namespace {
 
 constexpr float list_width = 620, keys_width = 150, back_width = 64;
 
-// Without the changes of one's own.
+// The preset without user changes.
 scene::Keymap plain_preset(const scene::Keymap& keymap) {
   scene::Keymap plain;
   plain.set_preset(keymap.preset());
   return plain;
 }
 
-// Says why a key of the preset is not there: own changes gave it to another command.
+// Explains a missing preset key: the user's changes assign it to another command.
 std::string lost_key(const scene::Keymap& keymap, const scene::Keymap& plain, const scene::Command& command) {
   const scene::Shortcut preset = plain.of(command).first;
   const auto losers = keymap.losers(command.name, preset);
   if (losers.empty() || keymap.of(command).first == preset) return "";
-  return "\n" + scene::text(preset) + " is of \"" + std::string(losers.front()->label) + "\" now";
+  return "\n" + scene::text(preset) + " is used by \"" + std::string(losers.front()->label) + '"';
 }
 
 void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
   scene::Workspace& w = ui.workspace;
-  const std::string name(command.name), keys = scene::text(w.remembered.keymap.of(command));
+  const std::string name(command.name), keys = scene::text(w.preferences.keymap.of(command));
   const bool waits = w.interaction.setting_key == name;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
@@ -201,19 +200,19 @@ void key_of_command(const Context& ui, const scene::Keymap& plain, const scene::
   record(ui, "key/" + name);
   if (waits) ImGui::PopStyleColor();
   if (waits || !ImGui::IsItemHovered()) return;
-  hint("Click, and press the new key; Delete takes it away, Esc leaves it." +
-       lost_key(w.remembered.keymap, plain, command));
+  hint("Click and press the new key. Delete removes it, Esc cancels." +
+       lost_key(w.preferences.keymap, plain, command));
 }
 
 void give_back(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
-  scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  scene::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().contains(command.name)) return;
   ImGui::SameLine();
   const std::string preset = scene::text(plain.of(command));
   if (ImGui::Button(("Reset##" + std::string(command.name)).c_str(), {back_width, 0}))
     keymap.take_back(command.name);
   record(ui, "key/" + std::string(command.name) + "/reset");
-  hint("As the keys of the preset have it: " + (preset.empty() ? "none" : preset));
+  hint("Reset to the key of the keymap: " + (preset.empty() ? "none" : preset));
 }
 
 void key_row(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
@@ -233,37 +232,37 @@ void key_heading(const Context& ui, std::string_view title) {
   ImGui::PopFont();
 }
 
-// What answers something that comes and goes, by a button alone.
-bool is_mere_answer(const Context& ui, const scene::Command& command) {
-  return command.passing && scene::text(ui.workspace.remembered.keymap.of(command)).empty();
+// Commands of transient questions, which have a button only.
+bool is_transient_answer(const Context& ui, const scene::Command& command) {
+  return command.passing && scene::text(ui.workspace.preferences.keymap.of(command)).empty();
 }
 
-// Under the headings of the menus, or what fits what was typed, best first.
+// Grouped by menus, or the matches of the search, best first.
 void key_rows(const Context& ui) {
   const std::string& typed = ui.workspace.key_list.typed;
-  const scene::Keymap plain = plain_preset(ui.workspace.remembered.keymap);
+  const scene::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
   if (typed.empty()) {
     for (const scene::Menu& menu : scene::menus()) {
       key_heading(ui, menu.title);
       for (const scene::Command* command : menu.items) {
-        if (!is_mere_answer(ui, *command)) key_row(ui, plain, *command);
+        if (!is_transient_answer(ui, *command)) key_row(ui, plain, *command);
       }
     }
     return;
   }
   const auto found = scene::find_commands(ui.workspace, typed);
   for (const scene::Command* command : found) key_row(ui, plain, *command);
-  if (found.empty()) note(ui, "No command has that in its name.");
+  if (found.empty()) note(ui, "No command matches.");
 }
 
-// All changes at once; while the list is open they can be brought back.
-void all_back(const Context& ui) {
+// Removes all changes at once; can be undone while the list is open.
+void reset_all_button(const Context& ui) {
   scene::KeyList& list = ui.workspace.key_list;
-  scene::Keymap& keymap = ui.workspace.remembered.keymap;
+  scene::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().empty()) list.taken_back.reset();
   const bool brings = list.taken_back.has_value();
   ImGui::BeginDisabled(!brings && keymap.changes().empty());
-  if (ImGui::Button(brings ? "Bring changes back" : "Reset all")) {
+  if (ImGui::Button(brings ? "Restore changes" : "Reset all")) {
     if (brings) {
       keymap.put(*std::exchange(list.taken_back, std::nullopt));
     } else {
@@ -273,7 +272,7 @@ void all_back(const Context& ui) {
   }
   record(ui, "reset_keys", brings || !keymap.changes().empty());
   ImGui::EndDisabled();
-  hint(brings ? "The changes that were just taken back." : "All keys as the preset has them.");
+  hint(brings ? "Restore the changes that were just reset." : "Reset all keys to the keymap.");
 }
 
 void close_keys(scene::Workspace& w) {
@@ -288,22 +287,22 @@ void key_list(const Context& ui) {
   if (!w.key_list.open) return;
   const scene::Viewport& v = w.viewport;
   bool open = true;
-  const Window window("All keys",
+  const Window window("Change keys",
                       {.at = {0.5f * v.window.x, v.origin.y + 0.5f * v.size.y},
                        .size = {std::min(list_width, v.window.x - 32), std::min(620.0f, v.size.y - 110)}},
                       dialog_flags, &open);
   command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
-                 static_cast<std::size_t>(w.remembered.keymap.preset()));
+                 static_cast<std::size_t>(w.preferences.keymap.preset()));
   search_field(ui, "keys_text", w.key_list.typed, w.key_list.appearing);
   ImGui::BeginChild("rows", {0, -(ImGui::GetFrameHeight() + 8)});
   key_rows(ui);
   ImGui::EndChild();
-  all_back(ui);
+  reset_all_button(ui);
   ImGui::SameLine();
   if (ImGui::Button("Close")) open = false;
   record(ui, "close_keys");
   const bool waits = !w.interaction.setting_key.empty();
-  // The Esc that leaves a key as it is closes nothing.
+  // An Esc that cancels entering a key does not close the list.
   if (key_pressed(scene::Key::escape) && !waits && !w.key_list.waiting) open = false;
   w.key_list.waiting = waits;
   if (!open) close_keys(w);
@@ -311,27 +310,28 @@ void key_list(const Context& ui) {
 
 float key_question(const Context& ui, float bottom) {
   scene::Workspace& w = ui.workspace;
-  if (!w.view.hints) w.ask_keys = false;  // the hand is at work already
+  if (!w.view.hints) w.ask_keys = false;  // the user is already working
   if (!w.ask_keys || !w.view.panels || w.view.help || w.loading.running || w.browser.open || w.question ||
       offers_next_step(w))
     return bottom;
-  const Window window(
-      "Which keys", {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}}, card_flags);
-  ImGui::TextUnformatted("Whose keys do your hands know?");
+  const Window window("Choose keymap",
+                      {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}},
+                      card_flags);
+  ImGui::TextUnformatted("Choose a keymap");
   const auto presets = scene::choices(scene::KeyPreset{});
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::Button(presets[i].label.data(), {72, 0})) {
-      w.remembered.keymap.set_preset(static_cast<scene::KeyPreset>(i));
+      w.preferences.keymap.set_preset(static_cast<scene::KeyPreset>(i));
       w.ask_keys = false;
     }
     record(ui, "ask_keys/" + std::string(presets[i].word));
-    hint(std::string(presets[i].hint) + " Help, Change keys has them all, at any time.");
+    hint(std::string(presets[i].hint) + " Change it later in Help, Keymap.");
   }
   ImGui::SameLine();
   if (ImGui::Button("x")) w.ask_keys = false;
   record(ui, "ask_keys/close");
-  hint("Those of Viete.");
+  hint("Use the keymap Viete.");
   return ImGui::GetWindowPos().y + 28;
 }
 

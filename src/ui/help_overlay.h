@@ -1,4 +1,4 @@
-// The mouse buttons in words, for help and status bar.
+// Descriptions of the mouse buttons for help and status bar.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@ struct MouseLine {
   std::string action, what;
 };
 
-/// All of it, for the help.
+/// The complete list for the help.
 std::vector<MouseLine> mouse_lines(const scene::Keymap& keymap);
 
-/// How one looks around, in phrases with two spaces between them.
+/// Camera navigation, in phrases separated by two spaces.
 std::string looking_words(const scene::Keymap& keymap);
-/// What a drag on nothing does, and how one looks around.
+/// Dragging on empty space, and camera navigation.
 std::string empty_space_words(const scene::Keymap& keymap);
 
-/// "F1", or where it has no key its label in quotes.
+/// "F1", or if it has no key its label in quotes.
 std::string key_or_label(const scene::Keymap& keymap, std::string_view command);
 
 }  // namespace viete::ui

@@ -25,7 +25,7 @@ std::optional<scene::Shortcut> pressed_shortcut() {
   return std::nullopt;
 }
 
-// Esc leaves the key as it was, Delete takes it away.
+// Esc keeps the key, Delete removes it.
 void set_key(scene::Workspace& workspace) {
   const auto pressed = pressed_shortcut();
   if (!pressed) return;
@@ -33,32 +33,32 @@ void set_key(scene::Workspace& workspace) {
   const scene::Command* const command = scene::find_command(name);
   if (!command || *pressed == scene::Shortcut{scene::Key::escape}) return;
   const bool none = *pressed == scene::Shortcut{scene::Key::delete_key};
-  scene::Keymap& keymap = workspace.remembered.keymap;
+  scene::Keymap& keymap = workspace.preferences.keymap;
   std::string losers;
   for (const scene::Command* loser :
        none ? std::vector<const scene::Command*>{} : keymap.losers(name, *pressed))
-    losers += (losers.empty() ? " It was of \"" : ", \"") + std::string(loser->label) + '"';
+    losers += (losers.empty() ? " It was taken from \"" : ", \"") + std::string(loser->label) + '"';
   keymap.change(name, none ? scene::Shortcut{} : *pressed);
   workspace.messages.info('"' + std::string(command->label) + "\" has " +
                           (none ? "no key now." : "the key " + scene::text(*pressed) + " now.") + losers +
                           (losers.empty() ? "" : "."));
 }
 
-// While the mouse is at work keys are its own: they must not change what it holds.
+// Shortcuts are disabled during a mouse gesture: they must not change its objects.
 void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput || ImGui::IsAnyItemActive() || types_into_slider(workspace) || pointer.active() ||
       workspace.question)
     return;
   for (const auto& command : scene::commands()) {
-    const scene::Shortcuts keys = workspace.remembered.keymap.of(command);
+    const scene::Shortcuts keys = workspace.preferences.keymap.of(command);
     if (!matches(keys.first, io) && !matches(keys.second, io)) continue;
-    if (!command.enabled(workspace)) continue;  // a key may do another thing in another mode
+    if (!command.enabled(workspace)) continue;  // another command may have this key in another mode
     return command.run(workspace);
   }
 }
 
-// A question that waits for its answer has the keyboard to itself.
+// A modal question captures the keyboard.
 scene::PointerInput pointer_input(bool keys) {
   const ImGuiIO& io = ImGui::GetIO();
   scene::PointerInput input;

@@ -1,5 +1,4 @@
-// From Dear ImGui's input to the pointer and the commands, and the differences between its versions (1.86
-// to 1.92).
+// Converts Dear ImGui's input for pointer and commands; handles API differences of versions 1.86 to 1.92.
 #pragma once
 
 #include <imgui.h>
@@ -43,7 +42,7 @@ constexpr int key_code(scene::Key key) {
   return function_key ? function_key : digit ? digit : static_cast<int>(key);
 }
 
-/// ImGui's key for a platform key code; 0 if the program does not use it. Old versions take the code itself.
+/// ImGui's key for a platform key code; 0 if unused by the program. Old versions use the code itself.
 inline int imgui_key(int code) {
 #if IMGUI_VERSION_NUM < 18700
   return code;
@@ -82,15 +81,15 @@ inline int imgui_key(int code) {
 #endif
 }
 
-/// Did the key go down in this frame? With repeat, also again and again while it is held.
+/// True if the key was pressed in this frame; with `repeat` also for key repeats.
 inline bool key_pressed(scene::Key key, bool repeat = false) {
   const int k = imgui_key(key_code(key));
   return k > 0 && ImGui::IsKeyPressed(static_cast<ImGuiKey>(k), repeat);
 }
 
-/// Call once a frame after ImGui::NewFrame(): keys run commands, the mouse goes to the pointer. What a panel
-/// wants (WantCaptureMouse, a text field) stays with the panel; a gesture that began in the view goes on over
-/// panels.
+/// Call once a frame after ImGui::NewFrame(): runs commands for keys and passes the mouse to the pointer.
+/// Panels keep captured input (WantCaptureMouse, a text field); a gesture that began in the view continues
+/// over panels.
 void handle_input(scene::Workspace& workspace, scene::Pointer& pointer);
 
 }  // namespace viete::ui

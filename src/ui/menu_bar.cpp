@@ -1,4 +1,4 @@
-// The bar at the top, and the menu that a click with the right button opens: commands by their groups.
+// The menu bar and the context menu: commands in their groups.
 #include <algorithm>
 #include <cctype>
 #include <optional>
@@ -24,18 +24,18 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-// The last edits, the newest first: the one that the document is at is marked, and a click goes to another.
+// The last edits, newest first: the current one is marked, and a click goes to another.
 void history_menu(const Context& ui) {
   constexpr std::size_t most = 50;
   scene::Workspace& w = ui.workspace;
   const std::vector<std::string> labels = w.document.history.labels();
   const std::size_t position = w.document.history.position();
-  const bool open = ImGui::BeginMenu("History", !labels.empty() && !scene::in_hand(w));
+  const bool open = ImGui::BeginMenu("History", !labels.empty() && !scene::is_dragging(w));
   record(ui, "menu/history");
   if (!open) return;
   std::size_t wanted = position;
   const std::size_t last = labels.size() > most ? std::min(position, labels.size() - most) : 0;
-  for (std::size_t n = labels.size() + 1; n-- > last;) {  // after n edits
+  for (std::size_t n = labels.size() + 1; n-- > last;) {  // state after n edits
     const std::string label = n == 0 ? "Before the first edit" : capitalised(labels[n - 1]);
     if (ImGui::MenuItem((label + "##" + std::to_string(n)).c_str(), nullptr, n == position)) wanted = n;
     record(ui, "history/" + std::to_string(n));
@@ -48,12 +48,12 @@ void history_menu(const Context& ui) {
 
 void recent_menu(const Context& ui) {
   scene::Workspace& w = ui.workspace;
-  const bool open = ImGui::BeginMenu("Open recent", !w.remembered.recent.empty());
+  const bool open = ImGui::BeginMenu("Open recent", !w.preferences.recent.empty());
   record(ui, "menu/recent");
   if (!open) return;
   std::optional<std::size_t> chosen;
-  for (std::size_t i = 0; i < w.remembered.recent.size(); ++i) {
-    const scene::RecentFile& recent = w.remembered.recent[i];
+  for (std::size_t i = 0; i < w.preferences.recent.size(); ++i) {
+    const scene::RecentFile& recent = w.preferences.recent[i];
     const std::string name = recent.file.filename().string() + "##" + std::to_string(i);
     const std::string folder = shortened(recent.file.parent_path().filename().string(), 160);
     if (ImGui::MenuItem(name.c_str(), folder.c_str())) chosen = i;
@@ -64,13 +64,13 @@ void recent_menu(const Context& ui) {
   if (chosen) open_recent(w, *chosen);
 }
 
-// Menus of what there is just now, behind a command.
+// Submenus with dynamic entries after a command.
 void list_behind(const Context& ui, const scene::Command& command) {
   if (command.name == "open_model") recent_menu(ui);
   if (command.name == "redo") history_menu(ui);
 }
 
-// Commands of one choice, which follow one another, in a menu of their own.
+// Consecutive commands of one choice share a submenu.
 void items(const Context& ui, const scene::Menu& menu) {
   std::string_view submenu, group = menu.items.empty() ? "" : menu.items.front()->group;
   bool open = false;
@@ -95,10 +95,10 @@ void items(const Context& ui, const scene::Menu& menu) {
 
 struct Offer {
   const char* command;
-  bool line;  // above it
+  bool line;  // separator above it
 };
 
-// What one wants of what is under the cursor, in the order of the hand. What cannot be done now is left out.
+// Commands of the context menu, in order. Disabled ones are omitted.
 constexpr Offer offers[] = {{"undo", false},           {"redo", false},
                             {"reset_selected", true},  {"frame_selection", true},
                             {"frame_all", false},      {"select_all", true},
@@ -116,7 +116,7 @@ bool menu_item(const Context& ui, const scene::Command& command, std::string_vie
   const bool enabled = command.enabled(ui.workspace);
   const bool on = command.on(ui.workspace);
   const std::string label = command.label_now(ui.workspace, called) + "##" + std::string(command.name);
-  const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
+  const std::string keys = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
   record(ui, "menu/" + std::string(command.name), enabled);
   hint(hint_of(ui, command));

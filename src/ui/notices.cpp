@@ -15,14 +15,14 @@
 
 namespace viete::ui {
 
-// All that was said, newest first: a window over the view.
+// The message list, newest first: a window over the view.
 
 namespace {
 
 const char* word_of(scene::Severity severity) {
   switch (severity) {
     case scene::Severity::error: return "Error: ";
-    case scene::Severity::warning: return "Note: ";
+    case scene::Severity::warning: return "Warning: ";
     case scene::Severity::info: break;
   }
   return "";
@@ -53,17 +53,17 @@ void message_log(const Context& ui) {
   const Window window("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
   const auto& all = w.messages.all();
   ImGui::BeginChild("list", {0, -(ImGui::GetFrameHeight() + 8)});
-  if (all.empty()) note(ui, "Nothing was said.");
+  if (all.empty()) note(ui, "No messages.");
   for (std::size_t i = all.size(); i-- > 0;) {
     note(ui, message_text(all[i]), severity_color(ui, all[i].severity));
     record(ui, "message/" + std::to_string(all.size() - 1 - i));
     if (ImGui::IsItemClicked()) ImGui::SetClipboardText(all[i].text.c_str());
-    hint("Click to copy it.");
+    hint("Click to copy the message.");
   }
   ImGui::EndChild();
   if (ImGui::Button("Clear")) w.messages.clear();
   record(ui, "clear_messages");
-  hint("Remove these messages.");
+  hint("Clear the list of messages.");
   ImGui::SameLine();
   if (ImGui::Button("Close") || key_pressed(scene::Key::escape)) open = false;
   record(ui, "close_messages");
@@ -72,16 +72,16 @@ void message_log(const Context& ui) {
 
 namespace {
 
-std::string name_of(const scene::Leftover& leftover) {
+std::string name_of(const scene::RecoveryFile& leftover) {
   return leftover.name + ", " + scene::when(leftover.time, std::time(nullptr));
 }
 
-void hint_at(const scene::Leftover& leftover) {
+void hint_at(const scene::RecoveryFile& leftover) {
   const std::string began = leftover.first_edit.empty() ? "" : "First edit: " + leftover.first_edit + "\n";
   hint(began + "Folder: " + leftover.folder.string());
 }
 
-// Beside the item before, or below it where the window is too narrow.
+// Next to the previous item, or below it in a narrow window.
 void flow(float width) {
   const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
   if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - ImGui::GetStyle().WindowPadding.x)
@@ -92,43 +92,43 @@ float width_of(const std::string& label) {
   return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-// The newest one, which Restore opens, and how many there are besides.
-void leftover_words(const Context& ui) {
-  const auto& leftovers = ui.workspace.leftovers;
-  const std::size_t more = leftovers.size() - 1;
-  const std::string text = "Recovered edits: " + name_of(leftovers.front()) +
+// Describes the newest one, which Restore opens, and the number of others.
+void recovery_text(const Context& ui) {
+  const auto& recovery_files = ui.workspace.recovery_files;
+  const std::size_t more = recovery_files.size() - 1;
+  const std::string text = "Recovered edits: " + name_of(recovery_files.front()) +
                            (more == 0 ? "" : " and " + std::to_string(more) + " more");
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(shortened(text, ImGui::GetContentRegionAvail().x).c_str());
-  hint_at(leftovers.front());
+  hint_at(recovery_files.front());
 }
 
-// As the last thing that is seen.
-void farewell(const Context& ui) {
+// The last thing shown before closing.
+void closing_notice(const Context& ui) {
   const Window window("Farewell", {.at = middle_of_view(ui), .padding = {24, 16}}, sized_flags);
-  ImGui::TextUnformatted("Unsaved edits are kept; the next start offers to bring them back.");
+  ImGui::TextUnformatted("Unsaved edits were saved for recovery; the next start offers to restore them.");
   record(ui, "farewell");
 }
 
 }  // namespace
 
 float notice_room(const Context& ui) {
-  constexpr float tools = 64, least = 180;  // tools at the left; as much at the right, so that it is centred
+  constexpr float tools = 64, least = 180;  // tools on the left; the same on the right for centering
   return std::max(least, ui.workspace.viewport.size.x - 2 * tools);
 }
 
-// A row of its own below the menu bar, above the columns and the view.
+// A row below the menu bar, above the columns and the view.
 void notice_bar(const Context& ui) {
   auto& w = ui.workspace;
-  if (w.farewell) farewell(ui);
-  if (!w.attended) return;
+  if (w.closing_notice) closing_notice(ui);
+  if (!w.has_user) return;
   w.notice_height = 0;
-  if (!w.offers_leftovers || w.leftovers.empty()) return;
+  if (!w.offers_recovery || w.recovery_files.empty()) return;
   const float top = w.view.panels ? scene::PanelLayout::menu_height : 0;
   const ImVec2 size(w.viewport.window.x, 0);
   ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});
   const Window window("Notice", {.at = {0, top}, .pivot = {0, 0}, .rounding = 0}, card_flags);
-  leftover_words(ui);
+  recovery_text(ui);
   for (const char* command : {"restore_leftover", "discard_leftovers", "put_off_leftovers"}) {
     flow(width_of(scene::find_command(command)->brief));
     command_button(ui, command);
@@ -136,7 +136,7 @@ void notice_bar(const Context& ui) {
   w.notice_height = ImGui::GetWindowSize().y;
 }
 
-// At the bottom of the view: messages of the last seconds, in two lines each. Nothing else moves for them.
+// Recent messages at the bottom of the view, in two lines each. They do not move other items.
 
 namespace {
 
@@ -157,7 +157,7 @@ void cross(ImDrawList& draw, ImVec2 middle, ImU32 color) {
   draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, 1.5f);
 }
 
-// Shortened to two lines; the list of messages has the whole text.
+// Shortened to two lines; the message list has the whole text.
 std::string in_two_lines(const std::string& text, float width) {
   const auto fits = [&](const std::string& part) {
     return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y < 2.5f * ImGui::GetTextLineHeight();
@@ -170,11 +170,11 @@ std::string in_two_lines(const std::string& text, float width) {
   }
   const std::size_t space = text.rfind(' ', low);
   if (space != std::string::npos && space > low / 2) low = space;
-  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // within a letter
+  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // inside a UTF-8 character
   return text.substr(0, low) + "...";
 }
 
-// Ends above `bottom`, which it moves up.
+// Drawn above `bottom`, which moves up.
 Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float beside = mark_width + 2 * toast_padding + (toast.closes ? close_width : 0);
@@ -210,18 +210,18 @@ Pressed draw_toast(const Context& ui, const Toast& toast, float& bottom) {
     record(ui, toast.name + "/close");
     cross(draw, {high.x - 0.5f * close_width - 2, 0.5f * (low.y + high.y)},
           ImGui::IsItemHovered() ? ui.colors.text : ui.colors.faint);
-    hint("Put it away; it stays in the list of messages.");
+    hint("Dismiss. The message stays in Help, Show messages.");
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
   return pressed;
 }
 
-// Newest lowest.
-std::vector<std::size_t> in_sight(const scene::Messages& messages) {
+// Newest at the bottom.
+std::vector<std::size_t> visible_messages(const scene::Messages& messages) {
   std::vector<std::size_t> newest;
   for (std::size_t i = messages.all().size(); i-- > 0;) {
-    if (messages.all()[i].in_sight) newest.push_back(i);
+    if (messages.all()[i].visible) newest.push_back(i);
   }
   return newest;
 }
@@ -230,8 +230,8 @@ std::vector<std::size_t> in_sight(const scene::Messages& messages) {
 
 void toasts(const Context& ui, float bottom) {
   scene::Workspace& w = ui.workspace;
-  if (!w.attended) return;
-  const auto newest = in_sight(w.messages);
+  if (!w.has_user) return;
+  const auto newest = visible_messages(w.messages);
   for (std::size_t i = 0; i < std::min(most_toasts, newest.size()); ++i) {
     const scene::Message& message = w.messages.all()[newest[i]];
     const Toast toast{
@@ -251,11 +251,11 @@ namespace {
 
 using scene::Answer;
 
-constexpr std::array answers = {Answer::save, Answer::cancel, Answer::go_on};
+constexpr std::array answers = {Answer::save, Answer::cancel, Answer::proceed};
 constexpr std::array names = {"question_save", "question_cancel", "question_go_on"};
 constexpr float question_width = 440;
 
-// The one that Enter gives is filled.
+// The default answer is filled.
 bool answer_button(const Context& ui, std::size_t i) {
   const scene::Question& question = *ui.workspace.question;
   const bool chosen = question.chosen == i;
@@ -274,20 +274,20 @@ float button_width(const scene::Question& question, Answer answer) {
   return ImGui::CalcTextSize(scene::label(question.kind, answer)).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-// What loses something stands apart, at the far end.
+// Destructive answers are separated, at the far end.
 std::optional<Answer> answer_row(const Context& ui) {
   std::optional<Answer> answer;
   const float left = ImGui::GetCursorPosX();
   for (std::size_t i = 0; i < answer_count(ui.workspace.question->kind); ++i) {
     if (i > 0) ImGui::SameLine();
-    if (answers[i] == Answer::go_on)
+    if (answers[i] == Answer::proceed)
       ImGui::SetCursorPosX(left + question_width - button_width(*ui.workspace.question, answers[i]));
     if (answer_button(ui, i)) answer = answers[i];
   }
   return answer;
 }
 
-// Enter gives the chosen answer, Tab and the arrows choose another, Esc is Cancel.
+// Enter gives the chosen answer, Tab and the arrows choose another, Esc cancels.
 std::optional<Answer> answer_by_key(scene::Question& question) {
   using scene::Key;
   const bool back = key_pressed(Key::left) || (key_pressed(Key::tab) && ImGui::GetIO().KeyShift);
@@ -336,18 +336,18 @@ void question_panel(const Context& ui) {
 
 namespace {
 
-constexpr double silent_seconds = 0.2;  // what is done sooner shows no bar
+constexpr double silent_seconds = 0.2;  // shorter work shows no bar
 
-// No more exactly than it is known.
+// Rounded according to its uncertainty.
 std::string words_of(std::optional<double> left) {
   if (!left) return "";
-  if (*left < 1) return "a moment";
+  if (*left < 1) return "a few seconds left";
   if (*left > 90) return std::to_string(std::lround(*left / 60)) + " min left";
   const double step = *left > 10 ? 5 : 1;
   return std::to_string(std::lround(step * std::ceil(*left / step))) + " s left";
 }
 
-// What is done, how far, and a way to stop it.
+// The task, its progress, and a Cancel button.
 void row(const Context& ui, const scene::WorkState& work, scene::TimeLeft& time_left, const char* stop) {
   constexpr float widest = 420, time_width = 96;
   const float width = std::min(widest, notice_room(ui) - 2 * ImGui::GetStyle().WindowPadding.x);
@@ -378,17 +378,17 @@ float work_bar(const Context& ui, float bottom) {
   return ImGui::GetWindowPos().y + 28;
 }
 
-// At the bottom of the view: what is wrong with cage or model, and the one thing that helps, for who does not
-// see the section of the checks.
+// At the bottom of the view: the main defect of cage or model and its remedy, visible without the section of
+// the checks.
 
 namespace {
 
 bool shows_badge(const scene::Workspace& w) {
-  return w.checks.badge && w.attended && w.view.panels && !w.view.help && !w.browser.open && !w.question &&
+  return w.checks.badge && w.has_user && w.view.panels && !w.view.help && !w.browser.open && !w.question &&
          !w.making.open && !w.loading.running && !w.interaction.drag && !offers_next_step(w);
 }
 
-// Where it is, or away with it again. While it is looked for anew it cannot be shown.
+// Shows or hides the elements. Disabled while the checks run.
 void show_button(const Context& ui, const scene::CheckBadge& badge) {
   const auto at = scene::find_finding(ui.workspace.checks, badge.kind);
   ImGui::BeginDisabled(!at);
@@ -396,7 +396,7 @@ void show_button(const Context& ui, const scene::CheckBadge& badge) {
   if (ImGui::Button(shown ? "Hide##badge" : "Show##badge")) scene::toggle_finding(ui.workspace, *at);
   ImGui::EndDisabled();
   record(ui, "badge/show", at.has_value());
-  hint("Where they are in the view; the section Checks steps through them.");
+  hint("Show or hide the problems in the view. Checks steps through them.");
 }
 
 void helping_button(const Context& ui, const scene::Command& command) {
@@ -429,10 +429,10 @@ float check_badge(const Context& ui, float bottom) {
   }
   ImGui::SameLine(0, 2);
   ImGui::PushStyleColor(ImGuiCol_Button, 0);
-  if (ImGui::Button("x##badge")) scene::put_badge_away(w.checks);
+  if (ImGui::Button("x##badge")) scene::dismiss_badge(w.checks);
   ImGui::PopStyleColor();
   record(ui, "badge/close");
-  hint("Put it away; the section Checks still has it.");
+  hint("Dismiss. The section Checks still lists it.");
   return ImGui::GetWindowPos().y - 8;
 }
 

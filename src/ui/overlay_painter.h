@@ -1,5 +1,4 @@
-// Lines and shapes over the view, behind the panels: each with a thin halo, so that it shows on any
-// background.
+// Lines and shapes over the view, behind the panels, each with a thin halo for contrast with any background.
 #pragma once
 
 #include <array>
@@ -21,7 +20,7 @@ inline std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
           center + glm::vec2(-half, half)};
 }
 
-/// Draws into ImGui's background list, with edges as sharp as the screen's pixels at any scale.
+/// Draws into ImGui's background list, with edges sharp to the device pixel at any scale.
 class OverlayPainter {
 public:
   explicit OverlayPainter(const Context& ui);
@@ -35,15 +34,15 @@ public:
   void line(const glm::vec2& a, const glm::vec2& b, ImU32 color, float width, float opacity = 1);
   void circle(const glm::vec2& center, float radius, ImU32 color, float width, float opacity = 1);
   void disc(const glm::vec2& center, float radius, ImU32 color, float opacity = 1);
-  /// Convex.
+  /// Convex only.
   void polygon(std::span<const glm::vec2> corners, ImU32 color, float opacity = 1);
-  /// The same without halo: a tint of what is below.
+  /// Filled polygon without halo, to tint the background.
   void tint(std::span<const glm::vec2> corners, ImU32 color);
-  /// A thin line around it, without halo either.
+  /// Thin closed line without halo.
   void outline(std::span<const glm::vec2> corners, ImU32 color);
-  /// A tint between the centre and a line, which may go all the way round.
+  /// Tinted fan between the center and a line, up to a full circle.
   void fan(const glm::vec2& center, std::span<const glm::vec2> line, ImU32 color);
-  /// One letter or word in the middle of a place.
+  /// Centered text, a letter or a word.
   void letter(const glm::vec2& center, const char* text, ImU32 color, float size = 13);
 
 private:

@@ -26,7 +26,7 @@ void panel_model(const Context& ui) {
   if (!open) return;
   if (!model.surface && ui.workspace.loading.running) return note(ui, ui.workspace.loading.what);
   if (!model.surface) {
-    note(ui, "No model is open. Open one, or drop a file on the window.");
+    note(ui, "No model. Open one or drop a file on the window.");
     command_button(ui, "open_model");
     if (const auto clicked = recent_list(ui, 4)) open_recent(ui.workspace, *clicked);
     return;
@@ -60,7 +60,7 @@ void panel_cage(const Context& ui) {
   if (wishing) panel_making(ui);
   if (!document.has_cage()) {
     if (wishing) return;
-    note(ui, "No cage is open. A cage is a coarse mesh around the model.");
+    note(ui, "No cage. A cage is a coarse mesh around the model.");
     command_row(ui, {"open_cage", "make_cage"});
     return;
   }
@@ -72,13 +72,13 @@ void panel_cage(const Context& ui) {
   editing(ui);
 }
 
-// The sliders of a cage that is being made.
+// The sliders of cage generation.
 
 namespace {
 
 constexpr float making_label = 84, making_value = 52;
 
-// A slider with its value at the right of it.
+// A slider with its value on the right.
 Slid slider_row(const Context& ui, const char* text, const std::string& name, float& value, float least,
                 float most, ImGuiSliderFlags flags, const std::string& shown, const char* sentence) {
   row_label(text, making_label);
@@ -93,19 +93,19 @@ Slid slider_row(const Context& ui, const char* text, const std::string& name, fl
   return slid;
 }
 
-// Steps that a hand can find again: 12, 14 ... 100, 110 ... 2,000.
+// Reproducible steps: 12, 14 ... 100, 110 ... 2,000.
 std::size_t rounded_triangles(float value) {
   const double step = value < 40 ? 2 : value < 100 ? 5 : value < 400 ? 10 : 50;
   return static_cast<std::size_t>(std::lround(value / step) * std::lround(step));
 }
 
 void triangles(const Context& ui, scene::CageWish& wish) {
-  constexpr float most = 2000;  // more take long, and are no cage that a person poses
+  constexpr float most = 2000;  // beyond this, slow to bind and impractical to pose
   auto value = static_cast<float>(wish.triangles);
-  const Slid slid =
-      slider_row(ui, "Triangles", "cage_triangles", value, scene::least_triangles, most,
-                 ImGuiSliderFlags_Logarithmic, count(wish.triangles),
-                 "How many the cage has: fewer are posed more quickly, more follow the model more closely.");
+  const Slid slid = slider_row(
+      ui, "Triangles", "cage_triangles", value, scene::least_triangles, most, ImGuiSliderFlags_Logarithmic,
+      count(wish.triangles),
+      "Number of triangles of the cage. Fewer are easier to pose; more follow the model more closely.");
   if (slid.moved) wish.triangles = rounded_triangles(value);
   if (slid.typed) wish.triangles = static_cast<std::size_t>(std::lround(*slid.typed));
 }
@@ -131,15 +131,15 @@ void share(const Context& ui, const char* text, const char* name, double& share,
 
 void cells(const Context& ui, scene::CageWish& wish) {
   constexpr const char* names[] = {"cage_cells_x", "cage_cells_y", "cage_cells_z"};
-  constexpr const char* labels[] = {"Cells, x", "y", "z"};
+  constexpr const char* labels[] = {"Cells X", "Y", "Z"};
   for (std::size_t k = 0; k < 3; ++k) {
     auto value = static_cast<float>(wish.cells[k]);
     const Slid slid = slider_row(ui, labels[k], names[k], value, 1, 12, 0, count(wish.cells[k]),
-                                 "Into how many cells the box is cut along this axis.");
+                                 "Number of cells along this axis.");
     if (slid.moved || slid.typed)
       wish.cells[k] = static_cast<std::size_t>(std::lround(slid.typed.value_or(value)));
   }
-  ImGui::Checkbox("Along the model's own axes", &wish.own_axes);
+  ImGui::Checkbox("Align to model's principal axes", &wish.own_axes);
   record(ui, "cage_own_axes");
 }
 
@@ -163,17 +163,17 @@ void panel_making(const Context& ui) {
     triangles(ui, wish);
   }
   share(ui, "Margin", "cage_margin", wish.margin, scene::least_margin, 0.1,
-        "The distance that the cage keeps from the model, in percent of its diagonal.");
+        "Minimum distance between cage and model, in percent of the model's diagonal.");
   if (wish.kind == scene::CageKind::automatic) {
     share(ui, "Close gaps", "cage_gap", wish.gap, 0.001, 0.1,
-          "Gaps of the model narrower than twice this, in percent of its diagonal, are closed: fingers grow "
-          "together.");
+          "Closes gaps of the model narrower than twice this, in percent of its diagonal. Joins close parts, "
+          "for example fingers.");
     choice(ui, "Symmetry", "cage_symmetry", scene::all_symmetries(), wish.symmetry);
     ImGui::Checkbox("Mostly quads", &wish.quads);
     record(ui, "cage_quads");
-    hint("Triangles are paired where two make a good quad.");
+    hint("Pair triangles that form good quads.");
   }
-  if (scene::shows_made(ui.workspace.document, making)) {  // not after an undo
+  if (scene::shows_generated(ui.workspace.document, making)) {  // not after an undo
     for (const auto& lines : {making.notes, making.lost})
       for (const std::string& line : lines) note(ui, line, ui.colors.warn);
     if (!making.lost.empty()) record(ui, "making_lost");
@@ -181,8 +181,8 @@ void panel_making(const Context& ui) {
   command_row(ui, {"finish_cage", "cancel_cage"});
 }
 
-// What comes next with a model that was just opened, at the bottom of the view, and never more than one
-// thing: a cage, while it has none; what of it is outside of its cage.
+// The next step for a newly opened model, at the bottom of the view, one at a time: getting a cage, or fixing
+// model parts outside it.
 
 namespace {
 
@@ -191,7 +191,7 @@ bool is_free(const scene::Workspace& w) {
          !w.browser.open && !w.question && w.view.panels && !w.view.help;
 }
 
-// The finding, until work on the pose has begun.
+// The finding, until the pose is edited.
 const scene::Finding* outside(const scene::Workspace& w) {
   const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.interaction.drag;
   if (!w.document.has_cage() || begun || w.checks.running) return nullptr;
@@ -199,7 +199,7 @@ const scene::Finding* outside(const scene::Workspace& w) {
   return at ? &w.checks.findings[*at] : nullptr;
 }
 
-// Returns how wide it is.
+// Returns its width.
 float words(const Context& ui, const std::string& title, const std::string& what) {
   ImGui::PushFont(ui.fonts.strong);
   const float wide = ImGui::CalcTextSize(title.c_str()).x;
@@ -214,9 +214,9 @@ float words(const Context& ui, const std::string& title, const std::string& what
 void ways_to_a_cage(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   const float width =
-      words(ui, "This model has no cage yet", "A cage is the coarse mesh around it that you drag.");
+      words(ui, "This model has no cage", "A cage is the coarse mesh around it that you drag.");
   if (!w.document.cage_beside.empty()) {
-    text_in(ui.colors.text, w.document.cage_beside.filename().string() + " lies beside it.");
+    text_in(ui.colors.text, w.document.cage_beside.filename().string() + " is in the same folder.");
     command_button(ui, "open_cage_beside", width);
   }
   command_button(ui, "make_cage", width);
@@ -225,8 +225,8 @@ void ways_to_a_cage(const Context& ui) {
 
 void ways_around_it(const Context& ui, const scene::Finding& finding) {
   words(ui, scene::title(finding),
-        finding.turned ? "The cage should be around all of it; turned, it fits clearly better."
-                       : "The cage should be around all of it.");
+        finding.turned ? "The cage must enclose the model; rotated, it fits clearly better."
+                       : "The cage must enclose the model.");
   if (finding.turned) command_row(ui, {"fit_cage", "fit_cage_turned"});
   command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
 }

@@ -10,7 +10,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr std::size_t named = 6;  // elements in a card
+constexpr std::size_t named = 6;  // elements listed in a card
 constexpr float inset = 10;
 
 std::size_t mattering(const scene::CheckState& checks) {
@@ -18,13 +18,13 @@ std::size_t mattering(const scene::CheckState& checks) {
       std::count_if(checks.findings.begin(), checks.findings.end(), scene::matters));
 }
 
-// "2 findings", "all is well": what can be read while the section is closed.
+// "2 findings", "all is well": visible while the section is closed.
 std::string summary(const scene::CheckState& checks, std::size_t of_pose) {
   if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
   const std::size_t n = checks.findings.size() + of_pose;
-  if (n == 0) return "all is well";
+  if (n == 0) return "no problems";
   if (mattering(checks) + of_pose == 0) return n == 1 ? "1 note" : count(n) + " notes";
-  return n == 1 ? "1 finding" : count(n) + " findings";
+  return n == 1 ? "1 problem" : count(n) + " problems";
 }
 
 float wrapped_height(const std::string& text, float width) {
@@ -35,7 +35,7 @@ std::string elements_text(const scene::Finding& finding) {
   return scene::element_name(finding.kind) + ' ' + scene::first_elements(finding, named);
 }
 
-// Title, what it means, and the first elements; a click shows them in the view.
+// Title, explanation, and the first elements; a click shows them in the view.
 void card(const Context& ui, std::size_t index) {
   auto& checks = ui.workspace.checks;
   const scene::Finding& finding = checks.findings[index];
@@ -76,11 +76,11 @@ void card(const Context& ui, std::size_t index) {
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.text, elements.c_str(), nullptr,
                wrap);
   ImGui::PopFont();
-  hint(shown ? "Click to hide them again." : "Click to see them in the view.");
+  hint(shown ? "Click to hide them." : "Click to show them in the view.");
   if (clicked) scene::toggle_finding(ui.workspace, index);
 }
 
-// "< 3 of 17: edge 5-8 >": one element after the other.
+// "< 3 of 17: edge 5-8 >": steps through the elements.
 void stepper(const Context& ui) {
   auto& checks = ui.workspace.checks;
   const scene::Finding& finding = checks.findings[*checks.shown];
@@ -92,17 +92,17 @@ void stepper(const Context& ui) {
     record(ui, name);
     hint(tip);
   };
-  step("<##finding", "finding_previous", -1, "Show the one before alone.");
+  step("<##finding", "finding_previous", -1, "Show the previous one only.");
   const std::string text = checks.element ? count(*checks.element + 1) + " of " + count(finding.size())
                                           : "all " + count(finding.size());
   ImGui::SameLine(left + 0.5f * (width - ImGui::CalcTextSize(text.c_str()).x));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text.c_str());
   ImGui::SameLine(left + width - button);
-  step(">##finding", "finding_next", 1, "Show the next one alone.");
+  step(">##finding", "finding_next", 1, "Show the next one only.");
 }
 
-// The cage's before the model's: what matters has come first anyway.
+// Findings of the cage before those of the model; important ones are sorted first anyway.
 void group(const Context& ui, scene::Subject subject, const char* heading) {
   const auto& checks = ui.workspace.checks;
   bool first = true;
@@ -115,20 +115,20 @@ void group(const Context& ui, scene::Subject subject, const char* heading) {
   }
 }
 
-// Where the checks have found that cage and model do not match.
-void bring_together(const Context& ui) {
+// Buttons to fit a cage that does not match the model.
+void fit_buttons(const Context& ui) {
   const auto& checks = ui.workspace.checks;
   const auto at = scene::outside_finding(checks);
   if (!at) return;
   const scene::Finding& found = checks.findings[*at];
   const std::string outside = scene::title(found) + ". ";
-  if (ui.workspace.document.kept_pose) {  // the other buttons are there anyway
+  if (ui.workspace.document.kept_pose) {  // the other buttons are shown anyway
     note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
     return command_row(ui, {"show_outside"});
   }
   note(ui,
-       outside + "Enclose moves the cage outward there, Fit brings all of it to the model" +
-           (found.turned ? "; turned, it fits clearly better." : "."),
+       outside + "Enclose moves the cage outward there; Fit moves and scales the whole cage" +
+           (found.turned ? "; rotated, it fits clearly better." : "."),
        ui.colors.warn);
   if (!found.turned) return command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
   command_row(ui, {"show_outside", "enclose_model"});
@@ -141,7 +141,7 @@ void panel_checks(const Context& ui) {
   auto& checks = ui.workspace.checks;
   if (!ui.workspace.document.model.surface) return;
   const std::size_t matter = checks.running ? 0 : mattering(checks);
-  if (checks.fresh) ui.workspace.remembered.layout.sections["Checks"] = matter > 0;
+  if (checks.fresh) ui.workspace.preferences.layout.sections["Checks"] = matter > 0;
   checks.fresh = false;
   const bool open = section(ui, "Checks", false);
   const auto& of_pose = ui.workspace.pose_notes;
@@ -151,13 +151,13 @@ void panel_checks(const Context& ui) {
     note(ui, of_pose[i], ui.colors.warn);
     record(ui, "pose_note/" + std::to_string(i));
   }
-  if (checks.running) return note(ui, "Model and cage are being looked through.");
+  if (checks.running) return note(ui, "Checking model and cage.");
   if (checks.findings.empty()) {
-    note(ui, ui.workspace.document.has_cage() ? "Model and cage are closed, oriented manifolds; the cage "
-                                                "does not cut itself and encloses the model."
+    note(ui, ui.workspace.document.has_cage() ? "Model and cage are closed, oriented manifolds. The cage "
+                                                "encloses the model without self-intersections."
                                               : "The model is a closed, oriented manifold.");
   }
-  bring_together(ui);
+  fit_buttons(ui);
   group(ui, scene::Subject::cage, "Cage");
   group(ui, scene::Subject::model, "Model");
 }

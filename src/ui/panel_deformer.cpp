@@ -23,7 +23,7 @@ using scene::entry;
 constexpr float chooser_label = 84;
 constexpr const char* custom = "Custom";
 
-// What changes along with the entry that is chosen, and what it takes.
+// Side effects of the highlighted entry, and its cost.
 std::string consequences(const scene::Workspace& w, const scene::Scheme& next, std::string_view chosen) {
   const scene::Scheme& now = w.document.scheme;
   std::string text;
@@ -39,7 +39,7 @@ std::string consequences(const scene::Workspace& w, const scene::Scheme& next, s
   return text;
 }
 
-// A line of a chooser's list.
+// An entry of a chooser's list.
 template <class Entry>
 void choice(const Context& ui, const Entry& choice, bool chosen) {
   scene::Workspace& w = ui.workspace;
@@ -62,7 +62,7 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   const char* shown = chosen ? entry(*chosen).label.data() : custom;
   const bool open = ImGui::BeginCombo(id.c_str(), shown, ImGuiComboFlags_HeightLarge);
   record(ui, name);
-  if (!open && !chosen) return hint("A combination of your own; see Custom deformer in Analysis.");
+  if (!open && !chosen) return hint("Weights and blend chosen separately; see Custom deformer in Analysis.");
   if (!open) return choice_hint(ui, *chosen);
   for (const Entry& e : table) choice(ui, e, e.value == chosen);
   ImGui::EndCombo();
@@ -72,7 +72,7 @@ struct Number {
   double value, least, most;
 };
 
-// A slider of so many stops, with its value beside it, which can be typed as a number.
+// A slider with discrete stops and its value, which can be typed as a number.
 Slid stops(const Context& ui, const char* name, const char* label, int& stop, int last, bool used,
            const Number& number, const std::string& value, const std::string& hint_text) {
   ImGui::BeginDisabled(!used);
@@ -93,7 +93,7 @@ Slid stops(const Context& ui, const char* name, const char* label, int& stop, in
   return slid;
 }
 
-// A slider of these shares: the one that it was moved to, or that was typed in percent.
+// A slider of these shares: returns the one moved to, or typed in percent.
 std::optional<double> share_slider(const Context& ui, const char* name, const char* label, double share,
                                    std::span<const double> all, const char* hint_text) {
   const auto above = std::ranges::lower_bound(all, share);
@@ -108,9 +108,9 @@ std::optional<double> share_slider(const Context& ui, const char* name, const ch
 void radius_slider(const Context& ui) {
   constexpr std::array radii = {0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
   scene::Document& document = ui.workspace.document;
-  const auto radius = share_slider(ui, "radius", "Radius", document.scheme.weighting.radius, radii,
-                                   "Where weights end, in percent of the cage's size. What no element of the "
-                                   "cage reaches stays at rest.");
+  const auto radius = share_slider(
+      ui, "radius", "Radius", document.scheme.weighting.radius, radii,
+      "Distance where weights become zero, in percent of the cage's size. Vertices beyond it stay at rest.");
   if (radius) scene::set_radius(document, *radius);
 }
 
@@ -122,7 +122,7 @@ bool amount_slider(const Context& ui, const char* name, const char* label, doubl
   const std::string percent = std::to_string(std::lround(100 * shown)) + " %";
   const Slid slid = stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)),
                           used, {100 * shown, 0, 100 * scene::largest_amount}, percent,
-                          used ? what : "Points of the cage only move: they do not turn or stretch.");
+                          used ? what : "Not available: the cage vertices of this deformer only move.");
   if (slid.moved) amount = std::round(100 * step * stop) / 100;
   if (slid.typed) amount = 0.01 * *slid.typed;
   return slid.moved || slid.typed;
@@ -146,13 +146,11 @@ void holding(const Context& ui) {
   constexpr std::array weights = {0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
   scene::Document& document = ui.workspace.document;
   scene::Holding shown = document.scheme.holding;
-  const auto pins =
-      share_slider(ui, "pins", "Pins", shown.radius, radii,
-                   "Vertices so near to an element of the cage follow it, the nearer the more, in percent "
-                   "of the cage's size. 0 %: only the triangle that is nearest to each.");
-  const auto held =
-      share_slider(ui, "hold", "Hold", shown.weight, weights,
-                   "How firmly every vertex is held where it would be if the model was not stitched.");
+  const auto pins = share_slider(ui, "pins", "Pins", shown.radius, radii,
+                                 "Attach vertices within this distance of the cage, in percent of its size. "
+                                 "0 %: only the nearest triangle of each element.");
+  const auto held = share_slider(ui, "hold", "Hold", shown.weight, weights,
+                                 "How strongly each vertex is drawn to its unstitched position.");
   shown = {pins.value_or(shown.radius), held.value_or(shown.weight)};
   if (pins || held) scene::set_holding(document, shown);
 }
@@ -178,9 +176,8 @@ void stitching(const Context& ui) {
   if (slid.typed) iterations = static_cast<int>(std::lround(*slid.typed));
   if (slid.moved || slid.typed) scene::set_iterations(document, iterations);
   hint(
-      "How often the model is solved for in each frame. From the second time on, rotations of its triangles "
-      "are "
-      "fitted to what was solved before: bends spread out more evenly.");
+      "Number of solves per frame. Each further solve refits the triangles' rotations, which spreads bends "
+      "more evenly.");
   holding(ui);
 }
 

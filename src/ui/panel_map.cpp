@@ -35,7 +35,7 @@ void panel_display(const Context& ui) {
 
 namespace {
 
-// What the colours span, to be typed while it is held.
+// Fields for the colour range while it is fixed.
 void range_fields(const Context& ui) {
   scene::FieldView& shown = ui.workspace.field;
   if (!shown.holds_range || !shown.values) return;
@@ -44,17 +44,18 @@ void range_fields(const Context& ui) {
   ImGui::SetNextItemWidth(width);
   const auto typed_low = number_field(ui, "map/low", low);
   record(ui, "map/low");
-  hint("The value at the first colour.");
+  hint("Value of the first colour.");
   ImGui::SameLine();
   ImGui::TextUnformatted("to");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
   const auto typed_high = number_field(ui, "map/high", high);
   record(ui, "map/high");
-  hint("The value at the last colour.");
+  hint("Value of the last colour.");
   low = typed_low.value_or(low), high = typed_high.value_or(high);
   if (!typed_low && !typed_high) return;
-  if (!(low < high)) return ui.workspace.messages.warn("The first value of a range is below the last one.");
+  if (!(low < high))
+    return ui.workspace.messages.warn("The first value of the range must be below the last one.");
   shown.stats.low = static_cast<decltype(shown.stats.low)>(low);
   shown.stats.high = static_cast<decltype(shown.stats.high)>(high);
   lab::fit_counts(*shown.values, shown.stats);
@@ -70,11 +71,13 @@ void panel_map(const Context& ui) {
   section_note(ui, wanted == lab::Field::none ? "" : std::string(base::entry_of(wanted).label));
   if (!open) return;
   choice_list(ui, "map", std::optional(wanted), ImGui::GetContentRegionAvail().x);
-  if (wanted == lab::Field::none) return note(ui, "Colours the mesh by what the deformation does to it.");
+  if (wanted == lab::Field::none) return note(ui, "Colours the model by a measure of the deformation.");
   if (scene::shown_field(w) == lab::Field::none)
-    return note(ui, "There is none here: it needs a cage, and a blend in log space.");
+    return note(ui, "Not available here: this map needs a cage and the blend Log space.");
   const bool needs_selection = wanted == lab::Field::influence && w.document.selection.empty();
-  note_within(ui, 2, needs_selection ? "Select something." : std::string(base::entry_of(wanted).hint));
+  note_within(
+      ui, 2,
+      needs_selection ? "Select part of the cage or a probe." : std::string(base::entry_of(wanted).hint));
   command_toggle(ui, "hold_map_range");
   range_fields(ui);
   command_button(ui, "frame_worst", ImGui::GetContentRegionAvail().x);
@@ -84,7 +87,7 @@ namespace {
 
 constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
-// With bars over the colours, or, where several views share the room, without.
+// With bars over the colours, or without if several views share the room.
 struct Size {
   float width, height, bars;
 };
@@ -113,7 +116,7 @@ void colors(const Legend& l, const std::vector<ImU32>& all) {
   }
 }
 
-// How many vertices have which value, by the root: few are seen beside many.
+// The histogram of values, with square roots, so that small counts are visible.
 void counts(const Legend& l) {
   const auto& all = l.stats.counts;
   const auto most = static_cast<float>(std::max(1u, *std::ranges::max_element(all)));
@@ -146,7 +149,7 @@ void ticks(const Legend& l) {
   ImGui::PopFont();
 }
 
-// Of what is under the cursor: in the view that this is, or where all views have the same camera, in any.
+// The value under the cursor: of this view or, if all views share a camera, of any.
 std::optional<double> pointed_value(const scene::Workspace& w, const scene::FieldView& shown) {
   const auto& cursor = w.interaction.cursor;
   if (!cursor || !shown.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse) return std::nullopt;
@@ -182,7 +185,7 @@ std::string extent(const scene::FieldView& shown, float room) {
   const lab::FieldStats& stats = shown.stats;
   if (!shown.problem.empty()) return shortened(shown.problem, room);
   if (!shown.values) return "computing";
-  if (stats.is_nan) return "some are not numbers";
+  if (stats.is_nan) return "some values are NaN";
   const std::string ends = lab::text(stats.field, stats.least) + " to " + lab::text(stats.field, stats.most);
   const std::string with_median = ends + ", median " + lab::text(stats.field, stats.median);
   return ImGui::CalcTextSize(with_median.c_str()).x <= room ? with_median : ends;
@@ -211,7 +214,7 @@ void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab
 
 }  // namespace
 
-// At the bottom right of each view: what the colours on its mesh say. What is said in the middle goes above
+// At the bottom right of each view: the meaning of its mesh colours. Notices in the middle are placed above
 // it.
 float map_legend(const Context& ui, float bottom) {
   const auto& w = ui.workspace;

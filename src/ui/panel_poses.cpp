@@ -1,4 +1,4 @@
-// The Poses panel: poses with names, each with its picture and a slider that mixes it in.
+// The Poses panel: named poses, each with its picture and weight slider.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -22,7 +22,7 @@ using scene::pose_picture_size;
 constexpr const char* dragged_pose = "pose";
 constexpr float percent_width = 54;
 
-// What a row asks for: done after all rows are drawn, since it changes the list.
+// The action of a row: carried out after all rows are drawn, since it changes the list.
 struct PoseWish {
   std::optional<std::size_t> chosen, applied;
   std::optional<std::pair<std::size_t, std::string>> name;
@@ -43,7 +43,7 @@ void draw_pose(const Context& ui, const scene::NamedPose& named, ImVec2 low, boo
   if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
 }
 
-// Rows go where they are dropped: above the one that is below the pointer, or at the end.
+// Dropped rows are inserted above the row below the pointer, or at the end.
 void drag_row(std::size_t row, PoseWish& wish) {
   if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
     ImGui::SetDragDropPayload(dragged_pose, &row, sizeof row);
@@ -65,7 +65,7 @@ void picture(const Context& ui, std::size_t row, const scene::NamedPose& named, 
   record(ui, id);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered && ImGui::IsMouseDoubleClicked(0)) wish.applied = row;
-  hint("Click chooses it, a double click applies it, a drag moves it in the list");
+  hint("Click to choose, double click to apply, drag to reorder.");
   drag_row(row, wish);
   draw_pose(ui, named, low, ui.workspace.chosen_pose == row, hovered);
 }
@@ -83,14 +83,14 @@ void weight(const Context& ui, std::size_t row, const scene::NamedPose& named, d
   });
   if (done.moved) wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
   if (done.typed) wish.weight = std::pair(row, 0.01 * *done.typed);
-  const std::string part = named.part.empty() ? "" : " It moves " + moves + ": those that were selected.";
-  hint("How much of it is mixed in, in log space: 0 % none, 100 % all, also beyond and below." + part);
+  const std::string part = named.part.empty() ? "" : " It affects only " + moves + ".";
+  hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate." + part);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(percent_width);
   if (const auto typed = number_field(ui, id + "/typed", percent))
     wish.weight = std::pair(row, 0.01 * *typed);
   record(ui, id + "/typed");
-  hint("The same in percent, from -200 to 300");
+  hint("Weight in percent, from -200 to 300.");
 }
 
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
@@ -103,7 +103,7 @@ void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 1});
   const float width = ImGui::GetContentRegionAvail().x;
   if (const auto name =
-          name_field(ui, "pose_name/" + id, named.name, width, "The name of the pose; type another one"))
+          name_field(ui, "pose_name/" + id, named.name, width, "Name of the pose. Type to rename it."))
     wish.name = std::pair(index, *name);
   weight(ui, index, named, shown, wish);
   ImGui::PopStyleVar(2);
@@ -129,7 +129,7 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
 }
 
 void no_poses(const Context& ui) {
-  note(ui, "Keep what you have posed under a name; then sliders mix poses, and keys play them.");
+  note(ui, "Add poses to combine them with sliders or use them as keys.");
   command_row(ui, {"keep_pose"});
   if (scene::find_command("add_example")->enabled(ui.workspace)) command_row(ui, {"add_example"});
 }
@@ -144,13 +144,13 @@ void panel_poses(const Context& ui) {
   if (poses > 0) section_note(ui, count(poses));
   if (!open) return;
   if (poses == 0) return no_poses(ui);
-  const bool free = !scene::in_hand(w) && !scene::is_editing_cage(w.document);
+  const bool free = !scene::is_dragging(w) && !scene::is_editing_cage(w.document);
   PoseWish wish;
   w.pose_pictures.tidy();
-  // Above the list, which grows where it ends: nothing that is clicked moves away.
+  // Above the list, which grows downward: clicked items do not move.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   ImGui::BeginDisabled(!free);
-  const std::vector<double> shown = scene::shown_weights(w);  // of those that a button has left
+  const std::vector<double> shown = scene::shown_weights(w);  // for poses changed by a button
   for (std::size_t i = 0; i < shown.size(); ++i) row(ui, i, shown[i], wish);
   ImGui::EndDisabled();
   if (free) grant(w, wish);

@@ -12,13 +12,13 @@
 
 namespace viete::ui {
 
-// The Probes panel: placing them, and where each part of their motion acts.
+// The Probes panel: adding probes, and the influence of each part of their motion.
 
 namespace {
 
 constexpr float probe_label = 76;
 
-// Percent of the model's diagonal, on a scale where small ones have room too; the value stands beside it.
+// Percent of the model's diagonal, on a scale with room for small values; the value is displayed next to it.
 bool radius_slider(const Context& ui, const std::string& name, double& radius, bool used) {
   constexpr float value_width = 44;
   const scene::Document& document = ui.workspace.document;
@@ -36,8 +36,8 @@ bool radius_slider(const Context& ui, const std::string& name, double& radius, b
   };
   const Slid slid = slider(ui, name, percent, least, most, draw, used);
   hint(
-      "How far it reaches at rest, in percent of the model's diagonal. The circle in the view is the largest "
-      "of the three.");
+      "Radius of influence at rest, in percent of the model's diagonal. The circle in the view shows the "
+      "largest of the three.");
   value_beside(right, std::to_string(std::lround(percent)) + " %");
   ImGui::EndDisabled();
   if (slid.moved) radius = unit * static_cast<double>(std::round(percent));
@@ -62,7 +62,7 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
   if (moved) scene::set_radius(document, part, shown.radius);
 }
 
-// How near to the shapes of the list pins leave the model.
+// How closely pins keep the model to the listed shapes.
 void freedom(const Context& ui) {
   constexpr float value_width = 44;
   double& value = ui.workspace.handling.freedom;
@@ -75,13 +75,15 @@ void freedom(const Context& ui) {
   });
   if (slid.moved) value = 0.01 * std::round(static_cast<double>(percent));
   if (slid.typed) value = 0.01 * *slid.typed;
-  hint("How far pins take the model off the shapes of the list: 0 % as these do, 100 % as rigid as can be.");
+  hint(
+      "How freely pins may leave the shapes in the pose list: 0 % follows them, 100 % is as rigid as "
+      "possible.");
   value_beside(right, std::to_string(std::lround(100 * value)) + " %");
 }
 
 void mix(const Context& ui) {
   scene::Document& document = ui.workspace.document;
-  row_label("Together", probe_label);
+  row_label("Combine", probe_label);
   ImGui::SetNextItemWidth(-1);
   const auto chosen = entry_list(ui, "probe_mix", scene::all_probe_mixes(), document.probes.mix);
   if (chosen) scene::set_mix(document, *chosen);
@@ -102,9 +104,9 @@ void panel_probes(const Context& ui) {
   if (selected && scene::has_pins_selected(ui.workspace)) {
     command_toggle(ui, "toggle_pulls");
   } else if (selected) {
-    influence(ui, "Turns", "turn", &scene::Probe::turn);
-    influence(ui, "Stretches", "stretch", &scene::Probe::stretch);
-    influence(ui, "Moves", "move", &scene::Probe::move);
+    influence(ui, "Rotation", "turn", &scene::Probe::turn);
+    influence(ui, "Stretch", "stretch", &scene::Probe::stretch);
+    influence(ui, "Translation", "move", &scene::Probe::move);
   } else {
     note(ui, document.selection.kind() == scene::ElementKind::probe
                  ? "Click a probe in the view to select it."
@@ -119,7 +121,7 @@ void panel_probes(const Context& ui) {
   command_toggle(ui, "toggle_locked", locked);
 }
 
-// Probes in the view: frames with three axes, and how far the selected ones reach.
+// Probes in the view: frames with three axes, and the radii of the selected ones.
 
 namespace {
 
@@ -129,7 +131,7 @@ struct Shown {
   bool selected, hovered, locked;
 };
 
-// As the probe has turned and stretched them, each of a length on screen that suits the eye.
+// Rotated and stretched like the probe, with screen lengths limited for legibility.
 void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProjection& at,
           const glm::dvec3& center, const scene::ProbePose& pose, float opacity) {
   const auto& w = ui.workspace;
@@ -144,7 +146,7 @@ void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProject
   }
 }
 
-// A ring about its vertex, filled where it holds; and a line to where it is wanted.
+// A ring at its vertex, filled if it holds; and a line to its target.
 void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 middle, const Shown& shown) {
   const auto& w = ui.workspace;
   const scene::Probe& probe = w.document.probes.all[i];

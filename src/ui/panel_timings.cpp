@@ -20,7 +20,7 @@ constexpr const char* command_names[] = {"method_diag", "method_sd", "method_imp
 
 constexpr std::size_t none = 99;
 
-// The one method that is better than all others; none at a tie, as at rest, where every answer is exact.
+// The single best method; none at a tie, as at rest, where every result is exact.
 template <class Value>
 std::size_t best(const scene::MethodStats& stats, Value value) {
   std::size_t first = 0, equals = 0;
@@ -32,7 +32,7 @@ std::size_t best(const scene::MethodStats& stats, Value value) {
   return equals == 0 ? first : none;
 }
 
-// Which of a method's two figures are better than those of all others.
+// Which of a method's two figures are the best.
 struct Marks {
   bool time = false, error = false;
 };
@@ -42,7 +42,7 @@ Marks marks_of(const scene::MethodStats& stats, std::size_t index) {
           index == best(stats, [](const scene::MethodSample& s) { return s.worst_error; })};
 }
 
-// An error that is seen, or adds up to one: from here on the panel points at it.
+// Errors that are visible, or accumulate to visible ones: highlighted from here on.
 constexpr double visible_error = 1e-10;
 
 bool fails(const scene::MethodSample& sample) {
@@ -70,7 +70,7 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
   ImGui::PopFont();
 }
 
-// One large toggle: the method's name, its time per matrix and its worst error, in colour what it is best at.
+// A large toggle: the method's name, its time per matrix and worst error, coloured where it is best.
 void card(const Context& ui, std::size_t index, float width, bool used) {
   scene::Workspace& w = ui.workspace;
   const scene::Command& command = *scene::find_command(command_names[index]);
@@ -92,7 +92,7 @@ void card(const Context& ui, std::size_t index, float width, bool used) {
   const Marks marks = measured ? marks_of(w.methods, index) : Marks{};
   card_text(ui, at, width, command.brief.data(), measured ? &w.methods.samples[index] : nullptr, used, marks,
             active);
-  hint(std::string(command.hint) + "  (" + scene::text(w.remembered.keymap.of(command).first) + ")");
+  hint(std::string(command.hint) + "  (" + scene::text(w.preferences.keymap.of(command).first) + ")");
 }
 
 }  // namespace
@@ -111,11 +111,11 @@ void panel_method(const Context& ui) {
   }
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
-  note(ui, !used                                  ? "This deformer takes no exponential."
+  note(ui, !used                                  ? "This deformer uses no exponential."
            : scene::differs_from_rest(w.document) ? "Per matrix; largest error in this pose"
                                                   : "At rest every method is exact.");
   hint("Medians over " + count(w.methods.matrices) +
-       " matrices of this frame. Errors are relative, against 106 bits. Colour marks the best, and errors "
+       " matrices of this frame. Errors are relative to 106-bit results. Colour marks the best and errors "
        "above 1e-10.");
 }
 
@@ -126,10 +126,10 @@ const char* stage_hint(scene::Link stage) {
       "Weighted sums of the logarithms at each vertex.",
       "Exponentials of symmetric 3x3 matrices, one per vertex, by the chosen method.",
       "Stretch, rotation and translation of each vertex.",
-      "Weighted sums at a few pivots of each block of vertices, from compressed weights.",
+      "Weighted sums at pivot vertices of each block, from compressed weights.",
       "Sums, exponential and application in one pass over the vertices, in single precision.",
       "Rotation and stretch of each triangle of the model, fitted to the blended vertices.",
-      "Sparse linear system for the positions whose triangles follow these maps best.",
+      "Sparse linear solve for the positions whose triangles follow these maps best.",
       "Probes, applied after the cage.",
       "Vertex normals, from the triangles around each vertex."};
   return hints[static_cast<std::size_t>(stage)];
@@ -154,7 +154,7 @@ bool is_under_cursor(ImVec2 low, ImVec2 high) {
   return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
 }
 
-// One segment per stage, as long as its share of the slowest method's time.
+// One segment per stage, scaled to the slowest method's time.
 Stage segments(const Context& ui, const scene::LinkTimes& times, double longest, ImVec2 at, float width) {
   constexpr float height = 14;
   Stage under_cursor;
@@ -184,7 +184,7 @@ Stage bar(const Context& ui, std::size_t index, double longest) {
   }
   if (all.measured)
     ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint,
-                                        "large weights: choose it to measure");
+                                        "large weights: choose this method to measure it");
   return std::nullopt;
 }
 
@@ -192,7 +192,7 @@ bool is_measured(const scene::MethodTimes& all, Link stage) {
   return std::ranges::any_of(all.links, [&](const auto& times) { return times[stage] > 0; });
 }
 
-// The stages of all bars, four to a line.
+// The stages of all bars, four per line.
 Stage legend(const Context& ui) {
   constexpr std::size_t columns = 4, rows = 2;
   const scene::Workspace& w = ui.workspace;
@@ -219,7 +219,7 @@ Stage legend(const Context& ui) {
   return under_cursor;
 }
 
-void tell_stage(const Context& ui, Link stage) {
+void stage_tooltip(const Context& ui, Link stage) {
   std::string text = std::string(name(stage)) + ": " + stage_hint(stage);
   for (std::size_t i = 0; i < all_methods; ++i) {
     const double ms = ui.workspace.method_times.links[i][stage];
@@ -234,7 +234,7 @@ void tell_stage(const Context& ui, Link stage) {
 void rest_of_frame(const Context& ui) {
   struct Column {
     const char* heading;
-    float right;  // as a part of the width
+    float right;  // right edge as a fraction of the width
     std::string value{};
   };
   std::array<Column, 5> columns{
@@ -256,12 +256,11 @@ void rest_of_frame(const Context& ui) {
   }
   ImGui::Dummy({width, 2 * line});
   hint(
-      "The rest of a frame in milliseconds, medians of the last half second. The total has the deformation "
-      "too. "
-      "On a software renderer, drawing uses the processor.");
+      "Other parts of a frame in milliseconds, medians of the last half second. The total includes the "
+      "deformation.");
 }
 
-// The error of the exponential, and of the positions that are drawn.
+// The errors of the exponential and of the drawn positions.
 void errors(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   const scene::MethodSample* sample = running_sample(w);
@@ -277,9 +276,8 @@ void errors(const Context& ui) {
   text_in(ui.colors.faint, text);
   record(ui, "errors");
   hint(
-      "exp: largest relative error of the exponentials. frame: largest distance of the drawn vertices from "
-      "the "
-      "same frame in double precision, in diagonals of the cage.");
+      "exp: largest relative error of the exponentials. frame: largest error against double precision, in "
+      "diagonals of the cage.");
 }
 
 }  // namespace
@@ -294,7 +292,7 @@ void panel_timings(const Context& ui) {
     if (const Stage hit = bar(ui, i, longest)) stage = hit;
   if (const Stage hit = legend(ui)) stage = hit;
   w.interaction.stage = stage;
-  if (stage) tell_stage(ui, *stage);
+  if (stage) stage_tooltip(ui, *stage);
   rest_of_frame(ui);
   ImGui::BeginDisabled(!w.document.scheme.exponential());
   command_toggle(ui, "toggle_same_path", w.view.same_path);

@@ -1,4 +1,4 @@
-// The stages of a deformation, as timings and formula show them.
+// The stages of a deformation, for the timings and the formula.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@ namespace viete::ui {
 
 /// Describes the stage in one sentence.
 const char* stage_hint(scene::Link stage);
-/// Its colour; fainter while the cursor is on another stage.
+/// Its colour; fainter while another stage is hovered.
 ImU32 lit_stage_color(const Context& ui, scene::Link stage);
 
-/// The formula by which the running frame makes positions, each term in the colour of the stage that computes
-/// it. The stage of the term under the cursor, if there is one.
+/// Draws the formula of the running frame, each term in the colour of its stage. Returns the stage of the
+/// hovered term, if any.
 std::optional<scene::Link> frame_formula(const Context& ui);
 
 }  // namespace viete::ui

@@ -15,11 +15,11 @@
 
 namespace viete::ui {
 
-// What to select, how, and sets of it by name.
+// Selection tools and selection sets.
 
 namespace {
 
-// One row a set. What is done to the list is done after it was drawn.
+// One row per set. Changes to the list are made after it was drawn.
 void sets(const Context& ui) {
   scene::Document& document = ui.workspace.document;
   const auto& all = document.groups.sets;
@@ -28,19 +28,20 @@ void sets(const Context& ui) {
   const float width = ImGui::GetContentRegionAvail().x - button - close - 2 * gap;
   std::optional<std::size_t> selected, removed, renamed;
   std::string name;
-  ImGui::BeginDisabled(scene::in_hand(ui.workspace));
+  ImGui::BeginDisabled(scene::is_dragging(ui.workspace));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string id = "set/" + std::to_string(i);
-    if (const auto typed = name_field(ui, id, all[i].name, width, "The name of the set; type another one"))
+    if (const auto typed =
+            name_field(ui, id, all[i].name, width, "Name of the selection set. Type to rename it."))
       renamed = i, name = *typed;
     ImGui::SameLine(0, gap);
     if (ImGui::Button(("Select##" + id).c_str(), {button, 0})) selected = i;
     record(ui, id + "/select");
-    hint("Select this set; Shift adds it, Ctrl takes it out");
+    hint("Select this set. Shift adds, Ctrl removes.");
     ImGui::SameLine(0, gap);
     if (ImGui::Button(("x##" + id).c_str(), {close, 0})) removed = i;
     record(ui, id + "/remove");
-    hint("Delete this set; what it holds stays, and undo brings it back");
+    hint("Delete this selection set. Its elements stay.");
   }
   ImGui::EndDisabled();
   if (renamed) scene::rename_set(document, *renamed, name);
@@ -51,7 +52,7 @@ void sets(const Context& ui) {
 
 }  // namespace
 
-// What is used most; the rest is in the menu Select, in the palette and on keys.
+// The most common commands; the rest is in the menu Select, in the palette and on keys.
 void panel_select(const Context& ui) {
   if (!ui.workspace.document.has_cage() || !section(ui, "Select", false)) return;
   command_row(ui, {"select_all", "select_none", "invert_selection"});
@@ -90,7 +91,7 @@ void pivot_row(const Context& ui) {
   choice_list(ui, "axes", std::optional(handling.axes), width);
 }
 
-std::string pairs_text(const scene::KnownMirror& known) {
+std::string pairs_text(const scene::MirrorCache& known) {
   if (!known.mirror) return "";
   const std::size_t without = known.mirror->unpaired();
   return without == 0 ? "all paired" : count(without) + " unpaired";
@@ -111,7 +112,7 @@ void mirror_row(const Context& ui) {
   if (lacks) command_row(ui, {"make_symmetric_cage"});
 }
 
-// How far it reaches, in the file's units.
+// The soft radius in the file's units.
 void soft_radius(const Context& ui, float width) {
   scene::SoftSelection& soft = ui.workspace.handling.soft;
   const double diagonal = ui.workspace.document.space.diagonal();
@@ -120,7 +121,7 @@ void soft_radius(const Context& ui, float width) {
   constexpr auto flags =
       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_Logarithmic;
   const std::string shown = length(soft.radius * diagonal);
-  std::string format;  // a percent sign would be read as one of ImGui's
+  std::string format;  // a percent sign would be parsed by ImGui
   for (const char c : shown) format += c == '%' ? "%%" : std::string(1, c);
   constexpr double least = scene::SoftSelection::least_radius;
   const auto draw = [&] {
@@ -130,7 +131,7 @@ void soft_radius(const Context& ui, float width) {
       slider(ui, "soft_radius", soft.radius * diagonal, least * diagonal, diagonal, draw, soft.on);
   if (slid.moved) soft.radius = std::max(least, static_cast<double>(value));
   if (slid.typed) soft.radius = std::clamp(*slid.typed / diagonal, least, 1.0);
-  hint("How far from the selection something still moves. During a drag the wheel changes it.");
+  hint("Radius of soft selection. The wheel changes it during a drag.");
 }
 
 void soft_rows(const Context& ui) {
@@ -152,7 +153,7 @@ void soft_rows(const Context& ui) {
 std::string transform_text(const scene::Workspace& w) {
   std::string text(scene::entry_of(w.handling.pivot).label);
   if (scene::mirror_of(w)) text += ", mirrored";
-  if (w.handling.soft.on) text += ", soft";
+  if (w.handling.soft.on) text += ", soft selection";
   return text;
 }
 
@@ -176,7 +177,7 @@ void panel_transform(const Context& ui) {
   command_row(ui, {"smooth", "relax", "flatten"});
 }
 
-// In the Cage panel: what is selected, with which tool, and numbers to type.
+// In the Cage panel: element kind, tool, and number fields.
 
 namespace {
 
@@ -186,7 +187,7 @@ struct Fields {
   glm::dvec3 values;
 };
 
-// How far along each of the axes.
+// Components along each of the axes.
 glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& place) {
   return glm::transpose(axes) * place;
 }
@@ -194,16 +195,16 @@ glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& place) {
 Fields fields(const scene::Workspace& w) {
   const scene::Tool tool = w.tool;
   if (tool == scene::Tool::rotate)
-    return {"Rotate by (degrees)", "Type an angle and press Enter: rotates about this axis", {0, 0, 0}};
+    return {"Rotate by (degrees)", "Rotate about this axis. Type an angle and press Enter.", {0, 0, 0}};
   if (tool == scene::Tool::scale)
-    return {"Scale by", "Type a factor and press Enter: scales along this axis", {1, 1, 1}};
+    return {"Scale by", "Scale along this axis. Type a factor and press Enter.", {1, 1, 1}};
   glm::dvec3 place(0);
   if (!w.document.selection.empty()) {
     const scene::Anchor anchor = scene::grip_of(w).anchor;
     place = along(anchor.axes, anchor.center);
   }
   return {w.handling.pivot == scene::Pivot::median ? "Centre" : "Pivot",
-          "Where the selection is, along the axes chosen below; type a place and press Enter", place};
+          "Position of the selection along the chosen axes. Type a coordinate and press Enter.", place};
 }
 
 void apply(scene::Workspace& workspace, int axis, double value) {
@@ -217,8 +218,8 @@ void apply(scene::Workspace& workspace, int axis, double value) {
     transform.axis = grip.anchor.axes[axis];
     transform.degrees = std::clamp(value, -scene::most_degrees, scene::most_degrees);
     if (transform.degrees != value)
-      workspace.messages.info("Turned by " + count(static_cast<std::size_t>(scene::most_degrees)) +
-                              " degrees, the most at once");
+      workspace.messages.info("Rotated by " + count(static_cast<std::size_t>(scene::most_degrees)) +
+                              " degrees, the maximum at once");
   } else if (tool == scene::Tool::scale) {
     transform.factors[axis] = value;
   } else {
@@ -228,8 +229,8 @@ void apply(scene::Workspace& workspace, int axis, double value) {
   }
   if (scene::transform_selection(document, tool, grip, transform)) return;
   workspace.messages.warn(tool == scene::Tool::rotate
-                              ? "The cage has been turned round as often as it can be; nothing was changed"
-                              : "That is too far away from the model to be drawn; nothing was moved");
+                              ? "The cage cannot rotate any further; nothing was changed"
+                              : "This position is too far from the model; nothing was moved");
 }
 
 void field(const Context& ui, const Fields& fields, int axis, float width) {
@@ -242,7 +243,7 @@ void field(const Context& ui, const Fields& fields, int axis, float width) {
   if (number && enabled) apply(ui.workspace, axis, *number);
 }
 
-// As much room as the fields of the other tools take.
+// The same height as the fields of other tools.
 void brush_fields(const Context& ui) {
   scene::Brush& brush = ui.workspace.brush;
   command_row(ui, {"mask_clear", "mask_invert"});
@@ -256,7 +257,7 @@ void brush_fields(const Context& ui) {
     return ImGui::SliderFloat("##brush_radius", &radius, least, most, "%.0f px", flags);
   });
   if (reach.moved || reach.typed) brush.radius = static_cast<float>(reach.typed.value_or(radius));
-  hint("How far the brush reaches in the picture. Shift and the wheel change it, too.");
+  hint("Brush radius on screen. Shift and wheel change it too.");
   ImGui::SameLine(0, spacing);
   ImGui::SetNextItemWidth(width);
   int percent = static_cast<int>(std::lround(100 * brush.share));
@@ -264,9 +265,7 @@ void brush_fields(const Context& ui) {
     return ImGui::SliderInt("##brush_share", &percent, 0, 100, "follows %d %%", flags);
   });
   if (share.moved || share.typed) brush.share = static_cast<float>(share.typed.value_or(percent) / 100);
-  hint(
-      "How much of its motion the model keeps where it is painted: 0 % stays at rest. With Ctrl the brush "
-      "paints 100 %.");
+  hint("Share of the motion that painted vertices keep: 0 % stays at rest. Ctrl paints 100 %.");
 }
 
 }  // namespace

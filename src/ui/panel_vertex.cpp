@@ -14,7 +14,7 @@
 
 namespace viete::ui {
 
-// The sum at a vertex: weights, the sum as it is formed, and how methods take its exponential.
+// The vertex inspector: weights, the partial sums, and the exponential by each method.
 
 namespace {
 
@@ -28,7 +28,7 @@ std::string weight_text(double share) {
   return text;
 }
 
-// What is left of the terms that have no bar of their own.
+// The sum of the terms without a bar of their own.
 double rest_of(const VertexView& view) {
   double rest = 0;
   for (std::size_t i = most_bars; i < view.terms.size(); ++i) rest += view.terms[i].weight;
@@ -60,7 +60,7 @@ void weights(const Context& ui, const VertexView& view) {
               weight_text(rest_of(view)));
 }
 
-// The three eigenvalues of the sum, term by term, on their way to what is exponentiated.
+// The three eigenvalues of the partial sums, term by term, up to the exponentiated sum.
 void partial_sums(const Context& ui, const VertexView& view) {
   constexpr float height = 84, right = 64;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -73,7 +73,7 @@ void partial_sums(const Context& ui, const VertexView& view) {
     return at.y + 4 + static_cast<float>((high - value) / (high - low)) * (height - 8);
   };
   const auto x_of = [&](std::size_t terms) {
-    // By the root, since the first terms are most of it.
+    // Square root scale, since the first terms contribute most.
     return at.x + std::sqrt(static_cast<float>(terms) / static_cast<float>(view.terms.size())) * wide;
   };
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -100,7 +100,7 @@ void partial_sums(const Context& ui, const VertexView& view) {
 void ways(const Context& ui, const VertexView& view) {
   for (const auto& way : view.ways) {
     value_row(ui, (method_label(way.method) + ": " + way.route).c_str(), error(way.error));
-    hint("What the method decides by this matrix. Its error is relative, against 106 bits.");
+    hint("Path the method takes for this matrix. Errors are relative to 106-bit results.");
   }
 }
 
@@ -113,32 +113,31 @@ void panel_vertex(const Context& ui) {
   const VertexView& view = w.vertex;
   if (!view.vertex)
     return note(ui, "Point at the model and press " +
-                        scene::text(w.remembered.keymap.of(*scene::find_command("pick_vertex")).first) +
-                        " to see what is summed there.");
+                        scene::text(w.preferences.keymap.of(*scene::find_command("pick_vertex")).first) +
+                        " to inspect a vertex.");
   value_row(ui, "Vertex", std::to_string(*view.vertex));
   command_row(ui, {"pick_worst", "drop_vertex"});
-  if (view.terms.empty()) return note(ui, "The cage does not reach it.");
+  if (view.terms.empty()) return note(ui, "The cage does not influence this vertex.");
   note(ui, "Weights", ui.colors.text);
   weights(ui, view);
-  if (!view.has_logs) return note(ui, "This blend sums no logarithms.");
+  if (!view.has_logs) return note(ui, "This blend uses no logarithms.");
   note(ui, "Eigenvalues of the sum, term by term", ui.colors.text);
   partial_sums(ui, view);
   char turn[24];
   std::snprintf(turn, sizeof turn, "%.2f\u00b0", view.degrees);
-  value_row(ui, "It turns by", turn);
+  value_row(ui, "Rotation angle", turn);
   note(ui, "exp of the sum", ui.colors.text);
   ways(ui, view);
 }
 
-// The vertex whose sum is shown: lines to the elements that it takes from, and what their maps do, as
-// ellipsoids.
+// The inspected vertex: lines to the elements with their weights, and their maps as ellipsoids.
 
 namespace {
 
 constexpr std::size_t most_elements = 16;
-constexpr double size = 0.025;  // of an undeformed ball, in diagonals
+constexpr double size = 0.025;  // radius of an undeformed ball, in diagonals
 
-// Three rings of a ball, one across each axis, as the map has made them.
+// Three great circles of a ball, one perpendicular to each axis, transformed by the map.
 void ellipsoid(OverlayPainter& painter, const Context& ui, const scene::Projector& project,
                const scene::VertexView::Term& term, double radius, float opacity) {
   constexpr int steps = 32;

@@ -1,4 +1,4 @@
-// How many views there are, and what each of them shows.
+// The number of views, and the settings of each.
 #include <optional>
 #include <string>
 
@@ -14,7 +14,7 @@ namespace {
 void way_list(const Context& ui, const std::string& name, scene::SideView& side) {
   const auto now = scene::way_of(side.scheme);
   const bool open =
-      ImGui::BeginCombo(("##" + name).c_str(), now ? scene::entry(*now).label.data() : "of your own");
+      ImGui::BeginCombo(("##" + name).c_str(), now ? scene::entry(*now).label.data() : "Custom");
   record(ui, name);
   if (!open) return;
   for (const auto& entry : scene::all_ways()) {
@@ -65,11 +65,12 @@ void side_rows(const Context& ui, std::size_t number, scene::SideView& side) {
   if (ui.workspace.document.has_cage()) row("Deformer", way_list, "/way");
   if (side.scheme.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
-  if (side.other_lines || scene::has_lines(ui.workspace)) {
-    const char* const words = ui.workspace.document.timeline.straight ? "In log space" : "In straight lines";
-    ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_lines);
+  if (side.other_blending || scene::has_blended_pose(ui.workspace)) {
+    const char* const words =
+        ui.workspace.document.timeline.straight ? "In log space" : "Linear interpolation";
+    ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_blending);
     record(ui, name + "/lines");
-    hint("What keys and sliders make, in the other way than the first view has it.");
+    hint("Use the other interpolation than the first view: linear or log space.");
   }
   if (!side.problem.empty()) note(ui, side.problem, ui.colors.bad);
 }
@@ -80,7 +81,7 @@ void panel_views(const Context& ui) {
   scene::Split& split = ui.workspace.split;
   if (!ui.workspace.document.model.surface || !section(ui, "Views", false)) return;
   command_choice(ui, {"views_1", "views_2", "views_3", "views_4"}, split.count() - 1);
-  if (!split.on()) return note(ui, "Side by side: ways of blending, methods, maps of one pose.");
+  if (!split.on()) return note(ui, "Split the view to compare deformers, methods and maps of one pose.");
   command_toggle(ui, "toggle_linked_cameras");
   if (split.sides.size() == 1) command_toggle(ui, "toggle_wipe");
   for (std::size_t i = 0; i < split.sides.size(); ++i) side_rows(ui, i + 1, split.sides[i]);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/workspace/command.h"
-#include "scene/workspace/remembered.h"
+#include "scene/workspace/preferences.h"
 #include "ui/overlay_painter.h"
 #include "ui/widgets.h"
 
@@ -11,7 +11,7 @@ namespace viete::ui {
 
 namespace {
 
-// Beside the view, over its whole height. False if there is none.
+// Next to the view, over its whole height. False if hidden.
 bool begin_column(const Context& ui, const char* name, float x, float width) {
   if (width <= 0) return false;
   const scene::Viewport& v = ui.workspace.viewport;
@@ -24,7 +24,7 @@ bool begin_column(const Context& ui, const char* name, float x, float width) {
   return true;
 }
 
-// The left column, in the order of the work.
+// The left column, in workflow order.
 void tools(const Context& ui) {
   if (!begin_column(ui, "Tools", 0, ui.workspace.viewport.origin.x)) return;
   panel_model(ui);
@@ -34,7 +34,7 @@ void tools(const Context& ui) {
   panel_select(ui);
   panel_probes(ui);
   panel_display(ui);
-  panel_checks(ui);  // last: what is found opens it, and pushes nothing
+  panel_checks(ui);  // last: new findings open it without moving other sections
   ImGui::End();
 }
 
@@ -49,7 +49,7 @@ void analysis(const Context& ui) {
   command_row(ui, {ui.workspace.reporting.running ? "stop_report" : "show_report"});
 }
 
-// The right column: how the deformation is computed, how fast and how exactly.
+// The right column: method, timings and accuracy.
 void methods(const Context& ui) {
   const scene::Viewport& v = ui.workspace.viewport;
   const float x = v.origin.x + v.size.x;
@@ -100,8 +100,7 @@ void draw_panels(const Context& ui) {
   question_panel(ui);
 }
 
-// The inner edges of the columns: dragged to make them wider or narrower, with a tab each that folds a column
-// away and brings it back.
+// The inner borders of the columns: draggable, each with a tab that folds and unfolds its column.
 
 namespace {
 
@@ -111,19 +110,19 @@ constexpr float edge_thickness = 6, tab_width = 14, tab_height = 48;
 
 struct Side {
   Column column;
-  const char* name;     // of widgets: "edge/methods"
-  const char* command;  // folds it away, and brings it back
+  const char* name;     // widget name: "edge/methods"
+  const char* command;  // folds and unfolds it
   float inward;         // 1: the view is to the right of it
 };
 constexpr Side sides[] = {{Column::tools, "tools", "toggle_tools", 1},
                           {Column::methods, "methods", "toggle_methods", -1}};
 
-// Where the column ends and the view begins; at the edge of the window while it is not shown.
+// The border between column and view; at the window's edge while the column is hidden.
 float edge_x(const scene::Viewport& v, const Side& side) {
   return side.inward > 0 ? v.origin.x : v.origin.x + v.size.x;
 }
 
-// A window over the view that is nothing but one button, from the edge inwards.
+// A window over the view with a single button, from the edge inwards.
 bool begin_strip(const std::string& name, const Side& side, ImVec2 at, ImVec2 size) {
   constexpr auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
@@ -154,7 +153,7 @@ void edge(const Context& ui, const Side& side) {
   }
   if (held) {
     const float mouse = ImGui::GetIO().MousePos.x;
-    scene::set_width(w.remembered.layout, side.column, side.inward > 0 ? mouse : v.window.x - mouse,
+    scene::set_width(w.preferences.layout, side.column, side.inward > 0 ? mouse : v.window.x - mouse,
                      v.window.x);
   }
   ImGui::End();
@@ -193,7 +192,7 @@ void tab(const Context& ui, const Side& side, bool shown) {
 
 void column_edges(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
-  const auto widths = scene::shown_columns(w.remembered.layout, w.viewport.window.x);
+  const auto widths = scene::shown_columns(w.preferences.layout, w.viewport.window.x);
   for (const Side& side : sides) {
     const bool shown = widths.of(side.column) > 0;
     if (shown) edge(ui, side);

@@ -11,7 +11,7 @@ namespace {
 
 using scene::SelectMode, scene::SelectShape;
 
-// Whether what is within is added or taken away stands beside the cursor.
+// The sign for adding or removing, next to the cursor.
 void sign(OverlayPainter& painter, const glm::vec2& at, SelectMode mode, ImU32 color) {
   if (mode == SelectMode::replace) return;
   const glm::vec2 middle = at + glm::vec2(14, 14), across(4, 0), up(0, 4);
@@ -19,7 +19,7 @@ void sign(OverlayPainter& painter, const glm::vec2& at, SelectMode mode, ImU32 c
   if (mode == SelectMode::add) painter.line(middle - up, middle + up, color, 1.5f);
 }
 
-// A tint, and a line that shows over a cage of the tint's colour.
+// A tint, and a line with contrast over a cage of the same colour.
 void box_between(const Context& ui, OverlayPainter& painter, const scene::Interaction::Box& box) {
   const glm::vec2 a = box.corner, b = box.opposite;
   const std::array corners = {a, glm::vec2(b.x, a.y), b, glm::vec2(a.x, b.y)};
@@ -27,7 +27,7 @@ void box_between(const Context& ui, OverlayPainter& painter, const scene::Intera
   painter.line(corners, ui.colors.text, 1, true, 0.8f);
 }
 
-// Lines through the cursor, from edge to edge of the view: the corner of the box to come.
+// Lines through the cursor across the view: the first corner of the box.
 void crosshair(const Context& ui, OverlayPainter& painter, const glm::vec2& at) {
   const auto& v = ui.workspace.viewport;
   painter.line({v.origin.x, at.y}, {v.origin.x + v.size.x, at.y}, ui.colors.text, 1, 0.5f);
@@ -51,7 +51,7 @@ void lasso_line(const Context& ui, OverlayPainter& painter, const scene::Lasso& 
   const auto& line = lasso.line;
   if (line.size() < 2) return;
   painter.line(line, ui.colors.text, 1.5f);
-  // How it will be closed: dashes from its end to its start.
+  // The closing segment: dashes from the end to the start.
   const glm::vec2 from = line.back(), way = line.front() - from;
   const float length = glm::length(way);
   for (float d = 0; d < length; d += 9)
@@ -98,15 +98,14 @@ void select_overlay(const Context& ui) {
 
 std::string select_hint(const scene::Workspace& w) {
   const auto& hand = w.interaction;
-  if (hand.box || hand.lasso || hand.brushing) return "Release to select, Esc to take it back";
+  if (hand.box || hand.lasso || hand.brushing) return "Release to select, Esc to cancel";
   if (!hand.armed) return "";
   switch (*hand.armed) {
-    case SelectShape::box: return "Box:  drag from anywhere,  Shift adds,  Ctrl removes;  Esc puts it away";
-    case SelectShape::lasso:
-      return "Lasso:  drag around what it selects,  Shift adds,  Ctrl removes;  Esc puts it away";
+    case SelectShape::box: return "Box:  drag from anywhere,  Shift adds,  Ctrl removes;  Esc ends";
+    case SelectShape::lasso: return "Lasso:  drag around elements,  Shift adds,  Ctrl removes;  Esc ends";
     case SelectShape::brush: break;
   }
-  return "Brush:  drag over what it selects,  Ctrl removes,  wheel changes its size;  Esc puts it away";
+  return "Brush:  drag over elements,  Ctrl removes,  wheel changes its size;  Esc ends";
 }
 
 }  // namespace viete::ui

@@ -1,4 +1,4 @@
-// A view that is split: lines between its parts, and what each of them shows.
+// The split view: borders between its parts, and their captions.
 #include <algorithm>
 #include <cfloat>
 #include <optional>
@@ -15,17 +15,17 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float tools_room = 60, axes_room = 112;  // of what stands at the edges of the view
-constexpr float least_room = 170;                  // of a caption beside the axes: else it is at the bottom
+constexpr float tools_room = 60, axes_room = 112;  // reserved at the edges of the view
+constexpr float least_room = 170;  // minimum for a caption next to the axes; otherwise it is at the bottom
 
-// Where some view has other lines than the document.
-std::string lines_words(const scene::Workspace& w, bool other) {
-  const auto has_other = [](const scene::SideView& side) { return side.other_lines; };
+// Empty unless some view blends differently (linear or log space) from the document.
+std::string blending_words(const scene::Workspace& w, bool other) {
+  const auto has_other = [](const scene::SideView& side) { return side.other_blending; };
   if (std::ranges::none_of(w.split.sides, has_other)) return "";
-  return w.document.timeline.straight != other ? "straight lines" : "log space";
+  return w.document.timeline.straight != other ? "linear interpolation" : "log space";
 }
 
-// What fits onto a line stands on one.
+// One line if the text fits.
 struct Text {
   std::vector<std::string> parts;
   const char* between;
@@ -41,7 +41,7 @@ void add(Text& text, std::string part) {
 
 std::string way_words(const scene::Scheme& scheme) {
   const auto way = scene::way_of(scheme);
-  return way ? std::string(scene::entry(*way).label) : "A way of your own";
+  return way ? std::string(scene::entry(*way).label) : "Custom";
 }
 
 // "1.9 ms", "exp 3e-16", "frame 2e-08".
@@ -53,12 +53,12 @@ void add_numbers(Text& text, const scene::FrameStats& stats, std::optional<doubl
 }
 
 void add_title(Text& text, const scene::Workspace& w, const scene::Scheme& scheme, scene::Method method,
-               bool other_lines) {
+               bool other_blending) {
   if (w.document.has_cage()) {
     add(text, way_words(scheme));
     if (scheme.exponential()) add(text, method_label(method));
   }
-  add(text, lines_words(w, other_lines));
+  add(text, blending_words(w, other_blending));
 }
 
 Caption shown_in(const scene::Workspace& w, std::size_t view) {
@@ -71,7 +71,7 @@ Caption shown_in(const scene::Workspace& w, std::size_t view) {
     return shown;
   }
   const scene::SideView& side = w.split.sides[view - 1];
-  add_title(shown.title, w, side.scheme, side.method, side.other_lines);
+  add_title(shown.title, w, side.scheme, side.method, side.other_blending);
   if (!side.problem.empty())
     add(shown.numbers, side.problem);
   else if (side.binding)
@@ -88,7 +88,7 @@ struct Line {
   ImVec2 size;
 };
 
-// A part that is wider than the room is broken between its words.
+// Parts wider than the room are wrapped at spaces.
 void add_lines(std::vector<Line>& lines, ImFont* font, ImU32 color, const Text& text, float room) {
   const float height = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const auto size_of = [&](const std::string& words) {
@@ -105,7 +105,7 @@ void add_lines(std::vector<Line>& lines, ImFont* font, ImU32 color, const Text& 
   }
 }
 
-// At the upper left of its part, or with its lower left corner there.
+// At the upper left of its part, or with its lower left corner at `at`.
 void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool at_bottom) {
   const ImVec2 padding{10, 6};
   const float most = std::max(room - 16 - 2 * padding.x, 1.0f);
@@ -139,7 +139,7 @@ void frame(const Context& ui, const scene::Pane& pane) {
   if (pane.at.y > 0) draw.AddLine({low.x, low.y}, {high.x, low.y}, ui.colors.line, 1.5f);
 }
 
-// Takes hold of the line of a wipe.
+// Drags the line of a wipe.
 void wipe_line(const Context& ui) {
   constexpr float thickness = 10, knob = 9;
   scene::Split& split = ui.workspace.split;
@@ -171,7 +171,7 @@ void wipe_line(const Context& ui) {
 
 }  // namespace
 
-// Overlays of the hand stand in the view where it works, and those that one camera sees alike have them too.
+// Copies the overlays of the active view to the views with the same camera.
 void repeat_in_views(const Context& ui, const DrawnBefore& before) {
   const scene::Split& split = ui.workspace.split;
   if (!split.on() || split.wipes() || !split.linked) return;

@@ -20,19 +20,19 @@ std::string hovered_text(const scene::Selection& selection, std::uint32_t elemen
 }
 
 std::string bend_words(const scene::Constraint& about) {
-  if (about.kind == scene::Constraint::Kind::free) return "X Y Z choose what it bends about,  ";
+  if (about.kind == scene::Constraint::Kind::free) return "X Y Z choose the bend axis,  ";
   const std::string axis(1, static_cast<char>('X' + about.axis));
-  return "bends about " + axis + " (" + axis + " again: as seen),  ";
+  return "bends about " + axis + " (" + axis + " again: view axis),  ";
 }
 
 std::string shape_words(const scene::TransformDrag& drag) {
   const scene::Shaping& shaping = drag.grip().shaping;
   const std::string about = shaping.shape == scene::Shape::bend ? bend_words(drag.constraint()) : "";
-  return "Digits set the amount, or left and right,  " + about +
-         "a click keeps it,  Esc takes it back,  Shift slows,  Ctrl snaps";
+  return "Digits or horizontal motion set the amount,  " + about +
+         "click confirms,  Esc cancels,  Shift slows,  Ctrl snaps";
 }
 
-// Logs of rotations are not the same seen from elsewhere: see the manual, blending.
+// Logs of rotations depend on the frame of reference: see the manual, blending.
 bool changes_shape_when_turned(const scene::Workspace& w) {
   const scene::Document& d = w.document;
   if (w.tool != scene::Tool::rotate || !d.has_cage() || d.selection.kind() == scene::ElementKind::probe)
@@ -45,45 +45,42 @@ bool changes_shape_when_turned(const scene::Workspace& w) {
 }  // namespace
 
 std::string mouse_text(const scene::Workspace& w) {
-  const scene::Keymap& keymap = w.remembered.keymap;
+  const scene::Keymap& keymap = w.preferences.keymap;
   if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != scene::Shape::none)
     return shape_words(*w.interaction.drag);
   if (w.interaction.drag)
-    return w.handling.soft.on
-               ? "X Y Z constrain,  digits set the amount,  wheel changes the radius,  Ctrl snaps,  Shift "
-                 "slows;  Esc or right button takes it back"
-               : "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or right button "
-                 "takes it back";
+    return w.handling.soft.on ? "X Y Z constrain,  digits set the amount,  wheel changes the radius,  Ctrl "
+                                "snaps,  Shift slows;  Esc or right button cancels"
+                              : "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or "
+                                "right button cancels";
   if (w.time_view.hovered)
-    return "Drag in the ruler goes to frames,  on a key moves it,  beside them selects;  wheel zooms,  "
-           "middle "
-           "drag pans,  right click on a key eases";
-  if (w.interaction.grab)
-    return "Move the pointer into the view: the selection follows it;  Esc leaves it as it is";
+    return "Drag the ruler to change frames,  a key to move it,  elsewhere to select;  wheel zooms,  middle "
+           "drag pans";
+  if (w.interaction.grab) return "Move the pointer into the view to start;  Esc cancels";
   if (w.interaction.placing_pivot)
-    return "Click a vertex, an edge or the model: the selection turns about that place;  Esc takes it back";
+    return "Click a vertex, an edge or the model to place the pivot;  Esc cancels";
   if (const std::string selecting = select_hint(w); !selecting.empty()) return selecting;
   if (!w.view.deformed)
-    return "The mesh is shown at rest, whatever moves it;  " + key_or_label(keymap, "toggle_deformed") +
-           " lets it follow again";
-  if (w.interaction.stroke) return "Release to keep it;  Esc or right button takes it back";
+    return "The model is shown at rest;  " + key_or_label(keymap, "toggle_deformed") +
+           " shows the deformation";
+  if (w.interaction.stroke) return "Release to confirm;  Esc or right button cancels";
   if (scene::shows_mask(w))
-    return "Drag paints what stays,  Ctrl what follows;  Shift and wheel change the brush;  middle or right "
-           "drag " +
+    return "Drag paints vertices that stay at rest,  Ctrl erases;  Shift and wheel change the brush;  middle "
+           "or right drag " +
            std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
-  if (w.interaction.over_axes) return "Click looks along an axis, drag orbits";
+  if (w.interaction.over_axes) return "Click to view along an axis, drag to orbit";
   if (w.interaction.handle && changes_shape_when_turned(w))
     return scene::handle_name(w.tool, *w.interaction.handle) +
-           ":  drag;  this may also change the shape of the posed model slightly: orbit to see another side";
+           ":  drag;  rotates the posed cage, which can slightly change the model's shape";
   if (w.interaction.handle)
     return scene::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
   if (w.interaction.hovered)
     return hovered_text(w.document.selection, *w.interaction.hovered, w.interaction.crowded);
   if (w.document.selection.kind() == scene::ElementKind::probe && !w.document.probes.empty())
-    return "Drag a probe moves it,  " + empty_space_words(keymap);
+    return "Drag a probe to move it,  " + empty_space_words(keymap);
   if (w.document.has_cage())
-    return "Drag a vertex, edge or selected face moves it,  " + empty_space_words(keymap);
+    return "Drag a vertex, edge or selected face to move it,  " + empty_space_words(keymap);
   std::string words = looking_words(keymap);
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   return words;
@@ -91,7 +88,7 @@ std::string mouse_text(const scene::Workspace& w) {
 
 namespace {
 
-// As many of the phrases, between which there are two spaces, as there is room for.
+// Keeps as many phrases, separated by two spaces, as fit.
 std::string fitting(std::string text, float width) {
   while (!text.empty() && ImGui::CalcTextSize(text.c_str()).x > width) {
     const std::size_t end = text.rfind("  ");

@@ -18,7 +18,7 @@ ImVec4 rgba(unsigned hex, float alpha = 1) {
   return c;
 }
 
-// Where distributions keep fonts, and a Flatpak those that it comes with.
+// Font folders of distributions, and of a Flatpak runtime.
 constexpr const char* font_folders[] = {"/usr/share/fonts", "/app/share/fonts"};
 
 ImFont* add_first(std::initializer_list<const char*> files, float size) {
@@ -145,7 +145,7 @@ Palette palette(bool dark) {
   return p;
 }
 
-// Okabe and Ito's palette, softened; told apart by colour-blind readers too.
+// Okabe and Ito's palette, softened; distinguishable for colour-blind readers.
 ImU32 stage_color(scene::Link stage) {
   static constexpr std::array<unsigned, scene::link_count> colors = {0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c,
                                                                      0x3fb09a, 0x6fc3df, 0xe07b54, 0x8f7fd1,

@@ -5,9 +5,9 @@
 
 namespace viete::ui {
 
-/// Adds the fonts to ImGui's atlas, rasterised for `scale` device pixels per logical pixel. With
-/// builtin_only, or where no font file is found, ImGui's own bitmap font is used: pictures in tests are then
-/// the same everywhere.
+/// Adds the fonts to ImGui's atlas, rasterized for `scale` device pixels per logical pixel. With
+/// builtin_only, or if no font file is found, uses ImGui's bitmap font, which is identical on all machines
+/// for tests.
 Fonts add_fonts(float scale, bool builtin_only);
 
 /// Sizes, spacing and colours; call when the theme changes.

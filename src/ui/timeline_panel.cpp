@@ -1,4 +1,4 @@
-// The timeline below the view: what plays, its keys, and how one comes to the next.
+// The timeline below the view: playback, keys and their easing.
 #include <cmath>
 #include <functional>
 #include <span>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr float bar_height = 24, more_width = 28, icon = 5;
 
-// Pictures of what a button does, about its middle: 1 being as far as they reach.
+// Draws button icons in coordinates from -1 to 1.
 struct TimePen {
   ImDrawList& draw;
   ImVec2 middle;
@@ -88,7 +88,7 @@ void icon_button(const Context& ui, const char* name, void (*draw)(const TimePen
   hint(std::string(command.label) + ".  " + hint_of(ui, command));
 }
 
-// A whole number with a word before it.
+// An integer field with a label.
 std::optional<int> frame_field(const Context& ui, const char* label, const char* name, double value,
                                float width, const char* what) {
   if (*label) {
@@ -108,13 +108,13 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
 void frame_shown(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   const double shown = std::round(w.document.frame * 10) / 10;
-  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "The frame that is shown")) {
+  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "Current frame")) {
     scene::stop_playing(w);
     scene::go_to_frame(w, *frame);
   }
 }
 
-// A part of a row: beside the others or, where there is no room for it, in the menu at their end.
+// A part of a row; if it does not fit it goes to the menu at the end.
 struct ToolPiece {
   float width, gap;
   std::function<void()> draw;
@@ -138,7 +138,7 @@ std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
   return count;
 }
 
-// Those that there is no room for.
+// The parts that do not fit, in a menu.
 void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece> others) {
   if (ImGui::Button((std::string("##") + name).c_str(), {more_width, bar_height})) ImGui::OpenPopup(name);
   record(ui, name);
@@ -146,14 +146,14 @@ void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece>
   for (const float x : {-5.0f, 0.0f, 5.0f})
     ImGui::GetWindowDrawList()->AddCircleFilled({0.5f * (low.x + high.x) + x, 0.5f * (low.y + high.y)}, 1.6f,
                                                 ui.colors.text);
-  hint("What there is no room for beside it.");
+  hint("More timeline settings.");
   if (!ImGui::BeginPopup(name)) return;
   if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
   for (const ToolPiece& piece : others) piece.in_menu();
   ImGui::EndPopup();
 }
 
-// Beside what is there, as far as `right`.
+// Appends to the row, up to `right`.
 void row_of_pieces(const Context& ui, const char* menu, std::span<const ToolPiece> pieces, float right) {
   const float room = right - ImGui::GetItemRectMax().x;
   std::size_t count = fitting_pieces(pieces, room);
@@ -185,14 +185,13 @@ void transport(const Context& ui, float right) {
   row_of_pieces(ui, "time/more", pieces, right);
 }
 
-// The two ways, side by side.
+// The two kinds of blending, side by side.
 void way_choice(const Context& ui) {
   const bool straight = ui.workspace.document.timeline.straight;
   const scene::Command& command = *scene::find_command("toggle_straight");
-  const char* labels[] = {"Log space", "Straight"};
-  const char* hints[] = {
-      "Between poses the logs of maps are blended: halfway to a half turn is a quarter turn.",
-      "Between poses vertices go in straight lines, as in other programs: what turns shrinks."};
+  const char* labels[] = {"Log space", "Linear"};
+  const char* hints[] = {"Interpolate maps between poses in log space: halfway to 180 degrees is 90 degrees.",
+                         "Interpolate vertex positions linearly between poses. Rotating parts shrink."};
   ImGui::BeginDisabled(!command.enabled(ui.workspace));
   for (int i = 0; i < 2; ++i) {
     if (i > 0) ImGui::SameLine(0, 2);
@@ -213,7 +212,7 @@ void rate_field(const Context& ui) {
   scene::Play play = scene::play_of(document.timeline);
   const auto rate = number_field(ui, "time/rate", play.rate);
   record(ui, "time/rate");
-  hint("Frames a second, 1 to 240");
+  hint("Playback rate in frames per second, 1 to 240.");
   ImGui::SameLine(0, 4);
   ImGui::AlignTextToFramePadding();
   text_in(ui.colors.faint, "fps");
@@ -227,19 +226,21 @@ void easing_choice(const Context& ui) {
   const std::vector<int> eased = scene::eased_keys(w);
   const scene::PoseKey* key = eased.empty() ? nullptr : scene::key_at(w.document.timeline, eased.front());
   ImGui::BeginDisabled(!key);
-  choice_list(
-      ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 92,
-      {"time/", "Easing", "How the selected keys, or the one before this frame, come to the next one"});
+  choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 92,
+              {"time/", "Easing",
+               "Interpolation from the selected keys, or from the key before this frame, to the next key."});
   ImGui::EndDisabled();
 }
 
 void range(const Context& ui, float right) {
   scene::Document& document = ui.workspace.document;
   scene::Play play = scene::play_of(document.timeline);
-  if (const auto first = frame_field(ui, "From", "time/first", play.first, 52, "The first frame that plays"))
+  if (const auto first =
+          frame_field(ui, "From", "time/first", play.first, 52, "First frame of the playback range."))
     play.first = *first, play.last = std::max(play.last, *first + 1);
   ImGui::SameLine(0, 8);
-  if (const auto last = frame_field(ui, "to", "time/last", play.last, 52, "The last frame that plays"))
+  if (const auto last =
+          frame_field(ui, "to", "time/last", play.last, 52, "Last frame of the playback range."))
     play.last = *last, play.first = std::min(play.first, *last - 1);
   scene::set_play(document, play);
   const ToolPiece pieces[] = {{76, 8, [&] { rate_field(ui); }},
@@ -275,7 +276,7 @@ bool begin_panel(const Context& ui) {
 void timeline_panel(const Context& ui) {
   scene::Workspace& w = ui.workspace;
   w.time_view.hovered = false;
-  if (!w.remembered.layout.timeline) return;
+  if (!w.preferences.layout.timeline) return;
   begin_panel(ui);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   ImGui::BeginDisabled(!w.document.model.surface);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float ruler_height = 18, key_radius = 5.5f, near_key = 7;
 
-// Where the frames are on screen.
+// Maps frames to the screen.
 struct Track {
   const Context& ui;
   ImVec2 low, high;
@@ -50,7 +50,7 @@ void ruler(const Track& t, ImDrawList& draw) {
   ImGui::PopFont();
 }
 
-// What does not play is darker.
+// Darkens frames outside the playback range.
 void outside(const Track& t, ImDrawList& draw) {
   const scene::Timeline& timeline = t.ui.workspace.document.timeline;
   const ImU32 shade = faded(t.ui.colors.halo, 0.55f);
@@ -68,7 +68,7 @@ void key_mark(const Track& t, ImDrawList& draw, const scene::PoseKey& key, bool 
   const float x = t.x_of(key.frame), y = t.key_y(), r = key_radius;
   const ImU32 color = is_selected(t.ui.workspace, key.frame) ? t.ui.colors.highlight : t.ui.colors.accent;
   if (next) {
-    // How it goes on, at a glance: a line for what moves, none for what holds.
+    // A line between two keys if the pose changes, none for `hold`.
     const auto& keys = t.ui.workspace.document.timeline.keys;
     const auto after = std::ranges::upper_bound(keys, key.frame, {}, &scene::PoseKey::frame);
     const ImU32 way = faded(t.ui.colors.accent, key.easing == scene::Easing::hold ? 0.15f : 0.5f);
@@ -130,7 +130,7 @@ void press(const Track& t, ImVec2 mouse) {
   scene::press_keys(w, frame, key_near(t, mouse), ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
 }
 
-// A drag is measured in the frames that were seen when it began.
+// A drag uses the frame window at the press.
 void follow_mouse(const Track& t) {
   scene::Workspace& w = t.ui.workspace;
   const auto& drag = w.time_view.drag;
@@ -185,10 +185,12 @@ void take_mouse(const Track& t) {
 void way_in(const Track& t, ImDrawList& draw) {
   const scene::Workspace& w = t.ui.workspace;
   if (!w.document.timeline.empty()) return;
-  const char* text = w.document.is_movable()
-                         ? "Pose the model and press I: a key. Go on to another frame, pose, press I."
-                         : "With a cage, probes or shapes there is something to key.";
-  const char* brief = w.document.is_movable() ? "Pose the model and press I: a key." : "Nothing to key yet.";
+  const char* text =
+      w.document.is_movable()
+          ? "Pose the model and press I to set a key. Go to another frame, pose and press I again."
+          : "Open a cage, add probes or import shapes to set keys.";
+  const char* brief =
+      w.document.is_movable() ? "Pose the model and press I to set a key." : "Nothing to key yet.";
   if (ImGui::CalcTextSize(text).x > t.high.x - t.low.x) text = brief;
   const ImVec2 size = ImGui::CalcTextSize(text);
   draw.AddText({0.5f * (t.low.x + t.high.x - size.x), t.key_y() - 0.5f * size.y}, t.ui.colors.faint, text);

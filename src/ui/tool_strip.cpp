@@ -1,4 +1,4 @@
-// At the left of the view: the tools, each with its picture and its key.
+// The tool strip at the left of the view: icons and keys of the tools.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -17,7 +17,7 @@ namespace {
 constexpr float tool_size = 36, tool_gap = 4, strip_inset = 20, strip_top = 12, icon_radius = 8;
 constexpr float pi = 3.14159265f;
 
-// What a picture is drawn with: about its middle, 1 being as far as it reaches.
+// Draws icons in coordinates from -1 to 1.
 struct Pen {
   ImDrawList& draw;
   ImVec2 middle;
@@ -28,7 +28,7 @@ struct Pen {
     draw.AddLine(at(x0, y0), at(x1, y1), color, 1.5f);
   }
   void dot(float x, float y) const { draw.AddCircleFilled(at(x, y), 2.2f, color); }
-  // Its point at (x, y), pointing along (dx, dy).
+  // An arrow head with its tip at (x, y), pointing along (dx, dy).
   void head(float x, float y, float dx, float dy) const {
     draw.AddTriangleFilled(at(x, y), at(x - 0.45f * dx - 0.35f * dy, y - 0.45f * dy + 0.35f * dx),
                            at(x - 0.45f * dx + 0.35f * dy, y - 0.45f * dy - 0.35f * dx), color);
@@ -118,7 +118,7 @@ void more_icon(const Pen& pen) {
 struct StripTool {
   const char* command;
   void (*icon)(const Pen&);
-  bool apart;  // from the one before
+  bool apart;  // separated from the previous one
 };
 constexpr StripTool strip[] = {{"tool_select", select_icon, false}, {"tool_move", move_icon, false},
                                {"tool_rotate", rotate_icon, false}, {"tool_scale", scale_icon, false},
@@ -132,7 +132,7 @@ float top_of(std::size_t index) {
   return y;
 }
 
-// How many there is room for, if need be with a button for the others.
+// The number that fits, including a button for the others.
 std::size_t fitting_tools(float height) {
   const auto fits = [&](std::size_t slots) {
     return top_of(slots - 1) + tool_size + 2 * strip_top <= height;
@@ -147,7 +147,7 @@ bool is_on(const Context& ui, const StripTool& entry) {
   return scene::find_command(entry.command)->on(ui.workspace);
 }
 
-// Returns whether it was clicked.
+// Returns true if clicked.
 bool card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 at, bool enabled, bool on) {
   ImGui::SetCursorScreenPos(at);
   ImGui::BeginDisabled(!enabled);
@@ -169,7 +169,7 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
   const scene::Command& command = *scene::find_command(entry.command);
   const bool enabled = command.enabled(ui.workspace);
   if (card(ui, entry.command, entry.icon, at, enabled, is_on(ui, entry))) command.run(ui.workspace);
-  const std::string key = scene::text(ui.workspace.remembered.keymap.of(command).first);
+  const std::string key = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const float size = key.size() > 1 ? 9.0f : 11.0f;
   const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size,
@@ -178,7 +178,7 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
   hint(std::string(command.label) + ".  " + hint_of(ui, command));
 }
 
-// Those that there is no room for, in a menu.
+// The tools that do not fit, in a menu.
 void more_tools(const Context& ui, std::span<const StripTool> others, ImVec2 at) {
   const bool on = std::ranges::any_of(others, [&](const StripTool& t) { return is_on(ui, t); });
   if (card(ui, "more", more_icon, at, true, on)) ImGui::OpenPopup("More tools");

@@ -19,7 +19,7 @@ const char* letter_of(const scene::AxisBall& ball) {
   return letters[ball.positive ? 1 : 0][ball.axis];
 }
 
-// What points away is fainter.
+// Axes pointing away are fainter.
 float opacity(const scene::AxisBall& ball) {
   return 0.75f + 0.25f * ball.nearness;
 }
@@ -54,7 +54,7 @@ void axis_overlay(const Context& ui) {
 
 namespace {
 
-// About as large as it reaches at the model.
+// Approximately the brush's radius on the model.
 void brush_ring(const Context& ui, const scene::Workspace& w) {
   const scene::Projector project(w.document.space, w.camera, w.viewport);
   const auto center = project(*w.interaction.brush);
@@ -66,7 +66,7 @@ void brush_ring(const Context& ui, const scene::Workspace& w) {
   draw.AddCircleFilled(at, 2, faded(ui.colors.text, 0.9f));
 }
 
-// False if there is no room for it.
+// False if it does not fit.
 bool centered(const Context& ui, float y, const std::string& line, ImU32 color) {
   const char* const text = line.c_str();
   const auto& v = ui.workspace.viewport;
@@ -81,8 +81,8 @@ bool centered(const Context& ui, float y, const std::string& line, ImU32 color) 
 
 void editing_hint(const Context& ui) {
   const auto& v = ui.workspace.viewport;
-  const std::string key = key_or_label(ui.workspace.remembered.keymap, "edit_cage");
-  centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     " + key + " goes back to posing it",
+  const std::string key = key_or_label(ui.workspace.preferences.keymap, "edit_cage");
+  centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     " + key + " returns to posing",
            ui.colors.accent);
 }
 
@@ -90,8 +90,8 @@ void hints(const Context& ui) {
   const auto& w = ui.workspace;
   const float y = w.viewport.origin.y + w.viewport.size.y - 34;
   const ImU32 color = faded(ui.colors.text, 0.75f);
-  const std::string space = scene::text(w.remembered.keymap.of(*scene::find_command("play")).first);
-  const std::string help = key_or_label(w.remembered.keymap, "help");
+  const std::string space = scene::text(w.preferences.keymap.of(*scene::find_command("play")).first);
+  const std::string help = key_or_label(w.preferences.keymap, "help");
   const std::string plays =
       w.document.timeline.keys.empty() || space.empty() ? "" : "     " + space + " plays it";
   for (const char* method : {"     Switch the method in the right column", ""}) {
@@ -101,11 +101,11 @@ void hints(const Context& ui) {
   }
 }
 
-// Nobody is left alone with a view without a word.
-void way_back(const Context& ui) {
+// An empty view shows how to get the model back.
+void restore_hint(const Context& ui) {
   const scene::Command& command = *scene::find_command("toggle_panels");
   const std::string text =
-      scene::text(ui.workspace.remembered.keymap.of(command).first) + " shows the panels again";
+      scene::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again";
   const auto& v = ui.workspace.viewport;
   ImGui::PushFont(ui.fonts.text);
   ImGui::GetBackgroundDrawList()->AddText({v.origin.x + 16, v.origin.y + v.size.y - 28},
@@ -118,16 +118,17 @@ void way_back(const Context& ui) {
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   select_overlay(ui);
-  if (!w.view.panels && w.attended) way_back(ui);
+  if (!w.view.panels && w.has_user) restore_hint(ui);
   if (w.interaction.brush) brush_ring(ui, w);
-  if (w.binding.running || w.loading.running || w.making_cage.running) return;  // their bar is there
+  if (w.binding.running || w.loading.running || w.making_cage.running)
+    return;  // their progress bar is displayed
   if (w.document.kept_pose && w.view.panels) return editing_hint(ui);
-  const bool room =  // the legend takes it, or paint, or what is to be done first
+  const bool room =  // reserved for the legend, the brush, or the next step
       scene::shown_field(w) == lab::Field::none && !scene::shows_mask(w) && !offers_next_step(w);
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }
 
-// Marks at the cage where the mesh may fold.
+// Marks on the cage where the mesh may fold.
 
 void torn_overlay(const Context& ui) {
   const auto& w = ui.workspace;

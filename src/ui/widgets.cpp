@@ -22,7 +22,7 @@ const scene::Command& require(std::string_view name) {
   return *command;
 }
 
-// Five digits, or as many as there is room for.
+// Five digits, or as many as fit.
 std::string printed(double value, float room) {
   char text[64];
   for (int digits = 5; digits > 1; --digits) {
@@ -40,8 +40,8 @@ int filter_number(ImGuiInputTextCallbackData* data) {
   return known ? 0 : 1;
 }
 
-// What was typed into a field up to the last frame: versions of ImGui differ in whether they still tell when
-// another widget has taken the keyboard.
+// The text of a field in the last frame: ImGui versions differ in whether they report it after another widget
+// takes the focus.
 std::string typed_so_far(const Context& ui, const std::string& name, const std::string& otherwise) {
   const auto typed = ui.workspace.typed.find(name);
   if (typed == ui.workspace.typed.end()) return otherwise;
@@ -109,13 +109,13 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
   typed.copy(text, sizeof text - 1);
   if (std::exchange(appearing, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##typed", "Find a command", text, sizeof text);
+  ImGui::InputTextWithHint("##typed", "Find command", text, sizeof text);
   record(ui, name);
   typed = text;
 }
 
 std::string hint_of(const Context& ui, const scene::Command& command) {
-  const std::string keys = scene::text(ui.workspace.remembered.keymap.of(command).first);
+  const std::string keys = scene::text(ui.workspace.preferences.keymap.of(command).first);
   const std::string does =
       command.subject ? command.label_now(ui.workspace) + ".  " + command.hint : command.hint;
   const std::string what = does + (keys.empty() ? "" : "  (" + keys + ")");
@@ -129,7 +129,7 @@ void record(const Context& ui, const std::string& name, bool enabled) {
 }
 
 bool section(const Context& ui, const char* title, bool open_at_first) {
-  auto& sections = ui.workspace.remembered.layout.sections;
+  auto& sections = ui.workspace.preferences.layout.sections;
   const auto known = sections.find(title);
   const bool was_open = known == sections.end() ? open_at_first : known->second;
   ImGui::SetNextItemOpen(was_open);
@@ -160,7 +160,7 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
 
 namespace {
 
-// Panels behind a dialog, which has a title or is modal, have no hints: these would lie over it.
+// Panels behind a dialog (titled or modal) show no tooltips, which would cover it.
 bool is_behind_dialog() {
   const ImGuiContext& g = *GImGui;
   const ImGuiWindow* own = g.CurrentWindow->RootWindow;
@@ -186,24 +186,24 @@ bool wants_hint() {
 }
 
 bool take_escape(scene::Workspace& w) {
-  if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) scene::take_hold(w);
+  if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) scene::begin_widget_edit(w);
   if (w.question || !key_pressed(scene::Key::escape)) return false;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     ImGui::ClosePopupToLevel(0, true);
     return true;
   }
-  // Texts and the timeline have a way back of their own.
+  // Text fields and the timeline handle Esc themselves.
   if (!ImGui::IsMouseDown(0) || !ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || w.time_view.drag)
     return false;
   ImGui::ClearActiveID();
   ImGui::ClearDragDrop();
-  scene::call_off_hold(w);
+  scene::cancel_widget_edit(w);
   return true;
 }
 
 void hint(const std::string& text) {
   if (!wants_hint()) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // also where the window has none
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // also for windows without padding
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(wrapped(text, 268).c_str());
   ImGui::EndTooltip();
@@ -309,8 +309,7 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
   text_in(ui.colors.faint, label);
 }
 
-// Neither InputDouble, which leaves commas out, nor EnterReturnsTrue, which newer versions know for texts
-// only.
+// InputDouble rejects commas, and older versions support EnterReturnsTrue for text only.
 std::optional<double> number_field(const Context& ui, const std::string& name, double value) {
   const std::string shown = printed(value, ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x);
   char text[64] = "";
@@ -337,7 +336,7 @@ namespace {
 
 constexpr int frames_to_focus = 4;
 
-// The keyboard comes to it once the button that was pressed on the slider is up.
+// It gets the keyboard focus after the mouse button is released.
 std::optional<double> slider_field(const Context& ui, const std::string& name, double value) {
   scene::TypedSlider& typing = ui.workspace.typed_slider;
   typing.frame = ImGui::GetFrameCount();
@@ -365,7 +364,7 @@ Slid slider(const Context& ui, const std::string& name, double value, double lea
     const bool twice = ImGui::IsMouseDoubleClicked(0);
     if (ImGui::IsItemActivated() && (twice || ImGui::GetIO().KeyCtrl)) {
       ImGui::ClearActiveID();
-      if (twice) scene::call_off_hold(ui.workspace);  // the first click has moved it
+      if (twice) scene::cancel_widget_edit(ui.workspace);  // the first click has moved it
       ui.workspace.typed_slider = {name, ImGui::GetFrameCount(), frames_to_focus};
       slid.moved = false;
     }
@@ -392,7 +391,7 @@ std::optional<std::string> name_field(const Context& ui, const std::string& id, 
 
 namespace {
 
-// Of a file that is named at the left: many have the same name. As much of it as there is room for.
+// The folder of a recent file, since many have the same name; shortened to fit.
 void folder_beside(const Context& ui, ImVec2 at, float right, const std::string& name,
                    const std::string& folder) {
   constexpr float gap = 16;
@@ -407,7 +406,7 @@ void folder_beside(const Context& ui, ImVec2 at, float right, const std::string&
 }  // namespace
 
 std::optional<std::size_t> recent_list(const Context& ui, std::size_t most, std::size_t chosen) {
-  const auto& recent = ui.workspace.remembered.recent;
+  const auto& recent = ui.workspace.preferences.recent;
   std::optional<std::size_t> clicked;
   ImGui::PushStyleColor(ImGuiCol_Header, ui.colors.card_active);
   for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
@@ -427,12 +426,12 @@ std::optional<std::size_t> recent_list(const Context& ui, std::size_t most, std:
 }
 
 void open_recent(scene::Workspace& w, std::size_t index) {
-  const scene::RecentFile& file = w.remembered.recent[index];
+  const scene::RecentFile& file = w.preferences.recent[index];
   w.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {
-  ImGui::PushTextWrapPos(0);  // for words that are wider
+  ImGui::PushTextWrapPos(0);  // for longer words
   text_in(color ? color : ui.colors.faint, wrapped(text, ImGui::GetContentRegionAvail().x));
   ImGui::PopTextWrapPos();
 }

@@ -21,7 +21,7 @@ TEST_CASE("the_command_for_a_film_has_the_rate_and_the_names_of_the_pictures") {
           even + "'/film.mp4'");
 }
 
-TEST_CASE("what_is_left_is_foreseen_once_something_is_known") {
+TEST_CASE("the_remaining_time_is_estimated_once_there_is_data") {
   CHECK(app::progress_text(0, 10) == "0 %");
   CHECK(app::progress_text(0.5, 0.2) == "50 %");
   CHECK(app::progress_text(0.25, 10) == "25 %, 30 s left");

@@ -12,8 +12,8 @@
 #include "scene/files.h"
 #include "scene/files/open.h"
 #include "scene/files/session.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/open.h"
 
 using namespace viete;
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A cube in a cage, open, with what keeps its edits in a folder.
+// An open cube in a cage, with autosave to a folder.
 struct Kept {
   test::CubeFiles files;
   fs::path folder = files / "recovery";
@@ -78,7 +78,7 @@ TEST_CASE("settings_made_after_the_last_edit_are_kept_too") {
   CHECK(again.view.wireframe);
 }
 
-TEST_CASE("where_one_looks_from_and_how_the_hand_works_are_kept_with_edits_once_they_rest") {
+TEST_CASE("camera_and_handling_are_backed_up_with_edits_once_they_rest") {
   Kept k;
   k.workspace.camera.orbit({30, 0});
   k.autosave.follow(k.workspace);
@@ -94,7 +94,7 @@ TEST_CASE("where_one_looks_from_and_how_the_hand_works_are_kept_with_edits_once_
   const bool early = kept().camera == camera || k.autosave.has_news();
   CHECK((!early || base::wall_seconds() - changed > 0.5));
   while (!k.autosave.has_news()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  CHECK(kept().camera != camera);  // not before the frame that has_news() asks for
+  CHECK(kept().camera != camera);  // written only by the frame that has_news() asks for
   k.autosave.follow(k.workspace);
   k.queue.add([] {}).wait();
   k.autosave.follow(k.workspace);
@@ -103,11 +103,11 @@ TEST_CASE("where_one_looks_from_and_how_the_hand_works_are_kept_with_edits_once_
   CHECK(kept().camera == camera);
   CHECK(kept().handling.soft.on);
   k.workspace.camera.orbit({-40, 10});
-  REQUIRE(k.autosave.keep_now(k.workspace));  // at the end, at once
+  REQUIRE(k.autosave.keep_now(k.workspace));  // at the end, immediately
   CHECK(kept().camera == k.workspace.camera.pose());
 }
 
-TEST_CASE("what_is_saved_need_not_be_kept") {
+TEST_CASE("saved_edits_are_not_backed_up") {
   Kept k;
   k.edit(0.25);
   REQUIRE(k.autosave.keep_now(k.workspace));
@@ -125,8 +125,8 @@ TEST_CASE("edits_are_set_aside_when_another_document_is_opened") {
   REQUIRE(test::load_model(k.workspace, k.files.model, k.files.cage));
   k.autosave.follow(k.workspace);
   CHECK_FALSE(fs::exists(scene::recovery_file(k.folder)));
-  REQUIRE(k.workspace.leftovers.size() == 1);
-  CHECK(fs::exists(k.workspace.leftovers[0].file));
+  REQUIRE(k.workspace.recovery_files.size() == 1);
+  CHECK(fs::exists(k.workspace.recovery_files[0].file));
 }
 
 TEST_CASE("a_folder_that_cannot_be_made_is_a_message_and_a_reason") {
@@ -134,11 +134,11 @@ TEST_CASE("a_folder_that_cannot_be_made_is_a_message_and_a_reason") {
   test::put_file(k.folder, "a file");
   k.edit(0.25);
   CHECK_FALSE(k.autosave.keep_now(k.workspace));
-  CHECK(k.autosave.problem().find("cannot be kept") != std::string::npos);
+  CHECK(k.autosave.problem().find("cannot be saved") != std::string::npos);
   CHECK_FALSE(k.workspace.messages.all().empty());
 }
 
-TEST_CASE("without_a_folder_nothing_is_kept_and_the_reason_is_said") {
+TEST_CASE("without_a_folder_edits_are_not_backed_up_and_the_reason_is_given") {
   Kept k;
   base::BackgroundQueue queue;
   app::Autosave autosave({}, queue);

@@ -37,11 +37,11 @@ TEST_CASE("exports_are_written_in_turn_and_each_is_said") {
   CHECK(e.messages.all()[1].text == "Saved b.ply.");
 }
 
-TEST_CASE("notes_on_an_export_are_listed_and_not_in_sight_and_those_of_the_pose_not_repeated") {
+TEST_CASE("notes_on_an_export_are_only_listed_and_those_of_the_pose_not_repeated") {
   Exports e;
   deform::Pose& pose = e.workspace.document.changed_pose();
   for (auto& p : pose.positions)
-    if (p[1] > 0) p = {-p[0], p[1], -p[2]};  // the top turns by 180 degrees
+    if (p[1] > 0) p = {-p[0], p[1], -p[2]};  // rotates the top by 180 degrees
   e.workspace.document.put_method(sym3::Method::sd);
   const scene::Export what = scene::export_of(e.workspace.document, e.files / "a.obj");
   const std::vector<std::string> notes = scene::write_deformed(what);
@@ -51,7 +51,7 @@ TEST_CASE("notes_on_an_export_are_listed_and_not_in_sight_and_those_of_the_pose_
     e.exporter.add(what, std::move(told));
     REQUIRE_FALSE(e.exporter.follow(e.messages, true));
     for (const auto& message : e.messages.all())
-      CHECK(message.in_sight == (message.severity == scene::Severity::info));
+      CHECK(message.visible == (message.severity == scene::Severity::info));
     return e.messages.all();
   };
   const auto all = export_with({});
@@ -62,7 +62,7 @@ TEST_CASE("notes_on_an_export_are_listed_and_not_in_sight_and_those_of_the_pose_
   CHECK(known.back().text == "Saved a.obj.");
 }
 
-TEST_CASE("one_that_fails_is_returned_and_the_next_is_written") {
+TEST_CASE("a_failed_export_is_returned_and_the_next_one_runs") {
   Exports e;
   for (const char* name : {"no/such/folder.obj", "b.ply"}) e.add(name);
   const auto failure = e.exporter.follow(e.messages, true);

@@ -22,7 +22,7 @@ using QuestionKind = scene::Question::Kind;
 
 namespace {
 
-// A program's files, without the program: cubes to open, and a folder to remember in.
+// FileDesk without the viewer: cubes to open, and a state folder.
 struct Desk {
   test::CubeFiles files;
   std::filesystem::path state = files / "state";
@@ -32,7 +32,7 @@ struct Desk {
   explicit Desk(bool remembers = true) { begin(remembers); }
   void begin(bool remembers = true) {
     desk.reset();
-    std::destroy_at(&workspace), std::construct_at(&workspace);  // GCC 12 is wrong about moving one
+    std::destroy_at(&workspace), std::construct_at(&workspace);  // GCC 12 warns wrongly about moving one
     desk.emplace(remembers ? state : std::filesystem::path(), workspace);
   }
   void frame(bool no_drag = true) {
@@ -77,9 +77,9 @@ std::size_t files_in(const std::filesystem::path& folder) {
 TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_question") {
   Desk d;
   d.frame();
-  d.answer(scene::Answer::go_on);
+  d.answer(scene::Answer::proceed);
   d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
-  d.workspace.requests.save_model = d.files / "out.obj";  // of nothing
+  d.workspace.requests.save_model = d.files / "out.obj";  // without a model
   d.frame();
   CHECK_FALSE(d.desk->closed());
   CHECK_FALSE(d.desk->loading());
@@ -89,7 +89,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   CHECK(files_in(d.state) == 0);
 }
 
-TEST_CASE("what_is_opened_comes_with_look_and_binding_and_the_binding_is_given_once") {
+TEST_CASE("an_opened_document_has_looks_and_a_binding_returned_once") {
   Desk d;
   d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model, d.files.cage}};
   d.frame();
@@ -102,7 +102,7 @@ TEST_CASE("what_is_opened_comes_with_look_and_binding_and_the_binding_is_given_o
   CHECK_FALSE(d.desk->take_bound().binding);
 }
 
-TEST_CASE("nothing_is_taken_away_under_a_drag") {
+TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   Desk d;
   d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model}};
   for (int i = 0; i < 20; ++i) {
@@ -150,7 +150,7 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
   }
   SUBCASE("before the program closes, and it goes without them") {
     d.quit();
-    d.answer(scene::Answer::go_on);
+    d.answer(scene::Answer::proceed);
     CHECK(d.desk->closed());
   }
   SUBCASE("before the program closes, and it goes once they are saved") {
@@ -179,7 +179,7 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
   SUBCASE("before another file takes their place, and it does") {
     d.open({d.files.cage});
     CHECK(d.workspace.document.model.path == d.files.model);
-    d.answer(scene::Answer::go_on);
+    d.answer(scene::Answer::proceed);
     CHECK(d.workspace.document.model.path == d.files.cage);
   }
 }
@@ -189,14 +189,14 @@ TEST_CASE("edits_that_can_be_kept_are_set_aside_for_another_file_but_stay_with_a
   d.open_cubes();
   d.edit();
   d.open({d.files.pose}, What::pose);
-  CHECK(d.workspace.leftovers.empty());
+  CHECK(d.workspace.recovery_files.empty());
   d.open({d.files.cage});
   CHECK_FALSE(d.workspace.question);
   CHECK(d.workspace.document.model.path == d.files.cage);
-  CHECK(d.workspace.leftovers.size() == 1);
+  CHECK(d.workspace.recovery_files.size() == 1);
 }
 
-TEST_CASE("a_session_that_has_changed_on_disk_is_replaced_only_when_told_to") {
+TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   Desk d;
   const auto session = d.files / "a.viete";
   d.open_cubes();
@@ -212,7 +212,7 @@ TEST_CASE("a_session_that_has_changed_on_disk_is_replaced_only_when_told_to") {
   d.answer(scene::Answer::cancel);
   CHECK(test::file_bytes(session) == "theirs");
   save();
-  d.answer(scene::Answer::go_on);
+  d.answer(scene::Answer::proceed);
   CHECK(test::file_bytes(session) != "theirs");
 }
 
@@ -220,7 +220,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
   for (const bool fails : {false, true}) {
     CAPTURE(fails);
     Desk d;
-    mesh::write(d.files / "large.ply", test::sphere(6));  // so that it is not written at once
+    mesh::write(d.files / "large.ply", test::sphere(6));  // too large to be written immediately
     d.open({d.files / "large.ply", d.files.cage});
     d.workspace.requests.save_model = fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj";
     d.quit();
@@ -236,7 +236,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
 
 namespace {
 
-// The file of the desk's unsaved edits becomes that of a program that has ended.
+// Makes the desk's recovery file look like that of an ended program.
 void end_program(Desk& d) {
   const auto recovery = d.state / "recovery";
   d.desk.reset();
@@ -250,8 +250,8 @@ void end_program(Desk& d) {
 }
 
 void restore(Desk& d) {
-  REQUIRE(d.workspace.leftovers.size() == 1);
-  d.open({d.workspace.leftovers[0].file}, What::recovery);
+  REQUIRE(d.workspace.recovery_files.size() == 1);
+  d.open({d.workspace.recovery_files[0].file}, What::recovery);
   d.frame();
 }
 
@@ -266,31 +266,31 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   REQUIRE(d.desk->closed());
   CHECK(d.desk->kept());
   end_program(d);
-  CHECK(d.workspace.offers_leftovers);
+  CHECK(d.workspace.offers_recovery);
 
   restore(d);
-  CHECK(d.workspace.leftovers.empty());
-  CHECK_FALSE(d.workspace.offers_leftovers);
+  CHECK(d.workspace.recovery_files.empty());
+  CHECK_FALSE(d.workspace.offers_recovery);
   SUBCASE("closed without further edits, they are kept where they were and not offered again") {
     d.quit();
     REQUIRE(d.desk->closed());
     CHECK_FALSE(d.desk->kept());
     end_program(d);
-    CHECK_FALSE(d.workspace.offers_leftovers);
+    CHECK_FALSE(d.workspace.offers_recovery);
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
   SUBCASE("another model in their place offers nothing") {
     d.open({d.files.model});
     d.frame();
-    CHECK_FALSE(d.workspace.offers_leftovers);
+    CHECK_FALSE(d.workspace.offers_recovery);
     CHECK(d.workspace.messages.all().empty());
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
   SUBCASE("a program that is killed offers them again") {
     end_program(d);
-    CHECK(d.workspace.offers_leftovers);
+    CHECK(d.workspace.offers_recovery);
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
@@ -299,7 +299,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     d.quit();
     CHECK(d.desk->kept());
     end_program(d);
-    CHECK(d.workspace.offers_leftovers);
+    CHECK(d.workspace.offers_recovery);
     restore(d);
     CHECK(d.workspace.document.pose.positions != posed);
   }
@@ -307,7 +307,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     d.workspace.requests.save_session = d.files / "a.viete";
     d.frame();
     end_program(d);
-    CHECK(d.workspace.leftovers.empty());
+    CHECK(d.workspace.recovery_files.empty());
     CHECK(files_in(d.state / "recovery") == 0);
   }
 }
@@ -318,14 +318,14 @@ TEST_CASE("opening_another_model_offers_no_recovered_edits_but_tells_that_edits_
   d.edit();
   d.open({d.files.cage});
   d.frame();
-  CHECK_FALSE(d.workspace.offers_leftovers);
+  CHECK_FALSE(d.workspace.offers_recovery);
   CHECK(d.last_message() ==
-        "Unsaved edits of model.obj are kept; File > Restore recovered edits brings them back.");
+        "Unsaved edits of model.obj were saved; File > Restore recovered edits restores them.");
   d.open_cubes();
   CHECK(d.workspace.messages.all().size() == 1);
 }
 
-TEST_CASE("what_is_remembered_is_there_at_the_next_start_and_without_a_folder_nothing_is") {
+TEST_CASE("preferences_persist_with_a_state_folder_only") {
   for (const bool remembers : {true, false}) {
     Desk d(remembers);
     CHECK(d.workspace.view.hints);
@@ -334,18 +334,18 @@ TEST_CASE("what_is_remembered_is_there_at_the_next_start_and_without_a_folder_no
     d.frame();
     d.begin(remembers);
     CHECK(d.workspace.view.hints == !remembers);
-    CHECK(d.workspace.remembered.recent.size() == (remembers ? 1 : 0));
+    CHECK(d.workspace.preferences.recent.size() == (remembers ? 1 : 0));
     CHECK(std::filesystem::exists(d.state) == remembers);
   }
 }
 
-TEST_CASE("what_was_remembered_and_cannot_be_read_is_said_and_the_program_starts_without_it") {
+TEST_CASE("unreadable_preferences_give_a_message_and_defaults") {
   Desk d;
   std::filesystem::create_directories(d.state);
   test::put_file(d.state / "remembered.json", "nonsense");
   d.begin();
   CHECK(d.workspace.messages.all().back().severity == scene::Severity::warning);
-  CHECK(d.last_message().ends_with("; starting without it"));
+  CHECK(d.last_message().ends_with("; starting without this file"));
   CHECK(d.workspace.view.hints);
 }
 
@@ -364,7 +364,7 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     CHECK(d.workspace.question->why.find("model.obj: there is no such file") != std::string::npos);
     CHECK(d.workspace.messages.all().empty());
     d.answer(scene::Answer::cancel);
-    CHECK(d.last_message() == "Opened nothing; everything is as it was.");
+    CHECK(d.last_message() == "Cancelled opening; nothing was changed.");
     d.open({d.files / "a.viete"}, what);
     for (const auto& [kind, name] : {std::pair{QuestionKind::locate_model, "new.obj"},
                                      std::pair{QuestionKind::locate_cage, "grid.obj"}}) {
@@ -385,7 +385,7 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     CHECK_FALSE(d.workspace.question);
     CHECK(d.workspace.document.model.path == d.files / "new.obj");
     CHECK(d.workspace.document.pose.positions == pose.positions);
-    CHECK(d.workspace.saved.nowhere == (what == What::recovery));
+    CHECK(d.workspace.saved.recovered == (what == What::recovery));
   }
 }
 
@@ -402,10 +402,10 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
   d.desk->finish_loading(d.workspace);
   REQUIRE(d.workspace.document.has_cage());
   CHECK(d.workspace.document.cage->surface.positions.size() == 8);
-  CHECK(d.last_message().find("1 face of fin.obj that stuck out removed") != std::string::npos);
+  CHECK(d.last_message().find("1 face of fin.obj that stuck out were removed") != std::string::npos);
 }
 
-TEST_CASE("an_export_takes_the_place_of_nothing_that_is_open") {
+TEST_CASE("an_export_overwrites_no_open_file") {
   Desk d;
   test::put_file(d.files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");
   test::put_file(d.files / "m.obj", "mtllib model.mtl\nusemtl skin\n" + test::file_bytes(d.files.model));

@@ -8,9 +8,9 @@
 #include "scene/document/edit.h"
 #include "scene/document/record.h"
 #include "scene/files/open.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/data.h"
 #include "support/folder.h"
@@ -65,13 +65,13 @@ TEST_CASE(
   s.motion.step(s.w, true, 0);
   s.motion.step(s.w, true, 1);
   CHECK(s.at_goal());
-  CHECK_FALSE(test::run_command(s.w, "add_example"));  // where the loop is nobody knows yet
+  CHECK_FALSE(test::run_command(s.w, "add_example"));  // the session's location is unknown
   s.w.example = folder / "loop.viete";
   CHECK(test::run_command(s.w, "add_example"));
   scene::follow_time(s.w, 0);
   CHECK(s.w.document.library.poses.size() == 3);
-  CHECK(s.w.remembered.layout.timeline);
-  CHECK(s.at_goal());  // it begins there
+  CHECK(s.w.preferences.layout.timeline);
+  CHECK(s.at_goal());  // the motion starts there
   double farthest = 0;
   for (int i = 0; i < 60; ++i) {
     scene::follow_time(s.w, 0.1);
@@ -118,7 +118,7 @@ TEST_CASE("another_model_and_another_cage_get_no_loop_and_stay_as_they_are") {
   CHECK(other.w.messages.all().back().severity == scene::Severity::error);
   CHECK(other.w.document.library.poses.empty());
   CHECK(other.w.document.timeline.empty());
-  CHECK_FALSE(other.w.remembered.layout.timeline);
+  CHECK_FALSE(other.w.preferences.layout.timeline);
   CHECK_FALSE(scene::add_motion(other.w, folder / "none.viete"));
   CHECK_FALSE(other.w.document.history.can_undo());
   const test::TemporaryFolder elsewhere;
@@ -128,7 +128,7 @@ TEST_CASE("another_model_and_another_cage_get_no_loop_and_stay_as_they_are") {
   CHECK_FALSE(test::run_command(other.w, "add_example"));
 }
 
-TEST_CASE("a_hand_ends_the_first_motion_or_keeps_it_from_beginning") {
+TEST_CASE("user_input_ends_the_first_motion_or_prevents_it") {
   Start begun;
   begun.motion.step(begun.w, true, 0);
   begun.motion.step(begun.w, true, 0.2);
@@ -149,7 +149,7 @@ TEST_CASE("nothing_moves_once_the_hints_are_gone_or_where_unsaved_work_waits") {
   seen.motion.step(seen.w, true, 0.1);
   CHECK_FALSE(seen.motion.moving());
   Start left;
-  left.w.offers_leftovers = true;
+  left.w.offers_recovery = true;
   left.motion.step(left.w, true, 0.1);
   CHECK_FALSE(left.motion.moving());
 }

@@ -17,7 +17,7 @@ using test::mentions;
 
 namespace {
 
-// What a command of this use makes of a command line; throws what it says against it.
+// Parses a command line for this use; throws its error.
 Inputs parsed(Use use, const std::string& arguments) {
   CLI::App command;
   Inputs inputs{use};
@@ -27,7 +27,7 @@ Inputs parsed(Use use, const std::string& arguments) {
   return inputs;
 }
 
-// The words that it says against it; empty if it takes them.
+// The error message; empty if the arguments are valid.
 std::string refusal(Use use, const std::string& arguments) {
   try {
     parsed(use, arguments);
@@ -39,7 +39,7 @@ std::string refusal(Use use, const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("every_use_asks_for_what_it_cannot_do_without") {
+TEST_CASE("every_use_requires_its_inputs") {
   CHECK(refusal(Use::window, "").empty());
   CHECK(refusal(Use::picture, "a.obj").empty());
   CHECK(refusal(Use::file, "a.obj c.obj --pose p.obj").empty());
@@ -52,9 +52,9 @@ TEST_CASE("every_use_asks_for_what_it_cannot_do_without") {
 TEST_CASE("a_session_names_its_cage_and_pose_itself") {
   for (const Use use : {Use::window, Use::picture, Use::file, Use::animation}) {
     CHECK(refusal(use, "s.viete").empty());
-    CHECK(mentions(refusal(use, "s.viete c.obj"), "CAGE: the session s.viete names its own"));
+    CHECK(mentions(refusal(use, "s.viete c.obj"), "CAGE: the session s.viete has its own"));
   }
-  CHECK(mentions(refusal(Use::file, "s.viete --pose p.obj"), "--pose: the session s.viete names its own"));
+  CHECK(mentions(refusal(Use::file, "s.viete --pose p.obj"), "--pose: the session s.viete has its own"));
 }
 
 TEST_CASE("files_of_a_session_can_be_located_and_no_others") {
@@ -63,9 +63,8 @@ TEST_CASE("files_of_a_session_can_be_located_and_no_others") {
     CHECK(inputs.request().located.model == "m.ply");
     CHECK(inputs.request().located.cage == "c.obj");
   }
-  CHECK(mentions(refusal(Use::picture, "a.obj --model m.ply"), "--model: can only be used with a session"));
-  CHECK(mentions(refusal(Use::animation, "a.obj c.obj --cage d.obj"),
-                 "--cage: can only be used with a session"));
+  CHECK(mentions(refusal(Use::picture, "a.obj --model m.ply"), "--model: requires a session"));
+  CHECK(mentions(refusal(Use::animation, "a.obj c.obj --cage d.obj"), "--cage: requires a session"));
 }
 
 TEST_CASE("every_method_that_has_a_name_is_taken_and_none_is_asked_for_by_itself") {
@@ -91,6 +90,6 @@ TEST_CASE("stitching_takes_a_number_of_iterations_or_one") {
 TEST_CASE("settings_that_do_not_go_together_are_told_before_anything_is_opened") {
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --blend srl --weights mean-value"), base::Error);
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --weights mean-value --radius 3"), base::Error);
-  // What a session has is not known yet.
+  // The session's settings are not known yet.
   CHECK(refusal(Use::picture, "s.viete --radius 3").empty());
 }

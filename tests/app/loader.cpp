@@ -24,7 +24,7 @@ Result loaded(app::Loader& loader, const scene::OpenRequest& request, const scen
   return *std::move(result);
 }
 
-// A document as the loader gave it.
+// A document opened by the loader.
 scene::Document opened(app::Loader& loader, const scene::OpenRequest& request) {
   const Result result = loaded(loader, request);
   REQUIRE_MESSAGE(result.value, result.problem);
@@ -61,7 +61,7 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   CHECK_FALSE(loader.poll(true));
 }
 
-TEST_CASE("only_what_is_new_is_derived") {
+TEST_CASE("only_changes_are_derived_again") {
   const test::CubeFiles files;
   app::Loader loader;
   const Result model = loaded(loader, {What::model, {files.model}});
@@ -125,12 +125,12 @@ TEST_CASE("another_request_takes_the_place_of_the_first") {
   CHECK_FALSE(loader.poll(true));
 }
 
-TEST_CASE("reading_that_is_stopped_says_so") {
+TEST_CASE("cancelled_reading_shows_a_message") {
   const test::TemporaryFolder folder;
   std::string text;
   app::Loader loader;
   bool stopped = false;
-  // 6 MB of text; a machine that reads them in a moment gets more.
+  // 6 MB of text; fast machines get more.
   for (std::size_t lines = 200'000; !stopped; lines *= 2) {
     REQUIRE(lines < 5'000'000);
     while (text.size() < 30 * lines) text += "v 0.123456789 1 2\nv 1 0 0.5\n";

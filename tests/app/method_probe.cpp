@@ -49,12 +49,12 @@ TEST_CASE("every_method_is_measured_by_its_own_errors") {
   }
 }
 
-TEST_CASE("of_no_matrices_nothing_is_measured") {
+TEST_CASE("no_matrices_give_no_measurement") {
   CHECK(app::measure_methods({}).matrices == 0);
   CHECK(probed({}).matrices == 0);
 }
 
-TEST_CASE("an_answer_that_is_no_number_makes_both_errors_say_so") {
+TEST_CASE("a_nan_result_makes_both_errors_nan") {
   Matrices matrices = some_matrices(3);
   matrices[1].xx = std::numeric_limits<double>::quiet_NaN();
   for (const auto& sample : app::measure_methods(matrices).samples) {
@@ -66,7 +66,7 @@ TEST_CASE("an_answer_that_is_no_number_makes_both_errors_say_so") {
 TEST_CASE("a_probe_takes_all_of_few_matrices_and_an_even_sample_of_many") {
   CHECK(probed(some_matrices(1)).matrices == 1);
   CHECK(probed(some_matrices(app::probe_limit)).matrices == app::probe_limit);
-  for (const bool in_sample : {true, false}) {  // of two neighbours near the end one is taken
+  for (const bool in_sample : {true, false}) {  // one of two neighbours near the end is in the sample
     Matrices matrices = some_matrices(2 * app::probe_limit);
     matrices[matrices.size() - (in_sample ? 2 : 1)].xx = std::numeric_limits<double>::quiet_NaN();
     const auto stats = probed(matrices);

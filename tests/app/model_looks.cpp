@@ -10,7 +10,7 @@ using namespace viete;
 
 namespace {
 
-// A square in the plane z = 0, bent up at x = 1 where `bend` is not 0: two quads, four triangles.
+// A square in the plane z = 0, bent up at x = 1 if `bend` is not 0: two quads, four triangles.
 struct BentStrip {
   explicit BentStrip(double bend) {
     surface.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, bend}, {0, 1, 0}, {1, 1, 0}, {2, 1, bend}};
@@ -65,10 +65,10 @@ TEST_CASE("triangles_of_a_material_come_together_with_their_texture_points") {
   CHECK(looks.triangles[0] == mesh::Triangle{1, 2, 5});
   CHECK(looks.looks.texture_points.size() == 12);
   CHECK(looks.looks.texture_points[3] == std::array<float, 2>{0.25F, 0.75F});
-  CHECK(looks.says_something);
+  CHECK(looks.has_looks);
 }
 
-TEST_CASE("an_image_of_hostile_size_costs_only_itself_beside_and_within") {
+TEST_CASE("an_oversized_image_is_skipped_external_or_embedded") {
   using namespace std::string_literals;
   const std::string tga = "\0\0\2\0\0\0\0\0\0\0\0\0\xff\xff\xff\xff\x20\0\0\0\0"s;
   const test::TemporaryFolder folder;
@@ -91,7 +91,7 @@ TEST_CASE("colours_of_faces_are_those_of_their_corners_unless_vertices_have_some
   strip.attributes.polygon_colors = {{1, 0, 0, 1}, {0, 0, 1, 1}};
   strip.attributes.groups = {group(0, mesh::none), group(1, mesh::none, false)};
   app::ModelLooks looks = strip.looks();
-  CHECK(looks.says_something);
+  CHECK(looks.has_looks);
   CHECK(looks.looks.colors_of_corners);
   REQUIRE(looks.looks.colors.size() == 12);
   CHECK(looks.looks.colors[5] == render::Rgba8{255, 0, 0, 255});
@@ -102,20 +102,20 @@ TEST_CASE("colours_of_faces_are_those_of_their_corners_unless_vertices_have_some
   CHECK(looks.looks.colors.size() == 6);
 }
 
-TEST_CASE("grey_says_nothing_and_a_bad_image_costs_only_itself") {
+TEST_CASE("grey_materials_are_ignored_and_a_bad_image_is_skipped") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "bad.png", "no picture");
   BentStrip strip(0);
   strip.attributes.materials = {{.name = "grey"}};
   strip.attributes.groups = {group(0, 0)};
-  CHECK_FALSE(strip.looks().says_something);
+  CHECK_FALSE(strip.looks().has_looks);
   strip.attributes.materials[0].base_color_image = 0;
   for (const char* name : {"bad.png", "missing.png"}) {
     strip.attributes.images = {{folder / name, nullptr, ""}};
     const app::ModelLooks looks = strip.looks();
     REQUIRE(looks.warnings.size() == 1);
     CHECK(looks.warnings[0].find(name) != std::string::npos);
-    CHECK_FALSE(looks.says_something);
+    CHECK_FALSE(looks.has_looks);
     CHECK(looks.looks.runs.at(0).image == -1);
   }
 }

@@ -12,7 +12,7 @@ using test::mentions;
 
 namespace {
 
-// What CLI11 says of the arguments; empty if it takes them.
+// CLI11's error for the arguments; empty if they are valid.
 std::string refusal(CLI::App& command, const std::string& arguments) {
   try {
     command.parse(arguments, false);

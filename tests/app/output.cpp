@@ -131,7 +131,7 @@ TEST_CASE("animations_and_drawings_take_the_place_of_their_kind") {
   }
 }
 
-TEST_CASE("who_is_refused_is_told_what_the_file_is_and_another_name") {
+TEST_CASE("a_refusal_names_the_files_kind_and_another_name") {
   const test::TemporaryFolder files;
   test::put_file(files / "a.obj", "v 0 0 0\n");
   test::put_file(files / "a-2.obj", "v 0 0 0\n");
@@ -143,8 +143,8 @@ TEST_CASE("who_is_refused_is_told_what_the_file_is_and_another_name") {
   };
   CHECK(refused("a.obj", scene::Force::offered) ==
         (files / "a.obj").string() +
-            ": this file is one of those that are read (the model), and would be replaced; choose another "
-            "name, such as a-2-2.obj, or add --force");
+            ": this is an input file (the model) and would be replaced; choose another name, such as "
+            "a-2-2.obj, or add --force");
   CHECK(refused("a.obj", scene::Force::none).ends_with("such as a-2-2.obj"));
   CHECK(refused("gone/../a.obj", scene::Force::none) != "");
   in_use.add(files / "not_there.obj", scene::the_cage);
@@ -152,7 +152,7 @@ TEST_CASE("who_is_refused_is_told_what_the_file_is_and_another_name") {
   CHECK(refused("a-2.obj", scene::Force::none) == "");
 }
 
-TEST_CASE("a_numbered_result_never_takes_the_place_of_what_is_read") {
+TEST_CASE("a_numbered_result_never_overwrites_an_input") {
   const test::TemporaryFolder files;
   test::put_file(files / "f_07.obj", "v 0 0 0\n");
   scene::FilesInUse in_use{files / "f_07.obj"};

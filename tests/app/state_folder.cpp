@@ -10,7 +10,7 @@ using namespace viete;
 
 namespace {
 
-// An environment variable that is as it was when the test ends.
+// Restores an environment variable at the end of the test.
 class Variable {
 public:
   explicit Variable(const char* name) : name_(name) {

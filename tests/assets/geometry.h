@@ -1,4 +1,4 @@
-// What the tests of the bundled cage ask of a closed surface: distance, inside, self-intersection.
+// Distance, inside and self-intersection of closed surfaces, for the tests of the bundled cage.
 #pragma once
 
 #include <array>

@@ -41,7 +41,7 @@ TEST_CASE("a_replaced_file_keeps_its_permissions_and_a_link_stays_a_link") {
         (fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read));
 }
 
-TEST_CASE("what_cannot_be_written_is_an_error_that_names_the_file") {
+TEST_CASE("unwritable_targets_are_errors_that_name_the_file") {
   const test::TemporaryFolder folder;
   for (const fs::path& path :
        {folder / "none" / "a", folder / "", fs::path("/dev/null"), fs::path("/proc/a"), fs::path("")}) {
@@ -52,7 +52,7 @@ TEST_CASE("what_cannot_be_written_is_an_error_that_names_the_file") {
   CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("trying_a_place_leaves_it_as_it_was") {
+TEST_CASE("checking_a_path_changes_nothing") {
   const test::TemporaryFolder folder;
   check_replaceable(folder / "a");
   CHECK(folder.entries() == 0);
@@ -62,7 +62,7 @@ TEST_CASE("trying_a_place_leaves_it_as_it_was") {
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("a_failure_while_writing_leaves_the_old_file_and_no_rest") {
+TEST_CASE("a_failure_while_writing_leaves_the_old_file_and_no_part") {
   const test::TemporaryFolder folder;
   replace_file(folder / "a", "precious");
   {
@@ -81,7 +81,7 @@ TEST_CASE("without_waiting_for_the_disk_a_file_is_still_replaced_as_a_whole") {
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("what_is_made_while_it_is_written_replaces_the_file_when_all_of_it_is_there") {
+TEST_CASE("generated_content_replaces_the_file_once_it_is_complete") {
   const test::TemporaryFolder folder;
   replace_file(folder / "a", [&](const base::ByteSink& out) {
     out("one ");
@@ -98,7 +98,7 @@ TEST_CASE("what_is_made_while_it_is_written_replaces_the_file_when_all_of_it_is_
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("files_that_belong_together_are_replaced_together_or_stay") {
+TEST_CASE("grouped_files_are_replaced_together_or_not_at_all") {
   const test::TemporaryFolder folder;
   replace_file(folder / "a", "old a");
   const auto put = [&](base::FilesTogether& files, const char* name, const char* bytes) {
@@ -140,7 +140,7 @@ TEST_CASE("a_write_protected_file_stays_even_where_root_writes") {
   CHECK(folder.entries() == 2);
 }
 
-TEST_CASE("a_file_of_two_names_is_told_before_it_is_parted_from_the_other") {
+TEST_CASE("hard_links_are_reported_before_they_are_replaced") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a", "precious");
   fs::create_hard_link(folder / "a", folder / "b");
@@ -152,7 +152,7 @@ TEST_CASE("a_file_of_two_names_is_told_before_it_is_parted_from_the_other") {
   check_replaceable(folder / "a");
 }
 
-TEST_CASE("a_replaced_file_runs_with_nobody_elses_rights") {
+TEST_CASE("a_replaced_file_loses_setuid_rights") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a", "one");
   REQUIRE(chmod((folder / "a").c_str(), 07755) == 0);
@@ -160,7 +160,7 @@ TEST_CASE("a_replaced_file_runs_with_nobody_elses_rights") {
   CHECK(fs::status(folder / "a").permissions() == fs::perms(0755));
 }
 
-TEST_CASE("what_a_killed_program_left_goes_when_the_file_is_next_written") {
+TEST_CASE("parts_of_killed_programs_are_removed_at_the_next_write") {
   const test::TemporaryFolder folder;
   const std::string running = "a." + base::process_name() + "-7.part", stale = "a.999999999-1-0.part";
   const char* others[] = {"b.999999999-1-0.part",     "a.part",
@@ -176,7 +176,7 @@ TEST_CASE("what_a_killed_program_left_goes_when_the_file_is_next_written") {
   CHECK(folder.entries() == std::size(others) + 2);
 }
 
-TEST_CASE("a_folder_is_swept_of_parts_but_not_of_those_at_work") {
+TEST_CASE("stale_parts_of_a_folder_are_removed_and_active_ones_kept") {
   const test::TemporaryFolder folder;
   base::remove_stale_parts(folder / "none");
   fs::create_directory(folder / "d.999999999-1-0.part");
@@ -184,7 +184,7 @@ TEST_CASE("a_folder_is_swept_of_parts_but_not_of_those_at_work") {
     test::put_file(folder / name, "x");
   test::put_file(folder / ("a." + base::process_name() + "-0.part"), "x");
   const int handle = open((folder / "locked.999999999-1-0.part").c_str(), O_RDONLY);
-  REQUIRE(flock(handle, LOCK_EX) == 0);  // as a program in another container holds it
+  REQUIRE(flock(handle, LOCK_EX) == 0);  // locked as by a program in another container
   base::remove_stale_parts(folder.path());
   CHECK(folder.entries() == 4);
   CHECK_FALSE(fs::exists(folder / "a.999999999-1-0.part"));
@@ -194,7 +194,7 @@ TEST_CASE("a_folder_is_swept_of_parts_but_not_of_those_at_work") {
   CHECK_FALSE(fs::exists(folder / "locked.999999999-1-0.part"));
 }
 
-TEST_CASE("parts_of_a_program_that_has_ended_and_is_still_listed_are_swept") {
+TEST_CASE("parts_of_zombie_processes_are_removed") {
   const test::TemporaryFolder folder;
   const test::Zombie zombie;
   for (const std::string target : {"a", "b"})
@@ -205,7 +205,7 @@ TEST_CASE("parts_of_a_program_that_has_ended_and_is_still_listed_are_swept") {
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("a_name_that_is_taken_is_numbered") {
+TEST_CASE("taken_names_are_numbered") {
   const test::TemporaryFolder folder;
   CHECK(base::unused_name(folder / "a.b.png") == folder / "a.b.png");
   test::put_file(folder / "a.b.png", "x");
@@ -214,7 +214,7 @@ TEST_CASE("a_name_that_is_taken_is_numbered") {
   CHECK(base::unused_name(folder / "none" / "a") == folder / "none" / "a");
 }
 
-TEST_CASE("what_killed_programs_left_beside_a_file_goes") {
+TEST_CASE("leftovers_beside_a_file_are_removed") {
   const test::TemporaryFolder folder;
   const char* gone[] = {"a.999999999-1-0.part", "b.999999999-1-0.part"};
   const char* kept[] = {"b.part", "b.-1-0.part"};

@@ -54,7 +54,7 @@ using viete::base::Progress;
 
 namespace {
 
-// Reports until it is cancelled.
+// Reports progress until it is cancelled.
 int endless(Progress& progress, std::promise<void>& begun) {
   begun.set_value();
   for (;;) progress.report(0.5);
@@ -62,7 +62,7 @@ int endless(Progress& progress, std::promise<void>& begun) {
 
 }  // namespace
 
-TEST_CASE("queue_does_its_work_in_order_and_all_of_it_before_it_ends") {
+TEST_CASE("queue_runs_all_work_in_order_before_it_ends") {
   std::vector<int> done;
   {
     BackgroundQueue queue;
@@ -72,7 +72,7 @@ TEST_CASE("queue_does_its_work_in_order_and_all_of_it_before_it_ends") {
   for (int i = 0; i < 100; ++i) CHECK(done[i] == i);
 }
 
-TEST_CASE("queue_gives_what_work_throws_and_goes_on") {
+TEST_CASE("queue_passes_exceptions_on_and_continues") {
   BackgroundQueue queue;
   auto fails = queue.add([]() -> int { throw std::runtime_error("no disk"); });
   auto works = queue.add([] { return 7; });
@@ -95,7 +95,7 @@ TEST_CASE("job_gives_its_value_once") {
   CHECK_FALSE(job.poll(true));
 }
 
-TEST_CASE("job_that_fails_says_why") {
+TEST_CASE("failed_job_reports_the_reason") {
   BackgroundJob<int> job;
   job.start([](Progress&) -> int { throw std::runtime_error("too large"); });
   const auto result = job.poll(true);
@@ -105,7 +105,7 @@ TEST_CASE("job_that_fails_says_why") {
   CHECK_FALSE(result->stopped);
 }
 
-TEST_CASE("job_that_is_stopped_says_so") {
+TEST_CASE("stopped_job_reports_it") {
   BackgroundJob<int> job;
   std::promise<void> begun;
   job.start([&](Progress& progress) { return endless(progress, begun); });
@@ -119,7 +119,7 @@ TEST_CASE("job_that_is_stopped_says_so") {
   CHECK_FALSE(result->value);
 }
 
-TEST_CASE("another_job_takes_the_place_of_the_one_that_runs") {
+TEST_CASE("a_new_job_replaces_the_running_one") {
   BackgroundJob<int> job;
   std::promise<void> begun;
   job.start([&](Progress& progress) { return endless(progress, begun); });
@@ -130,7 +130,7 @@ TEST_CASE("another_job_takes_the_place_of_the_one_that_runs") {
   CHECK(result->value == 2);
 }
 
-TEST_CASE("job_that_is_cancelled_before_it_begins_is_not_done") {
+TEST_CASE("job_cancelled_before_it_begins_does_not_run") {
   std::atomic<int> done = 0;
   {
     BackgroundJob<int> job;
@@ -143,7 +143,7 @@ TEST_CASE("job_that_is_cancelled_before_it_begins_is_not_done") {
   CHECK(done == 1);
 }
 
-TEST_CASE("what_a_job_holds_goes_with_it") {
+TEST_CASE("a_job_frees_its_resources") {
   const auto held = std::make_shared<int>(5);
   BackgroundJob<int> job;
   std::promise<void> begun;
@@ -155,7 +155,7 @@ TEST_CASE("what_a_job_holds_goes_with_it") {
   CHECK(held.use_count() == 1);
 }
 
-TEST_CASE("without_a_thread_the_caller_works") {
+TEST_CASE("without_a_thread_the_caller_runs_the_work") {
   const viete::test::ThreadsLeft limit(0);
   BackgroundJob<int> job;
   job.start([](Progress&) { return 7; });

@@ -25,14 +25,14 @@ std::string problem_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
-TEST_CASE("a_child_gets_its_words_as_they_are_and_nothing_to_read") {
+TEST_CASE("a_child_gets_its_arguments_unchanged_and_no_input") {
   const test::TemporaryFolder folder;
   const auto file = (folder / "a b'$HOME").string();
   CHECK(problem_of({"sh", "-c", "cat > \"$1\"; echo end >> \"$1\"", "sh", file}) == "");
   CHECK(test::file_bytes(file) == "end\n");
 }
 
-TEST_CASE("a_child_is_looked_at_while_it_runs_told_variables_and_stopped") {
+TEST_CASE("a_child_can_be_polled_given_variables_and_stopped") {
   ChildProgram child({"sh", "-c", "echo \"$VIETE_TEST_WORD\" >&2; exec sleep 100"}, "",
                      {"VIETE_TEST_WORD=so far"});
   while (child.said().empty()) CHECK(child.running());
@@ -47,15 +47,15 @@ TEST_CASE("a_child_is_looked_at_while_it_runs_told_variables_and_stopped") {
   CHECK_NOTHROW(good.finish());
 }
 
-TEST_CASE("a_child_that_is_not_there_or_fails_is_said_with_its_own_words") {
+TEST_CASE("missing_and_failing_children_are_reported_with_their_output") {
   CHECK(problem_of({"viete-no-such-program"}) ==
         "viete-no-such-program: this program is not installed; install it");
   CHECK(test::mentions(problem_of({"sh", "-c", "echo so bad >&2; exit 3"}), "so bad"));
   CHECK(test::mentions(problem_of({"sh", "-c", "printf 'one\\n\\ntwo\\r\\nthree\\n' >&2; exit 1"}),
-                       "it says: one; two; three; check"));
+                       "it reported: one; two; three; check"));
 }
 
-TEST_CASE("a_child_that_is_given_up_ends_with_its_own_children") {
+TEST_CASE("an_abandoned_child_is_killed_with_its_own_children") {
   const test::TemporaryFolder folder;
   const auto file = (folder / "number").string();
   std::string number;
@@ -64,7 +64,7 @@ TEST_CASE("a_child_that_is_given_up_ends_with_its_own_children") {
     while (number.empty() || number.back() != '\n') number = test::file_bytes(file);
   }
   number.pop_back();
-  const auto runs = [&] {  // what nobody has waited for yet has ended all the same
+  const auto runs = [&] {  // zombies count as ended
     const std::string state = test::file_bytes("/proc/" + number + "/stat");
     const auto name_end = state.rfind(')');
     return name_end != std::string::npos && state[name_end + 2] != 'Z' && state[name_end + 2] != 'X';

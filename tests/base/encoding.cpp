@@ -24,7 +24,7 @@ TEST_CASE("every_flipped_bit_and_every_other_length_changes_the_checksum") {
   std::string bytes;
   std::set<std::uint64_t> seen = {checksum(bytes)};
   for (int i = 0; i < 100; ++i) {
-    bytes.push_back('\0');  // as padding would be
+    bytes.push_back('\0');  // like padding
     seen.insert(checksum(bytes));
   }
   CHECK(seen.size() == 101);
@@ -45,7 +45,7 @@ TEST_CASE("swapped_words_change_the_checksum") {
   CHECK(checksum("qrstuvwx" + words) != checksum(words + "qrstuvwx"));
 }
 
-TEST_CASE("where_one_portion_ends_and_the_next_begins_counts") {
+TEST_CASE("the_checksum_depends_on_portions") {
   Checksum a, b;
   a.add("abc", 3);
   a.add("d", 1);

@@ -20,15 +20,15 @@ TEST_CASE("arrays_start_at_a_cache_line_whatever_their_size") {
   }
 }
 
-TEST_CASE("arrays_that_cannot_be_had_are_refused") {
+TEST_CASE("impossible_allocations_throw") {
   CHECK_THROWS_AS(base::allocate_aligned(std::numeric_limits<std::size_t>::max()), std::bad_alloc);
 }
 
-TEST_CASE("free_memory_is_some_where_the_system_says") {
+TEST_CASE("free_memory_is_positive_if_known") {
   if (const auto bytes = base::free_memory()) CHECK(*bytes > 1e6);
 }
 
-TEST_CASE("what_does_not_fit_into_memory_is_refused_with_its_size") {
+TEST_CASE("excessive_memory_needs_are_rejected_with_their_size") {
   base::require_memory({1, "one byte takes", "", ""});
   try {
     base::refuse_memory({160e9, "1,000 matrices take", "give a smaller number", "--count"});

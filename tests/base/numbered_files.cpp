@@ -15,8 +15,8 @@ TEST_CASE("a_pattern_names_the_files_of_a_sequence") {
   CHECK(NumberedName("frame_%d.obj").file(7) == "frame_7.obj");
   CHECK(NumberedName("#.ply").file(12345) == "12345.ply");
   CHECK(NumberedName("a_####.ply").file(-7) == "a_-007.ply");
-  CHECK(NumberedName("100%_##.ply").file(3) == "100%_03.ply");  // a sign of its own
-  CHECK(NumberedName("a#b/c%d.ply").file(3) == "a#b/c3.ply");   // a place in the folder is none
+  CHECK(NumberedName("100%_##.ply").file(3) == "100%_03.ply");  // a literal percent sign
+  CHECK(NumberedName("a#b/c%d.ply").file(3) == "a#b/c3.ply");   // marks in the folder do not count
   CHECK(NumberedName("x/a_%03d.obj").pattern() == "x/a_###.obj");
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("a_pattern_without_one_place_for_the_number_is_refused_with_an_example
   CHECK_FALSE(NumberedName::is_pattern("a_#/b.obj"));
 }
 
-TEST_CASE("a_number_is_read_back_from_the_names_that_are_given_and_from_no_others") {
+TEST_CASE("numbers_are_read_back_only_from_generated_names") {
   const NumberedName name("frame_###.obj");
   for (const std::int64_t n : {0L, 1L, 999L, 1000L, 123456789012L, -1L, -12345L})
     CHECK(name.number(name.file(n).string()) == n);

@@ -10,7 +10,7 @@
 
 using namespace viete;
 
-TEST_CASE("a_picture_comes_back_with_its_channels_or_those_asked_for") {
+TEST_CASE("pictures_keep_their_channels_or_get_the_requested_ones") {
   const std::vector<std::uint8_t> grey = {0, 50, 100, 150, 200, 250};
   const std::string png = base::encode_png("grey", 3, 2, 1, grey);
   const base::Picture same = base::decode_picture("grey", png);
@@ -48,17 +48,17 @@ TEST_CASE("pictures_of_hostile_size_are_refused_before_they_are_decoded") {
   const std::string jpeg = "\xff\xd8\xff\xc0\0\x0b\x08\xff\xdc\xff\xdc\1\1\x11\0"s;
   CHECK(refusal(jpeg).find("65500 x 65500 pixels") != std::string::npos);
   CHECK(refusal(png("\0\0\0\2\0\0\0\2"s)).find("damaged") != std::string::npos);
-  // Sixteen counts of 255 codes each, in front of the size, behind it, and where other segments end.
+  // Sixteen counts of 255 codes each, before the size, after it, and at the end of other segments.
   const std::string head = "\xff\xd8"s, counts = "\xff\xc4\x00\x13\x10"s + std::string(16, '\xff');
   const std::string start = "\xff\xc0\0\x0b\x08\0\1\0\1\1\1\x11\0"s, other = "\xff\xfe\0\4ab"s;
   for (const std::string& bad :
        {head + counts, head + other + counts + start, head + start + counts,
         head + start + "\xff\xda\0\x08\1\1\0\0\x3f\0junk"s + counts, "\xff" + head + counts})
     CHECK(refusal(bad).find("damaged") != std::string::npos);
-  // Within a comment they are none.
+  // Within a comment they are not tables.
   std::string good = test::file_bytes(test::source_dir() / "tests/fuzz/corpus/image/plain.jpg");
   CHECK(refusal(good) == "");
   good.insert(2, "\xff\xfe\0\x17"s + counts);
   CHECK(refusal(good) == "");
-  CHECK(refusal("GIF89a\1\0\1\0\0\0\0"s).find("not a picture that can be read here") != std::string::npos);
+  CHECK(refusal("GIF89a\1\0\1\0\0\0\0"s).find("not a picture in a supported format") != std::string::npos);
 }

@@ -18,14 +18,14 @@ TEST_CASE("this_process_runs_and_its_number_with_another_start_does_not") {
   CHECK_FALSE(process_runs(std::to_string(getpid())));
 }
 
-TEST_CASE("a_process_that_has_ended_does_not_run_whether_or_not_anybody_has_asked_how") {
+TEST_CASE("ended_processes_do_not_run_even_as_zombies") {
   viete::test::Zombie zombie;
   CHECK_FALSE(process_runs(zombie.name));
   zombie.bury();
   CHECK_FALSE(process_runs(zombie.name));
 }
 
-TEST_CASE("what_is_no_process_name_does_not_run") {
+TEST_CASE("invalid_process_names_do_not_run") {
   for (const char* name : {"", "-", "abc", "12x-5", "../self-1", "99999999999999999999-1"}) {
     CHECK_FALSE_MESSAGE(process_runs(name), name);
   }
@@ -50,7 +50,7 @@ TEST_CASE("fork_waits_for_other_threads_and_not_for_its_own") {
     const ForkDelay own, nested;
     const pid_t child = fork();
     if (child == 0) {
-      alarm(60);  // only against a hang
+      alarm(60);  // limits the time of a hang
       const ForkDelay inside_child;
       _exit(half % 2);
     }

@@ -58,7 +58,7 @@ TEST_CASE("an_exception_reaches_the_caller_and_the_pool_lives_on") {
   CHECK(visited_by(pool) == 100);
 }
 
-TEST_CASE("in_a_child_of_fork_the_caller_does_all_of_it") {
+TEST_CASE("in_a_child_of_fork_the_caller_runs_all_blocks") {
   auto pool = std::make_unique<WorkerPool>(3);
   const pid_t child = fork();
   if (child == 0) {
@@ -75,7 +75,7 @@ TEST_CASE("pool_works_with_the_threads_that_the_system_allows") {
   for (int left = 0; left < 7; ++left) {
     const viete::test::ThreadsLeft limit(left);
     WorkerPool pool(8);
-    CHECK(pool.threads() == 1 + left / 2);  // the rest is for others
+    CHECK(pool.threads() == 1 + left / 2);  // the rest is left to others
     CHECK(visited_by(pool) == 100);
   }
   WorkerPool all(8);
@@ -107,5 +107,5 @@ TEST_CASE("the_cost_of_loops_is_the_callers_and_the_longest") {
     for (int i = 0; i < (begin == 0 ? 1'000 : 3'000'000); ++i) sum += i;
   });
   CHECK(pool.cost().caller > 0);
-  CHECK(pool.cost().longest > pool.cost().caller);  // the second block is the other thread's
+  CHECK(pool.cost().longest > pool.cost().caller);  // the second block ran on the other thread
 }

@@ -23,7 +23,7 @@ TEST_CASE("subdividing_cuts_each_triangle_into_four_and_keeps_the_surface") {
   CHECK(mesh::summarize(finer).area == doctest::Approx(24));
 }
 
-TEST_CASE("a_star_cage_has_so_many_faces_and_encloses_the_model") {
+TEST_CASE("a_star_cage_has_the_requested_faces_and_encloses_the_model") {
   const auto model = test::moved(test::torus(40, 20), 3, 100);
   for (const std::size_t faces : {8, 50, 300}) {
     const auto cage = bench::star_cage(model, faces);
@@ -42,7 +42,7 @@ TEST_CASE("the_moderate_pose_moves_every_vertex_and_is_the_same_each_time") {
     CHECK(pose.positions[v] != cage.surface.positions[v]);
 }
 
-// What binding is compared with is right, by distances that were written apart from it.
+// The distances of the binding benchmark's reference, checked by an independent implementation.
 TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
   const auto model = test::sphere(2);
   const auto cage = deform::make_cage(test::moved(test::cube(), 1.7));
@@ -64,7 +64,7 @@ TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
   }
 }
 
-TEST_CASE("reference_frame_is_the_staged_frame_by_other_means") {
+TEST_CASE("reference_frame_equals_the_staged_frame") {
   const auto model = test::sphere(2);
   const auto cage = std::make_shared<const deform::Cage>(deform::make_cage(bench::star_cage(model, 50)));
   base::WorkerPool pool(1);
@@ -90,7 +90,7 @@ mesh::Surface square() {
   return mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}});
 }
 
-// Its corner (1, 1) turned about the diagonal.
+// Its corner (1, 1) rotated about the diagonal.
 std::vector<mesh::Point> folded(double angle) {
   auto positions = square().positions;
   const double out = std::cos(angle) / 2;  // from the middle of the diagonal
@@ -164,14 +164,14 @@ TEST_CASE("a_fold_bends_by_the_square_of_its_angle") {
     CHECK(model.bending(folded(angle)) == doctest::Approx(6 * angle * angle));
     CHECK(std::abs(model.distortion(folded(angle)).energy) < 1e-12);
   }
-  // From folded one way to folded the other way, through the sheet: the shorter way round.
+  // From folded one way to folded the other way, the shorter way through the flat sheet.
   auto creased = square();
   creased.positions = folded(3.0);
   const double turned = 2 * std::numbers::pi - 6;
   CHECK(RestModel(creased).bending(folded(-3.0)) == doctest::Approx(6 * turned * turned));
 }
 
-TEST_CASE("bending_stays_where_it_is_smooth_and_grows_at_kinks_when_triangles_become_smaller") {
+TEST_CASE("refinement_keeps_smooth_bending_and_increases_bending_at_kinks") {
   const auto bending = [](int levels, const auto& map) {
     const RestModel model(test::sphere(levels));
     return model.bending(mapped(model, map));

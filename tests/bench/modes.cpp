@@ -18,7 +18,7 @@ namespace {
 const deform::Cage cage = deform::make_cage(box({1, 1, 1}, {4, 5, 6}));
 const std::vector<mesh::Point> model = test::moved(test::sphere(1), 0.5, 5).positions;
 
-// The affine map that takes three corners of the box and a fourth where they are posed.
+// The affine map that takes three corners of the box and a fourth to their posed positions.
 std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
   const auto& p = pose.positions;
   std::vector<mesh::Point> moved;
@@ -29,7 +29,7 @@ std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
   return moved;
 }
 
-// All of it by the mean motion of the box's vertices.
+// Moves everything by the mean motion of the box's vertices.
 std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
   mesh::Point mean{0, 0, 0};
   for (std::size_t v = 0; v < 8; ++v) mean = mean + 0.125 * (pose.positions[v] - cage.surface.positions[v]);
@@ -38,11 +38,11 @@ std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
 
 }  // namespace
 
-TEST_CASE("what_moves_with_the_cage_reproduces_every_pose_of_the_whole") {
+TEST_CASE("models_that_move_with_the_cage_reproduce_every_whole_pose") {
   for (const auto& pose : whole_poses()) CHECK(deviation(pose, cage, model, with_the_box) < 1e-14);
 }
 
-TEST_CASE("what_only_follows_the_mean_reproduces_translations_alone") {
+TEST_CASE("following_only_the_mean_reproduces_only_translations") {
   CHECK(deviation(whole_poses()[0], cage, model, by_the_mean) < 1e-14);
   for (const auto& pose : whole_poses().subspan(1)) CHECK(deviation(pose, cage, model, by_the_mean) > 0.01);
 }
@@ -63,7 +63,7 @@ TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
   CHECK(std::isnan(deviation(whole_poses()[0], cage, model, lost)));
 }
 
-TEST_CASE("each_pose_of_the_whole_is_of_its_kind_and_no_simpler") {
+TEST_CASE("each_whole_pose_is_of_its_kind_and_no_simpler") {
   const auto stretches = [](const WholePose& pose) {
     double least = HUGE_VAL, most = 0;
     for (const mesh::Point& axis : {mesh::Point{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0.8, 0}}) {
@@ -82,8 +82,8 @@ TEST_CASE("each_pose_of_the_whole_is_of_its_kind_and_no_simpler") {
   CHECK(stretches(whole_poses()[3]).second > 1.1 * stretches(whole_poses()[3]).first);
 }
 
-TEST_CASE("leak_is_the_motion_of_what_is_far_from_the_vertex_that_moves") {
-  // One of eight vertices moves by a tenth of the diagonal, and all of the model by an eighth of that.
+TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
+  // One of eight vertices moves by a tenth of the diagonal, and the whole model by an eighth of that.
   CHECK(leak(cage, model, by_the_mean) == doctest::Approx(0.1 / 8));
   const Deform near_alone = [](const deform::Pose& pose) {
     auto moved = model;
@@ -101,7 +101,7 @@ TEST_CASE("leak_is_the_motion_of_what_is_far_from_the_vertex_that_moves") {
   CHECK(std::isnan(leak(cage, none, [&](const deform::Pose&) { return none; })));
 }
 
-TEST_CASE("the_gap_is_the_mean_distance_from_where_the_nearest_points_have_gone") {
+TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
   base::WorkerPool pool(1);
   const std::vector<mesh::Point> points = {{4.9, 5.1, 6.2}, {4, 4.3, 6}};  // 0.1 and 0.3 from a face
   const auto nearest = nearest_on_cage(cage, points, pool);
@@ -109,14 +109,14 @@ TEST_CASE("the_gap_is_the_mean_distance_from_where_the_nearest_points_have_gone"
   const auto& rest = cage.surface.positions;
   CHECK(gap(cage, nearest, shares, rest, points) ==
         doctest::Approx((0.75 * 0.1 + 0.25 * 0.3) / cage.diagonal));
-  // The cage goes along x: away from the first by 0.5 more, from the second sideways.
+  // The cage moves along x: 0.5 further from the first point, sideways to the second.
   const auto away = test::mapped(rest, [](const mesh::Point& p) { return p + mesh::Point{0.5, 0, 0}; });
   CHECK(gap(cage, nearest, shares, away, points) ==
         doctest::Approx((0.75 * 0.6 + 0.25 * std::hypot(0.5, 0.3)) / cage.diagonal));
 }
 
-TEST_CASE("what_is_torn_is_the_largest_change_of_distance_of_near_vertices_that_nothing_joins") {
-  // Two squares 0.005 apart, of a model whose diagonal is nearly 1.
+TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
+  // Two squares 0.005 apart, in a model whose diagonal is nearly 1.
   const double side = std::sqrt(0.5);
   const std::vector<mesh::Point> rest = {{0, 0, 0},           {side, 0, 0},    {side, side, 0},
                                          {0, side, 0},        {0, 0, 0.005},   {side, 0, 0.005},
@@ -124,7 +124,7 @@ TEST_CASE("what_is_torn_is_the_largest_change_of_distance_of_near_vertices_that_
   const mesh::Surface model = mesh::from_triangles(rest, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
   base::WorkerPool pool(2);
   auto pairs = bench::near_pairs(model, pool);
-  CHECK(pairs.size() == 8);  // from either side
+  CHECK(pairs.size() == 8);  // in both directions
   std::vector<mesh::Point> posed = rest;
   for (auto& p : posed) p = {p[1] + 3, -p[0], p[2]};
   CHECK(bench::torn(pairs, rest, posed) < 1e-12);
@@ -151,7 +151,7 @@ ModeComparison compare(const mesh::Surface& model, const ModeSettings& settings 
 
 }  // namespace
 
-TEST_CASE("every_way_of_blending_is_measured_and_none_distorts_a_cage_at_rest") {
+TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
   const ModeSettings settings{.rounds = 1, .radius = deform::largest_radius};
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
@@ -164,15 +164,15 @@ TEST_CASE("every_way_of_blending_is_measured_and_none_distorts_a_cage_at_rest") 
     REQUIRE_MESSAGE(found != compared.modes.end(), deform::text(scheme));
     INFO(deform::text(scheme));
     CHECK(found->problem.empty());
-    CHECK(found->deviations[0] < exactly);  // whatever does not move with its cage is of no use
+    CHECK(found->deviations[0] < exactly);  // a minimum requirement for every scheme
     CHECK(std::isfinite(found->leak));
     REQUIRE(found->qualities.size() == 2);
     const ShapeQuality &rest = found->qualities[0], &posed = found->qualities[1];
     CHECK(rest.distortion.energy < 1e-9);
     CHECK(rest.volume == doctest::Approx(1));
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
-    CHECK(std::isnan(rest.energy_ratio));  // of nothing over nothing
-    // Rotations alone hardly distort.
+    CHECK(std::isnan(rest.energy_ratio));  // 0 / 0
+    // Rotations alone cause little distortion.
     CHECK(posed.distortion.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);
@@ -188,7 +188,7 @@ TEST_CASE("every_way_of_blending_is_measured_and_none_distorts_a_cage_at_rest") 
   }
 }
 
-TEST_CASE("an_open_model_has_no_volume_to_compare_and_all_else") {
+TEST_CASE("an_open_model_has_all_measures_but_volume") {
   auto sphere = test::sphere(2);
   auto triangles = sphere.triangles;
   triangles.pop_back();

@@ -28,7 +28,7 @@ using namespace viete::bench;
 
 namespace {
 
-/// Of a ball in a box, next to nothing of each.
+/// Figures for a ball in a box, with minimal sizes.
 Figures small_figures() {
   const test::TemporaryFolder scratch;
   mesh::Surface ball = test::sphere(2);
@@ -50,7 +50,7 @@ std::string row(const std::string& name, const std::string& value) {
 
 }  // namespace
 
-TEST_CASE("the_page_of_a_report_is_xml_needs_nothing_and_has_the_numbers_of_its_file") {
+TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
   const Figures figures = small_figures();
   const Made made = made_here("viete report -o <here>", 12);
   const std::string page = report_page(figures, made);
@@ -83,7 +83,7 @@ TEST_CASE("the_page_of_a_report_is_xml_needs_nothing_and_has_the_numbers_of_its_
   CHECK(test::mentions(page, row("tall", percent(100 * double(tall["log_space"]["volume"])))));
 }
 
-TEST_CASE("every_colour_of_a_plot_has_another_one_by_night") {
+TEST_CASE("every_plot_colour_has_a_dark_replacement") {
   const std::string style = page_style();
   for (const char* color :
        {plot_color::reference, plot_color::rival, plot_color::copy, plot_color::rest, plot_color::ours[0],
@@ -91,7 +91,7 @@ TEST_CASE("every_colour_of_a_plot_has_another_one_by_night") {
     CHECK_MESSAGE(test::mentions(style, "svg [fill=\"" + std::string(color) + "\"]"), color);
 }
 
-TEST_CASE("plots_leave_out_what_a_logarithm_has_no_place_for") {
+TEST_CASE("logarithmic_plots_skip_values_that_are_not_positive") {
   Plot plot;
   plot.curves = {{"Fast", "#0072b2", false, {{1e-16, 0}, {1e-8, 1e-16}, {1, 2e-16}}},
                  {"Diag", "#6b7785", false, {{1e-16, 1e-16}, {1, 0}}}};
@@ -101,7 +101,7 @@ TEST_CASE("plots_leave_out_what_a_logarithm_has_no_place_for") {
   CHECK(drawn.find("inf") == drawn.npos);
 }
 
-TEST_CASE("paths_are_words_of_a_shell") {
+TEST_CASE("paths_are_quoted_for_the_shell") {
   CHECK(shell_word("/a/b.obj") == "/a/b.obj");
   CHECK(shell_word("a b's.obj") == "'a b'\\''s.obj'");
 }
@@ -121,7 +121,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-// The cells of each row, without what makes them bold.
+// The cells of each row, without bold marks.
 std::vector<Cells> rows_of(const char* file) {
   std::ifstream in(test::source_dir() / file);
   REQUIRE(in);
@@ -142,8 +142,7 @@ nlohmann::json recorded_report() {
   return nlohmann::json::parse(in);
 }
 
-// Two digits are written of errors, and mostly three of times: what is left out is the noise that they may
-// have.
+// Errors are written with two digits and times mostly with three: the omitted digits are within the noise.
 constexpr double of_errors = 0.05, of_times = 0.015;
 
 void check_number(const std::string& written, double recorded, double noise) {
@@ -192,7 +191,7 @@ void check_frames(Cells cells, const nlohmann::json& report, std::size_t faces) 
 
 }  // namespace
 
-// Of the dragon's poses, beside mean value coordinates: the median and the worst.
+// Median and worst value over the dragon's poses, relative to mean value coordinates.
 std::pair<double, double> distortion(const nlohmann::json& report, const char* way) {
   for (const auto& result : report["ways"]["results"]) {
     if (result["way"] != way) continue;
@@ -205,7 +204,7 @@ std::pair<double, double> distortion(const nlohmann::json& report, const char* w
   return {};
 }
 
-TEST_CASE("what_the_readme_says_of_ways_is_of_the_report_that_is_recorded") {
+TEST_CASE("readme_statements_on_deformers_match_the_recorded_report") {
   const std::string readme = test::file_bytes(test::source_dir() / "README.md");
   const auto said = [](const char* format, double a, double b) {
     char text[200];
@@ -219,7 +218,7 @@ TEST_CASE("what_the_readme_says_of_ways_is_of_the_report_that_is_recorded") {
   CHECK(test::mentions(readme, said("have %.1f and %.1f (`viete report`)", paper.first, paper.second)));
 }
 
-TEST_CASE("numbers_of_the_readme_and_the_manual_are_those_of_the_report_that_is_recorded") {
+TEST_CASE("numbers_of_readme_and_manual_match_the_recorded_report") {
   const nlohmann::json report = recorded_report();
   CHECK(report["exponentials"]["double"]["count"] == 10'000'000);
   const auto readme = rows_of("README.md"), manual = rows_of("assets/manual/figures.md");
@@ -246,7 +245,7 @@ std::size_t count_of(const std::string& part, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("marks_of_xml_in_a_text_are_written_out") {
+TEST_CASE("xml_characters_in_text_are_escaped") {
   bench::Svg svg(100, 50, "#ffffff");
   svg.text({1, 2}, "a < b & c");
   const std::string document = svg.document();
@@ -265,7 +264,7 @@ TEST_CASE("a_plot_has_its_bars_and_curves_by_name") {
   CHECK(count_of("<svg", document) == 1);
 }
 
-TEST_CASE("every_case_runs_once_a_round_in_turn_and_once_before") {
+TEST_CASE("every_case_runs_once_per_round_after_one_warm_up") {
   std::string order;
   base::Progress progress;
   const auto results = bench::measure_rounds(
@@ -295,7 +294,7 @@ TEST_CASE("a_time_is_found_by_its_name") {
   CHECK(bench::to_json(results)[0]["ns"] == 3);
 }
 
-TEST_CASE("a_bar_is_met_from_above_or_from_below") {
+TEST_CASE("limits_are_met_from_above_or_from_below") {
   bench::Bars bars;
   bars.check("as fast", 5, 5, true);
   bars.check("too slow", 4.9, 5, true);
@@ -306,7 +305,7 @@ TEST_CASE("a_bar_is_met_from_above_or_from_below") {
   CHECK(bars.rows[2]["met"] == true);
 }
 
-TEST_CASE("every_way_to_exp_is_one_in_double_and_in_float") {
+TEST_CASE("every_exp_method_works_in_double_and_float") {
   const sym3::Sym3<double> s{0.3, 0.1, -0.2, 0.4, 0.05, -0.1};
   const sym3::Sym3<float> f{0.3F, 0.1F, -0.2F, 0.4F, 0.05F, -0.1F};
   CHECK(bench::exp_methods().size() >= 6);

@@ -1,4 +1,4 @@
-"""The add-on in the real program: blender -b --factory-startup --python addon.py -- ADDONS PROGRAM FOLDER"""
+"""Tests the add-on in Blender: blender -b --factory-startup --python addon.py -- ADDONS PROGRAM FOLDER"""
 import os
 import pathlib
 import struct
@@ -44,7 +44,7 @@ def new_scene():
 
 
 def bend(cage, name="bent", amount=0.8):
-    """A shape key that twists the cage, the more the higher."""
+    """Adds a shape key that twists the cage in proportion to height."""
     if not cage.data.shape_keys:
         cage.shape_key_add(name="Basis")
     key = cage.shape_key_add(name=name, from_mix=False)
@@ -60,7 +60,7 @@ def update():
 
 
 def expected(ball, way="smooth"):
-    """What the engine makes of the cage by itself."""
+    """The expected vertices, computed directly by the engine."""
     import viete
     depsgraph = bpy.context.evaluated_depsgraph_get()
     rest = np.frombuffer(ball[follow.REST], np.float64).reshape(-1, 3)
@@ -90,14 +90,14 @@ def it_follows_shape_keys_and_edits():
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def both_may_move_as_one():
+def moving_both_objects_deforms_nothing():
     ball, cage = new_scene()
     rest = follow.rest_of(ball)
     for obj in (ball, cage):
         obj.location, obj.rotation_euler, obj.scale = (3, 1, -2), (0.3, 0.2, 0.1), (2, 2, 2)
     update()
     assert np.abs(key_of(ball) - rest).max() < 1e-4
-    cage.location.z += 2  # of the world: 1 along the ball's own turned axes
+    cage.location.z += 2  # in world space: 1 along the ball's rotated axes
     update()
     assert abs(np.linalg.norm((key_of(ball) - rest).mean(axis=0)) - 1) < 1e-3
 
@@ -123,7 +123,7 @@ def an_armature_moves_the_cage_over_frames():
     assert np.abs(seen[0] - seen[2]).max() > 0.2 and np.abs(seen[1] - seen[2]).max() > 0.05
 
 
-def it_is_baked():
+def bakes_to_cache_mesh_and_keys():
     ball, cage = new_scene()
     key = bend(cage)
     for frame, value in ((1, 0), (13, 1), (25, 0.2)):
@@ -161,7 +161,7 @@ def it_is_baked():
 
 
 def clothed_figure():
-    """A body and an open tunic around it, both in the cage of the tunic, whose two bones bend and turn over 100 frames."""
+    """A body and an open tunic, both in the tunic's cage, whose two bones bend and rotate over 100 frames."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.context.scene.frame_start, bpy.context.scene.frame_end = 1, 100
     bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=24, radius=1)
@@ -203,7 +203,7 @@ def clothed_figure():
 
 
 def baked_frames_are_those_of_the_program():
-    """Every eleventh of a hundred frames of body and clothes, baked to a cache, against `viete deform` of cages as they are."""
+    """Compares every eleventh of a hundred baked frames of body and clothes with `viete deform`."""
     body, tunic, cage = clothed_figure()
     checked = range(1, 101, 11)
     engine.write_obj(FOLDER / "rest_cage.obj", np.frombuffer(body[follow.REST], np.float64).reshape(-1, 3), engine.corners_of(cage.data))
@@ -218,7 +218,7 @@ def baked_frames_are_those_of_the_program():
         baked = np.frombuffer(file.read_bytes(), ">f4", offset=8 + 4 * 100).reshape(100, -1, 3)
         engine.write_obj(FOLDER / "model.obj", rest, engine.corners_of(obj.data))
         for frame in checked:
-            subprocess.run([PROGRAM, "deform", "model.obj", "rest_cage.obj", "--pose", "cage_%03d.obj" % frame, "--way", "smooth", "-o",
+            subprocess.run([PROGRAM, "deform", "model.obj", "rest_cage.obj", "--pose", "cage_%03d.obj" % frame, "--deformer", "smooth", "-o",
                             "posed.obj", "--force"], cwd=FOLDER, check=True, capture_output=True)
             lines = (FOLDER / "posed.obj").read_text().splitlines()
             posed = np.array([line.split()[1:4] for line in lines if line.startswith("v ")], float)
@@ -227,7 +227,7 @@ def baked_frames_are_those_of_the_program():
         assert np.abs(baked[69] - rest).max() > 0.5
 
 
-def the_blend_keeps_it():
+def blend_file_keeps_the_binding():
     ball, cage = new_scene()
     bend(cage).value = 0.7
     update()
@@ -242,10 +242,10 @@ def the_blend_keeps_it():
     ball.viete.cage.data.shape_keys.key_blocks["bent"].value = 0.2
     update()
     assert np.abs(key_of(ball) - before).max() > 0.1
-    assert len(follow.deformers) == made  # the binding was found by what it is of
+    assert len(follow.deformers) == made  # the binding was found by its content
 
 
-def several_objects_share_a_cage_and_masks_hold():
+def several_objects_share_a_cage_with_masks():
     ball, cage = new_scene()
     bpy.ops.mesh.primitive_cube_add(size=0.8)
     cube = bpy.context.object
@@ -264,7 +264,7 @@ def several_objects_share_a_cage_and_masks_hold():
     assert follow.KEY not in cube.data.shape_keys.key_blocks
 
 
-def a_binding_is_not_taken_for_one_of_other_faces():
+def binding_depends_on_faces():
     ball, cage = new_scene()
     before = follow.deformer_of(ball)
     for polygon in cage.data.polygons:
@@ -280,7 +280,7 @@ def a_binding_is_not_taken_for_one_of_other_faces():
     assert len(follow.deformers) <= 4, len(follow.deformers)
 
 
-def undo_takes_it_along():
+def undo_restores_the_deformation():
     ball, cage = new_scene()
     key = bend(cage)
     update()
@@ -301,7 +301,7 @@ def undo_takes_it_along():
     assert np.abs(key_of(ball) - expected(ball)).max() < 1e-5 and np.abs(key_of(ball) - rest).max() > 0.2
 
 
-def what_is_wrong_is_told():
+def problems_are_reported():
     ball, cage = new_scene()
     cage.modifiers.new("Subdivision", "SUBSURF")
     update()
@@ -324,10 +324,10 @@ def what_is_wrong_is_told():
         bpy.ops.viete.bind()
         raise AssertionError("mask")
     except RuntimeError as error:
-        assert "no vertex group nothing" in str(error)
+        assert "group nothing does not exist" in str(error)
 
 
-def it_works_through_the_program_too():
+def works_with_the_program():
     ball, cage = new_scene()
     bend(cage).value = 0.6
     update()
@@ -352,7 +352,7 @@ def it_works_through_the_program_too():
         bpy.ops.viete.bind()
         assert np.abs(key_of(ball) - follow.rest_of(ball)).max() < 1e-6
         program = follow.deformer_of(ball).program
-        program.kill()  # as a crash of it
+        program.kill()  # simulates a crash
         cage.data.shape_keys.key_blocks["bent"].value = 0.1
         update()
         assert "bind again" in ball.viete.problem, ball.viete.problem
@@ -360,8 +360,8 @@ def it_works_through_the_program_too():
         engine.viete = module
 
 
-def an_edit_is_quick():
-    """The figure of the bar: 50,000 vertices in about 100 triangles, beside Blender's Mesh Deform; printed, not judged."""
+def edits_are_fast():
+    """Prints the time for 50,000 vertices and about 100 triangles, compared with Blender's Mesh Deform."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.mesh.primitive_uv_sphere_add(segments=250, ring_count=201)
     ball = bpy.context.object
@@ -410,9 +410,9 @@ def an_edit_is_quick():
           % (len(cage.data.polygons), len(ball.data.vertices), nothing, again, theirs, ours, 1e3 * np.median(times)))
 
 
-TESTS = (it_follows_shape_keys_and_edits, both_may_move_as_one, an_armature_moves_the_cage_over_frames, it_is_baked,
-         baked_frames_are_those_of_the_program, the_blend_keeps_it, several_objects_share_a_cage_and_masks_hold, a_binding_is_not_taken_for_one_of_other_faces,
-         undo_takes_it_along, what_is_wrong_is_told, it_works_through_the_program_too, an_edit_is_quick)
+TESTS = (it_follows_shape_keys_and_edits, moving_both_objects_deforms_nothing, an_armature_moves_the_cage_over_frames, bakes_to_cache_mesh_and_keys,
+         baked_frames_are_those_of_the_program, blend_file_keeps_the_binding, several_objects_share_a_cage_with_masks, binding_depends_on_faces,
+         undo_restores_the_deformation, problems_are_reported, works_with_the_program, edits_are_fast)
 failed = 0
 for test in TESTS:
     try:

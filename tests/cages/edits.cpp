@@ -1,4 +1,4 @@
-// Edits of a cage by hand beside concave polygons: the surface stays one, and encloses what it should.
+// Manual edits of cages with concave polygons: the surface stays connected and has the right volume.
 #include "cages/edit.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ constexpr std::array<std::array<double, 2>, 8> outline = {
     {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}};
 constexpr double volume = 7;
 
-// An upright U, one thick: two caps of eight corners, and quads around them.
+// An upright U of thickness 1: two caps of eight corners, and quads around them.
 Surface letter_u() {
   std::string text;
   const auto corner = [](std::size_t i, int cap) { return std::to_string(i + 1 + 8 * cap) + " "; };
@@ -69,7 +69,7 @@ TEST_CASE("edits_beside_concave_polygons_leave_one_surface") {
   check(cages::extrude(u, std::vector<std::uint32_t>{1}, 0.5).surface, 1.5 * volume, "extrude");
 }
 
-TEST_CASE("a_mirror_across_a_concave_polygon_makes_a_surface_of_each_piece") {
+TEST_CASE("mirroring_across_a_concave_polygon_splits_it") {
   const Surface u = letter_u();
   check(cages::mirrored(u, {{1, 0, 0}, 1.5}).surface, volume, "along its middle");
   check(cages::mirrored(u, {{0, -1, 0}, -2}).surface, 10, "across both arms, the foot kept");
@@ -77,7 +77,7 @@ TEST_CASE("a_mirror_across_a_concave_polygon_makes_a_surface_of_each_piece") {
   const Surface bars = cages::mirrored(u, {{0, 1, 0}, 2}).surface;
   check(bars, 4, "across both arms, their ends kept");
   CHECK(mesh::summarize(bars).parts == 2);
-  // In the plane of the notch's ground.
+  // In the plane of the notch's bottom.
   check(cages::mirrored(u, {{0, 1, 0}, 1}).surface, 8, "along the ground, the arms kept");
   check(cages::mirrored(u, {{0, -1, 0}, -1}).surface, 6, "along the ground, the foot kept");
 }

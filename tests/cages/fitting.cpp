@@ -1,4 +1,4 @@
-// Cages brought to their models: by best fit, and single vertices out of them.
+// Fitting cages to models, and moving single vertices out of models.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double margin = 0.01;
 
-// Three arms of different lengths: no turn but none brings it onto itself.
+// Three arms of different lengths: no symmetry.
 Surface three_arms() {
   return of_cells(9, [](int i, int j, int k) {
     return (i < 2 && j < 2) || (k < 2 && j < 2 && i < 6) || (i < 2 && k < 3 && j < 4);
@@ -39,7 +39,7 @@ std::vector<Placement> odd_placements() {
           {{0.7, 0, 0.714, 0}, 0.5, {3, 0, -4}},       {{0.99, 0.02, -0.4, 0.3}, 1.3, {1, 1, 1}}};
 }
 
-// The shift in diagonals of the surface.
+// The displacement in diagonals of the surface.
 Surface placed(Surface surface, const Placement& to) {
   const double size = mesh::used_bounds(surface).diagonal();
   for (Point& p : surface.positions) {
@@ -50,7 +50,7 @@ Surface placed(Surface surface, const Placement& to) {
   return surface;
 }
 
-// Of vertices, root mean squared, in the model's diagonals.
+// Root mean square of vertex distances, in model diagonals.
 double distance(const std::vector<Point>& a, const std::vector<Point>& b, const Surface& model) {
   double sum = 0;
   for (std::size_t v = 0; v < a.size(); ++v) sum += mesh::squared_norm(a[v] - b[v]);
@@ -63,7 +63,7 @@ bool is_outside(const Point& p, const mesh::TriangleTree& tree, double least) {
 
 }  // namespace
 
-TEST_CASE("a_cage_of_another_orientation_size_and_place_comes_back_to_its_model") {
+TEST_CASE("best_fit_restores_orientation_size_and_place") {
   base::WorkerPool pool(2);
   const Surface model = three_arms();
   const Surface cage = cages::make(model, {.triangles = 120}, pool).surface;
@@ -75,7 +75,7 @@ TEST_CASE("a_cage_of_another_orientation_size_and_place_comes_back_to_its_model"
   }
 }
 
-TEST_CASE("cages_made_by_hand_come_back_to_their_models" * doctest::test_suite(if_present)) {
+TEST_CASE("best_fit_restores_manual_cages" * doctest::test_suite(if_present)) {
   for (const char* name : {"armadillo-man", "arm", "hand", "octopus", "horse", "spot"}) {
     const auto folder = shared_data(name);
     if (folder.empty()) return;
@@ -91,7 +91,7 @@ TEST_CASE("cages_made_by_hand_come_back_to_their_models" * doctest::test_suite(i
   }
 }
 
-TEST_CASE("a_cage_that_is_only_moved_and_scaled_is_not_turned") {
+TEST_CASE("best_fit_does_not_rotate_a_moved_and_scaled_cage") {
   base::WorkerPool pool(2);
   for (const Surface& model : {three_arms(), stool(), torus(30, 12)}) {
     Surface cage = cages::make(model, {.triangles = 60}, pool).surface;
@@ -102,7 +102,7 @@ TEST_CASE("a_cage_that_is_only_moved_and_scaled_is_not_turned") {
   }
 }
 
-TEST_CASE("a_fitted_cage_goes_around_the_models_box_is_similar_to_what_it_was_and_the_same_each_time") {
+TEST_CASE("fitted_cage_encloses_the_box_by_a_deterministic_similarity") {
   base::WorkerPool pool(2);
   const Surface model = three_arms();
   const mesh::Bounds box = mesh::used_bounds(model);
@@ -126,7 +126,7 @@ TEST_CASE("a_fitted_cage_goes_around_the_models_box_is_similar_to_what_it_was_an
   }
 }
 
-TEST_CASE("whatever_the_model_a_fitted_cage_has_finite_places" * doctest::test_suite(longer)) {
+TEST_CASE("fitted_cages_are_finite_for_any_model" * doctest::test_suite(longer)) {
   const Surface cage = placed(three_arms(), {{0.3, 0.8, -0.4, 0.33}, 2, {1, 0, 0}});
   for (const auto& [name, model] : generated_models()) {
     CAPTURE(name);
@@ -138,7 +138,7 @@ TEST_CASE("whatever_the_model_a_fitted_cage_has_finite_places" * doctest::test_s
     REQUIRE(std::isfinite(mesh::largest_abs(p)));
 }
 
-TEST_CASE("vertices_within_the_model_or_too_near_come_out_and_others_stay") {
+TEST_CASE("snap_outside_moves_only_inside_or_near_vertices") {
   for (const auto& [name, model] : generated_models()) {
     const bool one_side = name == "torus" || name == "sphere" || name == "stool" || name == "spikes" ||
                           name == "comb" || name == "coil" || name == "inside out" || name == "turned plate";
@@ -170,7 +170,7 @@ TEST_CASE("vertices_within_the_model_or_too_near_come_out_and_others_stay") {
   }
 }
 
-TEST_CASE("a_vertex_goes_the_shortest_way_out") {
+TEST_CASE("snap_outside_takes_the_shortest_way") {
   const Surface model = cube();  // half a side is 1, its diagonal 2 sqrt(3)
   const double beyond = margin * 2 * std::sqrt(3.0);
   Surface cage = model;

@@ -1,4 +1,4 @@
-// Cages around models of every kind, judged without what made them.
+// Independent checks of cages around models of every kind.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -22,7 +22,7 @@ void check_sound(const NamedModel& model, const cages::Wish& wish) {
     FAIL_CHECK(complaint);
 }
 
-// Each model meets one of them, those with a number the next.
+// Wishes; each model uses one, numbered models use successive ones.
 const std::vector<cages::Wish> wishes = {
     {.triangles = 12},
     {.triangles = 200, .effort = cages::Effort::preview},
@@ -50,7 +50,7 @@ TEST_CASE("every_kind_of_model_gets_a_cage_of_sixty_triangles" * doctest::test_s
   for (const NamedModel& model : generated_models()) check_sound(model, {.triangles = 60});
 }
 
-TEST_CASE("every_kind_of_model_gets_a_cage_as_it_is_wished" * doctest::test_suite(longer)) {
+TEST_CASE("every_kind_of_model_gets_a_cage_for_any_wish" * doctest::test_suite(longer)) {
   std::size_t next = 0;
   for (const NamedModel& model : generated_models()) check_sound(model, wishes[next++ % wishes.size()]);
 }
@@ -67,7 +67,7 @@ TEST_CASE("large_cages_are_sound_too") {
   check_sound({"torus", torus(60, 30)}, {.triangles = 2000, .effort = cages::Effort::preview});
 }
 
-TEST_CASE("handles_and_parts_are_kept_where_the_size_allows_and_closed_with_a_word_where_not") {
+TEST_CASE("handles_and_components_are_kept_or_closed_with_a_note") {
   base::WorkerPool pool(2);
   const auto genus_of = [](const mesh::Surface& s) { return mesh::topology(s, mesh::summarize(s))->genus; };
   const auto ring = cages::make(torus(40, 20), {.triangles = 200}, pool);
@@ -83,7 +83,7 @@ TEST_CASE("handles_and_parts_are_kept_where_the_size_allows_and_closed_with_a_wo
   CHECK(apart.notes.empty());
 }
 
-TEST_CASE("parts_far_smaller_than_the_grids_step_do_not_keep_the_cage_away_from_the_others") {
+TEST_CASE("tiny_components_do_not_loosen_the_cage_elsewhere") {
   base::WorkerPool pool(2);
   const mesh::Surface small = stretched(sphere(2), {0.003, 0.003, 0.003}, {3, 0.1, 0.2});
   const mesh::Surface model = joined(sphere(4), small);
@@ -91,7 +91,7 @@ TEST_CASE("parts_far_smaller_than_the_grids_step_do_not_keep_the_cage_away_from_
   CHECK(mesh::summarize(made.surface).volume < 1.5 * mesh::summarize(sphere(4)).volume);
 }
 
-TEST_CASE("symmetric_cages_are_no_larger_than_they_were_asked_to_be") {
+TEST_CASE("symmetric_cages_respect_the_number_of_triangles") {
   base::WorkerPool pool(2);
   for (const std::size_t triangles : {12, 21}) {
     const auto made = cages::make(stool(), {.triangles = triangles, .symmetry = cages::Symmetry::x}, pool);
@@ -100,7 +100,7 @@ TEST_CASE("symmetric_cages_are_no_larger_than_they_were_asked_to_be") {
   }
 }
 
-TEST_CASE("gaps_are_closed_as_wide_as_is_wished") {
+TEST_CASE("gaps_up_to_the_given_width_are_closed") {
   base::WorkerPool pool(2);
   const mesh::Surface plates =
       joined(stretched(cube(), {1, 1, 0.05}), stretched(cube(), {1, 1, 0.05}, {0, 0, 0.5}));
@@ -111,7 +111,7 @@ TEST_CASE("gaps_are_closed_as_wide_as_is_wished") {
   CHECK(parts(0.15) == 1);
 }
 
-TEST_CASE("a_face_that_goes_round_many_times_and_faces_there_many_times_cost_nothing") {
+TEST_CASE("repeated_corners_and_duplicate_faces_do_not_slow_cage_making") {
   const auto box = [](std::size_t rounds, std::size_t copies) {
     Surface s;
     s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1.2, 0}, {0, 1.2, 0},
@@ -137,7 +137,7 @@ TEST_CASE("a_face_that_goes_round_many_times_and_faces_there_many_times_cost_not
   }
 }
 
-TEST_CASE("of_thousands_of_parts_those_outside_of_a_cage_are_found") {
+TEST_CASE("outside_components_among_thousands_are_found") {
   Surface soup;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1, 1);

@@ -1,4 +1,4 @@
-// Whether what was made is a cage, told without what made it.
+// Independent checks of a cage.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ inline mesh::Corners corners_of(const mesh::Surface& s, const mesh::Triangle& t)
   return {s.positions[t[0]], s.positions[t[1]], s.positions[t[2]]};
 }
 
-/// The model's triangles, or its points as such.
+/// The model's triangles, or its points as degenerate triangles.
 inline std::vector<mesh::Triangle> pieces_of(const mesh::Surface& model) {
   if (!model.triangles.empty()) return model.triangles;
   std::vector<mesh::Triangle> points;
@@ -31,7 +31,7 @@ inline double extent_of(const mesh::Surface& model) {
   return (model.triangles.empty() ? mesh::bounds(model.positions) : mesh::used_bounds(model)).diagonal();
 }
 
-/// Every pair is looked at.
+/// Tests every pair.
 inline double least_distance(const mesh::Surface& cage, const mesh::Surface& model) {
   const double unit = extent_of(model);
   double least = unit;
@@ -42,7 +42,7 @@ inline double least_distance(const mesh::Surface& cage, const mesh::Surface& mod
     for (const auto& piece : pieces) {
       const mesh::Corners corners = corners_of(model, piece);
       const mesh::Bounds other = mesh::bounds(corners);
-      double apart = 0;  // of the boxes
+      double apart = 0;  // distance of the boxes
       for (std::size_t k = 0; k < 3; ++k)
         apart = std::max({apart, box.low[k] - other.high[k], other.low[k] - box.high[k]});
       if (apart >= least) continue;
@@ -52,7 +52,7 @@ inline double least_distance(const mesh::Surface& cage, const mesh::Surface& mod
   return least / unit;
 }
 
-/// The largest distance of a vertex's image to a vertex.
+/// The largest distance of a mirrored vertex to a vertex.
 inline double asymmetry(const mesh::Surface& cage, const cages::Plane& plane) {
   using namespace mesh;
   double most = 0;
@@ -69,14 +69,14 @@ inline bool some_note_holds(const cages::Made& made, const std::string& words) {
   return std::ranges::any_of(made.notes, [&](const auto& note) { return note.find(words) != note.npos; });
 }
 
-/// What is wrong with it; empty if all is as promised.
+/// Describes defects; empty if there are none.
 inline std::vector<std::string> complaints(const cages::Made& made, const mesh::Surface& model,
                                            const cages::Wish& wish) {
   std::vector<std::string> all;
   const mesh::Surface& cage = made.surface;
   const mesh::Summary summary = mesh::summarize(cage);
   const auto topology = mesh::topology(cage, summary);
-  if (!topology) return {"no oriented manifold"};
+  if (!topology) return {"not an oriented manifold"};
   if (!summary.closed()) all.push_back("open");
   if (!summary.unused_vertices.empty()) all.push_back("unused vertices");
   if (!(summary.volume > 0)) all.push_back("inside out");
@@ -84,7 +84,8 @@ inline std::vector<std::string> complaints(const cages::Made& made, const mesh::
   const double least = least_distance(cage, model);
   if (least <= 0) all.push_back("cut by the model");
   const bool keeps_margin = wish.effort == cages::Effort::full || wish.kind != cages::Kind::automatic;
-  if (keeps_margin && least < wish.margin * (1 - 1e-6) && !some_note_holds(made, "no room for the margin"))
+  if (keeps_margin && least < wish.margin * (1 - 1e-6) &&
+      !some_note_holds(made, "the margin could not be kept"))
     all.push_back("margin " + std::to_string(100 * least) + " %, nothing said");
   const auto pieces = pieces_of(model);
   std::vector<mesh::Point> firsts;

@@ -67,7 +67,7 @@ TEST_CASE("cages_are_the_same_for_any_number_of_threads") {
   }
 }
 
-TEST_CASE("a_maker_makes_the_same_cages_as_are_made_once_in_any_order") {
+TEST_CASE("maker_gives_the_same_cages_as_make_in_any_order") {
   base::WorkerPool pool(2);
   const auto model = std::make_shared<const mesh::Surface>(torus(16, 8));
   cages::Maker maker(model);
@@ -77,7 +77,7 @@ TEST_CASE("a_maker_makes_the_same_cages_as_are_made_once_in_any_order") {
   }
 }
 
-TEST_CASE("wishes_beyond_their_ranges_count_as_the_ends_of_these") {
+TEST_CASE("wishes_are_clamped_to_their_ranges") {
   base::WorkerPool pool(1);
   const mesh::Surface model = sphere(3);
   check_equal(cages::make(model, {.triangles = 0, .margin = -1, .gap = 9}, pool),
@@ -86,7 +86,7 @@ TEST_CASE("wishes_beyond_their_ranges_count_as_the_ends_of_these") {
               cages::make(model, {.kind = cages::Kind::box, .margin = 0.2, .cells = {1, 32, 3}}, pool));
 }
 
-TEST_CASE("a_single_point_or_nothing_gets_no_cage_but_a_clear_word") {
+TEST_CASE("single_points_and_empty_models_are_rejected") {
   base::WorkerPool pool(1);
   for (const auto& model : {points_only({{1, 2, 3}}), points_only({}), points_only({{1, 1, 1}, {1, 1, 1}}),
                             mesh::from_triangles({{0, 0, 0}, {5, 5, 5}}, {{0, 0, 0}})}) {
@@ -119,7 +119,7 @@ void pause_for(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-// Made on a thread of its own.
+// Makes a cage in another thread.
 struct Work {
   base::Progress progress;
   std::atomic<bool> ended{false}, cancelled{false};
@@ -140,11 +140,10 @@ struct Work {
 
 }  // namespace
 
-TEST_CASE("progress_rises_from_nothing_to_all_in_small_steps") {
+TEST_CASE("progress_rises_from_0_to_1_in_small_steps") {
   for (const auto& model : {sphere(4)}) {
     double widest = 1;
-    for (int i = 0; i < 100 && widest >= 0.6;
-         ++i) {  // this thread may have to wait while the other one works
+    for (int i = 0; i < 100 && widest >= 0.6; ++i) {  // waits if the other thread is slow
       Work work(model, {.triangles = 60});
       double last = 0;
       bool falls = false;
@@ -163,26 +162,25 @@ TEST_CASE("progress_rises_from_nothing_to_all_in_small_steps") {
   }
 }
 
-TEST_CASE("the_making_of_a_cage_stops_soon_after_it_is_cancelled") {
+TEST_CASE("cage_making_can_be_cancelled_quickly") {
   const mesh::Surface model = sphere(5);
   for (const double share : {0.02, 0.5}) {
     CAPTURE(share);
     bool cancelled = false;
-    for (int i = 0; i < 20 && !cancelled; ++i) {  // it may end before this thread runs again
+    for (int i = 0; i < 20 && !cancelled; ++i) {  // the work may end before this thread runs again
       Work work(model, {.triangles = 100});
       while (work.progress.done() < share && !work.ended) pause_for(1e-4);
       work.progress.cancel();
       const double asked = work.progress.done();
       while (!work.ended) pause_for(1e-4);
-      CHECK(work.progress.done() <
-            asked + 0.1);  // counted in work: how long that takes is the machine's matter
+      CHECK(work.progress.done() < asked + 0.1);  // measured in work, because time depends on the machine
       cancelled = work.cancelled;
     }
     CHECK(cancelled);
   }
 }
 
-TEST_CASE("after_a_cancel_the_next_cage_of_a_maker_is_the_same_as_ever") {
+TEST_CASE("cancelling_does_not_change_the_next_cage") {
   const auto model = std::make_shared<const mesh::Surface>(stool());
   base::WorkerPool pool(1);
   cages::Maker maker(model);

@@ -23,7 +23,7 @@ mesh::Surface two_sided(const mesh::Surface& half) {
 
 }  // namespace
 
-TEST_CASE("a_half_and_its_image_make_a_whole") {
+TEST_CASE("half_and_mirror_image_are_joined") {
   const cages::Shell half = {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
   const cages::Shell all = cages::whole(half);
   CHECK(all.positions.size() == 5);
@@ -34,7 +34,7 @@ TEST_CASE("a_half_and_its_image_make_a_whole") {
   CHECK(std::abs(summary.volume) == doctest::Approx(1.0 / 3));
 }
 
-TEST_CASE("the_plane_of_a_symmetric_model_is_found_however_it_lies") {
+TEST_CASE("symmetry_plane_is_found_in_any_orientation") {
   for (const double angle : {0.0, 0.4, 1.1}) {
     CAPTURE(angle);
     const mesh::Surface model = stretched(turned(two_sided(lopsided()), angle), {1, 1, 1}, {7, -3, 2});
@@ -51,7 +51,7 @@ TEST_CASE("a_model_without_symmetry_has_no_plane") {
   CHECK_FALSE(cages::symmetry_plane(points_only(cube().positions), nullptr));
 }
 
-TEST_CASE("cages_are_symmetric_about_the_plane_that_is_named_and_enclose_what_is_not") {
+TEST_CASE("cages_are_symmetric_and_enclose_asymmetric_models") {
   base::WorkerPool pool(2);
   const mesh::Surface model = lopsided();
   for (const auto symmetry : {cages::Symmetry::x, cages::Symmetry::z}) {
@@ -66,7 +66,7 @@ TEST_CASE("cages_are_symmetric_about_the_plane_that_is_named_and_enclose_what_is
   CHECK(cages::make(two_sided(lopsided()), {.triangles = 80}, pool).mirror);
 }
 
-TEST_CASE("the_triangles_of_a_cube_pair_to_its_sides") {
+TEST_CASE("triangles_of_a_cube_pair_to_its_faces") {
   const mesh::Surface box = cube();
   const cages::Shell shell{box.positions, box.triangles};
   const auto pairs = cages::quad_pairs(shell);
@@ -77,7 +77,7 @@ TEST_CASE("the_triangles_of_a_cube_pair_to_its_sides") {
   CHECK(mesh::summarize(quads).volume == doctest::Approx(8));
 }
 
-TEST_CASE("no_triangle_is_in_two_pairs_and_none_is_lost") {
+TEST_CASE("every_triangle_is_in_at_most_one_pair") {
   const mesh::Surface ball = sphere(3);
   const cages::Shell shell{ball.positions, ball.triangles};
   const auto pairs = cages::quad_pairs(shell);
@@ -99,7 +99,7 @@ TEST_CASE("no_triangle_is_in_two_pairs_and_none_is_lost") {
   CHECK(before == after);
 }
 
-TEST_CASE("triangles_across_a_sharp_edge_make_no_quad") {
+TEST_CASE("triangles_across_a_sharp_edge_are_not_paired") {
   // A tetrahedron.
   CHECK(cages::quad_pairs(
             {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}})

@@ -1,4 +1,4 @@
-// Models of every kind that cages are made around, by name.
+// Named models of every kind, for cage making.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ inline Surface turned(Surface s, double angle) {
   return s;
 }
 
-/// The border of the unit cells (i, j, k) of [0, n)^3 that are inside. Edges may have four triangles.
+/// The boundary of the cells (i, j, k) of [0, n)^3 that are inside. Edges may have four triangles.
 inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside) {
   std::map<std::array<int, 3>, std::uint32_t> numbers;
   std::vector<Point> points;
@@ -105,7 +105,7 @@ inline Surface along(const std::function<Point(double)>& curve, double radius, s
   return mesh::from_triangles(points, triangles);
 }
 
-/// So many triangles at random in the cube of side 2, of sides about `size`.
+/// Random triangles of about the given size in the cube of side 2.
 inline Surface soup(std::size_t count, double size, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> at(-1, 1);
@@ -137,7 +137,7 @@ inline Surface wires() {
   return mesh::from_triangles(s.positions, triangles);
 }
 
-/// A flat grid of n x n quads without those that `hole` tells.
+/// A flat grid of n x n quads with holes where `hole` is true.
 inline Surface sheet(int n, const std::function<bool(int, int)>& hole) {
   Surface s;
   for (int j = 0; j <= n; ++j) {
@@ -185,7 +185,7 @@ inline Surface turned_inside_out(Surface s) {
   return mesh::from_triangles(s.positions, s.triangles);
 }
 
-/// A fan of n triangles that are as long as a thousand of their widths, twice: a closed sheet of needles.
+/// Two fans of n needle triangles (length 1000 times the width) that form a closed sheet.
 inline Surface needles(std::uint32_t n) {
   std::vector<Point> points = {{0, 0, 0.01}, {0, 0, -0.01}};
   std::vector<Triangle> triangles;
@@ -211,7 +211,7 @@ inline Surface comb() {
   return of_cells(21, [](int i, int j, int k) { return k < 2 && (j < 3 || i % 2 == 0); });
 }
 
-/// Cells at random: many tunnels, and edges with four triangles.
+/// Random cells: many tunnels, and edges with four triangles.
 inline Surface sponge() {
   std::mt19937_64 engine(11);
   std::vector<std::uint8_t> full(512);
@@ -247,7 +247,7 @@ struct NamedModel {
   Surface surface;
 };
 
-/// With an extent each: one of every kind of trouble, in a long run all.
+/// Models with an extent: one of each difficult kind; all in a long run.
 inline std::vector<NamedModel> generated_models() {
   std::vector<NamedModel> all;
   const auto add = [&](std::string name, Surface surface) {

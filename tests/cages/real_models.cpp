@@ -43,12 +43,12 @@ TEST_CASE("real_models_get_cages_of_every_size" * doctest::test_suite(if_present
   }
 }
 
-TEST_CASE("cages_are_no_larger_than_those_made_by_hand" * doctest::test_suite(if_present)) {
+TEST_CASE("automatic_cages_are_no_larger_than_manual_ones" * doctest::test_suite(if_present)) {
   base::WorkerPool pool(2);
   const struct {
     const char* name;
     std::size_t triangles;
-    double volume;  // of the cage made by hand, by that of the model
+    double volume;  // volume of the manual cage / volume of the model
   } by_hand[] = {
       {"armadillo-man", 216, 2.04}, {"octopus", 102, 2.43}, {"horse", 98, 2.80}, {"hand", 82, 2.32}};
   for (const auto& [name, triangles, volume] : by_hand) {

@@ -12,7 +12,7 @@
 using namespace viete;
 using namespace viete::test;
 
-TEST_CASE("closeness_of_a_cube_in_a_cube_is_what_it_is_by_hand") {
+TEST_CASE("closeness_of_a_cube_in_a_cube_is_exact") {
   base::WorkerPool pool(2);
   const mesh::Surface model = cube();
   for (const double scale : {1e-50, 1.0, 1e50}) {
@@ -58,7 +58,7 @@ void check_closed_manifold(const cages::Shell& shell) {
 
 }  // namespace
 
-TEST_CASE("the_surface_of_any_values_is_a_closed_oriented_manifold") {
+TEST_CASE("extracted_surface_of_random_values_is_a_closed_oriented_manifold") {
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<float> value(-1, 1);
   for (const bool mirrored : {false, true}) {
@@ -76,7 +76,7 @@ TEST_CASE("the_surface_of_any_values_is_a_closed_oriented_manifold") {
   }
 }
 
-TEST_CASE("clearances_are_distances_outside_and_negative_within") {
+TEST_CASE("clearance_is_positive_outside_and_negative_inside") {
   base::WorkerPool pool(2);
   for (const auto& model : {sphere(4), without_lower_half(sphere(4)), shaken(sphere(4), 1e-3)}) {
     const mesh::TriangleTree tree(model.positions, model.triangles);
@@ -93,7 +93,7 @@ TEST_CASE("clearances_are_distances_outside_and_negative_within") {
   }
 }
 
-TEST_CASE("a_triangle_is_clear_where_no_sample_of_it_is_below_the_margin") {
+TEST_CASE("triangle_is_clear_if_all_samples_keep_the_margin") {
   base::WorkerPool pool(1);
   const mesh::Surface model = sphere(4);
   const mesh::TriangleTree tree(model.positions, model.triangles);
@@ -102,5 +102,5 @@ TEST_CASE("a_triangle_is_clear_where_no_sample_of_it_is_below_the_margin") {
   const auto above = [](double z) { return mesh::Corners{{{-1.2, -1.2, z}, {1.2, -1.2, z}, {0, 1.4, z}}}; };
   CHECK(field.is_clear(above(1.3), 0.2));
   CHECK_FALSE(field.is_clear(above(1.3), 0.4));
-  CHECK_FALSE(field.is_clear(above(0.9), 0.01));  // its corners are, its middle is not
+  CHECK_FALSE(field.is_clear(above(0.9), 0.01));  // its corners are clear, its centre is not
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# c.sh PKGCONFIG_DIR SOURCE: the C header, compiled as C99 and linked as it says.
+# c.sh PKGCONFIG_DIR SOURCE: compiles the C header as C99 and links as it documents.
 set -eu
 command -v cc >/dev/null || { echo "there is no C compiler: skipped"; exit 77; }
 work=$(mktemp -d)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# help_pages.sh PROGRAM PAGE DATA: the manual page has every command and option of the help, and shells complete them.
+# help_pages.sh PROGRAM PAGE DATA: the manual page and shell completions must contain every command and option of the help.
 set -eu
 program="$1" page="$2" data="$3"
 . "$(dirname "$0")/help_words.sh"
@@ -18,7 +18,7 @@ if command -v man >/dev/null && command -v groff >/dev/null; then
 fi
 
 PATH=$(dirname "$program"):$PATH
-# in_bash WORD...: what bash offers for the last one.
+# in_bash WORD...: bash completions of the last word.
 in_bash() {
   bash -c '. "$1"; shift; COMP_WORDS=(viete "$@"); COMP_CWORD=$#; _viete; printf "%s\n" "${COMPREPLY[@]}"' \
     bash "$data/bash-completion/completions/viete" "$@" | sort -u

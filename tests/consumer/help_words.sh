@@ -1,11 +1,11 @@
-# Sourced: what the program's own --help says, as words. $program is the program.
+# Sourced: parses the --help output of $program into words.
 
-# commands_of COMMAND...: its commands, one a line.
+# commands_of COMMAND...: its subcommands, one per line.
 commands_of() {
   "$program" "$@" --help | awk '/^[^ ]/ { on = tolower($0) ~ /commands:$/ } on && /^  [a-z]/ { print $1 }'
 }
 
-# all_commands: every command that does something: "view" and "bench exp", not "bench".
+# all_commands: every runnable command: "view" and "bench exp", not "bench".
 all_commands() {
   for command in $(commands_of); do
     inner=$(commands_of "$command")
@@ -14,7 +14,7 @@ all_commands() {
   done
 }
 
-# options_of COMMAND...: its options, one a line, with all their names: "-o --output".
+# options_of COMMAND...: its options, one per line, with all their names: "-o --output".
 options_of() {
   "$program" "$@" --help | awk '/^  -/ {
     names = ""
@@ -30,7 +30,7 @@ long_options_of() {
   options_of "$@" | tr ' ' '\n' | grep '^--' | sort
 }
 
-# values_of OPTION COMMAND...: the words it takes, where it takes one of a few: those that are named when it is given another.
+# values_of OPTION COMMAND...: the values of an option with a fixed list, from the error message for an invalid value.
 values_of() {
   option="$1" && shift
   if "$program" "$@" --help | grep -q -e "^  $option WORD"; then

@@ -1,6 +1,6 @@
 #!/bin/sh
-# installed_program.sh PROGRAM ASSETS: the installed program finds the model beside itself, wherever the tree is moved to, and
-# draws it with no other file.
+# installed_program.sh PROGRAM ASSETS: the installed program must find the example model after the tree is moved, and draw it
+# without other files.
 set -eu
 unset VIETE_ASSETS
 "$1" info | grep -F "$2/dragon/dragon.ply"

@@ -1,9 +1,9 @@
 #!/bin/sh
-# manual_pages.sh PROGRAM: the manual is there as pages, each chapter is found by name, no link leads nowhere, and no page asks for the network.
+# manual_pages.sh PROGRAM: the HTML manual exists, chapters are found by name, links work, and no page needs the network.
 set -eu
 program=$1
 unset DISPLAY WAYLAND_DISPLAY  # no browser
-page=$("$program" manual 2>&1) || { case $page in *"were not made"*) echo "skipped: $page"; exit 77 ;; esac; echo "$page"; exit 1; }
+page=$("$program" manual 2>&1) || { case $page in *"are not built"*) echo "skipped: $page"; exit 77 ;; esac; echo "$page"; exit 1; }
 folder=$(dirname "$page")
 for chapter in window cages blending time shapes files command_line python blender cpp figures; do
   [ "$("$program" manual $chapter)" = "$folder/$chapter.html" ] || { echo "there is no chapter $chapter"; exit 1; }
@@ -15,7 +15,7 @@ for file in *.html; do
     case $link in
       '' ) ;;
       http*) [ "$file" != "$link" ] ;;
-      *) [ -e "$link" ] || { echo "$file leads to $link, which is not there"; exit 1; } ;;
+      *) [ -e "$link" ] || { echo "$file links to $link, which does not exist"; exit 1; } ;;
     esac
   done
   ! grep -qE '<(script|link|iframe)|src="http' "$file" || { echo "$file asks for more than is there"; exit 1; }

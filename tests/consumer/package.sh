@@ -1,6 +1,6 @@
 #!/bin/sh
-# package.sh CPACK BUILD FOLDER VERSION: cpack makes packages for Debian that hold what they should, ask for what the program needs, and
-# leave no trace of the build; what is unpacked runs where it lies. Skipped where the tools for packing are not installed.
+# package.sh CPACK BUILD FOLDER VERSION: cpack must make Debian packages with the right files and dependencies, and without
+# traces of the build; the unpacked program must run. Skipped without packaging tools.
 set -eu
 cpack="$1" build="$2" folder="$3" version="$4"
 for tool in dpkg-deb dpkg-shlibdeps file readelf; do
@@ -46,10 +46,10 @@ fi
 both=$(for deb in "$program" "$library"; do dpkg-deb -c "$deb"; done | grep -v '/$' | awk '{ print $6 }' | sort | uniq -d)
 [ -z "$both" ] || wrong "both packages hold $both"
 
-# What Debian's judge says of them, where it is installed. (Libraries of this build do not lie by the kind of machine; those of setup.sh do.)
+# Runs lintian if installed. (This build does not use multiarch library folders; that of setup.sh does.)
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error,warning --suppress-tags pkg-config-unavailable-for-cross-compilation "$folder"/*.deb ||
-    wrong "lintian is not content"
+    wrong "lintian reports problems"
 fi
 
 depends=$(dpkg-deb -f "$program" Depends)

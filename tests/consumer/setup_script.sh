@@ -1,6 +1,6 @@
 #!/bin/sh
-# third_party/setup.sh on machines that are not there: its own copy of the script, and stand-ins for the programs it
-# calls, which write down how they were called. setup_script.sh SETUP.SH
+# setup_script.sh SETUP.SH: runs a copy of third_party/setup.sh with stubs for the programs it calls, which log
+# their arguments.
 set -u
 setup=$1
 scratch=$(mktemp -d)
@@ -59,68 +59,68 @@ script="$scratch/check out/third_party/setup.sh"
 
 fresh
 run "$script" --help
-expect 'help is no error' ended_with 0
-expect 'help says how it is used' says '^usage'
+expect 'help exits with 0' ended_with 0
+expect 'help shows the usage' says '^usage'
 run "$script" frobnicate
-expect 'an unknown command is an error' ended_with 2
-expect 'and nothing was installed or built' no called '^cmake'
+expect 'an unknown command exits with 2' ended_with 2
+expect 'an unknown command builds nothing' no called '^cmake'
 
 fresh
 run "$script" run model.obj 'a cage.obj'
-expect 'the program is started' ended_with 0
-expect 'in the folder of the caller, whose paths mean what they say' says "^$scratch/elsewhere$"
-expect 'with the arguments of the caller' says '^model.obj a cage.obj$'
-expect 'only the program is built' called '--target viete'
-expect 'without the tests' called 'VIETE_BUILD_TESTS=OFF'
-expect 'and says how far it is' says 'building 100 %'
-expect 'in a screen of text' [ "$(printf '%s\n' "$out" | wc -l)" -lt 24 ]
+expect 'run starts the program' ended_with 0
+expect 'run keeps the working folder' says "^$scratch/elsewhere$"
+expect 'run passes arguments on' says '^model.obj a cage.obj$'
+expect 'run builds only the program' called '--target viete'
+expect 'run builds no tests' called 'VIETE_BUILD_TESTS=OFF'
+expect 'run shows progress' says 'building 100 %'
+expect 'run prints few lines' [ "$(printf '%s\n' "$out" | wc -l)" -lt 24 ]
 : >"$calls"
 run "$script" run
-expect 'what is configured is not configured again' no called 'cmake -S'
+expect 'a second run does not configure again' no called 'cmake -S'
 
 fresh
 run "$script" bench exp --count 7
-expect 'benchmarks are built, with the program' called '--target viete-bench'
-expect 'and run' says '^bench exp --count 7$'
+expect 'bench builds the benchmarks' called '--target viete-bench'
+expect 'bench runs the benchmarks' says '^bench exp --count 7$'
 
 fresh
 ln -s "$script" "$scratch/setup-here"
 run "$scratch/setup-here" build
-expect 'called by a link it builds the checkout' called "cmake -S $scratch/check out "
+expect 'a symbolic link builds the checkout' called "cmake -S $scratch/check out "
 
 fresh
 run "$script" test -L unit
-expect 'the tests are built' called 'VIETE_BUILD_TESTS=ON'
-expect 'with every kernel' called 'VIETE_KERNELS=all'
-expect 'warnings are errors' called 'VIETE_WERROR=ON'
-expect 'with the times of compiling' says 'compiling took: base 2 s'
-expect 'and run side by side, as the caller says' called 'ctest .*-j [0-9]* -L unit'
+expect 'test builds the tests' called 'VIETE_BUILD_TESTS=ON'
+expect 'test builds all kernels' called 'VIETE_KERNELS=all'
+expect 'test treats warnings as errors' called 'VIETE_WERROR=ON'
+expect 'test reports compile times' says 'compiling took: base 2 s'
+expect 'test passes arguments to ctest' called 'ctest .*-j [0-9]* -L unit'
 
 run "$script" test
-expect 'without what takes a night, where nothing else is asked for' called 'ctest .*-j [0-9]* -LE long'
+expect 'test excludes long tests by default' called 'ctest .*-j [0-9]* -LE long'
 
 fresh
 stand_in cmake 'echo "no compiler"; exit 1'
 run "$script" build
-expect 'a failed configuration is an error' ended_with 1
-expect 'that shows why' says 'no compiler'
-expect 'and leaves nothing beside build' [ "$(cd "$scratch/check out" && echo *)" = 'build third_party' ]
+expect 'a failed configuration exits with 1' ended_with 1
+expect 'a failed configuration shows its output' says 'no compiler'
+expect 'a failed configuration leaves only the build folder' [ "$(cd "$scratch/check out" && echo *)" = 'build third_party' ]
 
 fresh
 stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) echo "[1/9] a"; echo "a.cpp:1: error: no"; exit 1 ;; esac'
 run "$script" run
-expect 'a failed build is an error' ended_with 1
-expect 'that shows what the compiler said' says 'a.cpp:1: error: no'
+expect 'a failed build exits with 1' ended_with 1
+expect 'a failed build shows compiler messages' says 'a.cpp:1: error: no'
 
 fresh
 stand_in dpkg-query 'case "$*" in *fonts-inter*) ;; *) echo installed ;; esac'
 run "$script" build
-expect 'without sudo a package that is only wished for stops nothing' ended_with 0
-expect 'and is named' says 'not needed: fonts-inter'
+expect 'without sudo a missing optional package is no error' ended_with 0
+expect 'the missing optional package is reported' says 'not needed: fonts-inter'
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
 run "$script" build
-expect 'one that is needed does' ended_with 1
-expect 'with advice that leaves nothing of root behind' says "su -c '$script deps program'"
+expect 'without sudo a missing required package is an error' ended_with 1
+expect 'the advice runs only deps as root' says "su -c '$script deps program'"
 
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
@@ -131,55 +131,55 @@ stand_in apt-get 'case "$*" in
   *install*) echo "dlstatus:1:50.0:x"; echo "pmstatus:one:100.0:x" ;;
 esac'
 run "$script" build
-expect 'a lock is waited for' ended_with 0
-expect 'which is said' says 'waiting for another package manager'
-expect 'until it is gone and packages are installed' called 'apt-get.* -y install .*libglm-dev'
-expect 'how much that is' says 'Need to get 7 MB'
-expect 'and how far it is' says 'installing 100 %'
+expect 'apt locks are waited for' ended_with 0
+expect 'waiting is reported' says 'waiting for another package manager'
+expect 'packages are installed after waiting' called 'apt-get.* -y install .*libglm-dev'
+expect 'the download size is shown' says 'Need to get 7 MB'
+expect 'installation progress is shown' says 'installing 100 %'
 
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
 stand_in sudo 'exec "$@"'
 stand_in apt-get 'case "$*" in *install*) echo "E: no space"; exit 100 ;; esac'
 run "$script" build
-expect 'packages that cannot be installed are an error' ended_with 1
-expect 'with what apt-get said' says 'E: no space'
-expect 'and nothing is built' no called '^cmake'
+expect 'a failed installation exits with 1' ended_with 1
+expect 'a failed installation shows the output of apt-get' says 'E: no space'
+expect 'a failed installation builds nothing' no called '^cmake'
 
 fresh
 stand_in dpkg-query 'case "$*" in *fonts-inter*) ;; *) echo installed ;; esac'
 stand_in sudo 'echo "somebody is not in the sudoers file"; exit 1'
 run "$script" build
-expect 'who may not use sudo builds all the same' ended_with 0
-expect 'and is told what is left out' says 'not needed: fonts-inter'
+expect 'refused sudo does not prevent a build' ended_with 0
+expect 'packages left out are reported' says 'not needed: fonts-inter'
 : >"$calls"
 run "$script" build
-expect 'once' no called '^sudo'
+expect 'sudo is tried only once' no called '^sudo'
 
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev* | *fonts-inter*) ;; *) echo installed ;; esac'
 stand_in sudo 'exec "$@"'
 stand_in apt-get 'case "$*" in *" -y install "*fonts-inter*) echo "E: held broken packages"; exit 100 ;; esac'
 run "$script" build
-expect 'a package that is only wished for and cannot be installed stops nothing' ended_with 0
-expect 'and the needed ones are installed' called ' -y install .*libglm-dev'
+expect 'a failed optional package is no error' ended_with 0
+expect 'required packages are installed nevertheless' called ' -y install .*libglm-dev'
 
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
 stand_in sudo 'exec "$@"'
 run "$script" deps
-expect 'a look at how much there is to install installs nothing' [ "$(grep -c '^apt-get.* install' "$calls")" -eq 2 ]
-expect 'because it only simulates' called 'apt-get -s .*install .*libglm-dev'
-expect 'and nothing but the one install that was meant is called without that' \
+expect 'the size query does not install' [ "$(grep -c '^apt-get.* install' "$calls")" -eq 2 ]
+expect 'the size query simulates' called 'apt-get -s .*install .*libglm-dev'
+expect 'exactly one call installs' \
   [ "$(grep '^apt-get.* install' "$calls" | grep -v -c '^apt-get -s ')" -eq 1 ]
 
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
 stand_in sudo 'echo "somebody is not in the sudoers file"; exit 1'
 run "$script" build
-expect 'a sudo that refuses is an error where packages are needed' ended_with 1
-expect 'which are named' says 'missing: libglm-dev'
-expect 'with the advice of those without sudo' says "sudo has refused.*su -c '$script deps program'"
+expect 'refused sudo is an error with missing required packages' ended_with 1
+expect 'missing required packages are reported' says 'missing: libglm-dev'
+expect 'refused sudo gives the advice for root' says "sudo has refused.*su -c '$script deps program'"
 
 fresh
 stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
@@ -189,8 +189,8 @@ stand_in apt-get 'case "$*" in
   *install*) echo "E: Unable to locate package libglm-dev"; exit 100 ;;
 esac'
 run "$script" build
-expect 'a machine without a network is an error' ended_with 1
-expect 'that ends in a sentence that says so' [ -n "$(printf '%s\n' "$out" | tail -n 1 | grep 'cannot be reached.*libglm-dev')" ]
+expect 'no network exits with 1' ended_with 1
+expect 'no network is reported in the last line' [ -n "$(printf '%s\n' "$out" | tail -n 1 | grep 'cannot be reached.*libglm-dev')" ]
 
 fresh
 stand_in cmake 'case "$1" in
@@ -201,13 +201,13 @@ for tool in rmdir; do ln -s "$(command -v $tool)" "$scratch/bin/$tool"; done
 (cd "$scratch/elsewhere" && PATH=$scratch/bin sh "$script" build >"$scratch/first" 2>&1) &
 run "$script" build
 wait $!
-expect 'two runs at once both end well' [ "$code" -eq 0 ]
-expect 'one after the other' no grep -q 'two at once' "$scratch/first"
-expect 'both of them' no says 'two at once'
+expect 'parallel runs succeed' [ "$code" -eq 0 ]
+expect 'the first parallel run builds alone' no grep -q 'two at once' "$scratch/first"
+expect 'the second parallel run builds alone' no says 'two at once'
 ln -s 999999999 "$scratch/check out/.cache/setup.lock"
 run "$script" build
-expect 'the lock of a run that was killed stops nobody' ended_with 0
-expect 'and no lock is left' [ ! -L "$scratch/check out/.cache/setup.lock" ]
+expect 'the lock of a killed run is ignored' ended_with 0
+expect 'the lock is removed' [ ! -L "$scratch/check out/.cache/setup.lock" ]
 sh -c 'while :; do :; done # setup' &
 busy=$!
 ln -s $busy "$scratch/check out/.cache/setup.lock"

@@ -1,5 +1,5 @@
-// Frames of both engines against an evaluation of the formulas in quad precision that shares no code with
-// them.
+// Compares frames of both engines with an evaluation of the formulas in quad precision that shares no code
+// with them.
 #include <doctest/doctest.h>
 
 #include "deform/binding.h"
@@ -15,7 +15,7 @@ using namespace viete::test;
 
 namespace {
 
-// A rotation and a stretch, and on top of them three waves: no affine map, and no two triangles move alike.
+// A rotation and a stretch plus three waves: not affine, and no two triangles move alike.
 struct Waves {
   Affine affine;
   std::array<Vec3, 3> direction, push;
@@ -34,7 +34,7 @@ struct Waves {
   }
 };
 
-// Some inside, some outside, none on the cage.
+// Points inside and outside the cage, but not on it.
 mesh::Surface points_about(const mesh::Surface& cage, Random& random) {
   const auto bounds = mesh::bounds(cage.positions);
   mesh::Surface points;
@@ -50,7 +50,7 @@ struct Errors {
 struct Case {
   Weighting weighting;
   Blend blend;
-  double staged_bound;  // in diagonals of the posed cage; three times the worst of these poses or more
+  double staged_bound;  // in diagonals of the posed cage; at least three times the worst of these poses
 };
 
 Weighting cut_off_of(Elements elements, double radius) {
@@ -74,7 +74,7 @@ const Case along_the_surface[] = {{harmonics, Blend::srl, 3e-14},
                                   {biharmonics, Blend::linear, 3e-14},
                                   {{Elements::point, Weights::biharmonic}, Blend::mls_affine, 3e-14}};
 
-// In diagonals of the posed cage.
+// Errors in diagonals of the posed cage.
 Errors errors(const Case& c, const mesh::Surface& cage, const mesh::Surface& points, const Pose& pose) {
   Bound staged(points, cage, c.weighting, 2, c.blend);
   const auto tiled = std::make_shared<const Binding>(

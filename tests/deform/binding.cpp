@@ -10,8 +10,8 @@
 
 using namespace viete::test;
 
-TEST_CASE("rows_of_low_rank_are_factors_of_a_few_of_them_on_every_instruction_set") {
-  // 64 rows of 40 columns, of rank 5 and some noise.
+TEST_CASE("low_rank_rows_are_factored_by_a_few_rows_on_every_instruction_set") {
+  // 64 rows of 40 columns, of rank 5 plus noise.
   constexpr std::size_t tiles = 4, columns = 40, lanes = 16;
   Random random(23);
   std::vector<std::vector<double>> left(64, std::vector<double>(5)), right(5, std::vector<double>(columns));

@@ -17,7 +17,7 @@ inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_v
 inline Weighting cut_off(double radius) {
   return {Elements::face, Weights::cut_off, radius};
 }
-/// All, every vertex following the cage: of cut-off weights those that reach everywhere.
+/// All schemes in which every vertex follows the cage; cut-off weights with a radius that reaches everywhere.
 inline std::vector<Scheme> whole_schemes() {
   auto schemes = valid_schemes();
   for (Scheme& s : schemes) s.weighting.radius = largest_radius;
@@ -77,7 +77,7 @@ struct FusedFrame {
   FusedEngine engine;
 };
 
-/// weights_at(cage, point): the same at every length scale, and summing to one at the cage's own vertices.
+/// Checks that weights_at(cage, point) is independent of scale, and sums to one at the cage's own vertices.
 template <class WeightsAt>
 void check_every_length_scale(const WeightsAt& weights_at) {
   const auto unit = box({1, 2, 3});

@@ -50,9 +50,9 @@ TEST_CASE("three_triangles_on_an_edge_are_joined_in_a_chain") {
   CHECK(graph.open == 6);
 }
 
-TEST_CASE("a_triangle_collapsed_to_an_edge_leaves_its_neighbours_beside_each_other") {
+TEST_CASE("a_collapsed_triangle_joins_its_neighbours") {
   auto closed = box();
-  closed.positions.push_back(closed.positions[2]);  // 8, where 2 is
+  closed.positions.push_back(closed.positions[2]);  // coincides with vertex 2
   closed.triangles.push_back({0, 2, 8});
   const auto surface = viete::mesh::from_triangles(closed.positions, closed.triangles);
   std::vector<std::uint8_t> skip(surface.triangles.size(), 0);
@@ -113,7 +113,7 @@ TEST_CASE("alignment_is_three_for_equal_rotations_and_falls_with_the_angle") {
   CHECK(alignment(a, similarity({1, 2, 3}, 1 + 120 * degree).linear) == doctest::Approx(0));
 }
 
-TEST_CASE("one_element_turned_over_does_not_pull_the_others_round") {
+TEST_CASE("a_flipped_element_does_not_rotate_the_others") {
   const Cage cage = make_cage(tube(9, 7, 0.3, 2));
   const Vec3 axis{0, 0, 1};
   for (std::size_t e = 0; e < cage.element_count(); e += 5) {
@@ -132,7 +132,7 @@ TEST_CASE("one_element_turned_over_does_not_pull_the_others_round") {
   }
 }
 
-TEST_CASE("the_root_turned_over_does_not_pull_the_others_round_either") {
+TEST_CASE("a_flipped_root_does_not_rotate_the_others") {
   const Cage cage = make_cage(tube(9, 7, 0.3, 2));
   std::vector<Vec3> turns;
   for (int a = 0; a <= 720; a += 5) {
@@ -146,7 +146,7 @@ TEST_CASE("the_root_turned_over_does_not_pull_the_others_round_either") {
   }
 }
 
-TEST_CASE("turns_choose_among_whole_turns") {
+TEST_CASE("reference_turns_select_the_number_of_whole_turns") {
   const Cage cage = make_cage(box());
   for (int k = -3; k <= 3; ++k) {
     const std::vector<Vec3> turns = {{0, 0, (40 + 360 * k) * degree}};
@@ -158,7 +158,7 @@ TEST_CASE("turns_choose_among_whole_turns") {
 
 namespace {
 
-// As by a bend: about x, from one end of the tube to the other, and then about z.
+// A bend about x, linear from one end of the tube to the other, followed by a rotation about z.
 Rotations bent(const Cage& cage, double degrees, double about_z) {
   Rotations rotations;
   for (const Vec3& center : cage.centers)
@@ -169,7 +169,7 @@ Rotations bent(const Cage& cage, double degrees, double about_z) {
 
 }  // namespace
 
-TEST_CASE("whole_turns_about_another_axis_than_that_of_the_logs_stay_and_the_logs_are_coherent") {
+TEST_CASE("whole_turns_about_another_axis_are_kept_and_logs_are_coherent") {
   const Cage cage = make_cage(tube(9, 7, 0.3, 2));
   const Branches least = branches_of(cage, bent(cage, 20, 0), {});
   for (const double count : {1.0, 2.0, 5.0}) {
@@ -185,7 +185,7 @@ TEST_CASE("whole_turns_about_another_axis_than_that_of_the_logs_stay_and_the_log
       }
     }
   }
-  // On the way round and on.
+  // Continues through full turns.
   std::vector<Vec3> turns{{0, 0, 360 * degree}};
   for (int a = 0; a <= 720; a += 10) turns = branches_of(cage, bent(cage, 20, a), turns).turns;
   CHECK(norm(turns[0] - Vec3{0, 0, 3 * 360 * degree}) < 1e-6);

@@ -72,14 +72,14 @@ TEST_CASE("a_cage_with_a_fin_is_refused_and_the_edge_named") {
   }
 }
 
-TEST_CASE("boxes_that_touch_along_an_edge_are_a_cage_with_a_word") {
+TEST_CASE("boxes_touching_along_an_edge_are_a_cage_with_a_warning") {
   const Cage cage = make_cage(together(box(), box({1, 1, 1}, {2, 2, 0})));
   CHECK_FALSE(cage.closed);
   REQUIRE(cage.warnings.size() == 1);
   CHECK(cage.warnings[0].find("touch") != std::string::npos);
 }
 
-TEST_CASE("a_cage_that_is_squashed_flat_is_refused_whatever_way_it_lies") {
+TEST_CASE("a_flat_closed_cage_is_rejected_in_any_orientation") {
   auto flat = box({1, 1, 0});
   CHECK_THROWS_AS(make_cage(flat), viete::base::Error);
   for (auto& q : flat.positions) q = {q[0] + q[1], q[1] - 0.5 * q[0], 0.25 * q[0] + 2 * q[1]};
@@ -127,7 +127,7 @@ std::vector<double> values(const CageState& state) {
   return {v.begin(), v.end()};
 }
 
-// Whatever the weights are.
+// All row forms, independent of weights.
 std::vector<std::pair<Elements, Blend>> schemes() {
   std::vector<std::pair<Elements, Blend>> all;
   for (const Scheme& s : valid_schemes()) {
@@ -139,7 +139,7 @@ std::vector<std::pair<Elements, Blend>> schemes() {
 
 }  // namespace
 
-TEST_CASE("rows_at_rest_say_that_nothing_moves") {
+TEST_CASE("rows_at_rest_are_identities") {
   const auto cage = bent_tube();
   for (const auto& [elements, blend] : schemes()) {
     CageState state(cage, elements, blend);
@@ -148,7 +148,7 @@ TEST_CASE("rows_at_rest_say_that_nothing_moves") {
     CHECK(rows.count() == handle_count(*cage, elements));
     CHECK(rows.columns() == shape(rows.form).columns);
     const auto centers = handle_centers(*cage, elements);
-    if (has_moments(rows.form)) continue;  // they hold points, of which nothing is 0
+    if (has_moments(rows.form)) continue;  // they hold points, which are not 0
     for (std::size_t h = 0; h < rows.count(); ++h) {
       const auto row = rows.values.subspan(h * rows.columns(), rows.columns());
       for (std::size_t c = 0; c < rows.columns(); ++c) {
@@ -181,7 +181,7 @@ TEST_CASE("rows_of_maps_move_points_as_the_maps_do") {
   }
 }
 
-TEST_CASE("in_a_drag_rows_are_those_of_a_state_that_takes_the_pose_whole") {
+TEST_CASE("dragged_rows_equal_those_of_the_full_pose") {
   const auto cage = bent_tube();
   for (const auto& [elements, blend] : schemes()) {
     CageState dragged(cage, elements, blend), whole(cage, elements, blend);
@@ -212,7 +212,7 @@ TEST_CASE("in_a_drag_rows_are_those_of_a_state_that_takes_the_pose_whole") {
   }
 }
 
-TEST_CASE("the_origin_stays_during_a_drag_and_follows_when_it_is_over") {
+TEST_CASE("the_origin_is_fixed_during_a_drag_and_updated_after_it") {
   const auto cage = bent_tube();
   CageState state(cage, Elements::face, Blend::srl);
   Pose pose = rest_pose(*cage);
@@ -230,7 +230,7 @@ TEST_CASE("the_origin_stays_during_a_drag_and_follows_when_it_is_over") {
   CHECK(norm(state.rows().origin - origin - Vec3{1000, 0, 0}) < cage->diagonal);
 }
 
-TEST_CASE("without_logs_the_turns_of_a_pose_are_handed_on") {
+TEST_CASE("without_logs_turns_of_a_pose_are_passed_on") {
   const auto cage = bent_tube();
   for (const auto& [elements, blend] : schemes()) {
     if (blend == Blend::srl) continue;

@@ -186,7 +186,7 @@ TEST_CASE("a_frame_does_not_depend_on_the_frames_before") {
   CHECK(largest_distance(a.deform(pose), b.deform(pose)) == 0);
 }
 
-TEST_CASE("mean_values_hand_the_turns_on") {
+TEST_CASE("mean_values_pass_turns_on") {
   Bound b(tube(4, 12, 0.3, 1.5), box(), mean_values);
   b.deform(b.pose(shear(), {{1, 2, 3}}));
   CHECK(b.report().turns == std::vector<Vec3>{{1, 2, 3}});
@@ -240,7 +240,7 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponen
     CHECK(staged.deformer.sampled_error() == 0);
     const auto matrices = fused.sample_matrices(100), same = staged.deformer.sample_matrices(100);
     CHECK(matrices.size() == (exponential ? 100 : 0));
-    // Along the surface weights are not made anew.
+    // Weights along the surface are not recomputed.
     const double exact = entry(weighting.weights).on_surface ? 1e-5 : 1e-13;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
       const auto &a = matrices[i], &b = same[i];

@@ -1,4 +1,4 @@
-// What every way of blending must do, whatever it is.
+// Properties that every scheme must have.
 #include <doctest/doctest.h>
 
 #include "deform/binding.h"
@@ -20,7 +20,7 @@ mesh::Surface cage_of_a_part() {
   return tube(9, 7, 0.4, 2.2);
 }
 
-// Both engines, of one scheme.
+// Both engines for one scheme.
 struct Both {
   Both(const mesh::Surface& model, const mesh::Surface& cage, const Scheme& scheme)
       : staged(model, cage, scheme.weighting, 2, scheme.blend),
@@ -29,7 +29,7 @@ struct Both {
                   bind(model, *staged.cage, scheme.weighting, EngineKind::fused, nullptr, staged.pool)),
               scheme, staged.pool) {}
 
-  // Of the two in the same pose, in diagonals of the cage at rest or posed, whichever is larger.
+  // Largest difference in the same pose, in diagonals of the cage at rest or posed, whichever is larger.
   double difference(const Pose& pose) {
     fused.deform(pose, sym3::Method::fast);
     const double unit = std::max(staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
@@ -43,7 +43,7 @@ struct Both {
 }  // namespace
 
 TEST_CASE("every_scheme_keeps_rest_and_follows_similarities" * doctest::test_suite(longer)) {
-  const int every = rounds(3, 1);  // of all pairs of an angle and a scale: each is in some
+  const int every = rounds(3, 1);  // stride over the pairs of an angle and a scale, shifted per scheme
   const double angles[] = {0, 1e-9, 90, 179.999, 180, 270}, scales[] = {1e-3, 1, 1e3};
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
@@ -79,7 +79,7 @@ TEST_CASE("affine_poses_are_exact_where_weights_or_blend_promise_it") {
   CHECK(exact > 1);
 }
 
-TEST_CASE("moving_the_posed_cage_moves_the_model_as_it_is") {
+TEST_CASE("moving_the_posed_cage_moves_the_model_unchanged") {
   const Twist twist{2, {0.1, 0, 0}, -1.1, 1.1, -60 * degree, 70 * degree};
   const Vec3 way{100, -50, 25};
   for (const Scheme& scheme : whole_schemes()) {
@@ -102,7 +102,7 @@ TEST_CASE("both_engines_agree_on_twists_beyond_180_degrees_and_on_mirrored_and_c
     Both b(model(), cage_of_a_part(), scheme);
     CHECK(b.difference(b.staged.pose(twist)) < 2e-5);
     CHECK(b.difference(b.staged.pose(flat)) < 2e-5);
-    // The rotation nearest to a mirrored map is one of many where it mirrors in any direction alike.
+    // The rotation nearest to a mirrored map is not unique if it mirrors equally in several directions.
     if (scheme.blend != Blend::mls_similarity && scheme.blend != Blend::mls_rigid)
       CHECK(b.difference(b.staged.pose(mirror)) < 2e-5);
     CHECK(all_finite(b.staged.deform(b.staged.pose(dot))));
@@ -114,7 +114,7 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
     if (scheme.blend != Blend::srl) continue;
     CAPTURE(text(scheme));
     Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
-    // One end ahead of the other through 180 degrees, and all together through 360 and 540.
+    // One end passes 180 degrees ahead of the other; or both together pass 360 and 540.
     for (const double ahead : {15.0, 0.0}) {
       std::vector<mesh::Point> before;
       std::vector<Vec3> turns;
@@ -131,7 +131,7 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
   }
 }
 
-TEST_CASE("a_drag_gives_what_a_whole_frame_gives") {
+TEST_CASE("a_drag_equals_a_full_frame") {
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     Both b(model(), tube(20, 12, 0.6, 3), scheme);
@@ -147,7 +147,7 @@ TEST_CASE("a_drag_gives_what_a_whole_frame_gives") {
   }
 }
 
-TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_moves_by_centres_alone") {
+TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") {
   const auto turned = similarity({1, -2, 3}, 70 * degree, 1.3, {1, 2, 3});
   const auto half_and_twice = similarity({1, -2, 3}, 35 * degree, 1.3 * 1.3, {0, 0, 0});
   for (Scheme scheme : whole_schemes()) {
@@ -167,10 +167,10 @@ TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_
     const auto exported =
         deform_exactly(b.staged.model, b.staged.cage, scheme, pose, sym3::Method::fast, b.staged.pool);
     CHECK(largest_distance(exported.positions, other) < 1e-12 * b.staged.cage->diagonal);
-    CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);  // the pose's own
+    CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);  // as in the pose
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
     if (scheme.blend != Blend::srl) continue;
-    // About the blended centre each vertex turns by half and is stretched by the square.
+    // About the blended centre each vertex rotates by half and is stretched by the square.
     Scheme none = scheme;
     none.amounts = {0, 0};
     const auto centers = with(0, 0);  // c' + o
@@ -184,7 +184,7 @@ TEST_CASE("of_maps_half_the_turn_and_twice_the_stretch_may_act_and_none_of_both_
 
 namespace {
 
-// Of no symmetry, so that nothing hangs on which of two equals is taken.
+// Without symmetry, so that no result depends on the choice between equals.
 mesh::Surface shaken(mesh::Surface surface, double by) {
   Random random(11);
   for (auto& p : surface.positions) p = p + by * random.vector(1);
@@ -198,7 +198,7 @@ mesh::Surface turned(mesh::Surface surface, const Affine& map) {
 
 }  // namespace
 
-TEST_CASE("model_cage_and_pose_that_are_turned_together_give_the_turned_result") {
+TEST_CASE("rotating_model_cage_and_pose_rotates_the_result") {
   const auto map = similarity({1, -2, 3}, 37 * degree, 1, {0.5, 2, -1});
   const auto small = shaken(model(), 0.02), cage = shaken(cage_of_a_part(), 0.05);
   const auto pose = shaken(cage, 0.15).positions;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr Method all_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
-// So many points without faces.
+// `count` points without faces.
 mesh::Surface cloud(std::size_t count) {
   Random random(7);
   mesh::Surface surface;
@@ -25,7 +25,7 @@ mesh::Surface cloud(std::size_t count) {
   return surface;
 }
 
-// Eigenvalues of its stretch lie apart, so that every method is exact.
+// Eigenvalues of its stretch are well separated, so that every method is exact.
 Vec3 bent_and_stretched(const Vec3& p) {
   return {0.6 * p[0] + 0.1 * p[1] * p[1], 1.4 * p[1], 2.2 * p[2] - 0.2 * p[0]};
 }
@@ -40,7 +40,7 @@ double diagonals_from_staged(Bound& b, const Pose& pose, Method method) {
   return largest_distance(exact.positions, b.deform(pose, method)) / b.cage->diagonal;
 }
 
-// Of /proc/self/status, in bytes; nothing where the system does not say.
+// A value of /proc/self/status, in bytes; nothing if it is not available.
 std::optional<double> memory(const std::string& key) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);) {
@@ -51,7 +51,7 @@ std::optional<double> memory(const std::string& key) {
 
 }  // namespace
 
-TEST_CASE("block_by_block_gives_the_staged_frame_by_every_method_and_weighting") {
+TEST_CASE("block_by_block_equals_the_staged_frame_for_every_method_and_weighting") {
   for (const Weighting weighting : {faces, test::cut_off(0.2), mean_values}) {
     Bound b(cloud(700), tube(9, 12, 1.4, 4), weighting);
     const Pose pose = b.pose(bent_and_stretched);
@@ -64,8 +64,8 @@ TEST_CASE("block_by_block_gives_the_staged_frame_by_every_method_and_weighting")
   }
 }
 
-// A cage of 12 elements has blocks of 4096 vertices, one of 7200 blocks of 16; lanes are eight.
-TEST_CASE("numbers_of_vertices_at_the_edges_of_blocks_and_lanes_lose_nothing") {
+// A cage of 12 elements has blocks of 4096 vertices, one of 7200 has blocks of 16; there are eight lanes.
+TEST_CASE("vertex_counts_at_block_and_lane_limits_are_exact") {
   for (const std::size_t n : {1, 7, 8, 9, 4095, 4096, 4097, 8200}) {
     CAPTURE(n);
     Bound b(cloud(n), box());
@@ -89,7 +89,7 @@ TEST_CASE("block_by_block_gives_the_same_bits_for_any_number_of_threads") {
   }
 }
 
-TEST_CASE("block_by_block_a_cage_at_rest_gives_the_model_back") {
+TEST_CASE("block_by_block_a_cage_at_rest_keeps_the_model") {
   for (const auto& c : {faces, mean_values}) {
     const Bound b(cloud(500), tube(9, 12, 1.4, 4), c);
     const auto exact = deform_exactly(b, rest_pose(*b.cage));
@@ -97,11 +97,11 @@ TEST_CASE("block_by_block_a_cage_at_rest_gives_the_model_back") {
   }
 }
 
-TEST_CASE("pose_after_pose_gives_the_bits_of_each_alone_whether_weights_are_kept_or_not") {
+TEST_CASE("each_pose_has_the_same_bits_alone_and_in_sequence") {
   using Kept = ExactDeformer::Weights;
   for (const bool stitched : {false, true}) {
     for (const Weighting weighting : {faces, mean_values}) {
-      if (stitched && weighting == mean_values) continue;  // moves points alone
+      if (stitched && weighting == mean_values) continue;  // only moves points
       const Bound b(stitched ? tube(8, 14, 0.9, 3) : cloud(700), tube(9, 12, 1.4, 4), weighting);
       Scheme scheme{weighting, Blend::srl};
       if (stitched) scheme.iterations = 2;
@@ -122,14 +122,14 @@ TEST_CASE("pose_after_pose_gives_the_bits_of_each_alone_whether_weights_are_kept
   }
 }
 
-TEST_CASE("turns_are_taken_and_handed_on_as_in_frames") {
+TEST_CASE("turns_are_read_and_passed_on_as_in_frames") {
   Bound b(cloud(300), tube(9, 12, 1.4, 4));
   const Pose turned = b.pose(bent_and_stretched, {{0, 0, 2 * std::numbers::pi}});
   CHECK(diagonals_from_staged(b, turned, Method::fast) < 1e-12);
   CHECK(largest_distance(deform_exactly(b, turned).report.turns, b.report().turns) == 0);
 }
 
-TEST_CASE("what_a_method_loses_where_eigenvalues_nearly_coincide_is_told") {
+TEST_CASE("errors_of_methods_at_close_eigenvalues_are_reported") {
   const Bound b(cloud(200), box());
   double lost = 0;
   for (const double gap : {1e-4, 3e-5, 1e-5, 3e-6, 2e-6}) {
@@ -143,7 +143,7 @@ TEST_CASE("what_a_method_loses_where_eigenvalues_nearly_coincide_is_told") {
   CHECK(deform_exactly(b, b.pose(bent_and_stretched), Method::sd).exp_error < 1e-12);
 }
 
-TEST_CASE("weights_are_warned_of_as_in_a_binding") {
+TEST_CASE("exact_deformers_warn_about_weights_like_bindings") {
   auto t = box().triangles;
   t.pop_back();
   const Bound b(cloud(50), mesh::from_triangles(box().positions, t), mean_values);
@@ -151,7 +151,7 @@ TEST_CASE("weights_are_warned_of_as_in_a_binding") {
   CHECK(deform_exactly(b, rest_pose(*b.cage)).warnings == b.binding->warnings);
 }
 
-TEST_CASE("exact_positions_of_nothing_or_of_another_pose_are_refused_and_work_can_be_cancelled") {
+TEST_CASE("exact_deformers_reject_empty_models_and_other_poses_and_can_be_cancelled") {
   const Bound b(cloud(9000), box());
   base::WorkerPool pool(2);
   const Pose pose = rest_pose(*b.cage);
@@ -169,7 +169,7 @@ TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once" * doctest::test_
   const auto model = cloud(16'000);
   const auto cage = std::make_shared<const Cage>(make_cage(tube(50, 60, 1.4, 4)));
   const double matrix = 8.0 * static_cast<double>(model.positions.size() * cage->element_count());
-  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+  std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak
   const auto before = memory("VmHWM");
   const auto now = memory("VmRSS");
   if (!before || !now || *before > 1.1 * *now) {

@@ -55,7 +55,7 @@ struct Posing {
   int steps = 0;
 };
 
-// The tube bent about the x axis, by so many degrees from end to end, its length kept.
+// The tube bent about the x axis by this angle from end to end, with constant length.
 Points bent(const mesh::Surface& tube, double degrees) {
   const auto box = mesh::bounds(tube.positions);
   const double k = degrees * degree / (box.high[2] - box.low[2]);
@@ -70,14 +70,14 @@ Points bent(const mesh::Surface& tube, double degrees) {
 mesh::Surface straight_tube() {
   return tube(30, 8, 0.3, 4);
 }
-// Both ends and the middle.
+// Pins at both ends and in the middle.
 std::vector<std::uint32_t> some_pins() {
   return {0, 4, 14 * 8, 14 * 8 + 4, 29 * 8, 29 * 8 + 4};
 }
 
 }  // namespace
 
-TEST_CASE("an_example_is_found_by_its_own_vertices") {
+TEST_CASE("an_example_is_recovered_from_its_own_vertices") {
   const mesh::Surface model = straight_tube();
   const Points bend = bent(model, 120);
   Points stretched = model.positions;
@@ -88,7 +88,7 @@ TEST_CASE("an_example_is_found_by_its_own_vertices") {
   CHECK(p.posing->weights()[0] == doctest::Approx(1).epsilon(1e-4));
   CHECK(std::abs(p.posing->weights()[1]) < 1e-4);
   CHECK(p.steps < 25);
-  // Between both, and beyond one: what is blended in log space.
+  // Between both and beyond one: blends in log space.
   p.posing->restart();
   const std::array terms{LogTerm{&p.vectors[0], 1.4}, LogTerm{&p.vectors[1], 0.5}};
   Points blend(model.positions.size());
@@ -99,7 +99,7 @@ TEST_CASE("an_example_is_found_by_its_own_vertices") {
   CHECK(p.posing->weights()[1] == doctest::Approx(0.5).epsilon(1e-3));
 }
 
-TEST_CASE("examples_turn_with_the_pins") {
+TEST_CASE("examples_rotate_with_the_pins") {
   const mesh::Surface model = straight_tube();
   const Points bend = bent(model, 120);
   Posing p(model, {bend}, some_pins());
@@ -108,7 +108,7 @@ TEST_CASE("examples_turn_with_the_pins") {
   CHECK(p.error(p.solved(turned, {.restraint = 1e-12, .freedom = 0}), turned) < 1e-5);
 }
 
-TEST_CASE("pins_that_hold_are_where_they_are_held_and_others_are_between") {
+TEST_CASE("hard_pins_reach_their_targets_and_soft_pins_stay_between") {
   const mesh::Surface model = straight_tube();
   Points targets = bent(model, 60);
   targets[0] = targets[0] + Vec3{0.3, 0.2, 0};
@@ -168,9 +168,9 @@ TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
   }
 }
 
-TEST_CASE("pins_at_one_place_that_are_held_at_two_are_between_them") {
+TEST_CASE("coincident_pins_with_two_targets_end_between_them") {
   mesh::Surface model = straight_tube();
-  // A seam: the triangles of the first vertex take turns with a copy of it.
+  // A seam: the triangles of the first vertex alternate between it and a copy.
   const auto copy = std::uint32_t(model.positions.size());
   model.positions.push_back(model.positions[40]);
   auto triangles = model.triangles;
@@ -187,16 +187,16 @@ TEST_CASE("pins_at_one_place_that_are_held_at_two_are_between_them") {
   CHECK(posed[40] == posed[copy]);
 }
 
-TEST_CASE("a_vertex_of_no_triangle_is_no_pin") {
+TEST_CASE("vertices_without_triangles_cannot_be_pinned") {
   mesh::Surface model = straight_tube();
   model.positions.push_back({7, 7, 7});
   const auto loose = std::uint32_t(model.positions.size() - 1);
   CHECK_THROWS_WITH_AS(Posing(model, {}, {0, loose}), doctest::Contains("no triangle"), base::Error);
   CHECK_THROWS_WITH_AS(Posing(model, {}, std::vector<std::uint32_t>(most_pins + 1)),
-                       doctest::Contains("1,001 pins are more than the 1,000"), base::Error);
+                       doctest::Contains("1,001 pins exceed the limit of 1,000"), base::Error);
 }
 
-// The bars of the published gallop: seven vertices and six of its frames give the others.
+// Limits for the published gallop: seven vertices and six of its frames determine the others.
 TEST_CASE("a_gallop_is_posed_by_six_of_its_frames" * doctest::test_suite(if_present)) {
   const auto folder = shared_data("shapes/horse");
   if (folder.empty()) return;

@@ -16,7 +16,7 @@ using viete::sym3::Method;
 
 namespace {
 
-// The fused frame beside the staged one.
+// The fused frame with the staged one as reference.
 struct Fused {
   explicit Fused(const Bound& staged, int threads = 1,
                  const viete::sym3::Kernel& kernel = viete::sym3::kernel(), double tolerance = 0,
@@ -45,7 +45,7 @@ struct Fused {
 
 constexpr Weighting both[] = {faces, mean_values};
 
-// 1,802 vertices: three full leaves and one that is not.
+// 1,802 vertices: three full leaves and a partial one.
 viete::mesh::Surface fine_tube() {
   return tube(60, 30, 0.3, 1.5);
 }
@@ -123,8 +123,8 @@ TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set")
   }
 }
 
-TEST_CASE("fused_normals_are_those_of_any_triangles") {
-  // An open strip, a fan that 200 triangles share, two cones that touch in their tips, a stray vertex, a
+TEST_CASE("fused_normals_are_right_for_any_triangles") {
+  // An open strip, a fan shared by 200 triangles, two cones that touch at their tips, a stray vertex, a
   // triangle that repeats a corner, an edge with three triangles.
   auto p = tube(4, 200, 0.4, 1).positions;
   auto t = tube(4, 200, 0.4, 1).triangles;
@@ -165,7 +165,7 @@ TEST_CASE("compressed_weights_move_vertices_by_less_than_their_tolerance") {
   }
 }
 
-TEST_CASE("weights_that_factors_do_not_pay_for_stay_dense") {
+TEST_CASE("weights_stay_dense_if_factors_do_not_pay") {
   const Bound small_cage(tube(120, 60, 0.3, 1.5), box());
   CHECK_FALSE(Fused(small_cage, 1, viete::sym3::kernel(), 1e-4).binding->compressed());
   const Bound few_vertices(tube(4, 12, 0.3, 1.5), tube(7, 12, 0.6, 2));
@@ -201,7 +201,7 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
   }
 }
 
-TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_normals") {
+TEST_CASE("a_drag_keeps_unweighted_leaves_and_updates_border_normals") {
   constexpr std::size_t lanes = tile_lanes<float>;
   constexpr std::uint32_t vertex = 40;
   Bound staged(tube(120, 60, 0.3, 1.5), tube(7, 12, 0.6, 2));
@@ -250,9 +250,8 @@ TEST_CASE("a_drag_leaves_alone_what_it_has_no_weight_on_and_the_border_gets_new_
   }
 }
 
-TEST_CASE("a_drag_that_turns_the_logs_of_others_is_a_full_frame") {
-  // One element is turned over until its neighbours take other branches, or are raised with the pose's mean
-  // stretch.
+TEST_CASE("a_drag_that_changes_logs_of_others_is_a_full_frame") {
+  // Rotates one element until its neighbours change branches, or are raised with the pose's mean stretch.
   Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   Fused dragged(staged);
   dragged.frame.state.begin_drag(std::array{30u});
@@ -290,7 +289,7 @@ Fused listed(const Bound& staged, int threads = 1) {
 
 }  // namespace
 
-TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_radius_however_weights_are_kept") {
+TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_radius_and_storage") {
   for (const double radius : leaf_radii) {
     CAPTURE(radius);
     Bound staged = with_radius(radius);
@@ -329,14 +328,14 @@ TEST_CASE("lists_give_the_same_bits_on_every_instruction_set") {
   }
 }
 
-TEST_CASE("how_weights_are_kept_is_chosen_by_cost") {
+TEST_CASE("weight_storage_is_chosen_by_cost") {
   Bound near = with_radius(0.1), far(near.model, near.cage->surface);
   CHECK(Fused(near).binding->storage() == Storage::lists);
   CHECK(Fused(far).binding->storage() == Storage::dense);
   CHECK(Fused(far, 1, viete::sym3::kernel(), usual_tolerance).binding->storage() == Storage::factors);
 }
 
-TEST_CASE("what_a_dragged_vertex_does_not_reach_keeps_every_bit") {
+TEST_CASE("vertices_out_of_reach_of_a_dragged_vertex_keep_every_bit") {
   for (const double radius : {0.15, 0.2, 0.25}) {
     CAPTURE(radius);
     Bound staged = with_radius(radius);
@@ -345,7 +344,7 @@ TEST_CASE("what_a_dragged_vertex_does_not_reach_keeps_every_bit") {
     fused.frame.deform(before);
     const auto from = fused.positions(), from_normals = fused.normals();
     const std::uint32_t dragged = 40;
-    // Beyond the radius, and somewhat more: float and double part at its end.
+    // Beyond the radius plus a margin: float and double differ at its end.
     std::vector<bool> beyond(staged.model.positions.size(), true);
     std::vector<double> w(staged.cage->element_count());
     for (std::size_t i = 0; i < beyond.size(); ++i) {

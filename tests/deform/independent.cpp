@@ -77,7 +77,7 @@ QuadSym squared_stretch(const Matrix& m) {
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-// From the unit quaternion, whose largest part is formed by a root and the others from that one.
+// From the unit quaternion, whose largest component is computed by a root and the others from it.
 Vector log_of_rotation(const Matrix& r) {
   const Quad trace = r[0] + r[4] + r[8];
   const std::array<Quad, 4> squares = {1 + trace, 1 + 2 * r[0] - trace, 1 + 2 * r[4] - trace,
@@ -104,7 +104,7 @@ Vector nearest(const Vector& v, const Vector& other) {
 
 constexpr Matrix identity = quad_identity;
 
-// A map of the cage.
+// The map of a cage element.
 struct Element {
   Vector rest_center, center, turn{};  // turn: the log of the rotation
   Matrix map = identity, rotation = identity;
@@ -123,7 +123,7 @@ Element element(const Matrix& m, const Vector& rest_center, const Vector& center
 
 using Lists = std::vector<std::vector<std::size_t>>;
 
-// Of each member of groups those that it shares one with.
+// For each member the others in its groups.
 Lists beside(const Lists& groups, std::size_t members) {
   Lists result(members);
   for (const auto& group : groups) {
@@ -138,7 +138,7 @@ Lists beside(const Lists& groups, std::size_t members) {
 
 using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>>;
 
-// Of each edge: side 3 t + i runs from corner i of triangle t to the next.
+// The sides of each edge: side 3 t + i runs from corner i of triangle t to the next.
 Edges sides_of_edges(const mesh::Surface& cage) {
   Edges edges;
   for (std::size_t side = 0; side < 3 * cage.triangles.size(); ++side) {
@@ -164,7 +164,7 @@ Lists vertices_by_triangle(const mesh::Surface& cage) {
   return groups;
 }
 
-// All maps of a kind, and which are neighbours.
+// All maps of one kind, and their neighbours.
 struct Maps {
   std::vector<Element> elements;
   Lists around;
@@ -181,7 +181,7 @@ Maps face_maps(const mesh::Surface& cage, Points posed) {
   return maps;
 }
 
-// Twice the farthest distance from the centre of area.
+// Twice the largest distance from the centre of area.
 Quad size_of(const mesh::Surface& cage) {
   Vector center{};
   Quad total = 0;
@@ -197,7 +197,7 @@ Quad size_of(const mesh::Surface& cage) {
   return 2 * farthest;
 }
 
-// A patch about a vertex of the cage, and its vertices so far.
+// The patch of a cage vertex, and its vertices so far.
 struct Patch {
   Vector center;
   std::vector<bool> taken;
@@ -222,7 +222,7 @@ bool spreads_evenly(const QuadSym& k) {
   return *least >= *largest / 100;
 }
 
-// Ring by ring, one at least, until it spreads as far in all directions.
+// Adds rings, at least one, until the patch spreads in all directions.
 void grow(Patch& patch, std::size_t center, const Lists& around, Points rest, Quad width) {
   std::vector<std::size_t> ring{center};
   patch.vertices.push_back(center), patch.taken[center] = true;
@@ -260,7 +260,7 @@ Maps vertex_patch_maps(const mesh::Surface& cage, Points posed) {
   return maps;
 }
 
-// Breadth first from the first element, whose log is given; and how far all are from `reference`, squared.
+// Breadth-first from the first element, whose log is given; and the squared distances to `reference`, summed.
 std::pair<std::vector<Vector>, Quad> follow(const std::vector<Element>& elements, const Lists& around,
                                             const Vector& first, const Vector& reference) {
   std::vector<Vector> turns(elements.size());
@@ -325,7 +325,7 @@ void divide_by_sum(std::vector<Quad>& weights) {
   for (Quad& w : weights) w /= sum;
 }
 
-// Of all handles.
+// Squared distances to all handles.
 std::vector<Quad> squared_distances(const Vector& p, const mesh::Surface& cage, deform::Elements elements) {
   std::vector<Quad> squares;
   const auto& x = cage.positions;
@@ -344,7 +344,7 @@ std::vector<Quad> inverse_distance(const std::vector<Quad>& squares) {
   return weights;
 }
 
-// Their sum is 1 at most: the share of its motion that a point makes.
+// The share of a point's motion is their sum, at most 1.
 std::vector<Quad> cut_off(const std::vector<Quad>& squares, Quad radius) {
   std::vector<Quad> weights;
   Quad sum = 0;
@@ -357,7 +357,7 @@ std::vector<Quad> cut_off(const std::vector<Quad>& squares, Quad radius) {
   return weights;
 }
 
-// Adds one triangle's part; the letters are the paper's.
+// Adds the contribution of one triangle, in the notation of the paper.
 void add_mean_values(const Vector& p, const mesh::Triangle& t, const mesh::Surface& cage,
                      std::vector<Quad>& weights) {
   Corners u = corners(t, cage.positions);
@@ -422,9 +422,9 @@ Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& wei
   return sum;
 }
 
-// By the normal equations: sum v (p' - m')(p - m)^T = M sum v (p - m)(p - m)^T, each point with a cloud about
-// it, which its own map moves; v are the weights that are positive, m and m' their means. Rotations of maps
-// that do not mirror: B (B^T B)^-1/2.
+// By the normal equations: sum v (p' - m')(p - m)^T = M sum v (p - m)(p - m)^T, each point with a cloud
+// around it that its own map moves; v are the positive weights, m and m' their means. Rotations of maps that
+// do not mirror: B (B^T B)^-1/2.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                         const std::vector<Element>& elements, const std::vector<Quad>& weights,
                         deform::Blend blend) {
@@ -471,7 +471,7 @@ std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const d
   return inverse_distance(squares);
 }
 
-// The identity about x takes the rest of the weights, so that they sum to 1.
+// The identity about x completes the weights to sum 1.
 Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Quad> weights,
                    deform::Blend blend) {
   elements.push_back({x, x});

@@ -36,7 +36,7 @@ double largest(const Sparse& m) {
   return m.nonZeros() ? m.coeffs().cwiseAbs().maxCoeff() : 0;
 }
 
-// A plane grid of n x n squares over [0, 1]^2, its inner vertices moved at random.
+// A plane grid of n x n squares over [0, 1]^2, with inner vertices displaced at random.
 mesh::Surface rough_grid(std::uint32_t n) {
   test::Random random(5);
   std::vector<mesh::Point> p;
@@ -81,10 +81,10 @@ TEST_CASE("the_stiffness_matrix_gives_the_dirichlet_energy_of_linear_functions")
   CHECK(f.dot(k * f) == doctest::Approx(13).epsilon(1e-13));  // |grad|^2 = 9 + 4, area 1
   const mesh::Surface box = test::box({1, 2, 3});
   const Eigen::VectorXd z = sampled(box, [](const auto& p) { return p[2]; });
-  CHECK(z.dot(stiffness(box) * z) == doctest::Approx(2 * 24 + 2 * 12).epsilon(1e-14));  // of the four sides
+  CHECK(z.dot(stiffness(box) * z) == doctest::Approx(2 * 24 + 2 * 12).epsilon(1e-14));  // the four sides
 }
 
-TEST_CASE("linear_functions_are_harmonic_inside_a_plane_however_it_is_cut") {
+TEST_CASE("linear_functions_are_harmonic_inside_a_plane_for_any_triangulation") {
   const mesh::Surface grid = rough_grid(12);
   const Eigen::VectorXd f = sampled(grid, [](const auto& p) { return 3 * p[0] - 2 * p[1] + 7; });
   const Eigen::VectorXd residual = stiffness(grid) * f;
@@ -97,7 +97,7 @@ TEST_CASE("linear_functions_are_harmonic_inside_a_plane_however_it_is_cut") {
 TEST_CASE("stiffness_is_symmetric_sums_to_zero_and_has_every_diagonal_entry") {
   mesh::Surface s = test::tube(20, 9, 0.7, 5);
   s.positions.push_back({9, 9, 9});                                    // in no triangle
-  s.triangles.push_back({0, 0, 5}), s.triangles.push_back({3, 3, 3});  // none either
+  s.triangles.push_back({0, 0, 5}), s.triangles.push_back({3, 3, 3});  // nor these
   const Sparse k = stiffness(s);
   REQUIRE(k.rows() == Eigen::Index(s.positions.size()));
   CHECK(largest(Sparse(k - Sparse(k.transpose()))) == 0);
@@ -148,16 +148,16 @@ TEST_CASE("a_triangle_that_is_one_point_adds_nothing") {
     CHECK(half_cotangents(p, p, p) == Vec3{0, 0, 0});
     CHECK(is_thin(p, p, p));
   }
-  const mesh::Point tiny{5e-324, 0, 0};  // the scale that would make it 1 is no number
+  const mesh::Point tiny{5e-324, 0, 0};  // the scale to size 1 would overflow
   CHECK(half_cotangents({0, 0, 0}, tiny, {0, 0, 0}) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("grounded_unknowns_are_what_their_right_hand_sides_say") {
+TEST_CASE("grounded_unknowns_equal_their_right_hand_sides") {
   const std::vector<MatrixEntry> entries = {{0, 0, 4}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1},
                                             {1, 1, 2}, {2, 1, 7}, {1, 2, 7}, {2, 2, 9}};
   const SparseMatrix matrix = sparse_matrix(4, entries);
   CHECK(matrix.size() == 4);
-  CHECK(matrix.values == std::vector<double>{4, 1, 1, 3, 7, 7, 9});  // added, by columns
+  CHECK(matrix.values == std::vector<double>{4, 1, 1, 3, 7, 7, 9});  // duplicates added, column by column
   const SparseMatrix lower = grounded(matrix, {true, true, false, false});
   std::vector<std::array<double, 3>> found;
   for (std::uint32_t j = 0; j < 4; ++j)
@@ -193,8 +193,7 @@ double largest_difference(const SparseMatrix& a, const SparseMatrix& b) {
   return largest;
 }
 
-// The plane grid of n x n squares over [0, 1]^2, its vertices moved, cut along diagonals of either kind at
-// random.
+// The plane grid of n x n squares over [0, 1]^2, with displaced vertices, cut along random diagonals.
 mesh::Surface cut_grid(std::uint32_t n, double moved, unsigned seed) {
   Random place(1), cut(seed);
   std::vector<mesh::Point> p;
@@ -219,7 +218,7 @@ mesh::Surface cut_grid(std::uint32_t n, double moved, unsigned seed) {
   return mesh::from_triangles(p, t);
 }
 
-// Triangles of any corners: edges of one to many of them, needles, folds, repeated corners, doubles.
+// Triangles of random corners: edges of one to many triangles, needles, folds, repeated corners, duplicates.
 mesh::Surface soup(unsigned seed, std::uint32_t vertices, std::size_t triangles) {
   Random random(seed);
   std::vector<mesh::Point> p;
@@ -277,7 +276,7 @@ TEST_CASE("triangles_that_are_delaunay_keep_their_cotangents_and_areas") {
   }
 }
 
-TEST_CASE("how_a_plane_is_cut_into_triangles_does_not_matter") {
+TEST_CASE("the_triangulation_of_a_plane_does_not_matter") {
   const auto first = intrinsic_laplacian(cut_grid(12, 0.3, 1));
   for (unsigned seed = 2; seed < 8; ++seed) {
     const auto other = intrinsic_laplacian(cut_grid(12, 0.3, seed));
@@ -305,7 +304,7 @@ TEST_CASE("linear_functions_of_a_plane_are_harmonic_on_it") {
   }
 }
 
-TEST_CASE("no_weight_is_negative_whatever_the_triangles_are") {
+TEST_CASE("no_weight_is_negative_for_any_triangles") {
   for (const double moved : {0.0, 0.3, 0.49}) check_laplacian(cut_grid(15, moved, 3));
   auto stretched = cut_grid(15, 0.4, 5);
   for (auto& p : stretched.positions) p[0] *= 1000, p[2] = std::sin(20 * p[1]);
@@ -320,7 +319,7 @@ TEST_CASE("no_weight_is_negative_whatever_the_triangles_are") {
       mesh::from_triangles(std::vector<mesh::Point>(4, {1, 2, 3}), {{0, 1, 2}, {2, 1, 3}}));  // a point
 }
 
-TEST_CASE("lengths_have_no_scale") {
+TEST_CASE("laplacian_weights_do_not_depend_on_scale") {
   const auto surface = soup(4, 40, 100);
   const auto here = intrinsic_laplacian(surface);
   for (const double scale : {1e-90, 1e90}) {

@@ -75,7 +75,7 @@ TEST_CASE("neighbours_on_a_closed_surface_form_rings_or_end_where_they_began") {
   CHECK(rings.high_valence.empty());
 }
 
-TEST_CASE("positions_of_a_leaf_are_counted_in_16_bits_however_many_fans_meet_in_its_vertices") {
+TEST_CASE("leaf_positions_fit_16_bits_for_any_number_of_fans") {
   constexpr std::uint32_t centers = leaf_slots, fans = 40;
   Leaves leaves;
   leaves.vertices = centers * (1 + 2 * fans);
@@ -89,7 +89,7 @@ TEST_CASE("positions_of_a_leaf_are_counted_in_16_bits_however_many_fans_meet_in_
   CHECK(rings.high_valence.size() == centers);
 }
 
-TEST_CASE("the_ghosts_of_a_leaf_are_what_its_rings_need_of_others") {
+TEST_CASE("ghosts_are_the_neighbours_in_other_leaves") {
   const auto model = tube(40, 20, 0.3, 1);
   const Leaves leaves = make_leaves(model.positions, std::vector<std::uint32_t>(model.positions.size(), 6));
   const Rings rings = make_rings(leaves, model.triangles);

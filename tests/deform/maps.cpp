@@ -87,7 +87,7 @@ TEST_CASE("elements_without_area_have_defined_maps") {
 
 namespace {
 
-// Rotations by up to 180 degrees of stretches between 0.5 and 2.
+// Rotations by up to 180 degrees times stretches between 0.5 and 2.
 std::vector<AffineMap> maps(std::size_t count) {
   Random random(3);
   std::vector<AffineMap> all(count);
@@ -150,7 +150,7 @@ TEST_CASE("a_split_depends_on_its_own_map_alone_to_the_last_bit") {
   CHECK(apart[1].largest == 0);
 }
 
-TEST_CASE("a_split_tells_of_maps_that_mirror_or_are_not_finite") {
+TEST_CASE("a_split_detects_maps_that_mirror_or_are_not_finite") {
   std::vector<AffineMap> two(2);
   two[0].linear = {-1, 0, 0, 0, 2, 0, 0, 0, 3};
   two[1].linear = {1, 0, 0, 0, std::numeric_limits<double>::quiet_NaN(), 0, 0, 0, 1};
@@ -221,7 +221,7 @@ TEST_CASE("separate_parts_that_turn_by_180_degrees_together_take_the_same_side")
   }
 }
 
-TEST_CASE("winding_with_turns_handed_on_counts_to_720_degrees_and_back_to_nothing") {
+TEST_CASE("winding_with_turns_passed_on_counts_to_720_degrees_and_back_to_zero") {
   const Cage cage = make_cage(together(tube(9, 7, 0.3, 2), box({1, 1, 1}, {5, 0, 0})));
   const Vec3 axis{1, -2, 3};
   std::vector<Vec3> turns;

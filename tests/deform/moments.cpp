@@ -1,4 +1,4 @@
-// Maps that are fitted to points.
+// Maps fitted to points.
 #include "deform/moments.h"
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ mesh::Surface limb_cage() {
   return tube(6, 9, 0.5, 3.4);
 }
 
-// A square in a plane that is none of the axes'.
+// A square in an oblique plane.
 mesh::Surface sheet(int cells) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -47,7 +47,7 @@ struct Engines {
                   bind(model, *staged.cage, scheme.weighting, EngineKind::fused, nullptr, staged.pool)),
               scheme, staged.pool) {}
 
-  // Of the fused frame from the mapped model, in diagonals of the posed cage.
+  // Deviation of the fused frame from the mapped model, in diagonals of the posed cage.
   template <class Map>
   double fused_error(const Map& map) {
     const Pose pose = staged.pose(map);
@@ -85,7 +85,7 @@ double longest_edge(const mesh::Surface& model, const std::vector<mesh::Point>& 
 
 }  // namespace
 
-TEST_CASE("maps_fitted_to_points_keep_what_they_promise_far_from_the_origin") {
+TEST_CASE("maps_fitted_to_points_are_exact_far_from_the_origin") {
   const Vec3 far{3e4, -2e4, 1e4};
   const auto moved = [&](const mesh::Surface& s) {
     auto there = s;
@@ -107,7 +107,7 @@ TEST_CASE("maps_fitted_to_points_keep_what_they_promise_far_from_the_origin") {
   });
 }
 
-TEST_CASE("a_flat_cage_leaves_no_direction_open") {
+TEST_CASE("a_flat_cage_determines_all_directions") {
   for_schemes([&](const Scheme& scheme) {
     Engines e(together(tube(14, 24, 0.1, 0.6), sheet(20)), sheet(4), scheme);
     const auto motion = similarity({1, -2, 3}, 130 * degree, 1, {1, 2, 3});
@@ -119,7 +119,7 @@ TEST_CASE("a_flat_cage_leaves_no_direction_open") {
   });
 }
 
-TEST_CASE("a_thin_cage_does_not_throw_the_model_about") {
+TEST_CASE("a_thin_cage_keeps_the_model_near") {
   for_schemes([&](const Scheme& scheme) {
     const double thickness = 1e-5;
     Engines e(limb(), box({0.5, 0.5, thickness}), scheme);
@@ -144,7 +144,7 @@ TEST_CASE("fitted_maps_of_collapsed_and_mirrored_cages_are_finite_in_both_engine
       e.fused.deform(pose, sym3::Method::fast);
       const auto fused = e.fused.positions();
       CHECK(all_finite(fused));
-      // A rotation is as long as what it turns, whichever of several it is.
+      // A rotation preserves lengths, whichever of several is chosen.
       const double limit = 2 * mesh::bounds(e.staged.model.positions).diagonal() + 10;
       CHECK(mesh::bounds(staged).diagonal() < limit);
       CHECK(mesh::bounds(fused).diagonal() < limit);
@@ -154,8 +154,8 @@ TEST_CASE("fitted_maps_of_collapsed_and_mirrored_cages_are_finite_in_both_engine
   });
 }
 
-// Where one point of the cage has all of the weight nothing tells how to turn but what is about that point.
-TEST_CASE("vertices_that_belong_to_one_point_turn_with_those_around_them") {
+// If one cage point has all the weight, only its surroundings determine the rotation.
+TEST_CASE("vertices_of_a_single_point_rotate_with_its_surroundings") {
   const Twist twist{2, {0, 0, 0}, -1.7, 1.7, -80 * degree, 80 * degree};
   for_schemes([&](const Scheme& scheme) {
     Engines e(limb(), limb_cage(), scheme);
@@ -185,7 +185,7 @@ TEST_CASE("fitted_maps_follow_a_vertex_without_jumps") {
   });
 }
 
-TEST_CASE("fitted_maps_are_exported_as_they_are_shown_and_take_no_amounts") {
+TEST_CASE("fitted_maps_are_exported_as_shown_and_ignore_amounts") {
   const Twist twist{2, {0, 0, 0}, -1.7, 1.7, -80 * degree, 80 * degree};
   for_schemes([&](const Scheme& scheme) {
     Engines e(limb(), limb_cage(), scheme);
@@ -202,7 +202,7 @@ TEST_CASE("fitted_maps_are_exported_as_they_are_shown_and_take_no_amounts") {
   });
 }
 
-TEST_CASE("fitted_maps_have_the_same_bits_on_every_instruction_set_and_however_weights_are_kept") {
+TEST_CASE("fitted_maps_have_the_same_bits_for_every_instruction_set_and_storage") {
   for (const Blend fit : fitted_blends) {
     const Scheme scheme{{Elements::point, Weights::cut_off, 0.4}, fit};
     CAPTURE(text(scheme));

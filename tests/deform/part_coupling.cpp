@@ -22,7 +22,7 @@ namespace {
 
 constexpr Weighting plates{.weights = Weights::biharmonic};
 
-// Every triangle by itself, its corners moved by up to this.
+// Separate triangles, corners displaced by up to `moved`.
 mesh::Surface soup_of(const mesh::Surface& surface, double moved) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> offset(-moved, moved);
@@ -44,7 +44,7 @@ Binding bound(const mesh::Surface& model, const Cage& cage, const Weighting& wei
   return bind(model, cage, weighting, pool);
 }
 
-// The largest difference of weights of a vertex of either.
+// The largest difference between the weights of a vertex of each binding.
 double apart(const Binding& a, std::size_t v, const Binding& b, std::size_t w) {
   double most = 0;
   for (std::size_t h = 0; h < a.handles; ++h)
@@ -64,7 +64,7 @@ double most_apart_from_nearest(const Binding& b, const mesh::Surface& inner, con
   return most;
 }
 
-// Rows of triangles around an axis: place(u, v) for u from `from` to `to` and v all the way round.
+// Rows of triangles around an axis: place(u, v) for u from `from` to `to` and v over a full turn.
 template <class Place>
 mesh::Surface rows_around(std::uint32_t rows, std::uint32_t sides, double from, double to,
                           const Place& place) {
@@ -90,7 +90,7 @@ struct Eye {
   double radius;
 };
 
-// Three parts, open where they meet 0.4 % of the diagonal apart, and two eyes in sockets so much wider.
+// Three parts, open at gaps of 0.4 % of the diagonal, and two eyes in sockets wider by `gap`.
 mesh::Surface head(double gap, double eye_radius, std::uint32_t detail, std::uint32_t eye_sides) {
   const Vec3 half{0.85, 0.75, 1};
   const double diagonal = 2 * norm(half), seam = 0.002 * diagonal;
@@ -127,7 +127,7 @@ mesh::Surface head(double gap, double eye_radius, std::uint32_t detail, std::uin
   return model;
 }
 
-// A vertex beside a triangle of another part.
+// A vertex and a near triangle of another part.
 struct Beside {
   std::uint32_t vertex;
   mesh::Triangle triangle;
@@ -139,7 +139,7 @@ struct Beside {
   }
 };
 
-// Each vertex with the nearest point of all other parts, if that is within 1 % of the diagonal.
+// Each vertex with the nearest point of all other parts, if within 1 % of the diagonal.
 std::vector<Beside> vertices_beside_parts(const mesh::Surface& model) {
   const mesh::Surface joined = mesh::welded(model);
   const mesh::EdgePaths paths(joined);
@@ -166,7 +166,7 @@ double most_moved_apart(const std::vector<Beside>& beside, const std::vector<mes
   return most;
 }
 
-// The z axis becomes an arc of 90 degrees towards x.
+// Bends the z axis into an arc of 90 degrees towards x.
 Vec3 bent_head(const Vec3& p) {
   const double radius = 2.6 / (std::numbers::pi / 2), angle = p[2] / radius;
   return {radius - (radius - p[0]) * std::cos(angle), p[1], (radius - p[0]) * std::sin(angle)};
@@ -234,7 +234,7 @@ TEST_CASE("a_coarse_part_is_coupled_to_the_nearest_points_and_not_to_the_nearest
   }
 }
 
-TEST_CASE("a_soup_of_triangles_has_the_weights_of_the_surface_that_it_was") {
+TEST_CASE("a_triangle_soup_has_the_weights_of_its_surface") {
   const auto whole = tube(24, 18, 0.5, 3);
   const Cage cage = make_cage(tube(5, 6, 0.7, 3.4));
   const Binding expected = bound(whole, cage, plates);
@@ -249,7 +249,7 @@ TEST_CASE("a_soup_of_triangles_has_the_weights_of_the_surface_that_it_was") {
 }
 
 TEST_CASE("folds_that_touch_are_coupled_and_neighbours_along_the_surface_are_not") {
-  // A strip that goes out and comes back 0.0005 above itself.
+  // A strip that folds back 0.0005 above itself.
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
   for (std::uint32_t i = 0; i <= 20; ++i) {

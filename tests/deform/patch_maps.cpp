@@ -44,7 +44,7 @@ TEST_CASE("an_affine_pose_is_the_map_of_every_patch") {
   }
 }
 
-TEST_CASE("a_patch_that_did_not_move_is_exactly_the_identity_and_so_is_that_of_a_vertex_of_no_polygon") {
+TEST_CASE("unmoved_patches_and_vertices_of_no_polygon_have_exactly_the_identity") {
   auto surface = tube(9, 7, 0.4, 2.2);
   const std::size_t moved = surface.positions.size() - 1;
   surface.positions.push_back({0, 0, 3});
@@ -73,7 +73,7 @@ TEST_CASE("a_flat_cage_takes_its_normals_and_follows_similarities") {
     CHECK(patch_difference(m, map) < 1e-14);
 }
 
-TEST_CASE("a_patch_of_a_round_cage_is_its_ring_and_of_a_flat_side_it_grows_around_the_edge") {
+TEST_CASE("patches_are_one_ring_on_round_cages_and_grow_on_flat_sides") {
   const Cage round = make_cage(tube(12, 8, 1, 2)), far = make_cage(tube(2, 400, 1, 1));
   CHECK(VertexPatches(round, round.size).members(40).size() == 7);
   const VertexPatches patches(far, far.size);
@@ -81,7 +81,7 @@ TEST_CASE("a_patch_of_a_round_cage_is_its_ring_and_of_a_flat_side_it_grows_aroun
     CHECK(patches.members(v).size() <= 256 + 800);
 }
 
-TEST_CASE("dragging_a_vertex_moves_the_patches_that_have_it_and_gives_the_bits_of_a_whole_frame") {
+TEST_CASE("dragging_a_vertex_updates_its_patches_with_the_bits_of_a_full_frame") {
   const auto cage = std::make_shared<const Cage>(make_cage(tube(12, 8, 0.5, 3)));
   CageState dragged(cage, Elements::point, RowForm::maps);
   Pose pose = rest_pose(*cage);

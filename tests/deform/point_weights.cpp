@@ -24,7 +24,7 @@ long double long_dot(const Long3& a, const Long3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// To the plane where the foot lies inside, else to the nearest edge.
+// Squared distance to the plane if the foot lies inside, else to the nearest edge.
 long double squared_distance(const Cage& cage, std::size_t e, const Vec3& point) {
   const auto difference = [](const auto& a, const auto& b) {
     return Long3{(long double)a[0] - b[0], (long double)a[1] - b[1], (long double)a[2] - b[2]};
@@ -119,7 +119,7 @@ TEST_CASE("elements_without_area_have_no_weight") {
   CHECK(sum(weights_at(cage, surface.positions[1])) == doctest::Approx(1));
 }
 
-TEST_CASE("weights_are_their_definition_in_long_double") {
+TEST_CASE("weights_match_their_definition_in_long_double") {
   Random random(3);
   for (const auto& surface : {box({1, 2, 3}), tube(7, 12, 0.6, 2)}) {
     const Cage cage = make_cage(surface);
@@ -147,7 +147,7 @@ long double exact_distance(const Cage& cage, std::uint32_t face, const Vec3& p) 
 
 }  // namespace
 
-TEST_CASE("cut_off_weights_are_their_definition_and_say_how_much_reaches_a_point") {
+TEST_CASE("cut_off_weights_match_their_definition_and_return_their_total") {
   const Cage cage = make_cage(box({1, 2, 3}));
   Random random(5);
   std::vector<double> w(cage.element_count());
@@ -172,7 +172,7 @@ TEST_CASE("cut_off_weights_are_their_definition_and_say_how_much_reaches_a_point
   CHECK(std::min({none, some, all}) > 50);
 }
 
-TEST_CASE("cut_off_weights_know_no_length_scale_and_both_sides_of_a_face") {
+TEST_CASE("cut_off_weights_do_not_depend_on_scale_or_side_of_a_face") {
   const auto surface = box({1, 2, 3});
   for (const double scale : {1e-30, 1e-3, 1e6, 1e30}) {
     auto scaled = surface;
@@ -339,8 +339,8 @@ TEST_CASE("an_open_cage_has_finite_weights_that_sum_to_one") {
   }
 }
 
-TEST_CASE("where_the_sum_vanishes_the_closest_point_of_the_cage_is_used_and_said_so") {
-  // One triangle: in its plane outside of it every weight is 0.
+TEST_CASE("a_vanishing_sum_uses_the_closest_cage_point_and_reports_it") {
+  // One triangle: in its plane, outside of it, every weight is 0.
   const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   const Answer a = at(cage, {0.25, -1, 0});
   CHECK_FALSE(a.exists);
@@ -357,7 +357,7 @@ TEST_CASE("weights_are_the_same_at_every_length_scale") {
   }
 }
 
-TEST_CASE("a_cage_whose_faces_disagree_follows_as_one_whose_faces_agree") {
+TEST_CASE("inconsistent_faces_give_the_weights_of_consistent_ones") {
   const auto sound = tube(7, 9, 0.5, 3);
   auto some = sound.triangles, twice = sound.triangles;
   for (std::size_t t = 0; t < some.size(); t += 3) std::swap(some[t][1], some[t][2]);
@@ -369,14 +369,14 @@ TEST_CASE("a_cage_whose_faces_disagree_follows_as_one_whose_faces_agree") {
     Bound b(model, viete::mesh::from_triangles(sound.positions, triangles), mean_values, 2, Blend::linear);
     CHECK(b.error(motion) < 1e-12);
     REQUIRE(b.binding->warnings.size() == 1);
-    CHECK(b.binding->warnings[0].starts_with("mean value coordinates turn, or leave out, "));
+    CHECK(b.binding->warnings[0].starts_with("mean value coordinates flip, or leave out, "));
     auto posed = sound.positions;
     posed[3] = posed[3] + Vec3{0.4, 0.2, 0.1};
     CHECK(largest_distance(b.deform({posed, {}}), reference.deform({posed, {}})) < 1e-12);
   }
 }
 
-TEST_CASE("a_cage_that_has_no_outside_is_refused_for_mean_value_coordinates_alone") {
+TEST_CASE("a_cage_without_outside_is_rejected_only_for_mean_value_coordinates") {
   std::vector<viete::mesh::Point> positions;
   std::vector<viete::mesh::Triangle> triangles;
   for (std::uint32_t i = 0; i < 6; ++i) {  // a Moebius strip
@@ -386,7 +386,7 @@ TEST_CASE("a_cage_that_has_no_outside_is_refused_for_mean_value_coordinates_alon
   }
   const auto strip = viete::mesh::from_triangles(positions, triangles);
   const auto model = tube(6, 5, 0.3, 1);
-  CHECK_THROWS_WITH_AS(Bound(model, strip, mean_values, 2, Blend::linear), doctest::Contains("cannot agree"),
+  CHECK_THROWS_WITH_AS(Bound(model, strip, mean_values, 2, Blend::linear), doctest::Contains("oriented"),
                        viete::base::Error);
   CHECK_NOTHROW(Bound(model, strip, faces));
 }

@@ -32,7 +32,7 @@ Pose read(const fs::path& path, const Cage& cage, std::vector<std::string>& warn
 
 }  // namespace
 
-TEST_CASE("a_pose_comes_back_with_every_bit_and_its_turns") {
+TEST_CASE("a_pose_is_read_back_with_every_bit_and_its_turns") {
   const Folder folder;
   const Cage cage = make_cage(together(box(), box({1, 1, 1}, {5, 0, 0})));
   Pose pose{mapped(cage.surface.positions, similarity({1, 2, 3}, 2, 1.0 / 3)),
@@ -49,7 +49,7 @@ TEST_CASE("a_pose_comes_back_with_every_bit_and_its_turns") {
 
 TEST_CASE("a_pose_in_stl_is_refused_unless_its_faces_are_the_cages") {
   const Folder folder;
-  const Cage cage = make_cage(box());  // whose faces do not name the vertices in their order
+  const Cage cage = make_cage(box());  // faces do not use the vertices in order
   auto posed = box();
   for (auto& p : posed.positions) p[1] *= 2;
   viete::mesh::write(folder / "pose.stl", posed);
@@ -57,7 +57,7 @@ TEST_CASE("a_pose_in_stl_is_refused_unless_its_faces_are_the_cages") {
     read(folder / "pose.stl", cage);
     FAIL("accepted");
   } catch (const viete::base::Error& error) {
-    CHECK(mentions(error.what(), "pose.stl: STL keeps no order of the vertices"));
+    CHECK(mentions(error.what(), "pose.stl: STL files do not preserve the vertex order"));
     CHECK(mentions(error.what(), "export the pose as OBJ, PLY or OFF"));
   }
   CHECK_THROWS_AS(write_pose(folder / "own.stl", cage, rest_pose(cage)), viete::base::Error);
@@ -79,7 +79,7 @@ TEST_CASE("a_pose_without_turns_has_none_after_reading") {
   CHECK(read(folder / "pose.obj", cage).turns.empty());
 }
 
-TEST_CASE("turns_stand_in_a_comment_line_at_the_head") {
+TEST_CASE("turns_are_in_a_comment_line_at_the_head") {
   const Folder folder;
   const Cage cage = make_cage(box());
   write_pose(folder / "pose.obj", cage, {cage.surface.positions, {{1, 0.5, -2}}});

@@ -21,7 +21,7 @@ struct Posed {
 
   const std::vector<mesh::Point>& rest() const { return cage->surface.positions; }
   Pose by(const Affine& map) const { return {mapped(rest(), map), {}}; }
-  // A share of one pose, and the way between two.
+  // A fraction of one pose, and interpolation between two.
   Pose share(const Pose& pose, double factor) const {
     const LogVector v = space.vector(pose);
     const std::array terms{LogTerm{&v, factor}};
@@ -52,7 +52,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
     for (const double angle : {180.0, 179.999, 90.0, 20.0, -150.0}) {
       const Pose half = p.share(p.by(similarity(axis, angle * degree)), 0.5);
       const auto quarter = mapped(p.rest(), similarity(axis, angle * degree / 2));
-      // At 180 degrees a turn to either side is half of it.
+      // At 180 degrees a rotation to either side is valid.
       const auto other = mapped(p.rest(), similarity(axis, -angle * degree / 2));
       const double error = p.error(half, quarter);
       CHECK((angle == 180 ? std::min(error, p.error(half, other)) : error) < 1e-12);
@@ -88,7 +88,7 @@ TEST_CASE("shares_of_a_stretch_are_its_powers_and_a_negative_one_undoes_it") {
   }
 }
 
-TEST_CASE("a_turn_and_a_stretch_in_one_are_shared_each_for_itself") {
+TEST_CASE("rotation_and_stretch_are_interpolated_independently") {
   const Posed p(box());
   const Pose pose = p.by(similarity({1, 1, 0}, 100 * degree, 4));
   CHECK(p.error(p.share(pose, 0.5), mapped(p.rest(), similarity({1, 1, 0}, 50 * degree, 2))) < 1e-12);
@@ -106,7 +106,7 @@ TEST_CASE("540_degrees_are_three_half_turns") {
   }
 }
 
-TEST_CASE("a_pose_that_says_nothing_of_whole_turns_takes_those_nearest_to_the_pose_before") {
+TEST_CASE("a_pose_without_whole_turns_takes_those_nearest_to_the_preceding_pose") {
   const Posed p(box());
   LogVector before = p.space.vector(p.by({}));
   for (double angle = 0; angle <= 720; angle += 90) {
@@ -119,9 +119,9 @@ TEST_CASE("a_pose_that_says_nothing_of_whole_turns_takes_those_nearest_to_the_po
   }
 }
 
-TEST_CASE("what_stands_still_stands_and_the_limb_turns_about_where_it_hangs") {
+TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
   const Posed p(tube(9, 8, 0.3, 4));
-  // The upper half turns about y by 90 degrees, at the middle of the tube.
+  // The upper half rotates about y by 90 degrees, at the middle of the tube.
   Pose pose{p.rest(), {}};
   const Affine turn = similarity({0, 1, 0}, 90 * degree);
   for (auto& x : pose.positions)
@@ -135,13 +135,13 @@ TEST_CASE("what_stands_still_stands_and_the_limb_turns_about_where_it_hangs") {
     tip = norm(part.positions.back());
     least = std::min(least, tip);
   }
-  // In a straight line it would come to 1.41.
+  // On straight lines it would shrink to 1.41.
   CHECK(least > 1.9);
   const std::array half{LogTerm{&rest, 0.5}, LogTerm{&posed, 0.5}};
   CHECK(norm(p.space.straight(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
 }
 
-TEST_CASE("parts_and_loose_vertices_each_go_their_way") {
+TEST_CASE("parts_and_loose_vertices_move_independently") {
   mesh::Surface surface = together(box(), box({1, 1, 1}, {5, 0, 0}));
   surface.positions.push_back({9, 9, 9});
   const Posed p(surface);
@@ -157,9 +157,9 @@ TEST_CASE("parts_and_loose_vertices_each_go_their_way") {
   CHECK(half.positions[16] == mesh::Point{9, 9, 10});
 }
 
-TEST_CASE("vertices_at_the_same_place_stay_together_where_both_poses_have_them_so") {
+TEST_CASE("coincident_vertices_stay_together_between_poses") {
   mesh::Surface surface = tube(5, 6, 0.5, 2);
-  // Every triangle has corners of its own.
+  // Every triangle gets corners of its own.
   mesh::Surface cut;
   std::vector<mesh::Point> positions;
   std::vector<mesh::Triangle> triangles;
@@ -179,7 +179,7 @@ TEST_CASE("vertices_at_the_same_place_stay_together_where_both_poses_have_them_s
       CHECK(norm(half.positions[3 * e + k] - expected.positions[surface.triangles[e][k]]) < 0.01);
 }
 
-TEST_CASE("poses_far_from_rest_lose_nothing_but_what_their_numbers_cannot_hold") {
+TEST_CASE("poses_far_from_rest_lose_only_rounding") {
   const Posed p(tube(9, 7, 0.3, 2));
   const Vec3 far{1e6, -3e5, 7e5};
   const LogVector a = p.space.vector(p.by({.shift = far}));
@@ -192,7 +192,7 @@ TEST_CASE("a_pose_of_another_number_of_vertices_is_refused") {
   CHECK_THROWS(p.space.vector({{{0, 0, 0}}, {}}));
 }
 
-TEST_CASE("a_posed_cage_goes_round_by_the_whole_turns_that_it_has_about_any_axis") {
+TEST_CASE("a_posed_cage_makes_its_whole_turns_about_any_axis") {
   const Posed p(tube(9, 7, 0.3, 2));
   const auto posed = shaken(p, 0.02);
   const Vec3 middle = deform::middle(posed);
@@ -204,7 +204,7 @@ TEST_CASE("a_posed_cage_goes_round_by_the_whole_turns_that_it_has_about_any_axis
         auto expected = posed;
         const Affine turn = similarity(axis, share * count * 360 * degree);
         for (Vec3& x : expected) x = middle + turn(x - middle);
-        // What logs do not tell of a shaken cage, 2 % of it, does not turn on the way.
+        // The 2 % of a shaken cage that logs do not represent do not rotate between keys.
         const bool is_key = share == 0 || share == 1;
         CHECK(p.error(p.between(from, to, share), expected) < (is_key ? 1e-12 : 0.04));
       }

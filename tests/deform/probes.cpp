@@ -32,7 +32,7 @@ Probe probe_at(const Vec3& place, const Influence& influence) {
   return {place, influence, influence, influence, false, {}};
 }
 
-// Far from the identity in all three.
+// All three parts far from the identity.
 ProbePose strong() {
   return {{0.7, -1.9, 1.1}, {0.3, 0.1, -0.2, -0.4, 0.15, 0.25}, {0.2, -0.1, 0.4}};
 }
@@ -41,7 +41,7 @@ Vec3 moved_by_map(const Probe& p, const Vec3& x) {
   return p.place + times(linear_part(p.pose), x - p.place) + p.pose.move;
 }
 
-// By the layer alone.
+// Moved by the layer alone.
 std::vector<Vec3> moved_by(const Probes& probes, std::vector<Vec3> positions, const Mask& mask = nullptr,
                            int threads = 2) {
   viete::base::WorkerPool pool(threads);
@@ -62,7 +62,7 @@ std::vector<ProbeWeights> probe_weights_at(const Probes& probes, const Vec3& poi
   return weights;
 }
 
-// Two near the tube's ends, and one between them that is locked.
+// Two probes near the tube's ends, and a locked one between them.
 Probes some_probes() {
   Probes probes;
   probes.all = {probe_at({0.1, 0, -1}, within(1.2)), probe_at({0, 0.1, 1.1}, within(0.9, Falloff::round)),
@@ -75,7 +75,7 @@ Probes some_probes() {
 
 }  // namespace
 
-TEST_CASE("a_model_that_a_probe_holds_whole_follows_its_map") {
+TEST_CASE("a_model_with_full_weight_follows_the_map_of_its_probe") {
   for (const ProbeMix mix : {ProbeMix::partial, ProbeMix::whole, ProbeMix::softmax}) {
     Probes probes{{probe_at({0.2, -0.3, 0.5}, within(100, Falloff::even))}, mix};
     probes.all[0].pose = strong();
@@ -85,7 +85,7 @@ TEST_CASE("a_model_that_a_probe_holds_whole_follows_its_map") {
   }
 }
 
-TEST_CASE("what_a_probe_does_is_what_its_weights_say") {
+TEST_CASE("probes_act_by_their_weights") {
   Probe p = probe_at({0.1, 0, 0.2}, within(1));
   p.turn = within(1.3, Falloff::linear), p.stretch = within(0.8, Falloff::sharp), p.move = within(0.6);
   p.pose = strong();
@@ -116,7 +116,7 @@ TEST_CASE("a_turn_alone_keeps_every_distance_to_the_probe_whatever_its_falloff")
   }
 }
 
-TEST_CASE("what_no_probe_reaches_and_what_did_nothing_keeps_every_bit") {
+TEST_CASE("vertices_out_of_reach_and_resting_probes_change_no_bit") {
   Probes probes{{probe_at({0, 0, -0.7}, within(0.6)), probe_at({0, 0, 1}, within(1))}};
   CHECK(moved_by(probes) == probed_tube().positions);
   probes.all[0].pose = strong();
@@ -149,11 +149,11 @@ TEST_CASE("falloffs_begin_at_one_never_rise_and_end_at_the_radius") {
   }
   CHECK(weight_at(Falloff::endless, 1) == 0.5);
   for (const auto& falloff : all_falloffs())
-    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // of a radius that is nearly none
+    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // the radius is almost 0
   CHECK(weight_at(Falloff::smooth, 0.5) == 0.5);
 }
 
-TEST_CASE("probes_share_a_vertex_as_their_mix_says") {
+TEST_CASE("probes_share_a_vertex_by_their_mix") {
   const auto sum = [](const std::vector<ProbeWeights>& all, double ProbeWeights::*part) {
     return std::accumulate(all.begin(), all.end(), 0.0, [&](double s, const auto& w) { return s + w.*part; });
   };
@@ -177,7 +177,7 @@ TEST_CASE("probes_share_a_vertex_as_their_mix_says") {
       CHECK(sum(w, &ProbeWeights::pivot) == doctest::Approx(1).epsilon(1e-14));
       if (mix != ProbeMix::partial) CHECK(sum(w, &ProbeWeights::turn) == doctest::Approx(1).epsilon(1e-14));
     }
-    // The nearer one has more of it than by division, and all where the other one ends.
+    // The nearer one gets more than by division, and everything beyond the other's radius.
     const double even = a / (a + b), sharp = w[0].turn;
     CHECK((even > 0.5 ? sharp >= even : even < 0.5 ? sharp <= even : sharp == doctest::Approx(0.5)));
   }
@@ -187,7 +187,7 @@ TEST_CASE("probes_share_a_vertex_as_their_mix_says") {
     CHECK(find_by_name(all_probe_mixes(), entry.name) == entry.value);
 }
 
-TEST_CASE("probes_do_not_depend_on_where_the_scene_stands_nor_on_its_unit") {
+TEST_CASE("probes_do_not_depend_on_position_or_unit_of_the_scene") {
   const Probes probes = some_probes();
   const auto here = moved_by(probes);
   const Vec3 away{1000, -300, 50};
@@ -225,7 +225,7 @@ TEST_CASE("mirrored_probes_move_a_mirrored_model_as_its_mirror_image") {
   }
 }
 
-TEST_CASE("turning_goes_on_smoothly_through_360_and_540_degrees") {
+TEST_CASE("turning_is_smooth_through_360_and_540_degrees") {
   Probe p = probe_at({0, 0, 1.2}, within(1.5));
   const Vec3 axis = (1 / std::sqrt(14.0)) * Vec3{1, 2, 3};
   constexpr double step = pi / 60;
@@ -241,7 +241,7 @@ TEST_CASE("turning_goes_on_smoothly_through_360_and_540_degrees") {
   CHECK(norm(turned({}, axis, 4 * pi).turn - p.pose.turn) < 1e-11);
 }
 
-TEST_CASE("turns_and_scales_follow_each_other_as_matrices_do") {
+TEST_CASE("turns_and_scales_compose_like_matrices") {
   const Vec3 axis{0, 0.6, -0.8};
   const ProbePose one = turned(strong(), axis, 2.2);
   const auto expected = times(sym3::exp_rotation(2.2 * axis), linear_part(strong()));
@@ -253,7 +253,7 @@ TEST_CASE("turns_and_scales_follow_each_other_as_matrices_do") {
   }
   CHECK(one.stretch.xx == strong().stretch.xx);
   CHECK(turned(strong(), axis, 0) == strong());
-  // Whole turns stay, and what would mirror or collapse does neither.
+  // Keeps whole turns; never mirrors or collapses.
   ProbePose wound;
   wound.turn = {0, 0, 5 * pi};
   CHECK(norm(scaled(wound, {1.5, 1.5, 1.5}).turn - wound.turn) < 1e-12);
@@ -274,7 +274,7 @@ TEST_CASE("a_mask_counts_for_probes_and_results_do_not_depend_on_threads") {
   CHECK(moved_by(some_probes(), probed_tube().positions, nullptr, 1) == whole);
 }
 
-TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
+TEST_CASE("probes_follow_the_cage_in_every_engine") {
   const auto cage_shape = box();
   const Twist twist{2, {0, 0, 0}, -1, 1, 0, 100 * degree};
   struct Case {
@@ -297,7 +297,7 @@ TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
           .positions;
     };
     const auto expected = exact(some_probes());
-    // As the layer alone does it to what the cage has done.
+    // Equals the layer applied to the cage's result.
     auto carried = exact({});
     ProbeLayer layer(probed_tube().positions, b.pool);
     layer.set(some_probes(), nullptr);
@@ -319,7 +319,7 @@ TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
     b.deformer.set_probes(some_probes());
     b.deformer.deform(pose, Method::diag);
     CHECK(largest_distance(b.deformer.positions(), expected) / diagonal < 1e-12);
-    // Where they ride: as far as the vertex that was nearest, before the probes move it.
+    // Places follow the nearest vertex, before the probes move it.
     const auto ridden = fast.probes().carried();
     const auto without = exact({});
     for (std::size_t i = 0; i < ridden.size(); ++i) {
@@ -327,7 +327,7 @@ TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
       const Vec3 way = without[v] - probed_tube().positions[v];
       CHECK(norm(fast.origin() + ridden[i] - (some_probes().all[i].place + way)) / diagonal < tolerance);
     }
-    // Frames do not depend on those before, nor on being a drag.
+    // Frames depend neither on earlier ones nor on being a drag.
     const auto whole = fast.positions();
     fast.begin_drag(std::array{0u, 1u});
     for (int n = 0; n < 3; ++n) fast.deform(pose, Method::fast);
@@ -340,14 +340,14 @@ TEST_CASE("probes_ride_on_the_cage_in_every_engine") {
   }
 }
 
-TEST_CASE("a_probe_is_where_the_other_ones_have_moved_its_place_on_the_model") {
+TEST_CASE("places_of_probes_are_moved_by_the_other_probes") {
   viete::base::WorkerPool pool(2);
   const auto& rest = probed_tube().positions;
   for (const ProbeMix mix : {ProbeMix::partial, ProbeMix::added, ProbeMix::whole}) {
     Probes probes = some_probes();
     probes.mix = mix;
     for (const std::uint32_t v : {100u, 700u, 1300u}) {
-      probes.all[2].place = rest[v];  // which is at rest
+      probes.all[2].place = rest[v];  // at rest
       ProbeLayer layer(rest, pool);
       layer.set(probes, nullptr);
       auto positions = rest;
@@ -373,7 +373,7 @@ TEST_CASE("without_a_cage_a_model_stays_at_rest_and_follows_probes") {
   const auto exact = deform_exactly(probed_tube(), cage, no_motion(), rest_pose(*cage), Method::fast, pool,
                                     nullptr, nullptr, some_probes());
   CHECK(largest_distance(exact.positions, moved_by(some_probes())) < 1e-14);
-  // Normals too: those of what is drawn.
+  // Normals match the displayed surface.
   const auto normals = deformer.normals();
   std::vector<Vec3> expected;
   for (const auto& v : deformer.vertices()) expected.push_back({v.normal[0], v.normal[1], v.normal[2]});

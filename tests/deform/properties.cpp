@@ -1,4 +1,4 @@
-// What the deformer as a whole must do, whatever its links are: on cages made in memory.
+// Properties of the deformer as a whole, on cages made in memory.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -13,7 +13,7 @@ mesh::Surface tube_model() {
   return tube(30, 12, 0.25, 1.9);
 }
 
-// A model that lies partly outside of the cage, and touches it.
+// A model partly outside of the cage, touching it.
 mesh::Surface model_across() {
   return together(tube(12, 12, 0.3, 3), box({1, 1, 1}, {0.5, 0, 0}));
 }
@@ -73,8 +73,8 @@ TEST_CASE("averaged_maps_keep_rest_and_follow_similarities_of_every_cage") {
   }
 }
 
-TEST_CASE("halfway_between_opposite_turns_logs_keep_the_girth_that_averaged_maps_lose") {
-  // Two boxes, turned by 80 degrees one way and the other; a thin tube between them.
+TEST_CASE("halfway_between_opposite_turns_logs_keep_the_thickness_that_averaged_maps_lose") {
+  // Two boxes, rotated by 80 degrees in opposite directions, with a thin tube between them.
   auto cage = together(box({0.5, 0.5, 0.5}), box({0.5, 0.5, 0.5}));
   for (std::size_t v = 0; v < 16; ++v) cage.positions[v][2] += v < 8 ? 1.5 : -1.5;
   const auto turned = [](const Vec3& x) { return similarity({0, 0, 1}, (x[2] > 0 ? 80 : -80) * degree)(x); };
@@ -150,7 +150,7 @@ TEST_CASE("dragging_a_root_through_180_degrees_does_not_jump") {
   std::vector<Vec3> turns;
   double largest_step = 0;
   for (int a = 0; a <= 300; a += 2) {
-    // Every part of the cage turns, one end ahead of the other: the root passes 180 degrees near a = 180.
+    // Every part of the cage rotates, one end ahead of the other: the root passes 180 degrees near a = 180.
     const Twist twist{2, {0, 0, 0}, -1.1, 1.1, (a - 20) * degree, (a + 20) * degree};
     const auto now = b.deform(b.pose(twist, turns));
     turns = b.report().turns;
@@ -158,7 +158,7 @@ TEST_CASE("dragging_a_root_through_180_degrees_does_not_jump") {
     before.assign(now.begin(), now.end());
   }
   CHECK(norm(turns[0]) > 250 * degree);
-  CHECK(largest_step < 3 * 2 * degree * 0.4);  // two degrees of the cage's radius, three times over
+  CHECK(largest_step < 3 * 2 * degree * 0.4);  // two degrees at the cage's radius, times three
 }
 
 TEST_CASE("winding_up_and_back_returns_exactly") {
@@ -211,7 +211,7 @@ TEST_CASE("vertices_on_the_cage_follow_it") {
   Bound b(box({1, 1.1, 1.2}), box({1, 1.1, 1.2}), mean_values);
   const auto pose = b.pose(shear());
   CHECK(largest_distance(b.deform(pose), pose.positions) < 1e-13);
-  // With face elements a vertex where several meet takes the mean of what they do: finite, and near.
+  // With face elements a vertex where several meet takes their mean: finite, and near.
   Bound face(box({1, 1.1, 1.2}), box({1, 1.1, 1.2}));
   CHECK(largest_distance(face.deform(pose), pose.positions) < 0.3);
 }

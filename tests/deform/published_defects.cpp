@@ -1,24 +1,24 @@
-// Mistakes that were found in published cage deformers, and what holds that this one does not make them. Each
-// is named in our words, then the case that the mistake would fail; those of this file stand below.
+// Defects found in published cage deformers, and the tests that would fail if this one had them. Each is
+// described in our words, followed by its tests; those of this file are below.
 //
-//  1 The log of a motion without a turn loses its translation. No case: no blend takes logs of motions.
+//  1 The log of a motion without rotation loses its translation. No test: no blend takes logs of motions.
 //  2 Translations are blended about the origin of the world, so that its place matters.
-//    where_the_scene_stands_matters_to_no_scheme;
-//    maps_fitted_to_points_keep_what_they_promise_far_from_the_origin
+//    no_scheme_depends_on_the_position_of_the_scene;
+//    maps_fitted_to_points_are_exact_far_from_the_origin
 //  3 Distances to triangles are multiplied by areas, so that units matter.
 //    weights_are_the_same_at_every_length_scale_and_finite_everywhere (and of cut-off ones)
 //  4 Barycentric coordinates are taken about a wrong axis, so that distances depend on the place.
-//    where_the_scene_stands_matters_to_no_scheme; weights_are_inverse_squared_distances_normalised
+//    no_scheme_depends_on_the_position_of_the_scene; weights_are_inverse_squared_distances_normalised
 //  5 Distances are infinite on one side of a face.
-//    weights_are_on_both_sides_of_every_face_and_do_not_jump_across_its_plane;
-//    cut_off_weights_know_no_length_scale_and_both_sides_of_a_face
+//    weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_plane;
+//    cut_off_weights_do_not_depend_on_scale_or_side_of_a_face
 //  6 On a face, an edge or a vertex of the cage weights are not numbers.
 //    vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme
 //  7 Moving least squares turn points about the origin instead of their mean, and weigh moments otherwise
 //    than means.
-//    maps_fitted_to_points_keep_what_they_promise_far_from_the_origin; against_quad.cpp
+//    maps_fitted_to_points_are_exact_far_from_the_origin; against_quad.cpp
 //  8 A log at a whole turn is scaled by an axis that is not a unit vector, and stays so.
-//    winding_with_turns_handed_on_counts_to_720_degrees_and_back_to_nothing;
+//    winding_with_turns_passed_on_counts_to_720_degrees_and_back_to_zero;
 //    a_zero_rotation_near_a_full_turn_takes_the_axis_of_the_reference
 //  9 Branches of rotations depend on the frames before and not on neighbours: 179 and 181 degrees blend to 0.
 //    neighbours_turned_by_179_and_181_degrees_blend_to_180;
@@ -39,21 +39,21 @@
 //    sym3: guarded_spectral_forms_err_by_at_most_one_percent_on_clusters_and_are_never_nan,
 //    spectral_forms_agree_with_the_truth_on_the_papers_ensemble, all_three_cases_of_the_switch_are_right
 // 16 Rest is the pose of the first frame, and known by its number of vertices.
-//    rest_is_the_cage_that_was_bound_whatever_frame_comes_first;
+//    rest_is_the_bound_cage_for_any_first_frame;
 //    a_binding_of_something_else_is_stale_and_says_of_what
 // 17 As-rigid-as-possible surfaces: lists that do not fit, threads that share, thresholds in units, vertices
 //    without an equation, factorisations that fail unheard.
-//    every_vertex_has_its_place_in_parts_holes_needles_and_without_triangles,
+//    every_vertex_is_determined_in_parts_holes_needles_and_without_triangles,
 //    stitched_models_have_the_same_bits_on_any_number_of_threads,
-//    stitching_does_not_depend_on_where_the_scene_is_or_how_large,
-//    a_matrix_that_is_not_positive_definite_is_refused_by_the_row_that_is_not_determined
+//    stitching_does_not_depend_on_position_or_scale_of_the_scene,
+//    an_indefinite_matrix_is_rejected_with_the_undetermined_row
 // 18 Weights called harmonic are not, and leave [0, 1]; the strength of a constraint is its value too; one
 //    that has no place is put on the first vertex.
-//    harmonic_weights_are_between_0_and_1_whatever_the_triangles_are,
+//    harmonic_weights_are_between_0_and_1_for_any_triangles,
 //    plates_take_the_shape_of_least_bending_and_springs_part_by_part,
 //    handles_without_area_and_vertices_without_triangles_own_nothing_and_are_not_owned
 // 19 What is painted does not count for rotations.
-//    about_the_centre_of_its_handles_a_vertex_makes_its_share_of_turn_stretch_and_way
+//    shares_scale_rotation_stretch_and_translation_about_the_centre_of_the_handles
 // 20 Distances and weights are kept, 16 bytes a pair.
 //    a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights_in_double;
 //    weights_of_all_vertices_are_never_in_memory_at_once
@@ -106,7 +106,7 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double d = std::abs(a[i] - b[i]);
-    largest = d <= largest ? largest : d;  // NaN counts
+    largest = d <= largest ? largest : d;  // keeps NaN
   }
   return largest;
 }
@@ -138,7 +138,7 @@ Eigen::Vector3d turn_of(const Matrix3& r) {
   return a.angle() * a.axis();
 }
 
-// Triangles apart from each other, each of which turns about its centre, and points among them.
+// Separate triangles, each rotated about its centre, and points among them.
 struct TurningTriangles {
   explicit TurningTriangles(unsigned seed) : random(seed) {
     std::vector<mesh::Point> p;
@@ -165,7 +165,7 @@ struct TurningTriangles {
     }
     return pose;
   }
-  // A quarter to the whole of each vertex's motion.
+  // Shares between a quarter and 1 per vertex.
   Mask mask() const {
     std::vector<float> shares;
     for (std::size_t i = 0; i < model.positions.size(); ++i)
@@ -178,8 +178,8 @@ struct TurningTriangles {
   std::vector<Eigen::Vector3d> turns;
 };
 
-// The rotation R with sum of w log(R^T R_j) = 0, the identity taking what weights miss to 1: the mean of
-// Karcher (Comm. Pure Appl. Math. 30, 1977), by steps from the mean of logs.
+// The rotation R with sum of w log(R^T R_j) = 0, with the identity completing the weights to sum 1: the
+// Karcher mean (Comm. Pure Appl. Math. 30, 1977), by steps from the mean of logs.
 Matrix3 karcher_mean(const std::vector<Matrix3>& rotations, std::span<const double> weights) {
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
   for (std::size_t j = 0; j < rotations.size(); ++j) step += weights[j] * turn_of(rotations[j]);
@@ -194,8 +194,8 @@ Matrix3 karcher_mean(const std::vector<Matrix3>& rotations, std::span<const doub
   return mean;
 }
 
-// How far a frame is from that of the means of rotations, at most: vertices turned about the centres of their
-// handles, and by their shares at rest.
+// Largest deviation of a frame from that of the Karcher means: vertices rotated about the centres of their
+// handles, and scaled by their shares.
 double off_karcher(const TurningTriangles& t, double amount) {
   Bound b(t.model, t.cage, faces, 1);
   b.deformer.set_mask(t.mask());
@@ -220,7 +220,7 @@ double off_karcher(const TurningTriangles& t, double amount) {
 
 }  // namespace
 
-TEST_CASE("where_the_scene_stands_matters_to_no_scheme") {
+TEST_CASE("no_scheme_depends_on_the_position_of_the_scene") {
   const Vec3 way{100, -200, 300};
   const Twist twist{2, {0.1, 0, 0}, -0.9, 0.9, -60 * degree, 70 * degree};
   const auto there = [&](const Vec3& x) { return twist(x - way) + way; };
@@ -234,10 +234,10 @@ TEST_CASE("where_the_scene_stands_matters_to_no_scheme") {
   }
 }
 
-TEST_CASE("blending_translations_about_the_origin_would_depend_on_where_the_scene_stands") {
+TEST_CASE("blending_translations_about_the_origin_would_depend_on_the_position_of_the_scene") {
   const TurningTriangles t(3);
   Bound b(t.model, t.cage, faces, 1, Blend::srl);
-  // exp(sum w Y) x + sum w (c' - R c), the place of the scene being x = 0.
+  // exp(sum w Y) x + sum w (c' - R c), with x = 0 at the position of the scene.
   const auto about_the_origin = [&](std::size_t vertex, const Vec3& place) {
     Eigen::Vector3d turn = Eigen::Vector3d::Zero();
     Vec3 shift{0, 0, 0};
@@ -255,11 +255,11 @@ TEST_CASE("blending_translations_about_the_origin_would_depend_on_where_the_scen
   CHECK(most > 1);
 }
 
-TEST_CASE("weights_are_on_both_sides_of_every_face_and_do_not_jump_across_its_plane") {
+TEST_CASE("weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_plane") {
   const auto surface = box({1, 1.1, 1.2});
   const Cage cage = make_cage(surface);
   Random random(6);
-  mesh::Surface points;  // in pairs, before and behind a plane
+  mesh::Surface points;  // in pairs, on both sides of a plane
   for (int n = 0; n < 20; ++n) {
     for (const auto& [i, j, k] : surface.triangles) {
       const Vec3 &a = surface.positions[i], u = surface.positions[j] - a, v = surface.positions[k] - a;
@@ -284,7 +284,7 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
   const auto surface = box({1, 1.1, 1.2});
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
-  for (const auto& face : surface.triangles) {  // six triangles about its centre
+  for (const auto& face : surface.triangles) {  // each split into six triangles about its centre
     const auto first = static_cast<std::uint32_t>(p.size());
     for (int i = 0; i < 3; ++i) {
       const Vec3 &a = surface.positions[face[i]], &b = surface.positions[face[(i + 1) % 3]];
@@ -294,7 +294,7 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
     for (std::uint32_t i = 0; i < 6; ++i) t.push_back({first + 6, first + i, first + (i + 1) % 6});
   }
   const auto model = mesh::from_triangles(p, t);
-  std::size_t without = 0;  // where powers of distances and their sum are infinite
+  std::size_t without = 0;  // vertices where powers of distances and their sum are infinite
   for (const auto& x : p) {
     for (const auto& [i, j, k] : surface.triangles) {
       const auto& at = surface.positions;
@@ -307,7 +307,7 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
     CAPTURE(text(scheme));
     Bound b(model, surface, scheme.weighting, 1, scheme.blend);
     for (std::size_t i = 0; i < p.size(); ++i)
-      CHECK(total_of(weights_of(*b.binding, i)) == doctest::Approx(1).epsilon(1e-10));  // NaN is not
+      CHECK(total_of(weights_of(*b.binding, i)) == doctest::Approx(1).epsilon(1e-10));  // fails for NaN
     CHECK(b.error(map) < 1e-10);
     CHECK(all_finite(b.deform(b.pose(shear()))));
   }
@@ -315,14 +315,14 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
 
 TEST_CASE("neighbours_turned_by_179_and_181_degrees_blend_to_180") {
   const auto principal = [](double angle) { return turn_of(rotation_by({0, 0, angle * degree})); };
-  CHECK((principal(179) + principal(181)).norm() / 2 < 1e-9);  // as they are without their neighbours
+  CHECK((principal(179) + principal(181)).norm() / 2 < 1e-9);  // without neighbours
   const Twist twist{2, {0, 0, 0}, -0.9, 0.9, 179 * degree, 181 * degree};
   const auto half_a_turn = similarity({0, 0, 1}, 180 * degree);
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
     Bound b(stump(), stump_cage(), scheme.weighting, 1, scheme.blend);
     const double off = largest_distance(b.deform(b.pose(twist)), mapped(b.model.positions, half_a_turn));
-    CHECK(off < 1.5 * degree * 0.5);  // 0.6 where turns blend to 0
+    CHECK(off < 1.5 * degree * 0.5);  // 0.6 if rotations blend to 0
   }
 }
 
@@ -367,14 +367,14 @@ TEST_CASE("about_one_axis_blended_turns_are_the_mean_of_rotations") {
   TurningTriangles t(13);
   for (auto& turn : t.turns) turn = turn[0] * Eigen::Vector3d(1, -2, 2);
   CHECK(off_karcher(t, 0.45) < 1e-12);
-  // A fiftieth of a turn of a radian; the mean of those that have weight alone would be all of it.
+  // A fiftieth of a rotation by a radian; normalising the weights would give the full rotation.
   const std::vector<Matrix3> rotations(2, rotation_by({1, 0, 0}));
   const double little[] = {0.01, 0.01}, all[] = {0.5, 0.5};
   CHECK(turn_of(karcher_mean(rotations, little)).norm() == doctest::Approx(0.02));
   CHECK(turn_of(karcher_mean(rotations, all)).norm() == doctest::Approx(1));
 }
 
-TEST_CASE("rest_is_the_cage_that_was_bound_whatever_frame_comes_first") {
+TEST_CASE("rest_is_the_bound_cage_for_any_first_frame") {
   auto other = stump_cage();  // as many vertices, elsewhere
   for (auto& p : other.positions) p = {1.2 * p[0], 0.9 * p[1], p[2] + 0.1 * p[0]};
   const auto posed = similarity({1, 2, 3}, 1, 1.3, {1, 0, 0});
@@ -394,11 +394,11 @@ TEST_CASE("a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights
   const double pair = 2 * sizeof(double);
   for (const Weighting& weighting : all_weightings()) {
     CAPTURE(text({weighting}));
-    if (entry(weighting.weights).on_surface) continue;  // which take memory to be solved for
+    if (entry(weighting.weights).on_surface) continue;  // which need memory for solving
     CHECK(static_cast<double>(binding_bytes(800'000, 300, EngineKind::fused, weighting)) <
           800e3 * (300 * pair / 4 + 200));
   }
-  // What is kept of it in the end, a few slots that are empty included.
+  // The final size, including a few empty slots.
   const auto model = tube(51, 50, 0.3, 1.4);
   const Cage cage = make_cage(tube(12, 12, 0.5, 1.8));
   base::WorkerPool pool(2);

@@ -1,4 +1,4 @@
-// The same properties on real models, where they are present beside the checkout.
+// The same properties on real models, if their files are present.
 #include <doctest/doctest.h>
 
 #include "base/error.h"
@@ -17,7 +17,7 @@ constexpr const char* models[] = {"arm",       "armadillo-man", "bar",  "bunny",
                                   "dragon",    "fire-hydrant",  "hand", "horse",      "man-head",
                                   "nefertiti", "octopus",       "spot", "wire-sphere"};
 
-// Every `step`th vertex: weights of real models, in a fraction of the time.
+// Every `step`th vertex, to reduce the time for weights.
 mesh::Surface thinned(const mesh::Surface& surface, std::size_t step) {
   mesh::Surface result;
   for (std::size_t i = 0; i < surface.positions.size(); i += step)
@@ -29,7 +29,7 @@ mesh::Surface read(const fs::path& path) {
   return mesh::read(path).surface;
 }
 
-// As the data's own twists: linear from end to end of the cage, about its middle.
+// Like the twists of the data set: linear from end to end of the cage, about its middle.
 Twist twist(const Cage& cage, int axis, double from, double to) {
   const auto box = mesh::bounds(cage.surface.positions);
   return {axis, box.center(), box.low[axis], box.high[axis], from * degree, to * degree};
@@ -63,9 +63,9 @@ TEST_CASE("real_models_stay_at_rest_and_follow_similarities_and_affine_poses" *
 
 namespace {
 
-// What a tear would break: no mesh edge much longer than the cage's longest, every vertex near where the
-// twist takes it, and no pair of neighbouring elements in doubt. (A wrong branch on cactus was seen with 4.2
-// and 0.083; sound poses stay below 1.6 and 0.08.)
+// Signs of a tear: a mesh edge much longer than the cage's longest, a vertex far from its twisted position,
+// or a pair of neighbouring elements reported as torn. (A wrong branch on cactus gave 4.2 and 0.083; sound
+// poses stay below 1.6 and 0.08.)
 void check_not_torn(Bound& b, const Pose& pose, const Twist& twist) {
   const auto positions = b.deform(pose);
   CHECK(b.report().torn.empty());
@@ -74,8 +74,8 @@ void check_not_torn(Bound& b, const Pose& pose, const Twist& twist) {
   CHECK(largest_distance(positions, mapped(b.model.positions, twist)) < 0.08 * b.cage->diagonal);
 }
 
-// Turning on by `step` degrees moves no vertex much further than that turn about the axis does: no branch
-// flips.
+// A further rotation by `step` degrees moves no vertex much further than the rotation about the axis does: no
+// branch flips.
 void check_no_jump(Bound& b, std::vector<mesh::Point>& before, double step) {
   const auto now = b.deformer.positions();
   if (!before.empty()) CHECK(largest_distance(now, before) < 0.5 * step * degree * b.cage->diagonal);

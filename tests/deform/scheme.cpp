@@ -52,7 +52,7 @@ TEST_CASE("valid_schemes_are_all_that_have_no_conflict_each_once") {
 
 using viete::test::mentions;
 
-TEST_CASE("six_ways_have_names_and_each_is_known_again_by_its_scheme") {
+TEST_CASE("six_named_deformers_are_recognised_by_their_schemes") {
   std::set<std::string_view> names;
   for (const WayEntry& way : all_ways()) {
     CAPTURE(way.name);
@@ -70,7 +70,7 @@ TEST_CASE("six_ways_have_names_and_each_is_known_again_by_its_scheme") {
   CHECK(scheme_of(Way::paper) == Scheme{});
 }
 
-TEST_CASE("a_way_stays_itself_under_amounts_radius_and_iterations_and_is_another_one_under_all_else") {
+TEST_CASE("amounts_radius_and_iterations_keep_the_deformer_and_other_changes_do_not") {
   for (const WayEntry& way : all_ways()) {
     CAPTURE(way.name);
     Scheme s = way.scheme;
@@ -87,7 +87,7 @@ TEST_CASE("a_way_stays_itself_under_amounts_radius_and_iterations_and_is_another
   }
 }
 
-TEST_CASE("whatever_is_picked_is_there_and_changes_no_more_of_the_rest_than_it_must") {
+TEST_CASE("a_pick_is_applied_with_the_fewest_other_changes") {
   const auto check_pick = [](auto choice, const Scheme& now) {
     const Scheme picked = chosen(choice, now);
     CHECK(fits(only(choice), picked));
@@ -120,7 +120,7 @@ TEST_CASE("a_scheme_is_completed_from_any_part_of_it") {
   CHECK(text(complete({.blend = Blend::linear})) == "inverse, linear");
 }
 
-TEST_CASE("maps_are_fitted_to_points_where_that_is_asked_for_and_from_then_on") {
+TEST_CASE("maps_are_fitted_to_points_once_that_is_chosen") {
   const Scheme rigid = complete({.blend = Blend::mls_rigid});
   CHECK(text(rigid) == "inverse, mls-rigid");
   CHECK(text(complete(only(Weights::biharmonic), rigid)) == "biharmonic, mls-rigid");
@@ -128,19 +128,19 @@ TEST_CASE("maps_are_fitted_to_points_where_that_is_asked_for_and_from_then_on") 
   CHECK(text(complete(only(Blend::srl), scheme_of(Way::mean_value))) == "inverse, srl");
 }
 
-TEST_CASE("choices_that_do_not_go_together_are_refused_with_the_reason") {
+TEST_CASE("incompatible_choices_are_rejected_with_the_reason") {
   for (const Blend blend : {Blend::srl, Blend::mls_affine, Blend::mls_rigid}) {
     try {
       complete({.weights = Weights::mean_value, .blend = blend});
       FAIL("was not refused");
     } catch (const viete::base::Error& error) {
-      CHECK(mentions(error.what(), "do not go together"));
-      CHECK(mentions(error.what(), "only move points"));
+      CHECK(mentions(error.what(), "cannot be combined"));
+      CHECK(mentions(error.what(), "move points"));
     }
   }
 }
 
-TEST_CASE("stitching_stays_with_what_it_goes_with_and_makes_another_scheme") {
+TEST_CASE("stitching_is_kept_if_compatible_and_changes_the_scheme") {
   Scheme stitched;
   stitched.iterations = 2;
   CHECK(stitched != Scheme());

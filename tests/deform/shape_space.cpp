@@ -42,7 +42,7 @@ struct Shapes {
   }
 };
 
-// Each part about its own place.
+// Centres each part.
 Points centered(Points points, std::size_t part_size) {
   for (std::size_t first = 0; first < points.size(); first += part_size) {
     Vec3 mean{0, 0, 0};
@@ -58,7 +58,7 @@ Points joined(Points a, const Points& b) {
   return a;
 }
 
-// The tube's rings turned about its axis, x, by an angle that grows along it.
+// The tube's rings rotated about its axis, x, by an angle that grows along it.
 Points twisted(const mesh::Surface& tube, double degrees) {
   const auto box = mesh::bounds(tube.positions);
   int axis = 0;
@@ -75,7 +75,7 @@ Points twisted(const mesh::Surface& tube, double degrees) {
   return points;
 }
 
-// Root mean square of the logs of edges against the geometric mean of both ends, and the share of 99 %.
+// Root mean square and 99th percentile of the logs of edges relative to the geometric mean of both ends.
 struct EdgeErrors {
   double mean, most;
 };
@@ -108,7 +108,7 @@ Points halfway(const Points& a, const Points& b) {
 
 }  // namespace
 
-TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part_for_itself") {
+TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part") {
   const mesh::Surface limb = tube(9, 7, 0.3, 2);
   const std::size_t n = limb.positions.size();
   mesh::Surface far = limb;
@@ -125,7 +125,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn_of_each_part_for_itself") {
   }
 }
 
-TEST_CASE("what_turns_as_a_whole_turns_about_its_axis_by_any_share") {
+TEST_CASE("rigid_rotations_interpolate_about_their_axis") {
   Shapes s(tube(9, 7, 0.3, 2));
   const auto at = [&](double share) {
     return mapped(s.rest.positions, similarity({1, 1, 0}, share * 100 * degree, std::pow(4, share)));
@@ -134,7 +134,7 @@ TEST_CASE("what_turns_as_a_whole_turns_about_its_axis_by_any_share") {
     CHECK(s.error(s.share(at(1), share), at(share)) < 1e-12);
 }
 
-TEST_CASE("shapes_come_back_and_rest_is_rest") {
+TEST_CASE("vectors_reproduce_shapes_and_rest") {
   Shapes s(tube(9, 7, 0.3, 2));
   for (const double degrees : {20.0, 285.0}) {
     const Points shape = twisted(s.rest, degrees);
@@ -156,11 +156,11 @@ TEST_CASE("limbs_that_turn_by_more_than_half_a_turn_are_coherent") {
   }
 }
 
-TEST_CASE("a_triangle_that_was_turned_over_turns_no_others") {
+TEST_CASE("a_flipped_triangle_rotates_no_others") {
   Shapes s(tube(60, 12, 0.3, 6));
   Points shape = twisted(s.rest, 285);
   const Points sound = s.share(shape, 0.5);
-  // A vertex goes through its neighbours to the other side.
+  // Moves a vertex through its neighbours to the other side.
   const auto& t = s.rest.triangles[s.rest.triangles.size() / 2];
   const std::uint32_t moved = t[0];
   shape[moved] = shape[t[1]] + shape[t[2]] - shape[moved];
@@ -194,7 +194,7 @@ TEST_CASE("flat_models_stay_flat_to_the_bit") {
     for (const auto& p : s.share(bent, share)) REQUIRE(p[2] == 0.1);
 }
 
-TEST_CASE("how_far_and_how_large_things_are_does_not_matter") {
+TEST_CASE("position_and_scale_of_a_shape_do_not_matter") {
   const mesh::Surface limb = tube(30, 9, 0.3, 4);
   Shapes here(limb);
   const Points half = here.share(twisted(limb, 285), 0.5);
@@ -209,7 +209,7 @@ TEST_CASE("how_far_and_how_large_things_are_does_not_matter") {
   CHECK(same({.shift = {1e5, -1e5, 1e5}}, 1e-8));
 }
 
-TEST_CASE("the_same_bits_on_any_number_of_threads") {
+TEST_CASE("shapes_have_the_same_bits_on_any_number_of_threads") {
   const mesh::Surface limb = tube(60, 12, 0.3, 6);
   Points first;
   for (const int threads : {1, 2, 3}) {
@@ -222,7 +222,7 @@ TEST_CASE("the_same_bits_on_any_number_of_threads") {
   }
 }
 
-TEST_CASE("branches_go_on_from_the_shape_before") {
+TEST_CASE("branches_continue_those_of_the_preceding_shape") {
   Shapes s(tube(9, 7, 0.3, 2));
   const auto turned = [&](double degrees) {
     return mapped(s.rest.positions, similarity({0, 0, 1}, degrees * degree));
@@ -239,7 +239,7 @@ TEST_CASE("branches_go_on_from_the_shape_before") {
 
 TEST_CASE("collapsed_shapes_and_loose_vertices_are_finite_and_come_back") {
   mesh::Surface surface = tube(9, 7, 0.3, 2);
-  surface.positions.push_back({7, 7, 7});  // of no triangle
+  surface.positions.push_back({7, 7, 7});  // belongs to no triangle
   Shapes s(surface);
   for (const Vec3& scale : {Vec3{1, 1, 0}, Vec3{-1, 1, 1}, Vec3{0, 0, 0}, Vec3{1, 1e-9, 1}}) {
     const Points shape =
@@ -260,7 +260,7 @@ TEST_CASE("shapes_of_other_models_are_refused") {
   CHECK_THROWS_AS(Shapes(mesh::from_triangles(needle.positions, {{0, 1, 2}})), base::Error);
 }
 
-// The bars of the published meshes: edges keep their lengths where straight lines collapse limbs.
+// Limits for the published meshes: edges keep their lengths where straight lines collapse limbs.
 TEST_CASE("halfway_to_the_lions_poses_edges_and_volume_stay" * doctest::test_suite(if_present)) {
   const auto folder = shared_data("shapes/lion");
   if (folder.empty()) return;

@@ -1,4 +1,4 @@
-// A cage that acts upon a shape of the model: every engine, and what remains where nothing has a shape.
+// Shapes deformed by a cage: every engine, and models without a shape.
 #include <doctest/doctest.h>
 
 #include "deform/binding.h"
@@ -18,7 +18,7 @@ mesh::Surface shaped_model() {
   return tube(30, 20, 0.3, 3);
 }
 
-// Bent, thicker at one end, and moved.
+// Bent, thickened at one end, and moved.
 SharedShape bent(const mesh::Surface& model) {
   std::vector<mesh::Point> shape;
   for (const auto& p : model.positions) {
@@ -49,7 +49,7 @@ struct ShapedFrames {
               scheme, staged.pool, stitching),
         exact(staged.model, staged.cage, scheme, shaped_fast, staged.pool, ExactDeformer::Weights::kept) {}
 
-  // All engines, which must agree.
+  // The result of all engines, which must agree.
   std::vector<mesh::Point> deform(const Pose& pose, const SharedShape& of) {
     const double far = std::max(staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
     const auto positions = exact.deform(pose, {}, of).positions;
@@ -81,7 +81,7 @@ const Twist shaped_twist{2, {0.1, 0, 0}, -1.1, 1.1, -60 * degree, 70 * degree};
 
 }  // namespace
 
-TEST_CASE("a_cage_at_rest_leaves_the_shape_and_no_shape_is_the_model_to_the_bit") {
+TEST_CASE("a_cage_at_rest_keeps_the_shape_or_without_one_the_model_to_the_bit") {
   for (const Scheme& scheme : shaped_schemes()) {
     CAPTURE(text(scheme));
     ShapedFrames f(scheme);
@@ -94,7 +94,7 @@ TEST_CASE("a_cage_at_rest_leaves_the_shape_and_no_shape_is_the_model_to_the_bit"
   }
 }
 
-TEST_CASE("a_cage_that_turns_and_grows_takes_the_shape_with_it") {
+TEST_CASE("a_similarity_of_the_cage_transforms_the_shape") {
   for (const Scheme& scheme : shaped_schemes()) {
     if (scheme.weighting.partial()) continue;
     const double grown = scheme.blend == Blend::mls_rigid ? 1 : 1.5;
@@ -109,7 +109,7 @@ TEST_CASE("a_cage_that_turns_and_grows_takes_the_shape_with_it") {
   }
 }
 
-TEST_CASE("what_does_not_follow_the_cage_has_the_shape") {
+TEST_CASE("vertices_that_do_not_follow_the_cage_keep_the_shape") {
   ShapedFrames f({faces});
   const Mask mask = half_of_it(f.staged.model);
   f.staged.deformer.set_mask(mask), f.fused.set_mask(mask);
@@ -122,7 +122,7 @@ TEST_CASE("what_does_not_follow_the_cage_has_the_shape") {
     CHECK(norm(staged[i] - ((*f.shape)[i] + double((*mask)[i]) * Vec3{1, 2, 3})) < 1e-12);
 }
 
-TEST_CASE("while_vertices_of_the_cage_are_dragged_another_shape_is_seen_at_once") {
+TEST_CASE("a_shape_change_during_a_drag_takes_effect_at_once") {
   ShapedFrames f({faces});
   Pose pose = f.staged.pose(shaped_twist);
   f.fused.deform(pose, shaped_fast);

@@ -124,12 +124,12 @@ inline double largest_distance(std::span<const mesh::Point> a, std::span<const m
   double largest = a.size() == b.size() ? 0 : HUGE_VAL;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     const double d = norm(a[i] - b[i]);
-    largest = d <= largest ? largest : d;  // NaN counts
+    largest = d <= largest ? largest : d;  // keeps NaN
   }
   return largest;
 }
 
-/// The largest ratio of a triangle edge's length to its length at rest: what a tear makes large.
+/// The largest ratio of a triangle edge's length to its length at rest; tears increase it.
 inline double largest_edge_stretch(const mesh::Surface& rest, std::span<const mesh::Point> posed) {
   double largest = 0;
   for (const auto& t : rest.triangles) {

@@ -1,4 +1,4 @@
-// Vertices that make only a share of their motion: by partial weights, and by a mask.
+// Vertices with a share of their motion, from partial weights and from a mask.
 #include <doctest/doctest.h>
 
 #include "deform/binding.h"
@@ -19,7 +19,7 @@ mesh::Surface shared_model() {
   return tube(40, 24, 0.3, 3);
 }
 
-// From 0 at one end to 1 at the other.
+// Shares from 0 at one end to 1 at the other.
 Mask ramp(const mesh::Surface& model) {
   std::vector<float> mask;
   for (const auto& p : model.positions)
@@ -46,7 +46,7 @@ struct SharedFrames {
     fused.set_mask(mask);
   }
 
-  // The two engines and the exact model, which must agree.
+  // The result of the two engines and the exact model, which must agree.
   std::vector<mesh::Point> deform(const Pose& pose) {
     const auto positions = staged.deform(pose);
     fused.deform(pose, shared_fast);
@@ -83,7 +83,7 @@ TEST_CASE("a_mask_of_ones_changes_nothing_and_one_of_zeros_leaves_the_model_at_r
   }
 }
 
-TEST_CASE("part_of_a_way_is_that_part_of_it_and_of_a_linear_turn_too") {
+TEST_CASE("shares_scale_translations_and_linearly_blended_rotations") {
   const Vec3 axis = (1 / norm(Vec3{1, -2, 3})) * Vec3{1, -2, 3}, way{3, -1, 2};
   const auto moved = [&](const Vec3& x) { return x + way; };
   const auto turned = similarity(axis, 80 * degree);
@@ -102,7 +102,7 @@ TEST_CASE("part_of_a_way_is_that_part_of_it_and_of_a_linear_turn_too") {
   }
 }
 
-TEST_CASE("about_the_centre_of_its_handles_a_vertex_makes_its_share_of_turn_stretch_and_way") {
+TEST_CASE("shares_scale_rotation_stretch_and_translation_about_the_centre_of_the_handles") {
   const auto turned = similarity({1, -2, 3}, 80 * degree, 1.5, {1, 0.5, -2});
   SharedFrames f({faces});
   f.set_mask(ramp(f.staged.model));
@@ -116,7 +116,7 @@ TEST_CASE("about_the_centre_of_its_handles_a_vertex_makes_its_share_of_turn_stre
   }
 }
 
-TEST_CASE("shares_do_not_depend_on_where_the_scene_stands") {
+TEST_CASE("shares_do_not_depend_on_the_position_of_the_scene") {
   const Vec3 way{1000, -2000, 500};
   for (const Weighting& weighting : {test::cut_off(0.1), faces}) {
     SharedFrames here({weighting});
@@ -133,7 +133,7 @@ TEST_CASE("shares_do_not_depend_on_where_the_scene_stands") {
   }
 }
 
-TEST_CASE("what_cut_off_weights_do_not_reach_stays_to_the_last_bit_and_what_they_do_follows") {
+TEST_CASE("vertices_follow_within_the_cut_off_radius_and_keep_every_bit_beyond") {
   for (Scheme scheme : valid_schemes()) {
     if (!scheme.weighting.partial()) continue;
     CAPTURE(text(scheme));
@@ -150,7 +150,7 @@ TEST_CASE("what_cut_off_weights_do_not_reach_stays_to_the_last_bit_and_what_they
     }
     CHECK(staying > 20);
     CHECK(partly > 20);
-    // A radius that reaches everything leaves no shares, and a mask goes on top of those that there are.
+    // A radius that reaches everything gives no shares, and a mask multiplies existing ones.
     f.set_mask(everywhere(f.staged.model, 0.5f));
     f.deform(f.staged.pose(shared_twist));
     scheme.weighting.radius = largest_radius;
@@ -165,7 +165,7 @@ TEST_CASE("the_share_of_cut_off_weights_has_no_jump") {
   CHECK(largest_edge_stretch(model, posed) < 5);
 }
 
-TEST_CASE("a_drag_under_a_mask_gives_what_a_whole_frame_gives_also_when_the_mask_changes_meanwhile") {
+TEST_CASE("a_masked_drag_equals_a_full_frame_even_when_the_mask_changes") {
   for (const Weighting& weighting : {faces, test::cut_off(0.15)}) {
     SharedFrames f({weighting}, tube(20, 12, 0.6, 3));
     Pose pose = f.staged.pose(shared_twist);
@@ -183,7 +183,7 @@ TEST_CASE("a_drag_under_a_mask_gives_what_a_whole_frame_gives_also_when_the_mask
   }
 }
 
-TEST_CASE("stitched_frames_keep_what_a_mask_keeps") {
+TEST_CASE("stitched_frames_respect_masks") {
   for (const int iterations : {1, 3}) {
     Scheme scheme{faces};
     scheme.iterations = iterations;
@@ -204,13 +204,13 @@ TEST_CASE("stitched_frames_keep_what_a_mask_keeps") {
   }
 }
 
-TEST_CASE("what_is_exponentiated_under_a_mask_is_what_is_sampled_for_the_error_map") {
+TEST_CASE("the_error_map_samples_the_matrices_exponentiated_under_a_mask") {
   Bound b(shared_model(), tube(7, 12, 0.6, 2));
   b.deformer.set_mask(ramp(b.model));
   b.deform(b.pose(shear()), sym3::Method::diag);
   const auto matrices = b.deformer.sample_matrices(b.model.positions.size());
   REQUIRE(matrices.size() == b.model.positions.size());
   const auto log = matrices[0];
-  CHECK(std::abs(log.xx) + std::abs(log.xy) == 0);  // of the end that stays
+  CHECK(std::abs(log.xx) + std::abs(log.xy) == 0);  // at the fixed end
   CHECK(std::abs(matrices.back().xx) > 0.01);
 }

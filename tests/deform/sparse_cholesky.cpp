@@ -18,7 +18,7 @@ namespace {
 using DenseMatrix = Eigen::MatrixXd;
 using EigensSparse = Eigen::SparseMatrix<double>;
 
-/// visit(row, column, value) of the entries of L.
+/// Calls visit(row, column, value) for the entries of L.
 template <class Visit>
 void for_entries(const SparseFactor& f, const Visit& visit) {
   for (const Supernode& s : f.supernodes) {
@@ -64,7 +64,7 @@ EigensSparse eigens(const SparseMatrix& matrix) {
                                         matrix.rows.data(), matrix.values.data());
 }
 
-// The lower triangle of a positive definite matrix, with about so many entries a row.
+// The lower triangle of a positive definite matrix, with about `entries_a_row` entries per row.
 SparseMatrix random_definite(std::uint32_t n, double entries_a_row, Random& random) {
   std::vector<MatrixEntry> entries;
   for (std::uint32_t i = 0; i < n; ++i) entries.push_back({i, i, 4 * entries_a_row + random(1, 2)});
@@ -84,7 +84,7 @@ SparseMatrix dense_definite(std::uint32_t n, Random& random) {
   return sparse_matrix(n, entries);
 }
 
-// Of a model, each tenth vertex held.
+// The Laplacian of a model, with every tenth vertex fixed.
 SparseMatrix firm_laplacian(const mesh::Surface& s) {
   SparseMatrix k = stiffness_matrix(s.positions, s.triangles);
   for (std::uint32_t v = 0; v < k.size(); v += 10) {
@@ -133,7 +133,7 @@ TEST_CASE("laplacians_are_factored_connected_or_not") {
   mesh::Surface parts = together(one, box({1, 1, 1}, {5, 0, 0}));
   parts.positions.push_back({9, 9, 9});
   SparseMatrix matrix = firm_laplacian(parts);
-  matrix.values.back() += 1;  // of the vertex that is in no triangle
+  matrix.values.back() += 1;  // the vertex in no triangle
   for (std::uint32_t v = 0; v < matrix.size(); ++v) {
     for (auto i = matrix.starts[v]; i < matrix.starts[v + 1]; ++i) {
       if (matrix.rows[std::size_t(i)] == int(v)) matrix.values[std::size_t(i)] += 0.25;
@@ -142,14 +142,14 @@ TEST_CASE("laplacians_are_factored_connected_or_not") {
   check_product(matrix);
 }
 
-TEST_CASE("nothing_is_factored_of_nothing") {
+TEST_CASE("an_empty_matrix_has_an_empty_factor") {
   base::WorkerPool pool(2);
   const SparseFactor none = factor(SparseMatrix{}, pool);
   CHECK(none.size() == 0);
   CHECK(none.values.empty());
 }
 
-TEST_CASE("solutions_are_eigens") {
+TEST_CASE("solutions_equal_those_of_eigen") {
   base::WorkerPool pool(2);
   Random random(6);
   for (const SparseMatrix& matrix :
@@ -187,7 +187,7 @@ TEST_CASE("factors_are_the_same_for_any_number_of_threads") {
   }
 }
 
-TEST_CASE("what_is_not_positive_definite_has_a_pivot_that_is_not_positive") {
+TEST_CASE("indefinite_matrices_have_a_nonpositive_pivot") {
   base::WorkerPool pool(1);
   Random random(8);
   const auto fails = [&](SparseMatrix matrix, std::uint32_t row, double diagonal) {
@@ -206,7 +206,7 @@ TEST_CASE("what_is_not_positive_definite_has_a_pivot_that_is_not_positive") {
   }
 }
 
-TEST_CASE("a_factorisation_says_often_how_far_it_is") {
+TEST_CASE("a_factorisation_reports_progress_often") {
   base::WorkerPool pool(1);
   Random random(9);
   for (const SparseMatrix& matrix : {firm_laplacian(tube(200, 101, 0.7, 9)), dense_definite(900, random)}) {
@@ -225,7 +225,7 @@ TEST_CASE("a_factorisation_says_often_how_far_it_is") {
   }
 }
 
-TEST_CASE("a_factorisation_that_is_cancelled_goes_no_further") {
+TEST_CASE("a_cancelled_factorisation_stops") {
   const SparseMatrix matrix = firm_laplacian(tube(120, 101, 0.7, 9));
   int all = 0;
   base::WorkerPool one(1), two(2);
@@ -286,7 +286,7 @@ Columns as_eigen_columns(std::span<const Vec3> rows) {
 
 }  // namespace
 
-TEST_CASE("three_columns_at_once_are_eigens_one_by_one") {
+TEST_CASE("three_columns_at_once_equal_single_solutions_of_eigen") {
   base::WorkerPool pool(1);
   for (const double firmness : {1.0, 1e-3}) {
     const SparseMatrix k = firm_stiffness(test::tube(40, 31, 0.7, 5), firmness, 7);
@@ -309,7 +309,7 @@ TEST_CASE("three_columns_at_once_are_eigens_one_by_one") {
   }
 }
 
-TEST_CASE("systems_of_no_row_of_one_and_of_parts_are_solved") {
+TEST_CASE("empty_single_row_and_disconnected_systems_are_solved") {
   base::WorkerPool pool(1);
   SparseCholesky::Workspace work;
   SparseCholesky(SparseMatrix{}, pool).solve({}, {}, work);
@@ -317,7 +317,7 @@ TEST_CASE("systems_of_no_row_of_one_and_of_parts_are_solved") {
   std::vector<Vec3> x = {{8, -4, 2}};
   SparseCholesky(one, pool).solve(x, x, work);
   CHECK(x[0] == Vec3{2, -1, 0.5});
-  // Two bodies, and a vertex of none.
+  // Two bodies, and a vertex of neither.
   mesh::Surface parts = test::together(test::box(), test::box({1, 1, 1}, {5, 0, 0}));
   parts.positions.push_back({9, 9, 9});
   const SparseMatrix k = firm_stiffness(parts, 0.25);
@@ -327,11 +327,11 @@ TEST_CASE("systems_of_no_row_of_one_and_of_parts_are_solved") {
   for (const Vec3& row : all) CHECK(norm(row - Vec3{4, 8, 12}) < 1e-13);  // K 1 = 0
 }
 
-TEST_CASE("a_matrix_that_is_not_positive_definite_is_refused_by_the_row_that_is_not_determined") {
+TEST_CASE("an_indefinite_matrix_is_rejected_with_the_undetermined_row") {
   base::WorkerPool pool(1);
   mesh::Surface parts = test::together(test::box(), test::box({1, 1, 1}, {5, 0, 0}));
   SparseMatrix k = stiffness_matrix(parts.positions, parts.triangles);
-  k.values[0] += 1;  // the first part is held, the second is not
+  k.values[0] += 1;  // fixes the first part but not the second
   REQUIRE(k.rows[0] == 0);
   CHECK_THROWS_AS(SparseCholesky(k, pool), base::Error);
   CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {0}}, pool), base::Error);

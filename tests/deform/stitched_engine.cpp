@@ -20,7 +20,7 @@ mesh::Surface stitched_model() {
 
 const Twist stitched_twist{2, {0.1, 0, 0}, -2.2, 2.2, -60 * degree, 70 * degree};
 
-// A stitched model as the program runs it.
+// A stitched model as in the program.
 struct StitchedFrame {
   explicit StitchedFrame(const Scheme& scheme_, const mesh::Surface& model_ = stitched_model(),
                          int threads = 2)
@@ -60,7 +60,7 @@ Scheme stitched_srl(int iterations = 1) {
 
 }  // namespace
 
-TEST_CASE("stitched_frames_are_those_of_double_precision_but_for_the_sums") {
+TEST_CASE("stitched_frames_equal_double_precision_up_to_the_sums") {
   for (Scheme scheme : whole_schemes()) {
     for (scheme.iterations = 1; scheme.iterations <= 2; ++scheme.iterations) {
       if (conflict(scheme)) continue;
@@ -112,10 +112,10 @@ TEST_CASE("stitched_frames_have_the_same_bits_on_any_number_of_threads_and_in_an
   const auto first = one.deform(one.pose(stitched_twist));
   CHECK(three.deform(three.pose(stitched_twist)) == first);
   one.deform(one.pose(shear()));
-  CHECK(one.deform(one.pose(stitched_twist)) == first);  // nothing is left of other poses
+  CHECK(one.deform(one.pose(stitched_twist)) == first);  // no state remains from other poses
 }
 
-TEST_CASE("what_is_held_by_its_blended_place_is_there_in_stitched_frames") {
+TEST_CASE("vertices_with_holds_reach_their_blended_positions_in_stitched_frames") {
   mesh::Surface model = together(stitched_model(), tube(6, 5, 0.1, 0.5));
   model.positions.push_back({0.2, 0.1, 0.3});
   for (const Blend blend : {Blend::srl, Blend::linear}) {
@@ -128,7 +128,7 @@ TEST_CASE("what_is_held_by_its_blended_place_is_there_in_stitched_frames") {
   }
 }
 
-TEST_CASE("without_a_stitching_a_stitched_scheme_has_no_engine_and_is_blended_meanwhile") {
+TEST_CASE("without_a_stitching_a_stitched_scheme_falls_back_to_blending") {
   StitchedFrame f(stitched_srl());
   Deformer waiting(f.cage, f.binding, f.scheme, f.pool);
   CHECK(!waiting.engine(fast));
@@ -152,7 +152,7 @@ TEST_CASE("stitched_frames_run_every_method_and_time_their_links") {
   CHECK(times[Link::fused] == 0);
 }
 
-TEST_CASE("the_error_of_a_stitched_frame_is_that_of_what_it_follows") {
+TEST_CASE("the_error_of_a_stitched_frame_is_that_of_its_blended_vertices") {
   for (const auto& mask :
        {Mask(), std::make_shared<const std::vector<float>>(stitched_model().positions.size(), 0.4f)}) {
     StitchedFrame f(stitched_srl());

@@ -70,8 +70,8 @@ Vec3 bent_pipe(const Vec3& x) {
   return {2.5 - r * std::cos(a), 0.9 * x[1], 1.2 * r * std::sin(a)};
 }
 
-// The energy of positions, of the maps' linear parts in one sum over triangles: an evaluation of its own, by
-// gradients in the plane of each triangle, and by singular values where rotations are refitted.
+// Energy of positions for the maps' linear parts, summed over triangles: an independent evaluation, by
+// gradients in the plane of each triangle, and by singular values for refitted rotations.
 double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> posed,
                       const sym3::Mat3<double>& map) {
   double sum = 0;
@@ -94,8 +94,8 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
   return sum;
 }
 
-// x^T K x of the system that was solved. At its minimum over x the energy is c - x^T K x, and c does not
-// depend on the rotations.
+// x^T K x of the solved system. At its minimum over x the energy is c - x^T K x, and c does not depend on the
+// rotations.
 double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
   const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
   double sum = 0;
@@ -108,7 +108,7 @@ double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std
 
 }  // namespace
 
-TEST_CASE("stitching_keeps_rest_and_follows_similarities_whatever_is_blended") {
+TEST_CASE("stitching_keeps_rest_and_follows_similarities_for_every_blend") {
   const StitchScene s(pipe());
   for (const int iterations : {1, 3}) {
     for (const Scheme& scheme : all_stitched(iterations)) {
@@ -123,8 +123,8 @@ TEST_CASE("stitching_keeps_rest_and_follows_similarities_whatever_is_blended") {
   }
 }
 
-TEST_CASE("stitching_does_not_depend_on_where_the_scene_is_or_how_large") {
-  const StitchScene here(rough_pipe());  // in an even one several triangles are nearest
+TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
+  const StitchScene here(rough_pipe());  // irregular, so that the nearest triangle is unique
   const auto posed = here.deform(here.pose(pipe_twist));
   for (const auto& [scale, way] :
        {std::pair{1.0, Vec3{1000, -2000, 500}}, {1e-6, Vec3{0, 0, 0}}, {1e6, Vec3{3e6, 0, 0}}}) {
@@ -138,7 +138,7 @@ TEST_CASE("stitching_does_not_depend_on_where_the_scene_is_or_how_large") {
 }
 
 TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
-  // All triangles are to follow one map that the cage does not make: rows of the test's own.
+  // All triangles follow one map that the cage does not make: rows of the test's own.
   const StitchScene s(pipe());
   base::WorkerPool pool(2);
   const Stitching stitching = stitch(s.model, *s.cage, pool, {.pin = 1e-3});
@@ -198,18 +198,18 @@ TEST_CASE("refitting_rotations_lowers_the_energy_each_time") {
   }
 }
 
-TEST_CASE("every_vertex_has_its_place_in_parts_holes_needles_and_without_triangles") {
-  mesh::Surface model = together(pipe(), tube(6, 5, 0.1, 0.5));  // the inner one is nearest to no handle
+TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangles") {
+  mesh::Surface model = together(pipe(), tube(6, 5, 0.1, 0.5));  // the inner part is nearest to no handle
   for (int i = 0; i < 3; ++i) model.triangles.erase(model.triangles.begin() + 5 * i);
   const auto stray = std::uint32_t(model.positions.size());
   model.positions.push_back({0.2, 0.1, 0.3});  // in no triangle
   model.positions.push_back({0.3, 0.1, 0.3}), model.positions.push_back({0.4, 0.1, 0.3});
   model.positions.push_back({0.5, 0.1, 0.3});
-  model.triangles.push_back({stray + 1, stray + 2, stray + 3});  // a line of its own
+  model.triangles.push_back({stray + 1, stray + 2, stray + 3});  // a separate line
   model.positions.push_back(model.positions[0]);
   model.positions.push_back(0.5 * (model.positions[0] + model.positions[1]));
-  model.triangles.push_back({0, 1, stray + 4});  // two corners at one place
-  model.triangles.push_back({0, 1, stray + 5});  // three on a line
+  model.triangles.push_back({0, 1, stray + 4});  // two coincident corners
+  model.triangles.push_back({0, 1, stray + 5});  // three collinear corners
   model.triangles.push_back({2, 2, 3});
   model.positions.push_back(model.positions[7] + Vec3{1e-9, 0, 0});
   model.triangles.push_back({7, 8, stray + 6});  // a needle
@@ -222,7 +222,7 @@ TEST_CASE("every_vertex_has_its_place_in_parts_holes_needles_and_without_triangl
     CHECK(all_finite(posed));
     CHECK(largest_distance(posed, mapped(s.model.positions, pipe_twist)) < 1.5);
   }
-  // Holds: the inner part by its blended place, what has no firm triangle alone.
+  // Holds: the inner part by its blended positions, and vertices without a firm triangle.
   base::WorkerPool pool(2);
   const Stitching stitching = stitch(s.model, *s.cage, pool);
   Scheme blended = stitched();
@@ -234,7 +234,7 @@ TEST_CASE("every_vertex_has_its_place_in_parts_holes_needles_and_without_triangl
   CHECK(held);
 }
 
-TEST_CASE("models_of_one_vertex_of_one_line_and_without_triangles_are_stitched_as_they_are_blended") {
+TEST_CASE("models_without_firm_triangles_are_stitched_to_their_blended_positions") {
   for (const std::vector<mesh::Triangle>& triangles :
        {std::vector<mesh::Triangle>{}, {{0, 1, 2}}, {{0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}}}) {
     const StitchScene s(mesh::from_triangles({{0, 0, 0.1}, {0, 0, 0.2}, {0, 0, 0.4}}, triangles));
@@ -284,7 +284,7 @@ TEST_CASE("methods_agree_on_stitched_models") {
   CHECK(largest_distance(s.deform(s.pose(bent_pipe), stitched(), 2, sym3::Method::diag), fast) < 1e-12);
 }
 
-TEST_CASE("pins_within_a_radius_hold_more_firmly_and_translation_holds_everything") {
+TEST_CASE("pins_within_a_radius_pull_more_and_translation_pulls_everything") {
   const StitchScene s(pipe());
   base::WorkerPool pool(2);
   const Stitching usual = stitch(s.model, *s.cage, pool);

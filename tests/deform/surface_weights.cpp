@@ -21,7 +21,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Small triangles at these places: each an element, of a cage that encloses nothing.
+// Small triangles at these places: each an element of a cage that encloses nothing.
 Cage triangles_at(const std::vector<Vec3>& places) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -34,7 +34,7 @@ Cage triangles_at(const std::vector<Vec3>& places) {
   return make_cage(mesh::from_triangles(p, t));
 }
 
-// Its weights as they are solved for, a row a vertex.
+// The solved weights, one row per vertex.
 Eigen::MatrixXd solved_weights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                                int threads = 2) {
   base::WorkerPool pool(threads);
@@ -99,11 +99,11 @@ TEST_CASE("each_handle_owns_the_vertex_that_is_nearest_to_it") {
 TEST_CASE("handles_without_area_and_vertices_without_triangles_own_nothing_and_are_not_owned") {
   auto cage_surface = box();
   cage_surface = mesh::from_triangles(cage_surface.positions, cage_surface.triangles);
-  cage_surface.positions.push_back({0, 0, 1});  // of no triangle
-  cage_surface.triangles.push_back({0, 0, 1});  // of no area
+  cage_surface.positions.push_back({0, 0, 1});  // belongs to no triangle
+  cage_surface.triangles.push_back({0, 0, 1});  // has no area
   const Cage cage = make_cage(mesh::from_triangles(cage_surface.positions, cage_surface.triangles));
   auto model = box({0.5, 0.5, 0.5});
-  model.positions.push_back({0.99, 0, 0});  // nearest to a side of the cage, but of no triangle
+  model.positions.push_back({0.99, 0, 0});  // nearest to a side of the cage, but in no triangle
   base::WorkerPool pool(1);
   const auto faces_own = owned_vertices(model, cage, Elements::face, pool);
   CHECK(faces_own.of_handle.back() == OwnedVertices::none);
@@ -153,17 +153,17 @@ TEST_CASE("handles_share_a_vertex_that_is_nearest_to_several") {
   }
 }
 
-TEST_CASE("harmonic_weights_are_between_0_and_1_whatever_the_triangles_are") {
+TEST_CASE("harmonic_weights_are_between_0_and_1_for_any_triangles") {
   Random random(11);
   auto bad = wavy_sphere(25, 30);
-  for (auto& p : bad.positions) p = p + random.vector(0.1);  // folds, needles
+  for (auto& p : bad.positions) p = p + random.vector(0.1);  // makes folds and needles
   auto open = bad;
   open.triangles.resize(open.triangles.size() * 2 / 3);
   auto sewn = bad;  // edges of three triangles
   for (std::uint32_t i = 0; i < 50; ++i) sewn.triangles.push_back({i, i + 31, i + 200});
   auto flat = bad;
   for (auto& p : flat.positions)
-    p[1] = 0, p[0] = std::round(4 * p[0]);  // triangles without area, vertices upon each other
+    p[1] = 0, p[0] = std::round(4 * p[0]);  // triangles without area, coincident vertices
   const Cage cage = make_cage(tube(6, 8, 1.5, 3));
   for (const auto& model : {bad, open, sewn, flat}) {
     const auto weights =
@@ -197,7 +197,7 @@ TEST_CASE("biharmonic_weights_are_the_least_of_bending_and_springs") {
   const auto weights = solved_weights(model, cage, biharmonics);
   CHECK((weights - expected).cwiseAbs().maxCoeff() < 1e-9);
   CHECK(off_one(weights) < 1e-9);
-  CHECK(weights.minCoeff() < -1e-3);  // as said
+  CHECK(weights.minCoeff() < -1e-3);  // as documented
 }
 
 TEST_CASE("biharmonic_weights_hardly_depend_on_how_fine_the_model_is") {
@@ -250,7 +250,7 @@ TEST_CASE("models_without_triangles_are_refused_and_solving_can_be_cancelled") {
   points.positions = wavy_sphere(8, 8).positions;
   const Cage cage = make_cage(box({2, 2, 2}));
   base::WorkerPool pool(1);
-  CHECK_THROWS_WITH_AS(bind(points, cage, harmonics, pool), doctest::Contains("the model has no triangles"),
+  CHECK_THROWS_WITH_AS(bind(points, cage, harmonics, pool), doctest::Contains("need a model with triangles"),
                        base::Error);
   CHECK_THROWS_AS(bind_tiles(points, cage, biharmonics, pool), base::Error);
   base::Progress progress;
@@ -276,7 +276,7 @@ TEST_CASE("rows_that_are_bound_sum_to_1_to_the_last_bits") {
   }
 }
 
-TEST_CASE("what_tiles_keep_of_surface_weights_and_their_sample_are_those_of_the_staged_engine") {
+TEST_CASE("tiles_and_samples_have_the_surface_weights_of_the_staged_engine") {
   for (const auto& weighting : {harmonics, biharmonics}) {
     Bound b(wavy_sphere(60, 50), tube(6, 8, 1.5, 3), weighting);
     const auto& all = *b.binding;
@@ -335,12 +335,12 @@ TEST_CASE("on_real_models_harmonic_weights_have_their_bounds_and_rows_sum_to_1" 
   }
 }
 
-TEST_CASE("seams_and_soups_of_triangles_have_the_weights_of_the_surface_that_they_make") {
+TEST_CASE("seams_and_triangle_soups_have_the_weights_of_their_surface") {
   auto whole = tube(30, 12, 0.5, 3);
   Random random(3);
-  for (auto& p : whole.positions) p = p + random.vector(0.01);  // no two are equally near to a handle
+  for (auto& p : whole.positions) p = p + random.vector(0.01);  // makes nearest vertices unique
   const Cage cage = make_cage(tube(7, 6, 0.8, 4));
-  // Every triangle with vertices of its own.
+  // Every triangle gets vertices of its own.
   std::vector<mesh::Point> positions;
   std::vector<mesh::Triangle> triangles;
   for (const auto& t : whole.triangles) {
@@ -365,7 +365,7 @@ TEST_CASE("seams_and_soups_of_triangles_have_the_weights_of_the_surface_that_the
   }
 }
 
-TEST_CASE("plates_are_not_below_0_once_they_are_clamped_and_sum_to_1") {
+TEST_CASE("clamped_plates_are_not_negative_and_sum_to_1") {
   const auto model = tube(40, 16, 0.5, 3);
   const Cage cage = make_cage(tube(7, 6, 0.8, 4));
   base::WorkerPool pool(2);

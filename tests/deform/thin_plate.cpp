@@ -18,7 +18,7 @@ Eigen::MatrixXd dense(const SparseMatrix& m) {
   return full;
 }
 
-// The minimum by one dense system, of vertices that are held.
+// The minimum by one dense system, for vertices of parts with springs.
 Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
                                 const std::vector<bool>& has_spring, const std::vector<double>& strengths,
                                 const std::vector<ThinPlate::Load>& loads) {
@@ -56,7 +56,7 @@ TEST_CASE("parts_are_held_by_springs_and_grounded_at_the_first_one") {
 }
 
 TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
-  // Two parts with several springs, one with a single one, one with none, and a vertex of no triangle.
+  // Two parts with several springs, one with a single one, one without, and a vertex of no triangle.
   auto model =
       together(together(tube(8, 9, 0.5, 2), tube(5, 6, 0.2, 1)), together(box(), box({1, 1, 1}, {5, 0, 0})));
   model.positions.push_back({7, 7, 7});
@@ -94,7 +94,7 @@ TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
   }
 }
 
-TEST_CASE("plates_report_how_far_they_are_and_can_be_cancelled") {
+TEST_CASE("plates_report_progress_and_can_be_cancelled") {
   const auto model = tube(8, 9, 0.5, 2);
   std::vector<bool> has_spring(model.positions.size(), true);
   const auto laplacian = intrinsic_laplacian(model);
@@ -105,5 +105,6 @@ TEST_CASE("plates_report_how_far_they_are_and_can_be_cancelled") {
   ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress, 0.5);
   CHECK(progress.done() == 0.5);
   progress.cancel();
-  CHECK_THROWS_AS(ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress), base::Cancelled);
+  CHECK_THROWS_AS(ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress),
+                  base::Cancelled);
 }

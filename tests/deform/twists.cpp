@@ -1,4 +1,4 @@
-// Twists of a tube: the mesh must follow the cage all the way round, without a tear.
+// Twists of a tube: the mesh must follow the cage through full turns without tears.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -8,8 +8,7 @@ using namespace viete::test;
 
 namespace {
 
-// A tear moves neighbours apart by the size of the model: edges then stretch far more than those of the cage
-// do.
+// A tear separates neighbours by the size of the model: its edges stretch far more than those of the cage.
 constexpr double tear = 1.5;
 
 struct Twisted {
@@ -35,7 +34,7 @@ TEST_CASE("a_tube_twisted_from_both_ends_does_not_tear_up_to_400_degrees") {
       const auto t = twisted(b, {2, {0, 0, 0}, -1, 1, -a / 2 * degree, a / 2 * degree}, none);
       CHECK(t.torn == 0);
       CHECK(t.stretch < tear * t.cage_stretch);
-      CHECK(t.distance < 0.18);  // nowhere by more than the tube's own radius
+      CHECK(t.distance < 0.18);  // at most the tube's own radius
     }
   }
 }
@@ -52,7 +51,7 @@ TEST_CASE("a_tube_twisted_from_one_end_does_not_tear_up_to_280_degrees") {
   }
 }
 
-TEST_CASE("a_twist_beyond_what_logs_can_tell_is_reported") {
+TEST_CASE("a_twist_beyond_the_range_of_logs_is_reported") {
   Bound b(tube(60, 24, 0.18, 1.96), tube(17, 8, 0.3, 2));
   std::vector<Vec3> none;
   CHECK(twisted(b, {2, {0, 0, 0}, -1, 1, -350 * degree, 350 * degree}, none).torn > 0);

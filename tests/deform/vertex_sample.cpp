@@ -25,7 +25,7 @@ Vec3 bent(const Vec3& p) {
 
 }  // namespace
 
-TEST_CASE("matrices_made_anew_are_those_of_the_staged_frame") {
+TEST_CASE("recomputed_matrices_equal_those_of_the_staged_frame") {
   Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   b.deform(b.pose(bent), sym3::Method::diag);
   StagedEngine engine(b.binding, RowForm::logs, b.pool);
@@ -49,7 +49,7 @@ TEST_CASE("matrices_made_anew_are_those_of_the_staged_frame") {
   }
 }
 
-TEST_CASE("without_logs_there_are_no_matrices_and_making_them_can_be_cancelled") {
+TEST_CASE("without_logs_there_are_no_matrices_and_sampling_can_be_cancelled") {
   Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   b.deform(b.pose(bent), sym3::Method::diag);
   const Weigher weigher(*b.cage, faces);
@@ -60,7 +60,7 @@ TEST_CASE("without_logs_there_are_no_matrices_and_making_them_can_be_cancelled")
                   base::Cancelled);
 }
 
-TEST_CASE("the_sum_at_a_vertex_is_that_of_its_terms_and_what_the_frame_exponentiates") {
+TEST_CASE("the_sum_at_a_vertex_equals_that_of_its_terms_and_the_exponent_of_the_frame") {
   Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   b.deform(b.pose(bent), sym3::Method::diag);
   const Weigher weigher(*b.cage, faces);
@@ -77,7 +77,7 @@ TEST_CASE("the_sum_at_a_vertex_is_that_of_its_terms_and_what_the_frame_exponenti
       if (i > 0) CHECK(std::abs(sum.terms[i].weight) <= std::abs(sum.terms[i - 1].weight));
     }
     CHECK(weights == doctest::Approx(1).epsilon(1e-12));
-    // The largest term is of an element that is near.
+    // The largest term belongs to a near element.
     CHECK(norm(offset - bent(b.model.positions[vertex])) < 1);
   }
   const Mask half = std::make_shared<const std::vector<float>>(b.model.positions.size(), 0.5f);

@@ -10,7 +10,7 @@ using namespace viete::test;
 
 namespace {
 
-// Points in, on and outside the cage: near and on corners, edges and faces among them.
+// Points inside, on and outside the cage, including near and on corners, edges and faces.
 std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   Random random(17);
   std::vector<viete::mesh::Point> points;
@@ -27,7 +27,7 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   return points;
 }
 
-// By their definition.
+// Computed from their definition.
 void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::mesh::Point& p,
                     std::span<double> weights) {
   switch (weighting.weights) {
@@ -77,7 +77,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
         }
       }
       CAPTURE(kernel.name);
-      CHECK(worst < 1e-6);  // where a point is 1e-9 from an element its distance has seven digits
+      CHECK(worst < 1e-6);  // at 1e-9 from an element a distance has seven digits
     }
   }
 }
@@ -111,11 +111,11 @@ TEST_CASE("mean_values_of_eight_points_are_those_of_one_and_reproduce_the_points
   }
 }
 
-TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
+TEST_CASE("missing_mean_values_are_reported_per_lane") {
   const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   std::array<viete::mesh::Point, bind_lanes> points;
   points.fill({0.2, 0.2, 0.5});
-  points[3] = points[6] = {0.25, -1, 0};  // in its plane, outside of it
+  points[3] = points[6] = {0.25, -1, 0};  // in its plane, outside of the triangle
   for (const auto& kernel : viete::sym3::kernels()) {
     const Weigher weigher(cage, mean_values, kernel);
     std::vector<double> scratch(weigher.scratch_size());
@@ -126,7 +126,7 @@ TEST_CASE("mean_values_where_there_are_none_are_told_lane_by_lane") {
   }
 }
 
-TEST_CASE("tiles_of_floats_are_the_weights_in_double_wherever_the_points_lie") {
+TEST_CASE("float_tiles_equal_weights_in_double_at_any_points") {
   auto surface = tube(5, 7, 0.8, 2);
   surface = together(surface,
                      viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}));  // a line

@@ -1,8 +1,7 @@
-// A small mutating fuzzer for compilers without libFuzzer: first the corpus as it is, then damaged copies of
-// it.
+// A small mutating fuzzer for compilers without libFuzzer: runs the corpus unchanged, then mutated copies.
 //
-// usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. The same seed makes the same inputs. An input that
-// breaks the reader is in the file `fuzz-last-input` of the working directory when the program dies.
+// usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. The same seed gives the same inputs. An input that
+// crashes the reader is left in the file `fuzz-last-input` of the working directory.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>

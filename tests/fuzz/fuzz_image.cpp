@@ -1,5 +1,5 @@
-// One input as a picture: it must answer with all its pixels or with base::Error, and nothing else. The
-// decoder is compiled here once more, so that sanitizers see into it.
+// Reads one input as a picture: the result must be all its pixels or base::Error. The decoder is compiled
+// here again, so that sanitizers check it.
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 

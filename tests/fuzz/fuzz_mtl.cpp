@@ -1,4 +1,4 @@
-// One input as a material library: it must answer with materials whose numbers are sound, and nothing else.
+// Reads one input as a material library: the result must be materials with valid numbers.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

@@ -1,4 +1,4 @@
-// One input as a point cache: it must answer with frames of numbers or with base::Error, and nothing else.
+// Reads one input as a point cache: the result must be frames of finite numbers or base::Error.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

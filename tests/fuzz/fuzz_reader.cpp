@@ -1,7 +1,7 @@
-// One input, one reader: it must answer with a sound surface or with base::Error, and nothing else.
+// Reads one input with one reader: the result must be a valid surface or base::Error.
 //
 // Built once per format (VIETE_FUZZ_READ is the reader). With VIETE_LIBFUZZER and clang, libFuzzer calls it;
-// else driver.cpp.
+// otherwise driver.cpp.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -38,7 +38,7 @@ void check_invariants(const Surface& s, std::size_t bytes) {
   for (const auto& t : s.triangles) {
     for (const auto v : t) require(v < s.positions.size());
   }
-  // No more than the file can hold, or place by its nodes.
+  // Limits to the size of the file plus instances.
   constexpr std::size_t placed = VIETE_FUZZ_PLACED;
   require(s.positions.size() <= bytes + placed && s.corners.size() <= 4 * (bytes + placed) + 64);
 }
@@ -69,19 +69,19 @@ std::string written_again(const ReadResult& read, const std::vector<Point>& posi
   return all;
 }
 
-// A deformed file is read again, with the same polygons where its format has vertices.
+// A deformed file must be readable, with the same polygons if its format has shared vertices.
 void check_moved(const ReadResult& read) {
   auto moved = read.surface.positions;
   for (std::size_t v = 0; v < moved.size(); ++v) moved[v][v % 3] += 0.37 * static_cast<double>(v % 7);
   const std::string text = written_again(read, moved);
   const ReadResult again = VIETE_FUZZ_READ(Source{"fuzz", "", text, nullptr});
   require(again.surface.polygon_count() == read.surface.polygon_count());
-  // What moves may come to lie together, which a glTF reader takes as a seam.
+  // Moved vertices may coincide, which a glTF reader merges as a seam.
   if (!read.format.starts_with("STL") && !read.format.starts_with("glTF"))
     require(again.surface.corners == read.surface.corners);
 }
 
-// Moments of an animation have a place for every vertex.
+// Every moment of an animation must have a position for each vertex.
 void check_morphs(const ReadResult& read) {
   const auto clip = read.original ? read.original->morphs() : nullptr;
   if (!clip) return;
@@ -91,12 +91,12 @@ void check_morphs(const ReadResult& read) {
   if (!clip->seconds().empty()) require(clip->at_key(clip->seconds().size() - 1).size() == vertices);
 }
 
-// What was written is never refused.
+// Written files must never be rejected.
 ReadResult read_back(ReadResult (*read)(const Source&), const std::string& bytes) noexcept {
   return read(Source{"written", "", bytes, nullptr});
 }
 
-// Whatever was read can be written in every format, and is read again with the same polygons.
+// Every surface can be written in every format and read again with the same polygons.
 void check_converted(const ReadResult& read) {
   struct Format {
     void (*write)(const Content&, TextWriter&);
@@ -115,11 +115,11 @@ void check_converted(const ReadResult& read) {
       format.write(content, out);
       out.finish();
     } catch (const viete::base::Error& error) {
-      require(glb && !error.place().empty());  // beyond floats
+      require(glb && !error.place().empty());  // beyond the range of float
       continue;
     }
     const ReadResult result = read_back(format.read, bytes);
-    if (glb) continue;  // triangles, in another order
+    if (glb) continue;  // triangles in another order
     require(result.surface.corners == read.surface.corners);
     require(result.surface.polygon_starts == read.surface.polygon_starts);
   }
@@ -134,7 +134,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const ReadResult read = VIETE_FUZZ_READ(source);
     check_attributes(read);
-    if (!read.format.starts_with("glTF")) {  // whose JSON is laid out anew
+    if (!read.format.starts_with("glTF")) {  // glTF rewrites its JSON
       require(written_again(read, read.surface.positions) == bytes);
       check_moved(read);
     }

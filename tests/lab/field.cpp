@@ -31,7 +31,7 @@ lab::FieldValues of_shares(const std::vector<double>& shares) {
   return lab::measure(Field::influence, input);
 }
 
-// In twice the precision.
+// Computed in double-double precision.
 double determinant(const sym3::Sym3<sym3::DoubleDouble>& m) {
   const auto d = m.xx * (m.yy * m.zz - m.yz * m.yz) - m.xy * (m.xy * m.zz - m.yz * m.xz) +
                  m.xz * (m.xy * m.yz - m.yy * m.xz);
@@ -40,7 +40,7 @@ double determinant(const sym3::Sym3<sym3::DoubleDouble>& m) {
 
 }  // namespace
 
-TEST_CASE("fields_stand_in_their_order_by_words_of_their_own") {
+TEST_CASE("fields_have_unique_names_in_order") {
   std::set<std::string_view> words;
   const auto all = choices(Field::none);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -54,7 +54,7 @@ TEST_CASE("fields_stand_in_their_order_by_words_of_their_own") {
   CHECK(lab::measure(Field::none, {}).values.empty());
 }
 
-TEST_CASE("errors_are_those_of_every_matrix") {
+TEST_CASE("exp_error_is_computed_for_every_matrix") {
   Matrices matrices;
   for (int i = 0; i < 3000; ++i) matrices.push_back({0.3, 0.1 + 1e-4 * i, -0.2, 0.4, 1e-5 * i, -0.1});
   for (const auto method : {sym3::Method::fast, sym3::Method::improved_sd}) {
@@ -72,21 +72,21 @@ TEST_CASE("errors_are_those_of_every_matrix") {
   }
 }
 
-TEST_CASE("an_answer_that_is_no_number_makes_the_map_say_so") {
+TEST_CASE("nan_values_are_flagged") {
   const auto map = of_matrices(Field::exp_error, Matrices(3), sym3::Method::improved_sd_faithful);
   CHECK(map.stats.is_nan);
   CHECK(map.values == std::vector<float>(3, 0.0F));
   CHECK(of_matrices(Field::exp_error, {}).stats.vertices == 0);
 }
 
-TEST_CASE("errors_that_are_cancelled_end") {
+TEST_CASE("exp_error_can_be_cancelled") {
   base::Progress progress;
   progress.cancel();
   CHECK_THROWS_AS(of_matrices(Field::exp_error, Matrices(3000), sym3::Method::fast, &progress),
                   base::Cancelled);
 }
 
-TEST_CASE("the_range_of_errors_is_that_of_all_methods_whichever_runs") {
+TEST_CASE("error_range_covers_all_methods") {
   Matrices easy, hard;
   for (int i = 0; i < 300; ++i) {
     easy.push_back({0.3, 0.1 + 1e-3 * i, -0.2, 0.9, 0.05, -0.6});
@@ -115,7 +115,7 @@ TEST_CASE("volume_is_the_determinant_of_the_exponential") {
   CHECK(map.stats.low == -map.stats.high);
 }
 
-TEST_CASE("the_gap_is_that_of_the_nearest_eigenvalues_and_its_worst_is_the_least") {
+TEST_CASE("gap_is_the_smallest_eigenvalue_gap_and_its_worst_is_the_least") {
   const Matrices matrices = {
       {3, 0, 0, 1, 0, 2.9}, {-4, 0, 0, 1, 0, 2}, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 1, 0, 1}};
   const auto map = of_matrices(Field::gap, matrices);
@@ -126,7 +126,7 @@ TEST_CASE("the_gap_is_that_of_the_nearest_eigenvalues_and_its_worst_is_the_least
   CHECK(map.stats.worst >= 2);
 }
 
-TEST_CASE("ranges_leave_out_what_lies_far_away_and_are_never_empty") {
+TEST_CASE("ranges_exclude_outliers_and_are_never_empty") {
   std::vector<double> shares(1000, 0.1);
   for (std::size_t i = 0; i < 500; ++i) shares[i] = 0.002 * double(i) / 10;
   shares[700] = 50;
@@ -141,7 +141,7 @@ TEST_CASE("ranges_leave_out_what_lies_far_away_and_are_never_empty") {
   CHECK(nothing.stats.counts[0] == 10);
 }
 
-TEST_CASE("values_are_said_as_people_read_them") {
+TEST_CASE("values_are_formatted_for_display") {
   CHECK(lab::text(Field::area, 1) == "2 x");
   CHECK(lab::text(Field::turn, 12.52) == "12.5\u00b0");
   CHECK(lab::text(Field::displacement, 0.032) == "3.2 %");

@@ -55,7 +55,7 @@ void check_all(Field field, const mesh::Surface& rest, const std::vector<Point>&
 
 }  // namespace
 
-TEST_CASE("a_motion_that_is_rigid_turns_and_stretches_nothing") {
+TEST_CASE("rigid_motion_has_rotation_without_stretch") {
   const mesh::Surface rest = sheet();
   for (const double degrees : {0.0, 30.0, 170.0}) {
     const auto turn = sym3::exp_rotation<double>(
@@ -78,7 +78,7 @@ TEST_CASE("a_stretch_of_a_plane_is_measured_exactly") {
   mesh::Surface rest = sheet();
   for (Point& p : rest.positions) p[2] = 0;
   const double a = 1.7, b = 0.6;
-  // Along axes that stand askew, and turned out of the plane.
+  // Along oblique axes, rotated out of the plane.
   const double c = std::cos(0.4), s = std::sin(0.4);
   const auto drawn = moved(rest, [&](const Point& p) {
     const double u = a * (c * p[0] + s * p[1]), v = b * (c * p[1] - s * p[0]);
@@ -98,7 +98,7 @@ TEST_CASE("a_stretch_of_a_plane_is_measured_exactly") {
   CHECK(std::abs(direction.least[2]) == doctest::Approx(1).epsilon(1e-9));
 }
 
-TEST_CASE("what_collapses_has_a_finite_value_that_is_the_worst") {
+TEST_CASE("collapsed_triangles_have_the_worst_finite_value") {
   const mesh::Surface rest = sheet();
   auto drawn = rest.positions;
   for (const std::size_t v : {13, 14, 25, 26}) drawn[v] = rest.positions[13];
@@ -142,8 +142,8 @@ TEST_CASE("displacements_are_in_diagonals_and_values_do_not_depend_on_threads") 
     CHECK(measured(field, rest, bent, 1).values == measured(field, rest, bent, 3).values);
 }
 
-TEST_CASE("parts_that_face_each_other_open_and_close") {
-  // Two sheets, the lower one looking up and the upper one down, and a third one behind the upper one's back.
+TEST_CASE("openings_of_facing_parts_are_measured") {
+  // Two sheets that face each other, and a third one behind the upper one.
   mesh::Surface surface;
   for (const double height : {0.0, 0.05, 0.08}) {
     const auto first = static_cast<std::uint32_t>(surface.positions.size());
@@ -163,5 +163,5 @@ TEST_CASE("parts_that_face_each_other_open_and_close") {
   for (std::size_t v = 25; v < 50; ++v) drawn[v][2] = 0.2;
   const auto values = measured(Field::opening, surface, drawn).values;
   for (std::size_t v = 0; v < 50; ++v) CHECK(double(values[v]) == doctest::Approx(2).epsilon(1e-6));
-  for (std::size_t v = 50; v < 75; ++v) CHECK(values[v] == 0);  // sees nothing, and is not seen
+  for (std::size_t v = 50; v < 75; ++v) CHECK(values[v] == 0);  // faces nothing
 }

@@ -43,7 +43,7 @@ float middle(const Sheet& mesh, std::uint32_t n) {
 
 }  // namespace
 
-TEST_CASE("valley_is_darker_than_plain_and_ridge_is_not") {
+TEST_CASE("valleys_are_darker_than_planes_and_ridges_are_not") {
   const float valley = middle(sheet(41, 0.2), 41), flat = middle(sheet(41, 0), 41),
               ridge = middle(sheet(41, -0.2), 41);
   CHECK(flat == doctest::Approx(1));

@@ -1,4 +1,4 @@
-// What a file says besides positions, in another format.
+// Conversion of attributes to other formats.
 #include "mesh/formats/conversion.h"
 
 #include <doctest/doctest.h>
@@ -16,14 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using Notes = std::vector<std::string>;
 
-// A square of two triangles with everything; the second corner's texture point differs in both.
+// A square of two triangles with all attributes; the texture points of the second corner differ.
 const std::string everything =
     "mtllib some.mtl\no thing\ng part\nusemtl red\n"
     "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\ns off\n"
     "f 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 1/4/1 3/3/1 4/4/1\n";
 
-// Written in another format, or as if it were in one.
+// Writes in another format, or converts as if it had been.
 Notes convert(const ReadResult& read, const fs::path& path, bool with_original = false) {
   const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
   return mesh::write(path, content, with_original ? read.original.get() : nullptr, {});
@@ -36,7 +36,7 @@ struct Converted : test::TemporaryFolder {
     return test::read_kept(everything, "obj", path());
   }();
 
-  // Turned a quarter about the x axis.
+  // Rotates by 90 degrees about the x axis.
   Notes to(const std::string& name) {
     moved.clear();
     for (const Point& p : read.surface.positions) moved.push_back({p[0], -p[2], p[1]});
@@ -47,9 +47,9 @@ struct Converted : test::TemporaryFolder {
 
 }  // namespace
 
-TEST_CASE("another_format_gets_texture_points_normals_and_colours_and_no_materials") {
+TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials") {
   Converted c;
-  CHECK(c.to("out.obj") == Notes{"OBJ does not get what else was in the file: groups, materials, textures"});
+  CHECK(c.to("out.obj") == Notes{"OBJ cannot store other content of the file: groups, materials, textures"});
   CHECK(c.entries() == 3);
   const ReadResult out = mesh::read(c / "out.obj");
   CHECK(out.surface.positions == c.moved);
@@ -64,12 +64,12 @@ TEST_CASE("another_format_gets_texture_points_normals_and_colours_and_no_materia
   for (const std::uint32_t n : now.corner_normal) CHECK(norm(now.normals[n] - Vec3{0, -1, 0}) < 1e-12);
 }
 
-TEST_CASE("a_glb_becomes_an_obj_and_a_glb_again") {
+TEST_CASE("glb_to_obj_to_glb_round_trip") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.glb", test::patch().glb());
   const ReadResult before = mesh::read(folder / "a.glb");
   CHECK(convert(before, folder / "b.obj") ==
-        Notes{"OBJ does not get what else was in the file: groups, materials, textures"});
+        Notes{"OBJ cannot store other content of the file: groups, materials, textures"});
   CHECK(convert(mesh::read(folder / "b.obj"), folder / "c.glb").empty());
   CHECK(folder.entries() == 3);
   const ReadResult after = mesh::read(folder / "c.glb");
@@ -84,9 +84,9 @@ TEST_CASE("a_glb_becomes_an_obj_and_a_glb_again") {
   CHECK(b.images.empty());
 }
 
-TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
+TEST_CASE("ply_stores_attributes_with_one_value_per_vertex") {
   Converted c;
-  CHECK(c.to("out.ply") == Notes{"PLY does not get what else was in the file: several normals of a vertex, "
+  CHECK(c.to("out.ply") == Notes{"PLY cannot store other content of the file: several normals of a vertex, "
                                  "groups, materials, textures"});
   const ReadResult out = mesh::read(c / "out.ply");
   CHECK(out.surface.positions == c.moved);
@@ -99,16 +99,16 @@ TEST_CASE("a_ply_takes_what_there_is_one_of_a_vertex") {
   CHECK(again.attributes->texture_points[1] == Vec2{0.5, 0.25});
 }
 
-TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_it") {
+TEST_CASE("conversion_reports_content_that_is_lost") {
   Converted c;
   CHECK(c.to("out.off").size() == 1);
   CHECK(mesh::read(c / "out.off").attributes->colors == c.read.attributes->colors);
-  CHECK(c.to("out.stl") == Notes{"STL does not get what else was in the file: texture coordinates, normals, "
+  CHECK(c.to("out.stl") == Notes{"STL cannot store other content of the file: texture coordinates, normals, "
                                  "colours, groups, materials, textures"});
   CHECK(mesh::read(c / "out.stl").surface.triangles.size() == 2);
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const ReadResult obj = test::read_kept(triangle + "l 1 2\nl 2 3\np 1\nlod 3\n", "obj");
-  CHECK(convert(obj, c / "a.stl", true) == Notes{"STL does not get what else was in the file: 2 lines, 1 "
+  CHECK(convert(obj, c / "a.stl", true) == Notes{"STL cannot store other content of the file: 2 lines, 1 "
                                                  "point, 1 statement of curves, surfaces and display"});
   CHECK(convert(obj, c / "a.obj", true).empty());
   CHECK(convert(test::read_kept(triangle, "obj"), c / "b.stl", true).empty());
@@ -118,7 +118,7 @@ TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_i
       "quality\nelement edge 1\nproperty int vertex1\nend_header\n1 2 3 4\n0\n",
       "ply");
   CHECK(convert(ply, c / "a.off", true) ==
-        Notes{"OFF does not get what else was in the file: property quality of vertex, element edge"});
+        Notes{"OFF cannot store other content of the file: property quality of vertex, element edge"});
   test::GltfParts parts = test::patch();
   parts.json["animations"] = {{{"channels", test::GltfJson::array()}}};
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
@@ -127,20 +127,20 @@ TEST_CASE("what_a_file_holds_besides_is_said_where_another_format_does_not_get_i
               "textures, animations, morph targets, second texture coordinates"));
 }
 
-TEST_CASE("gltf_gets_triangles_of_one_mesh_and_comments_that_are_not_utf8") {
+TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
   const test::TemporaryFolder folder;
   const ReadResult square = test::read_kept(
       "# caf\xE9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no one\nf 1 2 3 4\no two\nf 4 3 2 1\n", "obj");
   for (const char* name : {"a.glb", "a.gltf"}) {
     const Content content{square.surface, square.surface.positions, square.comments, square.attributes.get()};
     CHECK(mesh::write(folder / name, content, nullptr, {}) ==
-          Notes{"glTF does not get what else was in the file: groups",
+          Notes{"glTF cannot store other content of the file: groups",
                 "2 faces of more than three corners became triangles"});
     CHECK(mesh::read(folder / name).surface.positions.size() == 4);
   }
 }
 
-TEST_CASE("normals_of_an_obj_that_serve_several_vertices_are_apart_in_a_glb_that_is_deformed") {
+TEST_CASE("shared_obj_normals_are_split_in_a_deformed_glb") {
   // A strip of two quads in the plane z = 0 with one normal for all, then bent up at x = 1.
   const ReadResult flat = test::read_kept(
       "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvn 0 0 1\nf 1//1 2//1 5//1 4//1\nf 2//1 3//1 "
@@ -163,7 +163,7 @@ TEST_CASE("normals_of_an_obj_that_serve_several_vertices_are_apart_in_a_glb_that
   }
 }
 
-TEST_CASE("an_obj_or_ply_that_is_written_again_elsewhere_finds_its_materials_and_images") {
+TEST_CASE("obj_and_ply_saved_elsewhere_find_their_materials_and_images") {
   const std::string textured =
       "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3\n";
   const test::TemporaryFolder folder;

@@ -12,14 +12,14 @@ using namespace viete::mesh;
 
 using List = std::vector<std::uint32_t>;
 
-TEST_CASE("sound_surfaces_have_neither_doubled_nor_pinched_vertices") {
+TEST_CASE("sound_surfaces_have_no_duplicate_or_nonmanifold_vertices") {
   for (const Surface& s : {test::cube(), test::sphere(3), test::torus(20, 10), test::torus(12, 8, true)}) {
     CHECK(duplicate_vertices(s).empty());
     CHECK(nonmanifold_vertices(s).empty());
   }
 }
 
-TEST_CASE("vertices_on_others_are_named_and_unused_ones_are_not") {
+TEST_CASE("duplicate_vertices_are_listed_unless_unused") {
   Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 0}},
                              {{0, 1, 2}, {4, 5, 3}});
   CHECK(duplicate_vertices(s) == List{3, 4});
@@ -27,7 +27,7 @@ TEST_CASE("vertices_on_others_are_named_and_unused_ones_are_not") {
   CHECK(duplicate_vertices(s) == List{4});
 }
 
-TEST_CASE("a_vertex_that_joins_two_fans_is_pinched") {
+TEST_CASE("vertex_of_two_fans_is_nonmanifold") {
   // Two tetrahedra with one vertex in common: every edge has two triangles.
   const Surface s = from_triangles(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
@@ -35,13 +35,13 @@ TEST_CASE("a_vertex_that_joins_two_fans_is_pinched") {
   CHECK(nonmanifold_vertices(s) == List{0});
 }
 
-TEST_CASE("an_edge_of_three_triangles_pinches_nothing") {
+TEST_CASE("edge_of_three_triangles_has_no_nonmanifold_vertices") {
   const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
                                    {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 0, 1}});
   CHECK(nonmanifold_vertices(s).empty());
 }
 
-TEST_CASE("thin_triangles_are_named_at_every_scale_and_flat_ones_are_not") {
+TEST_CASE("thin_triangles_are_listed_at_every_scale_except_flat_ones") {
   const Surface s =
       from_triangles({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-4, 0}, {0.5, 0.5, 0}, {0.5, 0, 0}, {0.5, 1e-14, 0}},
                      {{0, 1, 3}, {0, 1, 2}, {0, 1, 4}, {0, 0, 1}, {2, 0, 1}, {0, 1, 5}});
@@ -63,7 +63,7 @@ Surface rotated(Surface s) {
 
 }  // namespace
 
-TEST_CASE("sound_surfaces_do_not_cut_themselves_at_any_scale_or_angle") {
+TEST_CASE("sound_surfaces_have_no_self_intersections_at_any_scale_or_angle") {
   for (const Surface& s : {test::cube(), test::sphere(3), test::torus(40, 20), test::torus(12, 8, true)}) {
     for (const double scale : {1e-100, 1e-30, 1.0, 1e30, 1e100}) {
       CHECK(self_intersecting_triangles(test::moved(s, scale)).empty());
@@ -73,7 +73,7 @@ TEST_CASE("sound_surfaces_do_not_cut_themselves_at_any_scale_or_angle") {
   }
 }
 
-TEST_CASE("a_triangle_through_another_names_both") {
+TEST_CASE("crossing_triangles_are_both_listed") {
   const Surface s = from_triangles(
       {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}, {9, 0, 9}, {8, 0, 9}, {9, 1, 9}},
       {{0, 1, 2}, {6, 7, 8}, {3, 4, 5}});
@@ -81,8 +81,8 @@ TEST_CASE("a_triangle_through_another_names_both") {
   CHECK(self_intersecting_triangles(rotated(s)) == List{0, 2});
 }
 
-TEST_CASE("an_edge_exactly_through_an_edge_or_a_vertex_counts") {
-  // The second one's edge meets the first one's border from above to below.
+TEST_CASE("edge_exactly_through_an_edge_or_vertex_is_a_crossing") {
+  // An edge of the second one crosses the border of the first.
   CHECK(self_intersecting_triangles(from_triangles(
             {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 0, -1}, {2, 0, 1}, {2, -3, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
         List{0, 1});
@@ -91,8 +91,8 @@ TEST_CASE("an_edge_exactly_through_an_edge_or_a_vertex_counts") {
         List{0, 1});
 }
 
-TEST_CASE("touching_without_crossing_does_not_count") {
-  // A vertex on a face, two boxes edge to edge and face to face in part with open interiors apart.
+TEST_CASE("touching_is_not_a_crossing") {
+  // A vertex on a face; two boxes that touch at an edge and partly at a face.
   CHECK(self_intersecting_triangles(
             from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 3}, {2, 1, 3}},
                            {{0, 1, 2}, {3, 4, 5}}))
@@ -102,7 +102,7 @@ TEST_CASE("touching_without_crossing_does_not_count") {
   CHECK(self_intersecting_triangles(test::both(test::cube(), beside)).empty());
 }
 
-TEST_CASE("overlap_in_one_plane_counts_and_doubled_triangles_do") {
+TEST_CASE("coplanar_overlap_and_duplicate_triangles_are_crossings") {
   CHECK(self_intersecting_triangles(from_triangles(
             {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {1, 1, 1}, {5, 1, 1}, {1, 5, 1}, {-1, -1, 1}, {-2, 0, 1}},
             {{0, 1, 2}, {3, 4, 5}, {0, 7, 6}})) == List{0, 1});
@@ -110,12 +110,12 @@ TEST_CASE("overlap_in_one_plane_counts_and_doubled_triangles_do") {
                                                    {{0, 1, 2}, {0, 2, 3}})) == List{0, 1});
 }
 
-TEST_CASE("a_neighbour_that_pierces_beyond_the_common_vertex_counts") {
+TEST_CASE("neighbour_piercing_beyond_the_common_vertex_is_a_crossing") {
   CHECK(self_intersecting_triangles(from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 2, -1}, {1, 1, 1}},
                                                    {{0, 1, 2}, {0, 3, 4}})) == List{0, 1});
 }
 
-TEST_CASE("two_boxes_pushed_into_each_other_are_named_where_they_meet") {
+TEST_CASE("triangles_of_overlapping_boxes_are_listed_where_they_cross") {
   Surface other = test::cube();
   for (Point& p : other.positions) p[0] += 1, p[1] += 0.5, p[2] += 0.25;
   const auto found = self_intersecting_triangles(test::both(test::cube(), other));
@@ -126,14 +126,14 @@ TEST_CASE("two_boxes_pushed_into_each_other_are_named_where_they_meet") {
   CHECK(self_intersecting_triangles(test::both(test::cube(), same)).size() > 6);
 }
 
-TEST_CASE("triangles_without_area_cut_nothing") {
+TEST_CASE("triangles_without_area_cross_nothing") {
   CHECK(self_intersecting_triangles(from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}},
                                                    {{0, 1, 2}, {3, 4, 4}, {3, 4, 3}}))
             .empty());
   CHECK(self_intersecting_triangles(Surface{}).empty());
 }
 
-TEST_CASE("the_sweep_finds_what_all_pairs_find") {
+TEST_CASE("sweep_agrees_with_brute_force") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> at(0, 1), off(-0.15, 0.15);
   std::vector<Point> points;

@@ -1,4 +1,4 @@
-// Colours and texture coordinates that files give to faces: read, kept, converted.
+// Face colours and face texture coordinates: reading, keeping, converting.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -13,7 +13,7 @@ using viete::test::holds;
 
 namespace {
 
-// A binary STL of a tetrahedron, two bytes behind each facet.
+// A binary STL of a tetrahedron with two attribute bytes per facet.
 std::string colored_stl(const std::string& head, const std::vector<std::uint16_t>& words) {
   const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
@@ -46,12 +46,12 @@ const std::string wedges =
 
 }  // namespace
 
-TEST_CASE("stl_colours_are_those_of_viscam_or_magics") {
-  // Red in the upper bits where the highest one is set; others have none.
+TEST_CASE("stl_colours_of_viscam_and_magics_are_read") {
+  // Red in the upper bits if the highest bit is set; otherwise no colour.
   const auto viscam =
       face_colors(colored_stl("made up", {0x8000 | 31 << 10, 0x8000 | 31 << 5, 0x801F, 31}), "stl");
   CHECK(viscam == std::vector<Color>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, Material{}.base_color});
-  // Red in the lower bits where the highest one is not set; others have that of the head.
+  // Red in the lower bits if the highest bit is not set; otherwise the colour of the header.
   const std::string head = std::string("by Magics COLOR=") + "\xFF\x33\x01\xFF" + ",MATERIAL=";
   const auto magics = face_colors(colored_stl(head, {31, 31 << 5, 31 << 10, 0xFFFF}), "stl");
   CHECK(magics == std::vector<Color>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 0.2F, 1 / 255.0F, 1}});
@@ -60,7 +60,7 @@ TEST_CASE("stl_colours_are_those_of_viscam_or_magics") {
   CHECK(face_colors(colored_stl(std::string(72, 'x') + "COLOR=ab", {0, 0, 0, 0}), "stl").empty());
 }
 
-TEST_CASE("off_faces_have_colours_of_bytes_or_parts_and_some_have_none") {
+TEST_CASE("off_face_colours_may_be_bytes_fractions_or_missing") {
   const std::string head = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
   const auto bytes =
       face_colors(head + "3 0 2 1 255 0 51\n3 0 1 3\n2 0 1 9 9 9\n3 1 2 3 0 0 255 51 # last\n", "off");
@@ -70,7 +70,7 @@ TEST_CASE("off_faces_have_colours_of_bytes_or_parts_and_some_have_none") {
   CHECK(face_colors(head + "3 0 2 1 7\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "off").empty());
 }
 
-TEST_CASE("off_colours_of_whole_numbers_and_of_parts_are_told_apart_row_by_row") {
+TEST_CASE("off_integer_and_fractional_colours_are_distinguished_per_row") {
   const std::string head = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
   CHECK(face_colors(head + "3 0 2 1 255 0 51\n3 0 1 3 1.0 0.5 0.0\n3 0 3 2 0 0 1 0.5\n3 1 2 3 0.25 0 1 255\n",
                     "off") ==
@@ -79,7 +79,7 @@ TEST_CASE("off_colours_of_whole_numbers_and_of_parts_are_told_apart_row_by_row")
         std::vector<Color>{{1, 0, 0, 1}, {1 / 255.0F, 0.5F / 255, 0, 1}, {0, 0, 1, 1}, {0.5F, 0, 0, 1}});
 }
 
-TEST_CASE("off_colours_that_the_head_does_not_name_are_kept") {
+TEST_CASE("off_undeclared_colours_are_kept") {
   const test::TemporaryFolder folder;
   const std::string faces = "3 0 2 1 0 0 255\n3 0 1 2\n";
   const std::string text = "OFF\n3 2 0\n0 0 0 200 0 40 255\n1 0 0 0.5 0 1\n0 1 0\n" + faces;
@@ -97,11 +97,11 @@ TEST_CASE("off_colours_that_the_head_does_not_name_are_kept") {
     const ReadResult odd =
         test::read_text("OFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 " + std::string(row) + "\n0 1 0\n3 0 1 2\n", "off");
     CHECK(odd.attributes == nullptr);
-    CHECK(holds(odd.warnings.at(0), "passed over what stands behind the positions of 1 row"));
+    CHECK(holds(odd.warnings.at(0), "ignored extra values after the positions of 1 row"));
   }
 }
 
-TEST_CASE("colours_of_faces_go_where_a_format_has_them") {
+TEST_CASE("face_colours_are_written_where_the_format_has_them") {
   const test::TemporaryFolder folder;
   const ReadResult stl =
       test::read_kept(colored_stl("made up", {0x8000 | 31 << 10, 0x801F, 0x801F, 0x8000 | 31 << 10}), "stl");
@@ -115,7 +115,7 @@ TEST_CASE("colours_of_faces_go_where_a_format_has_them") {
   CHECK(holds(bytes, "COLOR_0"));
   CHECK(mesh::write(folder / "b.stl", Content{stl.surface, stl.surface.positions, {}, stl.attributes.get()},
                     nullptr, {}) ==
-        std::vector<std::string>{"STL does not get what else was in the file: colours of faces"});
+        std::vector<std::string>{"STL cannot store other content of the file: colours of faces"});
 }
 
 TEST_CASE("ply_faces_have_texture_points_colours_and_images") {
@@ -158,7 +158,7 @@ TEST_CASE("ply_names_of_images_have_no_blanks_around_them_and_any_length") {
   CHECK(r.attributes->images[1].path == folder / "b.png");
 }
 
-TEST_CASE("ply_texture_points_of_faces_that_do_not_fit_say_nothing") {
+TEST_CASE("ply_face_texture_points_of_wrong_length_are_ignored") {
   std::string odd = wedges;
   odd.replace(odd.find("6 0 0 0.25 0.25 0 1"), 19, "4 0 0 0.25 0.25");
   const ReadResult read = test::read_kept(odd, "ply");
@@ -168,7 +168,7 @@ TEST_CASE("ply_texture_points_of_faces_that_do_not_fit_say_nothing") {
   CHECK(read.attributes->groups.empty());
 }
 
-TEST_CASE("ply_normals_of_several_face_elements_follow") {
+TEST_CASE("ply_normals_of_several_face_elements_are_updated") {
   const std::string faces =
       "property list uchar int vertex_indices\nproperty float nx\nproperty float ny\nproperty "
       "float nz\n";

@@ -1,4 +1,4 @@
-// The table of formats: its rows say what readers and writers do, and what shells and desktops are told.
+// The table of formats agrees with readers, writers, shell completions and desktop entries.
 #include "mesh/formats/format_table.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// A quad and a triangle; the first vertex that a face names is not the first one, and one is of no face.
+// A quad and a triangle; the faces do not start with the first vertex, and one vertex is unused.
 Surface odd_surface() {
   return test::read_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\nv 5 5 5\nf 3 4 1 2\nf 5 4 3\n", "obj")
       .surface;
@@ -31,7 +31,7 @@ std::string asset(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("rows_say_what_becomes_of_a_surface") {
+TEST_CASE("format_rows_describe_what_a_format_keeps") {
   const test::TemporaryFolder folder;
   const Surface surface = odd_surface();
   for (const Format& format : all_formats()) {
@@ -53,7 +53,7 @@ TEST_CASE("rows_say_what_becomes_of_a_surface") {
   }
 }
 
-TEST_CASE("every_file_that_is_read_has_the_content_of_its_format" * doctest::test_suite(test::if_present)) {
+TEST_CASE("every_file_is_recognised_by_its_content" * doctest::test_suite(test::if_present)) {
   const auto all = test::shared_data();
   if (!std::filesystem::exists(all)) return test::skip(all.string() + " is not here");
   for (const auto& entry : std::filesystem::recursive_directory_iterator(all)) {
@@ -71,7 +71,7 @@ TEST_CASE("every_file_that_is_read_has_the_content_of_its_format" * doctest::tes
   }
 }
 
-TEST_CASE("kept_lines_and_values_do_not_hide_the_format_of_a_file") {
+TEST_CASE("comments_and_extra_values_do_not_hide_the_format") {
   const test::TemporaryFolder folder;
   std::string rows;
   for (int i = 0; i < 20; ++i) rows += "v 0 1 " + std::to_string(i) + "\nl 1 2\nvt 0 1\nf -1/1 1//\n";
@@ -96,7 +96,7 @@ TEST_CASE("kept_lines_and_values_do_not_hide_the_format_of_a_file") {
   }
 }
 
-TEST_CASE("other_content_is_of_no_format_whatever_its_words_are") {
+TEST_CASE("foreign_content_is_of_no_format") {
   const test::TemporaryFolder folder;
   const std::string elf =
       "\x7F"
@@ -135,7 +135,7 @@ TEST_CASE("other_content_is_of_no_format_whatever_its_words_are") {
   }
 }
 
-TEST_CASE("lists_of_formats_name_each_once") {
+TEST_CASE("lists_of_formats_contain_each_once") {
   CHECK(format_names(holds_surface) == "OBJ, PLY, OFF, STL or glTF");
   CHECK(format_extensions(is_sequence) == ".pc2 or .mdd");
   CHECK(a_mesh() == "Mesh (OBJ, PLY, OFF, STL, glTF)");
@@ -151,7 +151,7 @@ TEST_CASE("advice_to_export_a_file_of_another_kind_names_all_formats") {
   CHECK_THROWS_WITH_AS(test::read_text("DRACO", "drc"), doctest::Contains(advice.c_str()), base::Error);
 }
 
-TEST_CASE("desktops_know_every_format") {
+TEST_CASE("desktop_entry_lists_every_format") {
   for (const Format& format : all_formats()) {
     CAPTURE(format.extension);
     const std::string word(format.extension), name(format.name);

@@ -44,7 +44,7 @@ std::vector<Point> raised(const Surface& s, double by) {
 
 }  // namespace
 
-TEST_CASE("a_glb_and_a_gltf_are_read_the_same_and_seams_are_closed") {
+TEST_CASE("glb_and_gltf_read_the_same_and_seams_are_welded") {
   const GltfParts parts = test::patch();
   for (const ReadResult& r :
        {read_parts(parts), test::read_text(parts.text(), "gltf"), test::read_text(parts.glb(), "obj")}) {
@@ -54,8 +54,8 @@ TEST_CASE("a_glb_and_a_gltf_are_read_the_same_and_seams_are_closed") {
     CHECK(r.surface.triangles == std::vector<Triangle>{{0, 1, 3}, {0, 3, 2}, {1, 4, 5}, {1, 5, 3}});
     REQUIRE(r.attributes);
     const Attributes& a = *r.attributes;
-    CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // upward here
-    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex, beyond the seam
+    CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // v points upward here
+    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex across the seam
     CHECK(a.normals[a.corner_normal[0]] == Vec3{0, 0, 1});
     REQUIRE(a.groups.size() == 1);
     CHECK(a.groups[0].object == "only");
@@ -72,7 +72,7 @@ TEST_CASE("nodes_place_their_meshes") {
       {{"mesh", 0}, {"rotation", {0, 0, 0.7071067811865476, 0.7071067811865476}}, {"scale", {-2, 1, 1}}}};
   const ReadResult r = read_parts(parts);
   CHECK(norm(r.surface.positions[4] - Point{10, -4, 0}) < 1e-12);  // (2, 0, 0)
-  CHECK(r.surface.triangles[0] == Triangle{0, 3, 1});              // mirrored: turned over
+  CHECK(r.surface.triangles[0] == Triangle{0, 3, 1});              // mirrored, so orientation is reversed
   CHECK(norm(r.attributes->normals[0] - Vec3{0, 0, 1}) < 1e-12);
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("strips_fans_sparse_and_short_numbers_are_read") {
   CHECK(lines.surface.triangles.empty());
   CHECK(lines.surface.positions.size() == 6);
   REQUIRE(lines.warnings.size() == 2);
-  CHECK(holds(lines.warnings[0], "1 primitive of points or lines: moved along"));
+  CHECK(holds(lines.warnings[0], "1 primitive of points or lines: deformed"));
   primitive["mode"] = 4;
   const std::size_t where = parts.view(std::vector<std::uint16_t>{1});
   const std::size_t what = parts.view(std::vector<float>{1, 0, 7});
@@ -99,7 +99,7 @@ TEST_CASE("strips_fans_sparse_and_short_numbers_are_read") {
   CHECK(read_parts(parts).surface.positions[1] == Point{1, 0, 7});
 }
 
-TEST_CASE("at_rest_every_byte_of_the_buffer_and_every_key_is_the_same") {
+TEST_CASE("unmoved_gltf_keeps_every_byte_and_key") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.glb", "a.gltf"}) {
     GltfParts parts = test::patch();
@@ -119,7 +119,7 @@ TEST_CASE("at_rest_every_byte_of_the_buffer_and_every_key_is_the_same") {
   }
 }
 
-TEST_CASE("deformed_only_positions_and_normals_differ_and_another_reader_sees_them") {
+TEST_CASE("deformed_gltf_differs_only_in_positions_and_normals") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
   test::put_file(folder / "a.glb", parts.glb());
@@ -132,14 +132,14 @@ TEST_CASE("deformed_only_positions_and_normals_differ_and_another_reader_sees_th
   const auto positions = floats_by_judge(folder / "b.glb", 0), normals = floats_by_judge(folder / "b.glb", 1);
   for (std::size_t i = 0; i < 8; ++i)
     CHECK(positions[3 * i + 2] == 0.25F * positions[3 * i] * positions[3 * i]);
-  CHECK(normals[0] == doctest::Approx(-0.25 / std::hypot(1, 0.25)));   // of the left quad alone
-  CHECK(normals[12] == doctest::Approx(-0.75 / std::hypot(1, 0.75)));  // of the right one: split as it was
+  CHECK(normals[0] == doctest::Approx(-0.25 / std::hypot(1, 0.25)));   // left quad only
+  CHECK(normals[12] == doctest::Approx(-0.75 / std::hypot(1, 0.75)));  // right quad: still split
   CHECK(floats_by_judge(folder / "b.glb", 2) == floats_by_judge(folder / "a.glb", 2));
   const ReadResult again = read(folder / "b.glb");
   CHECK(again.surface.positions == posed);
 }
 
-TEST_CASE("instances_that_deform_apart_become_meshes_of_their_own") {
+TEST_CASE("instances_that_deform_differently_become_separate_meshes") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   parts.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {5, 0, 0}}, {"scale", {2, 2, 2}}}};
@@ -156,7 +156,7 @@ TEST_CASE("instances_that_deform_apart_become_meshes_of_their_own") {
   for (std::size_t i = 0; i < 12; ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
 }
 
-TEST_CASE("positions_that_others_share_or_that_are_no_floats_are_replaced_by_new_ones") {
+TEST_CASE("shared_or_non_float_positions_get_new_accessors") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   const std::vector<std::int16_t> shorts = {0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0, 100, 100, 0, 0};
@@ -175,18 +175,18 @@ TEST_CASE("positions_that_others_share_or_that_are_no_floats_are_replaced_by_new
       {{"channels", GltfJson::array()}, {"samplers", {{{"input", 0}, {"output", 0}}}}}};
   test::put_file(folder / "a.glb", parts.glb());
   const ReadResult r = read(folder / "a.glb");
-  CHECK(holds(r.warnings.at(0), "animations are not played here"));
+  CHECK(holds(r.warnings.at(0), "animations are ignored"));
   const auto posed = raised(r.surface, 0.5);
   r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr);
   const ReadResult again = read(folder / "b.glb");
   REQUIRE(again.surface.positions.size() == posed.size());
   for (std::size_t i = 0; i < posed.size(); ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
   const std::string out = test::file_bytes(folder / "b.glb");
-  CHECK(accessor_of(out, 0, "POSITION") != 0);  // the animation's is as it was
+  CHECK(accessor_of(out, 0, "POSITION") != 0);  // the animation's accessor stays
   CHECK(floats_by_judge(folder / "b.glb", 0) == floats_by_judge(folder / "a.glb", 0));
 }
 
-TEST_CASE("a_buffer_beside_is_written_beside_and_over_nothing_else") {
+TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "in");
   std::filesystem::create_directory(folder / "out");
@@ -199,7 +199,7 @@ TEST_CASE("a_buffer_beside_is_written_beside_and_over_nothing_else") {
   const auto posed = raised(r.surface, 1);
   test::put_file(folder / "out/b.bin", "somebody's");
   const auto notes = r.original->write_file(folder / "out/b.gltf", r.surface, posed, {}, nullptr);
-  CHECK(holds(notes.at(0), "1 image stayed where"));
+  CHECK(holds(notes.at(0), "1 image stayed in the model"));
   CHECK(test::file_bytes(folder / "out/b.bin") == "somebody's");
   CHECK(read(folder / "out/b.gltf").surface.positions == posed);
   const GltfJson out = GltfJson::parse(test::file_bytes(folder / "out/b.gltf"));
@@ -207,17 +207,17 @@ TEST_CASE("a_buffer_beside_is_written_beside_and_over_nothing_else") {
   CHECK(out["images"][0]["uri"] == "../in/my%20paint.png");
   CHECK(notes.at(1) == "the buffer is in " + (folder / "out/b-2.bin").string());
   r.original->write_file(folder / "out/b.gltf", r.surface, raised(r.surface, 2), {}, nullptr);
-  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // that of the older result goes with it
+  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // replaced, and therefore removed
   CHECK(read(folder / "out/b.gltf").surface.positions == raised(r.surface, 2));
   r.original->write_file(folder / "in/a.gltf", r.surface, posed, {}, nullptr);
   CHECK(test::file_bytes(folder / "in/the data.bin") == parts.bytes);
   r.original->write_file(folder / "out/c.glb", r.surface, posed, {}, nullptr);
-  r.original->write_file(folder / "out/\xE9.gltf", r.surface, posed, {}, nullptr);  // as Latin-1 has it
+  r.original->write_file(folder / "out/\xE9.gltf", r.surface, posed, {}, nullptr);  // Latin-1 file name
   CHECK(read(folder / "out/\xE9.gltf").surface.positions == posed);
   CHECK(read(folder / "out/c.glb").surface.positions == posed);
 }
 
-TEST_CASE("a_gltf_that_does_not_fit_leaves_the_buffer_of_the_older_one") {
+TEST_CASE("failed_gltf_write_keeps_the_old_buffer") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   test::put_file(folder / "in.bin", parts.bytes);
@@ -235,7 +235,7 @@ TEST_CASE("a_gltf_that_does_not_fit_leaves_the_buffer_of_the_older_one") {
   CHECK(folder.entries() == 4);
 }
 
-TEST_CASE("images_beside_the_folder_of_the_model_are_found_and_led_to") {
+TEST_CASE("images_outside_of_the_model_folder_are_found_and_referenced") {
   const test::TemporaryFolder folder;
   for (const char* name : {"models", "textures", "far", "far/out"})
     std::filesystem::create_directory(folder / name);
@@ -250,13 +250,13 @@ TEST_CASE("images_beside_the_folder_of_the_model_are_found_and_led_to") {
   const auto posed = raised(r.surface, 1);
   for (const char* name : {"far/out/b.glb", "linked/c.glb"}) {
     const auto notes = r.original->write_file(folder / name, r.surface, posed, {}, nullptr);
-    CHECK(holds(notes.at(0), "1 image stayed where"));
+    CHECK(holds(notes.at(0), "1 image stayed in the model"));
     const auto image = read(folder / name).attributes->images.at(0).path;
     CHECK(test::file_bytes(image) == "a picture");
   }
 }
 
-TEST_CASE("many_primitives_are_replaced_where_they_lie") {
+TEST_CASE("many_primitives_are_replaced_in_place") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   GltfJson primitives = GltfJson::array();
@@ -288,7 +288,7 @@ TEST_CASE("many_primitives_are_replaced_where_they_lie") {
         accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION"));
 }
 
-TEST_CASE("chunks_of_other_kinds_and_a_file_of_two_buffers_are_kept") {
+TEST_CASE("unknown_chunks_and_second_buffers_are_kept") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
   std::string glb = parts.glb();
@@ -305,7 +305,7 @@ TEST_CASE("chunks_of_other_kinds_and_a_file_of_two_buffers_are_kept") {
 
   GltfJson twice = GltfJson::parse(parts.beside("data.bin"));
   twice["buffers"].push_back(twice["buffers"][0]);
-  twice["bufferViews"][1]["buffer"] = 1;  // of the normals
+  twice["bufferViews"][1]["buffer"] = 1;  // buffer of the normals
   test::put_file(folder / "data.bin", parts.bytes);
   test::put_file(folder / "b.gltf", twice.dump());
   const ReadResult both = read(folder / "b.gltf");
@@ -315,17 +315,17 @@ TEST_CASE("chunks_of_other_kinds_and_a_file_of_two_buffers_are_kept") {
   CHECK(read(folder / "c.gltf").surface.positions == raised(both.surface, 1));
 }
 
-TEST_CASE("instances_that_are_not_shown_are_told_and_keep_their_places") {
+TEST_CASE("gpu_instances_cause_a_warning_and_are_kept") {
   GltfParts parts = test::patch();
   parts.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
   parts.json["nodes"][0]["extensions"] = {
       {"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", 0}}}}}};
   const ReadResult r = test::read_kept(parts.glb(), "glb");
   REQUIRE(r.warnings.size() == 1);
-  CHECK(holds(r.warnings[0], "EXT_mesh_gpu_instancing is not known here"));
+  CHECK(holds(r.warnings[0], "EXT_mesh_gpu_instancing is not supported"));
   const test::TemporaryFolder folder;
   r.original->write_file(folder / "a.glb", r.surface, raised(r.surface, 1), {}, nullptr);
-  CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // these are of the instances
+  CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // used by the instances
 }
 
 TEST_CASE("any_surface_becomes_a_glb") {
@@ -344,7 +344,7 @@ TEST_CASE("any_surface_becomes_a_glb") {
   CHECK(read(folder / "points.glb").surface.positions == points.positions);
 }
 
-TEST_CASE("a_surface_beyond_floats_becomes_no_glb") {
+TEST_CASE("surface_beyond_float_range_is_not_written_as_glb") {
   const test::TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(write(folder / "a.glb", test::moved(test::cube(), 1e39)),
                        doctest::Contains("the position of vertex 0 is beyond 3.4e+38 (-1e+39 -1e+39 -1e+39)"),
@@ -352,7 +352,7 @@ TEST_CASE("a_surface_beyond_floats_becomes_no_glb") {
   CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("bad_gltf_is_refused_with_its_place") {
+TEST_CASE("invalid_gltf_is_rejected_with_its_place") {
   const GltfParts good = test::patch();
   const auto with = [&](const char* pointer, const GltfJson& value) {
     GltfParts bad = good;
@@ -383,19 +383,19 @@ TEST_CASE("bad_gltf_is_refused_with_its_place") {
   CHECK(holds(with("/nodes", nullptr), "\"nodes\" should be a list of objects"));
   CHECK(holds(with("/nodes/0/mesh", 9), "node 0: refers to mesh 9"));
   CHECK(holds(with("/nodes/0/children", {0}), "node 0: is placed twice"));
-  CHECK(holds(with("/nodes/0/children", {5}), "node 5: is not there"));
-  CHECK(holds(with("/scene", 4), "scene 4 is not there"));
-  CHECK(holds(with("/asset/version", "1.0"), "glTF 1.0 is not read"));
+  CHECK(holds(with("/nodes/0/children", {5}), "node 5: does not exist"));
+  CHECK(holds(with("/scene", 4), "scene 4 does not exist"));
+  CHECK(holds(with("/asset/version", "1.0"), "glTF 1.0 is not supported"));
   CHECK(holds(with("/extensionsUsed", {"KHR_draco_mesh_compression"}),
               "compressed (KHR_draco_mesh_compression)"));
   CHECK(holds(with("/extensionsRequired", {"VENDOR_magic"}), "needs the extension VENDOR_magic"));
-  CHECK(holds(with("/nodes/0/translation", {1e200, 0, 0}), "is no place"));
+  CHECK(holds(with("/nodes/0/translation", {1e200, 0, 0}), "is invalid"));
   GltfParts past = good;
   const std::size_t indices = past.accessor(std::vector<std::uint16_t>{0, 1, 8}, 5123, "SCALAR", 1);
   past.json["meshes"][0]["primitives"][0]["indices"] = indices;
   CHECK(holds(refusal_of(past), "index 8 refers past the 8 vertices"));
 
-  CHECK(holds(test::refusal(good.glb().substr(0, 400), "glb"), "the head promises"));
+  CHECK(holds(test::refusal(good.glb().substr(0, 400), "glb"), "the header announces"));
   CHECK(holds(test::refusal("{\"asset\":{\"version\":\"2.0\"", "gltf"), "not JSON at byte"));
   CHECK(holds(test::refusal("{\"asset\":" + std::string(100000, '['), "gltf"), "nested more than 64 deep"));
   CHECK(holds(test::refusal(good.beside("missing.bin"), "gltf"), "missing.bin"));
@@ -404,7 +404,7 @@ TEST_CASE("bad_gltf_is_refused_with_its_place") {
     CHECK(holds(test::refusal(good.beside(outside), "gltf"), "lies outside of the model's folder"));
 }
 
-TEST_CASE("nodes_cannot_make_more_than_memory_holds") {
+TEST_CASE("instancing_is_limited") {
   GltfParts parts = test::patch();
   std::vector<float> many(3 * 100000);
   const std::size_t positions = parts.accessor(many, 5126, "VEC3", 3);
@@ -416,7 +416,7 @@ TEST_CASE("nodes_cannot_make_more_than_memory_holds") {
   CHECK(holds(test::refusal(parts.glb(), "glb"), "more than 4 million vertices"));
 }
 
-TEST_CASE("a_node_that_flattens_its_mesh_cannot_take_a_deformation_back") {
+TEST_CASE("deformed_mesh_of_a_flattening_node_is_rejected") {
   const test::TemporaryFolder folder;
   GltfParts parts = test::patch();
   parts.json["nodes"][0]["scale"] = {1, 1, 0};

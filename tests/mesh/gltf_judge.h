@@ -1,4 +1,4 @@
-// A reader of glTF that is not ours, to judge what is written.
+// An independent glTF reader that checks written files.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -31,7 +31,7 @@ TEST_CASE("an_inner_edge_has_two_sides_in_opposite_directions_by_triangle") {
   }
 }
 
-TEST_CASE("edges_of_any_number_of_triangles_are_listed_and_collapsed_triangles_are_not") {
+TEST_CASE("edges_of_any_number_of_triangles_are_listed_except_of_collapsed_ones") {
   const std::vector<Triangle> fan = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 1, 1}};
   const HalfEdges table = half_edges(5, fan);
   CHECK(table.edges.size() == 7);
@@ -66,7 +66,7 @@ TEST_CASE("adjacency_lists_both_ends_of_every_edge") {
   CHECK(graph.of(3).empty());
 }
 
-TEST_CASE("joined_sets_have_one_number_and_others_keep_theirs") {
+TEST_CASE("joined_sets_share_a_number") {
   UnionFind sets(5);
   CHECK(sets.join(0, 1));
   CHECK(sets.join(3, 4));
@@ -81,7 +81,7 @@ TEST_CASE("joined_sets_have_one_number_and_others_keep_theirs") {
   CHECK(sets.find(1) != sets.find(0));
 }
 
-TEST_CASE("paths_along_edges_join_vertices_that_are_no_farther_than_their_length") {
+TEST_CASE("vertices_are_joined_by_paths_up_to_the_given_length") {
   std::vector<Point> p;  // a strip of squares of side 1, and a triangle beside it
   std::vector<Triangle> t;
   for (std::uint32_t i = 0; i < 10; ++i) {

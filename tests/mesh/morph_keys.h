@@ -1,4 +1,4 @@
-// Models in glTF files that go from key to key by morph targets.
+// glTF models animated by morph targets.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct MorphAnimation {
   bool normals = true;
 };
 
-/// A target for each key that is not at rest.
+/// One target per key, except for keys at rest.
 inline std::vector<std::string> write_morphs(const std::filesystem::path& path, const mesh::Content& content,
                                              const mesh::Original* original, const MorphAnimation& animation,
                                              base::Progress* progress = nullptr) {

@@ -44,7 +44,7 @@ public:
     return model.meshes.at(mesh).primitives.at(i);
   }
 
-  // What a player shows of a primitive at a key: a base attribute with weighed targets.
+  // Positions of a primitive at a key as a player shows them: base attribute plus weighted targets.
   std::vector<double> shown(std::size_t node, std::size_t i, const char* attribute, std::size_t key,
                             std::size_t animation = 0) const {
     const auto mesh = static_cast<std::size_t>(model.nodes.at(node).mesh);
@@ -54,7 +54,7 @@ public:
     return weighed(p, base, attribute, weights(node, key, animation));
   }
 
-  // The same where nothing plays.
+  // The same at default weights.
   std::vector<double> shown(std::size_t node, const char* attribute) const {
     const auto& n = model.nodes.at(node);
     const auto& mesh = model.meshes.at(static_cast<std::size_t>(n.mesh));
@@ -103,7 +103,7 @@ void check_near(const std::vector<Point>& found, const std::vector<Point>& expec
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(norm(found[i] - expected[i]) < near);
 }
 
-// Those of the surface's vertices for each of the file's eight, see test::patch().
+// The surface vertex of each of the file's eight vertices, see test::patch().
 std::vector<Point> of_patch(const std::vector<Point>& p) {
   return {p[0], p[1], p[2], p[3], p[1], p[4], p[3], p[5]};
 }
@@ -148,7 +148,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
     const GltfParts parts = weighed_patch();
     const ReadResult r = test::read_kept(binary ? parts.glb() : parts.text(), binary ? "glb" : "gltf");
     check_near(r.surface.positions, shape_of_weighed_patch());
-    CHECK(holds(r.warnings.at(0), "morph targets have their default weights and are not played"));
+    CHECK(holds(r.warnings.at(0), "morph targets keep their default weights; their animation is ignored"));
     const Vec3 n = r.attributes->normals.at(0);
     CHECK(n[0] / n[2] == doctest::Approx(0.15 / 0.9));
     CHECK(norm(n) == doctest::Approx(1));
@@ -159,13 +159,13 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
   still.json["nodes"][1].erase("weights");
   const ReadResult r = test::read_kept(still.glb(), "glb");
   CHECK(r.surface.positions[4] == Point{2, 0, 0});
-  CHECK(holds(r.warnings.at(0), "morph targets are not played here"));
+  CHECK(holds(r.warnings.at(0), "the animation of morph targets is ignored"));
 }
 
-TEST_CASE("vertices_that_default_weights_part_or_join_are_not_welded") {
+TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
   GltfParts parts = test::patch();
   std::vector<float> open(24, 0);
-  open[3] = -1, open[0] = 1;  // the left side of the seam leaves the right one, and comes to the first vertex
+  open[3] = -1, open[0] = 1;  // moves the left side of the seam to the first vertex
   const std::size_t delta = parts.accessor(open, 5126, "VEC3", 3);
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
   parts.json["meshes"][0]["weights"] = {0.5};
@@ -210,7 +210,7 @@ TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
   }
 }
 
-TEST_CASE("a_motion_beside_targets_with_default_weights_is_played_as_it_is") {
+TEST_CASE("motion_is_independent_of_targets_with_default_weights") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.glb", weighed_patch().glb());
   const ReadResult r = read(folder / "a.glb");
@@ -225,7 +225,7 @@ TEST_CASE("a_motion_beside_targets_with_default_weights_is_played_as_it_is") {
              of_patch({wave.positions[1].begin(), wave.positions[1].begin() + 6}), 1e-5);
 }
 
-TEST_CASE("keys_become_targets_that_another_reader_plays_and_all_else_is_kept") {
+TEST_CASE("keys_become_targets_and_other_content_is_kept") {
   const test::TemporaryFolder folder;
   const GltfParts parts = test::patch();
   for (const char* name : {"a.glb", "a.gltf"}) {
@@ -247,8 +247,8 @@ TEST_CASE("keys_become_targets_that_another_reader_plays_and_all_else_is_kept") 
       CHECK(w == std::vector<float>{key == 1 ? 1.0F : 0, key == 2 ? 1.0F : 0});
     }
     const auto normals = judge.shown(0, 0, "NORMAL", 1);
-    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // of the left quad alone
-    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // of the right one: split as it was
+    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // left quad only
+    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // right quad: still split
     CHECK(judge.model.meshes[0].extras.Get("targetNames").Get(1).Get<std::string>() == "key 2");
     CHECK(read(out).surface.positions == r.surface.positions);
     CHECK(judge.model.materials.at(0).name == "paint");
@@ -340,7 +340,7 @@ TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
   const auto clip = read(folder / "b.glb").original->morphs();
   CHECK(clip->name() == "lift");
   CHECK(clip->targets().size() == 3);
-  CHECK(holds(clip->notes().at(0), "of 2 animations of weights the first one is taken"));
+  CHECK(holds(clip->notes().at(0), "using the first of 2 animations of weights"));
 }
 
 TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
@@ -359,14 +359,14 @@ TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
   const test::MorphAnimation animation{"a", {{0, "rest", r.surface.positions}, {1, "posed", posed}}};
   const auto notes =
       test::write_morphs(folder / "b.glb", {r.surface, r.surface.positions, {}}, r.original.get(), animation);
-  CHECK(holds(notes.at(0), "meshes of their own"));
+  CHECK(holds(notes.at(0), "became separate meshes"));
   const auto clip = read(folder / "b.glb").original->morphs();
   REQUIRE(clip);
   check_near(clip->at_key(0), r.surface.positions, 1e-5);
   check_near(clip->at_key(1), posed, 1e-5);
   const MorphJudge judge(folder / "b.glb");
   CHECK(judge.model.animations.at(0).channels.size() == 2);
-  CHECK(judge.weights(2, 0).empty());  // that node stands still
+  CHECK(judge.weights(2, 0).empty());  // that node does not move
 }
 
 TEST_CASE("models_of_other_formats_become_glb_with_targets") {
@@ -393,7 +393,7 @@ TEST_CASE("models_of_other_formats_become_glb_with_targets") {
                        doctest::Contains("no morph targets"), base::Error);
 }
 
-TEST_CASE("a_computed_normal_has_no_seam_where_the_texture_has_one") {
+TEST_CASE("computed_normals_are_continuous_across_texture_seams") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.obj",
                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0.5 0\n"
@@ -415,7 +415,7 @@ TEST_CASE("a_computed_normal_has_no_seam_where_the_texture_has_one") {
   CHECK(split == 2);
 }
 
-TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
+TEST_CASE("invalid_animations_are_rejected_and_nothing_is_written") {
   const test::TemporaryFolder folder;
   const Surface cube = test::cube();
   const std::vector<Point> rest = cube.positions, far(8, Point{1e300, 0, 0});
@@ -431,7 +431,7 @@ TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
   CHECK(holds(refused({}), "without keys"));
   CHECK(holds(refused({{0, "", rest}, {0, "", rest}}), "key 1: its time"));
   CHECK(holds(refused({{std::nan(""), "", rest}}), "key 0: its time"));
-  CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is no place"));
+  CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is invalid"));
   CHECK(folder.entries() == 0);
   base::Progress progress;
   progress.cancel();
@@ -447,7 +447,7 @@ TEST_CASE("animations_that_are_none_are_refused_and_nothing_is_written") {
   CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("weights_that_jump_or_follow_curves_are_read_and_unsound_ones_refused") {
+TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
   GltfParts parts = test::patch();
   std::vector<float> lift;
   for (int i = 0; i < 8; ++i) lift.insert(lift.end(), {0, 0, 1});

@@ -53,12 +53,12 @@ TEST_CASE("normals_are_weighted_by_area") {
   CHECK(n[2] == doctest::Approx(3 / std::sqrt(10.0)).epsilon(1e-15));
 }
 
-TEST_CASE("a_vertex_without_area_around_it_has_a_normal_all_the_same") {
+TEST_CASE("vertex_without_area_has_a_default_normal") {
   const Surface s = from_triangles({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {9, 9, 9}}, {{0, 1, 2}, {0, 0, 1}});
   for (const Point& n : normals_of(s)) CHECK(n == Point{0, 0, 1});
 }
 
-TEST_CASE("normals_of_a_range_leave_the_others_alone_and_equal_those_of_the_whole") {
+TEST_CASE("normals_of_a_range_equal_those_of_the_whole") {
   const Surface s = test::sphere(2);
   const auto whole = normals_of(s);
   std::vector<Point> part(s.positions.size(), Point{7, 7, 7});
@@ -78,7 +78,7 @@ TEST_CASE("normals_of_a_file_follow_the_deformation_and_stay_split") {
   }
   CHECK(deformed_normals(s, s.positions, normals, corner_normal) == normals);
 
-  // A shear of z by x, a stretch along x, a turn about z: normals go by the cofactors.
+  // A shear of z by x, a stretch along x, a rotation about z: normals transform by the cofactors.
   const double cosine = std::cos(0.7), sine = std::sin(0.7);
   const auto map = [&](const Point& p) {
     const Point sheared{2 * p[0], p[1], p[2] + 0.5 * p[0]};
@@ -98,7 +98,7 @@ TEST_CASE("normals_of_a_file_follow_the_deformation_and_stay_split") {
   CHECK(norm(tangents[0]) == doctest::Approx(1));
 }
 
-TEST_CASE("a_rotation_turns_normals_that_lean_from_their_faces") {
+TEST_CASE("rotation_rotates_normals_that_lean_from_their_faces") {
   const Surface s = test::sphere(2);
   std::vector<Vec3> normals;
   std::vector<Point> posed;
@@ -115,7 +115,7 @@ TEST_CASE("a_rotation_turns_normals_that_lean_from_their_faces") {
 
 namespace {
 
-// A turn by 90 degrees about x, and a shift.
+// A rotation by 90 degrees about x, and a translation.
 Point turned_about_x(const Point& p) {
   return {p[0] + 1, -p[2], p[1]};
 }
@@ -128,7 +128,7 @@ std::vector<Point> turned(const std::vector<Point>& points) {
 
 }  // namespace
 
-TEST_CASE("normals_that_no_triangle_with_area_holds_turn_with_what_is_near") {
+TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {
   const Vec3 up{0, 0, 1}, is_then{0, -1, 0};
   const auto near = [](const Vec3& a, const Vec3& b) { return norm(a - b) < 1e-14; };
   Surface points;
@@ -140,13 +140,13 @@ TEST_CASE("normals_that_no_triangle_with_area_holds_turn_with_what_is_near") {
   for (const auto& t : deformed_tangents(points, turned(points.positions), normals, {}, every_vertex(points)))
     CHECK(near(t, is_then));
 
-  Surface line;  // along y: how it turns about itself is open
+  Surface line;  // along y: its rotation about itself is undetermined
   line.positions = {{0, 0, 0}, {0, 1, 0}, {0, 3, 0}};
   for (const auto& n :
        deformed_normals(line, turned(line.positions), std::vector<Vec3>(3, up), {}, every_vertex(line)))
     CHECK(near(n, is_then));
 
-  // A loose vertex beside a triangle, and a face without area: they turn as the triangle does.
+  // A loose vertex near a triangle, and a face without area: both rotate as the triangle does.
   Surface mixed = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {2, 0, 0}, {3, 0, 0}},
                                  {{0, 1, 2}, {1, 4, 5}});
   const auto now = turned(mixed.positions);

@@ -36,7 +36,7 @@ TEST_CASE("obj_faces_may_carry_texture_and_normal_indices_of_any_kind") {
   }
 }
 
-TEST_CASE("obj_relative_indices_count_from_the_face_they_stand_in") {
+TEST_CASE("obj_relative_indices_refer_to_their_line") {
   const Surface s = surface_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -1 -2 -3\n");
   CHECK(s.triangles == std::vector<Triangle>{{0, 1, 2}, {3, 2, 1}});
 }
@@ -73,9 +73,9 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
   CHECK(test::refusal(four + "f -5 2 3\n", "obj") ==
         "given.obj:5: face refers to vertex -5, the file has 4 before it; export the model again");
   CHECK(holds(test::refusal(four + "f 0 1 2\n", "obj"),
-              "given.obj:5: face refers to vertex 0, OBJ counts from 1"));
+              "given.obj:5: face refers to vertex 0, OBJ indices start at 1"));
   CHECK(holds(test::refusal("v 0,5 0 0\n", "obj"),
-              "given.obj:1: \"0,5\" is not a number; write decimals with a point"));
+              "given.obj:1: \"0,5\" is not a number; use a decimal point"));
   CHECK(holds(test::refusal("v 1 2\n", "obj"), "given.obj:1: a coordinate is missing"));
   CHECK(holds(test::refusal("v 1 2 x\n", "obj"), "\"x\" is not a number"));
   CHECK(holds(test::refusal("v 1 2 nan\n", "obj"), "\"nan\" is not a finite number"));
@@ -89,7 +89,7 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
   CHECK(holds(test::refusal("# nothing\n", "obj"), "no vertices found"));
 }
 
-TEST_CASE("obj_words_in_capitals_mean_the_same") {
+TEST_CASE("obj_keywords_may_be_upper_case") {
   const ReadResult read =
       test::read_text("MTLLIB A\nV 0 0 0\nV 1 0 0\nv 1 1 0\nVN 0 0 1\nVt 0 0\nF 1 2 3\n", "obj");
   CHECK(read.surface.positions.size() == 3);
@@ -97,15 +97,15 @@ TEST_CASE("obj_words_in_capitals_mean_the_same") {
   CHECK(read.warnings.empty());
 }
 
-TEST_CASE("obj_a_file_of_something_else_names_its_first_odd_line") {
+TEST_CASE("obj_error_for_foreign_text_names_the_first_unknown_line") {
   CHECK(test::refusal("# made by hand\n\nVERTEX 0 0 0\nVERTEX 1 0 0\n", "obj") ==
-        "given.obj:3: OBJ has no lines that start with \"VERTEX\", and no vertices were found; export the "
+        "given.obj:3: unknown OBJ keyword \"VERTEX\", and no vertices were found; export the "
         "model "
         "again");
   CHECK(holds(test::refusal("g a\nusemtl x\n", "obj"), "no vertices found"));
 }
 
-TEST_CASE("obj_lines_are_continued_however_the_backslash_stands") {
+TEST_CASE("obj_continued_lines_accept_any_backslash_position") {
   for (const char* end : {"\n", "\r\n", "\r"}) {
     for (const char* join : {"\\", " \\", "\\  ", " \\ \t "}) {
       const std::string next = join + std::string(end);
@@ -130,7 +130,7 @@ TEST_CASE("obj_lines_are_continued_however_the_backslash_stands") {
   CHECK(holds(test::refusal("v 0\\ \n0\\\r\n0\nv 0 0 x\n", "obj"), "given.obj:4:"));
 }
 
-TEST_CASE("obj_oddities_are_told_as_warnings") {
+TEST_CASE("obj_oddities_cause_warnings") {
   const ReadResult points = test::read_text(four, "obj");
   REQUIRE(points.warnings.size() == 1);
   CHECK(points.warnings[0] == "given.obj: no faces, only a set of points");
@@ -139,7 +139,7 @@ TEST_CASE("obj_oddities_are_told_as_warnings") {
   REQUIRE(odd.warnings.size() == 3);
   CHECK(odd.surface.polygon_count() == 1);
   CHECK(holds(odd.warnings[0], "1 free-form element cannot be shown"));
-  CHECK(holds(odd.warnings[1], "given.obj:7: passed over 2 lines"));
+  CHECK(holds(odd.warnings[1], "given.obj:7: ignored 2 lines"));
   CHECK(holds(odd.warnings[2], "left out 1 face with fewer than three corners"));
 }
 
@@ -188,7 +188,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
-TEST_CASE("obj_original_at_rest_is_the_very_file") {
+TEST_CASE("obj_original_at_rest_is_identical") {
   for (const std::string& text : {rich, replaced(rich, "# made", "\xEF\xBB\xBF# made"),
                                   std::string("v 1e-3 +2. .5\nv 1E5 0 -0\nv 1 1 1")}) {
     const ReadResult read = test::read_kept(text, "obj");
@@ -221,7 +221,7 @@ TEST_CASE("obj_original_prints_as_the_file_does") {
   CHECK(moved_first("v 1.000000 2.000000 3.000000\nv 0.000000 0.000000 0.000000\n", third) ==
         "v 0.333333 2.000000 3.000000");
   CHECK(moved_first("v 1.00000000 2.00000000 3.00000000\n", -third) == "v -0.33333333 2.00000000 3.00000000");
-  // Six digits of the model's size at least; zeros at the end where the file has them.
+  // At least six significant digits of the model's size; trailing zeros as in the file.
   CHECK(moved_first("v 1 2 3\nv 0 0 0\n", third) == "v 0.33333 2 3");
   CHECK(moved_first("v 1 2 3\nv 0 0 0\n", 0.5) == "v 0.5 2 3");
   CHECK(moved_first("v 1000.5 2 3\nv 0 0 0\n", third) == "v 0.33 2 3");
@@ -252,7 +252,7 @@ TEST_CASE("obj_attributes_are_read") {
   CHECK(a.groups[1].material == 0);
 }
 
-TEST_CASE("obj_vertex_colours_are_read_in_ones_and_in_bytes") {
+TEST_CASE("obj_vertex_colours_may_be_fractions_or_bytes") {
   const auto colors = [](const std::string& text) { return test::read_kept(text, "obj").attributes->colors; };
   CHECK(colors("v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0 0 0 1 0.5\nf 1 2 3\n") ==
         std::vector<Color>{{1, 1, 1, 1}, {1, 0.5F, 0, 1}, {0, 0, 1, 0.5F}});
@@ -260,7 +260,7 @@ TEST_CASE("obj_vertex_colours_are_read_in_ones_and_in_bytes") {
   CHECK(test::read_kept("v 0 0 0 1.0\n", "obj").attributes == nullptr);
 }
 
-TEST_CASE("obj_indices_that_lead_nowhere_are_a_warning") {
+TEST_CASE("obj_invalid_attribute_indices_cause_a_warning") {
   const ReadResult read = test::read_kept(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nvn 0 x 1\n"
       "f 1/1/1 2/2/-1 3/-2/-9\nf 1/1/1 2/1/1\nf 1//1 2/0/1 3/1/2/3\n",
@@ -270,9 +270,8 @@ TEST_CASE("obj_indices_that_lead_nowhere_are_a_warning") {
   CHECK(read.attributes->corner_normal == std::vector<std::uint32_t>{0, 1, none, 0, none, none});
   CHECK(read.attributes->normals[1] == Vec3{0, 0, 0});
   REQUIRE(read.warnings.size() == 3);
-  CHECK(
-      holds(read.warnings[0], "5 references to texture coordinates or normals that the file does not have"));
-  CHECK(holds(read.warnings[1], "1 line of texture coordinates or normals cannot be read"));
+  CHECK(holds(read.warnings[0], "5 references to missing texture coordinates or normals"));
+  CHECK(holds(read.warnings[1], "1 line of texture coordinates or normals are unreadable"));
 }
 
 namespace {
@@ -289,7 +288,7 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-// Of each corner, as it is read again.
+// The normal of each corner after reading again.
 std::vector<Vec3> corner_normals(const std::string& text) {
   const ReadResult read = test::read_kept(text, "obj");
   std::vector<Vec3> normals;
@@ -312,7 +311,7 @@ TEST_CASE("obj_normals_turn_with_a_rigid_motion_and_no_line_is_added") {
   CHECK(holds(written, "f 1//-1 4//-1 6//-1 5//-1\n"));
 }
 
-TEST_CASE("obj_a_normal_that_serves_corners_which_now_differ_becomes_several") {
+TEST_CASE("obj_shared_normal_is_split_where_corners_differ") {
   for (const bool crlf : {false, true}) {
     std::string text;
     for (const char c : folded) text += crlf && c == '\n' ? "\r\n" : std::string(1, c);
@@ -345,7 +344,7 @@ TEST_CASE("obj_flat_faces_keep_one_normal_each") {
   for (std::size_t c = 0; c < 4; ++c) CHECK(after[c] == after[0]);
 }
 
-TEST_CASE("obj_normals_of_several_blocks_are_counted_on") {
+TEST_CASE("obj_normal_indices_continue_across_blocks") {
   const std::string tail =
       "f -4//1 -3//1 -2//1\nf 1//2 2//2\nf -4//3 -1//-2 1//-3 2//3\nvn 0.6 0 0.8\nf 7//4 8//-1 9//4";
   const std::string text = folded + "v 9.0 0.0 0.0\nv 9.0 1.0 0.0\nv 9.0 0.0 1.0\nvn 0 1 0\n" + tail;
@@ -359,12 +358,12 @@ TEST_CASE("obj_normals_of_several_blocks_are_counted_on") {
   for (std::size_t c = 0; c < before.size(); ++c) CHECK(dot(before[c], after[c]) > 0.7);
   CHECK(after.back() == before.back());
   CHECK(test::written_again(read, read.surface.positions) == text);
-  // Of a face that is none, the second of the normals, behind those that were added.
+  // The second normal, which only a degenerate face uses, comes after the added lines.
   const std::string unmoved = "f 1//" + std::to_string(count_of(folded, "vn ")) + " 2//2\n";
   CHECK(holds(written, unmoved));
 }
 
-TEST_CASE("obj_a_normal_at_the_end_of_a_file_without_line_end_can_become_several") {
+TEST_CASE("obj_normal_on_an_unterminated_last_line_can_be_split") {
   const std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ns 1\nf 1//1 2//1 3//1 4//1\nvn 0 0 1";
   const ReadResult read = test::read_kept(text, "obj");
   auto moved = read.surface.positions;
@@ -401,7 +400,7 @@ TEST_CASE("mtl_colours_opacity_and_images_are_read") {
   CHECK(all[2].image.empty());
 }
 
-TEST_CASE("a_library_that_is_missing_or_a_folder_is_a_warning") {
+TEST_CASE("missing_or_invalid_libraries_cause_a_warning") {
   const test::TemporaryFolder folder;
   for (const char* name : {"none.mtl", ".", "/", "a b c.mtl"}) {
     const ReadResult read =

@@ -46,8 +46,8 @@ TEST_CASE("off_errors_name_the_line") {
               "given.off:4: a coordinate is missing"));
   CHECK(holds(test::refusal("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2\n", "off"),
               "given.off:7: a vertex index is missing"));
-  CHECK(holds(test::refusal("4OFF\n4 2 0\n" + body, "off"), "positions of four or n numbers"));
-  CHECK(holds(test::refusal("OFF BINARY\n4 2 0\n" + body, "off"), "binary OFF is not read"));
+  CHECK(holds(test::refusal("4OFF\n4 2 0\n" + body, "off"), "positions with four or n coordinates"));
+  CHECK(holds(test::refusal("OFF BINARY\n4 2 0\n" + body, "off"), "binary OFF is not supported"));
   CHECK(holds(test::refusal("OFF\n", "off"), "the file ends before the counts"));
   CHECK(holds(test::refusal("OFF\n0 0 0\n", "off"), "no vertices"));
 }
@@ -70,10 +70,10 @@ TEST_CASE("off_prefixes_are_known_in_any_order") {
     CHECK_FALSE(looks_like_off(Source{"given", "off", head + "\n" + body}));
   for (const std::string head : {"4OFF", "nOFF", "STCN4nOFF", "C4OFF"})
     CHECK(holds(test::refusal(head + "\n4 2 0\n" + body, "off"),
-                '"' + head + "\" has positions of four or n numbers"));
+                '"' + head + "\" has positions with four or n coordinates"));
 }
 
-TEST_CASE("off_colours_before_normals_are_those_of_whole_numbers") {
+TEST_CASE("off_colours_before_normals_are_integers") {
   const std::string text =
       "NCOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 1 \n1 0 0 200 0 0 255 0 0.6 0.8 \n0 1 0 0 0 255 255 0 0 1 \n3 0 1 "
       "2\n";

@@ -1,4 +1,4 @@
-// PLY, STL and OFF written again: at rest the very file, deformed nothing changed but what follows.
+// PLY, STL and OFF written again: identical at rest; deformed, only dependent values change.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -14,7 +14,7 @@ using viete::test::holds;
 
 namespace {
 
-// A file of values in text or bytes, which remembers those that may change.
+// Builds a file of values, text or binary, and records which may change.
 class Maker {
 public:
   enum class Form { text, little, big };
@@ -47,7 +47,7 @@ public:
   }
 
   std::string bytes;
-  std::vector<char> may;  // of each byte, or of each word of the body
+  std::vector<char> may;  // one per byte, or per word of the body
   std::size_t body = 0;
   Form form() const { return form_; }
 
@@ -126,7 +126,7 @@ Point turned(const Point& p) {
 
 }  // namespace
 
-TEST_CASE("ply_original_at_rest_is_the_very_file_and_deformed_it_changes_what_follows") {
+TEST_CASE("ply_original_is_identical_at_rest_and_updates_dependent_values") {
   for (const auto form : {Maker::Form::text, Maker::Form::little, Maker::Form::big}) {
     CAPTURE(int(form));
     const Maker m = rich_ply(form);
@@ -149,7 +149,7 @@ TEST_CASE("ply_original_at_rest_is_the_very_file_and_deformed_it_changes_what_fo
     }
     const std::string back = test::written_again(again, read.surface.positions);
     check_kept(m, back);
-    // Tangents turned too: (1, 0, 0) became (0, 1, 0). Face normals did not.
+    // Tangents rotated too: (1, 0, 0) became (0, 1, 0). Face normals did not.
     if (form != Maker::Form::text) continue;
     const auto words = words_of(written.substr(m.body));
     const auto before = words_of(m.bytes.substr(m.body));
@@ -160,7 +160,7 @@ TEST_CASE("ply_original_at_rest_is_the_very_file_and_deformed_it_changes_what_fo
   }
 }
 
-TEST_CASE("a_position_beyond_a_float_of_the_file_is_refused") {
+TEST_CASE("position_beyond_float_range_is_rejected") {
   std::string head =
       "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float "
       "y\nproperty float z\nend_header\n";
@@ -175,7 +175,7 @@ TEST_CASE("a_position_beyond_a_float_of_the_file_is_refused") {
   CHECK_THROWS_AS(test::written_again(of_stl, {{1e39, 0, 0}}), base::Error);
 }
 
-TEST_CASE("ply_positions_in_whole_numbers_stay_so") {
+TEST_CASE("ply_integer_positions_stay_integers") {
   const std::string text =
       "ply\nformat ascii 1.0\nelement vertex 2\nproperty int x\nproperty int y\nproperty int "
       "z\nend_header\n1 2 3\n100 5 6\n";

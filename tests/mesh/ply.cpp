@@ -107,7 +107,7 @@ TEST_CASE("ply_may_begin_with_a_byte_order_mark_whether_text_or_binary") {
   }
 }
 
-TEST_CASE("ply_sizes_are_not_believed") {
+TEST_CASE("ply_declared_sizes_are_checked") {
   const std::string many =
       "element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n";
   CHECK(holds(test::refusal(ascii(many, rows4), "ply"),
@@ -128,16 +128,16 @@ TEST_CASE("ply_sizes_are_not_believed") {
             .surface.positions.size() == 4);
 }
 
-TEST_CASE("ply_what_a_header_or_a_row_holds_beyond_is_passed_over_and_said") {
+TEST_CASE("ply_extra_header_lines_and_values_are_ignored_with_warnings") {
   const ReadResult r = test::read_text(ascii("made by hand\n" + vertices4 + "also this\n" + faces2,
                                              "0 0 0 7\n1 0 0\n1 1 0\n0 1 0 7 8\n3 0 1 2 9\n4 0 1 2 3\n"),
                                        "ply");
   CHECK(r.surface.corners == std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2, 3});
   CHECK(r.surface.positions[1] == Point{1, 0, 0});
   REQUIRE(r.warnings.size() == 2);
-  CHECK(holds(r.warnings[0], "given.ply:3: passed over a line of the header that starts with \"made\""));
+  CHECK(holds(r.warnings[0], "given.ply:3: ignored a header line that starts with \"made\""));
   CHECK_MESSAGE(
-      holds(r.warnings[1], "given.ply:12: passed over what stands behind the header's properties in 3 rows"),
+      holds(r.warnings[1], "given.ply:12: ignored extra values after the header's properties in 3 rows"),
       r.warnings[1]);
   const std::string bytes =
       ascii(vertices4 + faces2, "0 0 0 7 #\n1 0 0\n1 1 0\n0 1 0 7 8\n3 0 1 2 9\n4 0 1 2 3\n");
@@ -147,7 +147,7 @@ TEST_CASE("ply_what_a_header_or_a_row_holds_beyond_is_passed_over_and_said") {
               "5 0 0 7 #\n1 0 0\n1 1 0\n0 1 2 7 8\n3 0 1 2 9\n"));
 }
 
-TEST_CASE("ply_whole_numbers_of_64_bits_are_read_and_written_again") {
+TEST_CASE("ply_64_bit_integers_round_trip") {
   for (const bool big : {false, true}) {
     Bytes b{big, {}};
     const std::string elements =

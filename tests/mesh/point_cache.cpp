@@ -15,7 +15,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// Of two points: frame f has 6 f, 6 f + 1 ...
+// Two points: frame f has the coordinates 6 f, 6 f + 1 ...
 std::vector<float> cache_frame(std::size_t frame, std::size_t points = 2) {
   std::vector<float> values(3 * points);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(3 * points * frame + i) / 4;
@@ -53,7 +53,7 @@ void put_cache_word(std::string& bytes, std::size_t at, std::initializer_list<un
 
 }  // namespace
 
-TEST_CASE("a_pc2_is_little_endian_and_has_its_head") {
+TEST_CASE("pc2_is_little_endian_with_a_header") {
   const test::TemporaryFolder folder;
   write_cache(folder / "a.pc2", cache_head(PointCacheFormat::pc2, 3));
   const std::string bytes = test::file_bytes(folder / "a.pc2");
@@ -69,7 +69,7 @@ TEST_CASE("a_pc2_is_little_endian_and_has_its_head") {
   CHECK(bytes.substr(32 + 4, 4) == std::string("\0\0\x80\x3E", 4));  // 0.25
 }
 
-TEST_CASE("an_mdd_is_big_endian_and_has_the_time_of_every_frame") {
+TEST_CASE("mdd_is_big_endian_with_the_time_of_every_frame") {
   const test::TemporaryFolder folder;
   write_cache(folder / "a.mdd", cache_head(PointCacheFormat::mdd, 3));
   const std::string bytes = test::file_bytes(folder / "a.mdd");
@@ -105,7 +105,7 @@ TEST_CASE("caches_are_read_as_they_were_written") {
   CHECK(point_cache_format("A.PC2") == PointCacheFormat::pc2);
 }
 
-TEST_CASE("truncated_and_hostile_caches_are_refused_before_memory_is_taken") {
+TEST_CASE("truncated_and_hostile_caches_are_rejected_before_allocation") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.pc2", "a.mdd"}) {
     write_cache(folder / name, cache_head(*point_cache_format(name), 3));
@@ -114,7 +114,7 @@ TEST_CASE("truncated_and_hostile_caches_are_refused_before_memory_is_taken") {
     for (std::size_t size = 0; size < bytes.size(); ++size) CHECK(cache_refusal(bytes.substr(0, size)) != "");
     const std::size_t counts[] = {bytes[0] == 'P' ? 16UL : 0UL, bytes[0] == 'P' ? 28UL : 4UL};
     for (const std::size_t at : counts) {
-      for (const unsigned byte : {0xFFU, 0x7FU, 0U}) {  // negative, 2 thousand million, 0
+      for (const unsigned byte : {0xFFU, 0x7FU, 0U}) {  // negative, about two billion, 0
         std::string bad = bytes;
         put_cache_word(bad, at, {byte, byte, byte, byte});
         CHECK(cache_refusal(bad) != "");
@@ -125,13 +125,13 @@ TEST_CASE("truncated_and_hostile_caches_are_refused_before_memory_is_taken") {
     CHECK(cache_refusal(both) != "");
   }
   CHECK(test::holds(cache_refusal(test::file_bytes(folder / "a.pc2").substr(0, 60)),
-                    "shorter than its head says: 1 whole of 3 frames of 2 points"));
+                    "shorter than its header says: 1 whole of 3 frames of 2 points"));
   CHECK(test::holds(cache_refusal("v 1 2 3\nv 4 5 6\n"), "check that it is the right file"));
   CHECK_THROWS_AS(PointCache(folder / "none.pc2"), base::Error);
   CHECK_THROWS_AS(PointCache(folder.path()), base::Error);
 }
 
-TEST_CASE("numbers_that_are_none_are_told_by_frame_and_point") {
+TEST_CASE("non_finite_numbers_are_reported_by_frame_and_point") {
   const test::TemporaryFolder folder;
   write_cache(folder / "a.pc2", cache_head(PointCacheFormat::pc2, 3));
   std::string bytes = test::file_bytes(folder / "a.pc2");
@@ -139,8 +139,8 @@ TEST_CASE("numbers_that_are_none_are_told_by_frame_and_point") {
   const PointCache cache("given", bytes);
   CHECK(cache.frame(0).size() == 2);
   CHECK_THROWS_WITH_AS(cache.frame(1),
-                       doctest::Contains("given: frame 1: the position of point 1 is no place"), base::Error);
-  put_cache_word(bytes, 24, {0, 0, 0xC0, 0x7F});  // a rate that is no number
+                       doctest::Contains("given: frame 1: the position of point 1 is invalid"), base::Error);
+  put_cache_word(bytes, 24, {0, 0, 0xC0, 0x7F});  // a NaN rate
   bytes += "more";
   const PointCache odd("given", bytes);
   CHECK(odd.head().rate == 1);
@@ -148,10 +148,10 @@ TEST_CASE("numbers_that_are_none_are_told_by_frame_and_point") {
   write_cache(folder / "a.mdd", cache_head(PointCacheFormat::mdd, 3));
   bytes = test::file_bytes(folder / "a.mdd");
   put_cache_word(bytes, 12, {0x7F, 0xC0, 0, 0});
-  CHECK(test::holds(cache_refusal(bytes), "frame 1: its time is no number"));
+  CHECK(test::holds(cache_refusal(bytes), "frame 1: its time is not finite"));
 }
 
-TEST_CASE("what_a_cache_cannot_hold_is_refused_and_the_older_one_stays") {
+TEST_CASE("failed_cache_write_keeps_the_old_file") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "a.pc2", "older");
   const auto head = cache_head(PointCacheFormat::pc2, 2);

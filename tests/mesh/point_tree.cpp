@@ -42,7 +42,7 @@ std::vector<std::uint32_t> every(std::size_t count, std::size_t step) {
 
 }  // namespace
 
-TEST_CASE("the_nearest_point_is_that_of_all_points_one_by_one") {
+TEST_CASE("nearest_point_agrees_with_brute_force") {
   for (const double size : {1e-30, 1.0, 1e30}) {
     for (const Point about : {Point{0, 0, 0}, Point{100 * size, 0, -50 * size}}) {
       const auto points = random_points(3000, size, about);
@@ -62,7 +62,7 @@ TEST_CASE("the_nearest_point_is_that_of_all_points_one_by_one") {
   }
 }
 
-TEST_CASE("of_points_that_are_equally_near_the_lowest_is_taken") {
+TEST_CASE("ties_of_nearest_points_go_to_the_lowest_index") {
   std::vector<Point> points(1000, Point{1, 2, 3});
   CHECK(PointTree(points, every(points.size(), 1)).nearest({0, 0, 0}) == 0);
   std::vector<std::uint32_t> backwards = every(points.size(), 1);
@@ -76,7 +76,7 @@ TEST_CASE("of_points_that_are_equally_near_the_lowest_is_taken") {
   CHECK(PointTree(points, every(points.size(), 1)).nearest({0, 0, 1}, {0, 0, 2}, {0, 0, 2}) == 4);
 }
 
-TEST_CASE("equal_points_share_an_index_and_others_do_not") {
+TEST_CASE("equal_points_share_an_index") {
   std::mt19937 random(3);
   std::uniform_int_distribution<int> few(0, 19);
   PointIndex index;

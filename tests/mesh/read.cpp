@@ -39,7 +39,7 @@ TEST_CASE("content_decides_the_format_and_not_the_extension") {
                                                        {"STL ascii", test::bytes_by("stl", s)}};
   for (const auto& [format, bytes] : files) {
     for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"}) {
-      if (format == "OBJ" && std::string(extension) == "stl") continue;  // binary STL has no mark of its own
+      if (format == "OBJ" && std::string(extension) == "stl") continue;  // binary STL has no signature
       const ReadResult r = test::read_text(bytes, extension);
       CHECK(r.format == format);
       CHECK(r.surface.triangles.size() == s.triangles.size());
@@ -47,7 +47,7 @@ TEST_CASE("content_decides_the_format_and_not_the_extension") {
   }
 }
 
-TEST_CASE("what_is_no_surface_is_refused") {
+TEST_CASE("content_without_a_surface_is_rejected") {
   std::mt19937 random(5);
   std::string garbage(4096, '\0');
   for (char& c : garbage) c = static_cast<char>(random());
@@ -63,7 +63,7 @@ TEST_CASE("what_is_no_surface_is_refused") {
   }
 }
 
-TEST_CASE("files_that_cannot_be_read_say_why") {
+TEST_CASE("unreadable_files_are_rejected_with_a_reason") {
   const test::TemporaryFolder folder;
   CHECK(refusal_of(folder / "none.obj").find("there is no such file") != std::string::npos);
   fs::create_directory(folder / "folder.obj");
@@ -99,7 +99,7 @@ TEST_CASE("progress_rises_to_one_and_a_cancelled_reading_stops") {
   }
 }
 
-TEST_CASE("damaged_files_are_read_or_refused_and_never_break_an_invariant") {
+TEST_CASE("damaged_files_never_break_an_invariant") {
   const Surface s = test::sphere(1);
   std::string ascii_ply =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -162,10 +162,10 @@ TEST_CASE("every_odd_file_of_the_shared_data_does_what_its_manifest_expects" *
   CHECK(entries > 100);
 }
 
-TEST_CASE("files_of_other_kinds_are_refused_with_what_they_are") {
+TEST_CASE("foreign_files_are_rejected_with_their_kind") {
   const std::string lfs = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n";
   const std::pair<std::string, const char*> files[] = {
-      {lfs, "Git LFS pointer, which stands for the file; fetch the file itself with `git lfs pull`"},
+      {lfs, "Git LFS pointer, not the file itself; fetch the file itself with `git lfs pull`"},
       {"/annex/objects/SHA256E-s1--a.obj\n", "git annex get"},
       {std::string("\x1F\x8B\x08\0\0", 5), "gzip"},
       {"PK\3\4....", "zip"},
@@ -198,7 +198,7 @@ TEST_CASE("files_of_other_kinds_are_refused_with_what_they_are") {
     CHECK_NOTHROW(refuse_foreign("given", bytes));
 }
 
-TEST_CASE("a_pointer_in_the_place_of_a_point_cache_is_named") {
+TEST_CASE("lfs_pointer_instead_of_a_point_cache_is_reported") {
   const std::string lfs = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n";
   CHECK_THROWS_WITH_AS(PointCache("given.mdd", lfs), doctest::Contains("Git LFS pointer"), base::Error);
 }

@@ -1,4 +1,4 @@
-// Files as people have them, written again; read by OpenMesh too, which is not ours.
+// Real files written again, also read by OpenMesh for comparison.
 #include <doctest/doctest.h>
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -30,7 +30,7 @@ double furthest(const std::vector<Point>& a, const std::vector<Point>& b) {
   return most;
 }
 
-// What is not position or normal is the same.
+// Everything except positions and normals must be equal.
 void check_kept(const ReadResult& before, const ReadResult& after) {
   CHECK(after.format == before.format);
   CHECK(after.comments == before.comments);
@@ -65,7 +65,7 @@ void check_rest_if_it_loads(const std::filesystem::path& path) {
     const ReadResult read = mesh::read(path);
     CHECK(test::written_again(read, read.surface.positions) == test::file_bytes(path));
   } catch (const base::Error&) {
-    // Many are there to be refused.
+    // Many of the files are invalid on purpose.
   }
 }
 
@@ -75,7 +75,7 @@ struct DoublePoints : OpenMesh::DefaultTraits {
 
 }  // namespace
 
-TEST_CASE("every_file_of_the_shared_data_comes_back_as_it_was" * doctest::test_suite(test::if_present)) {
+TEST_CASE("every_shared_file_round_trips" * doctest::test_suite(test::if_present)) {
   const auto data = test::shared_data();
   if (data.empty()) return;
   const test::TemporaryFolder scratch;

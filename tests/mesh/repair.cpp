@@ -8,7 +8,7 @@
 using namespace viete;
 using namespace viete::mesh;
 
-TEST_CASE("welding_closes_a_soup_of_triangles_and_keeps_its_numbers") {
+TEST_CASE("welding_closes_a_triangle_soup_and_keeps_numbering") {
   const Surface whole = test::sphere(2);
   std::vector<Point> positions;
   std::vector<Triangle> triangles;
@@ -29,7 +29,7 @@ TEST_CASE("welding_closes_a_soup_of_triangles_and_keeps_its_numbers") {
   }
 }
 
-TEST_CASE("faces_that_disagree_are_turned_to_the_side_of_most") {
+TEST_CASE("disagreeing_faces_are_flipped_to_the_majority") {
   for (const Surface& sound : {test::sphere(2), test::torus(12, 8), test::torus(12, 8, true)}) {
     Surface s = sound;
     for (const std::size_t t : {3u, 4u, 17u, 30u}) std::swap(s.triangles[t][0], s.triangles[t][1]);
@@ -40,13 +40,13 @@ TEST_CASE("faces_that_disagree_are_turned_to_the_side_of_most") {
   }
 }
 
-TEST_CASE("an_inside_out_surface_stays_so_and_parts_are_turned_apart") {
+TEST_CASE("inside_out_surfaces_stay_and_components_are_oriented_separately") {
   Surface s = test::sphere(2);
   for (auto& t : s.triangles) std::swap(t[0], t[1]);
   CHECK(consistently_oriented(s).triangles == s.triangles);
 }
 
-TEST_CASE("a_moebius_strip_is_left_as_it_is") {
+TEST_CASE("moebius_strip_stays_unchanged") {
   // Six rungs, the last joined to the first upside down.
   std::vector<Point> positions;
   std::vector<Triangle> triangles;
@@ -62,7 +62,7 @@ TEST_CASE("a_moebius_strip_is_left_as_it_is") {
   CHECK(one_sided(strip).triangles.empty());
 }
 
-TEST_CASE("one_side_of_everything_is_kept_and_parts_agree_with_each_other") {
+TEST_CASE("one_sided_keeps_one_face_of_each_pair_and_orients_components") {
   const auto moved = [](Surface s, double by, double scale) {
     for (auto& p : s.positions) p = {scale * p[0] + by, scale * p[1], scale * p[2]};
     return s;

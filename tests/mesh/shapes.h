@@ -1,4 +1,4 @@
-// Small surfaces whose measures are known, and helpers to read and compare them.
+// Small surfaces with known measures, and helpers to read and compare them.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -105,7 +105,7 @@ inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = fal
   return s;
 }
 
-/// The triangles of both.
+/// Both surfaces as one.
 inline Surface both(Surface a, const Surface& b) {
   const auto shift = static_cast<std::uint32_t>(a.positions.size());
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
@@ -113,14 +113,14 @@ inline Surface both(Surface a, const Surface& b) {
   return mesh::from_triangles(a.positions, a.triangles);
 }
 
-/// Puts the bytes of a number behind others.
+/// Appends the bytes of a number.
 template <class T>
 void append(std::string& bytes, T value, std::endian order = std::endian::little) {
   const auto raw = mesh::bytes_of_number(value, order);
   bytes.append(raw.data(), raw.size());
 }
 
-/// A binary STL; of_facet gives the two bytes behind each.
+/// A binary STL; of_facet returns the two attribute bytes of each facet.
 template <class OfFacet>
 std::string binary_stl(const Surface& s, std::string head, const OfFacet& of_facet) {
   head.resize(80, ' ');
@@ -135,7 +135,7 @@ std::string binary_stl(const Surface& s, std::string head, const OfFacet& of_fac
   return head;
 }
 
-/// Every position times scale, plus offset in all three directions.
+/// Scales all positions, then adds the offset in all three directions.
 inline Surface moved(Surface s, double scale, double offset = 0) {
   for (Point& p : s.positions) {
     for (double& x : p) x = x * scale + offset;
@@ -143,7 +143,7 @@ inline Surface moved(Surface s, double scale, double offset = 0) {
   return s;
 }
 
-/// A surface as the bytes of a format.
+/// Writes a surface to the bytes of a format.
 inline std::string bytes_by(std::string_view extension, const Surface& s,
                             const std::vector<std::string>& comments = {}) {
   std::string all;
@@ -157,14 +157,14 @@ inline mesh::ReadResult read_text(const std::string& bytes, const std::string& e
   return mesh::read(mesh::Source{"given." + extension, extension, bytes, nullptr});
 }
 
-/// The same of bytes that stay, so that the file can be written again.
+/// Keeps the bytes, so that the file can be written again.
 inline mesh::ReadResult read_kept(const std::string& bytes, const std::string& extension,
                                   const std::filesystem::path& folder = {}) {
   const auto kept = std::make_shared<const std::string>(bytes);
   return mesh::read(mesh::Source{"given." + extension, extension, *kept, nullptr, kept, folder});
 }
 
-/// The file that was read, written again with these positions.
+/// Writes the file again with these positions.
 inline std::string written_again(const mesh::ReadResult& read, const std::vector<Point>& positions,
                                  mesh::Digits digits = {}) {
   std::string all;
@@ -175,7 +175,7 @@ inline std::string written_again(const mesh::ReadResult& read, const std::vector
   return all;
 }
 
-/// What the error says; empty if there was none.
+/// The error message; empty without an error.
 inline std::string refusal(const std::string& bytes, const std::string& extension) {
   try {
     read_text(bytes, extension);
@@ -187,7 +187,7 @@ inline std::string refusal(const std::string& bytes, const std::string& extensio
   return {};
 }
 
-/// Every invariant that surface.h promises.
+/// Checks every invariant of surface.h.
 inline void check_invariants(const Surface& s) {
   REQUIRE(s.polygon_starts.size() == s.polygon_count() + 1);
   REQUIRE(s.polygon_starts.back() == s.corners.size());

@@ -37,7 +37,7 @@ TEST_CASE("stl_binary_joins_equal_corners_in_order_of_first_occurrence") {
   }
 }
 
-TEST_CASE("stl_zero_and_minus_zero_are_the_same_place") {
+TEST_CASE("stl_zero_and_minus_zero_are_equal") {
   std::string text = "solid a\n" + facet;
   const std::string other =
       "facet normal 0 0 -1\nouter loop\nvertex -0 0 -0\nvertex 0 1 0\nvertex 1 0 "
@@ -61,7 +61,7 @@ TEST_CASE("stl_errors_name_line_or_triangle") {
   const std::string whole = binary_stl(test::sphere(1), "a");
   CHECK(holds(test::refusal(whole.substr(0, whole.size() - 10), "stl"),
               "announces 32 triangles, the file has room for 31"));
-  CHECK(holds(test::refusal(whole.substr(0, 60), "stl"), "a binary STL has 84 bytes at least"));
+  CHECK(holds(test::refusal(whole.substr(0, 60), "stl"), "a binary STL has at least 84 bytes"));
   CHECK(holds(test::refusal(binary_stl(Surface{}, "a"), "stl"), "no vertices"));
   std::string huge = whole;
   for (int i = 80; i < 84; ++i) huge[i] = '\xff';
@@ -77,15 +77,15 @@ TEST_CASE("stl_errors_name_line_or_triangle") {
   CHECK(holds(test::refusal("solid a\nnonsense\n", "stl"), "\"nonsense\" is not a word of STL"));
 }
 
-TEST_CASE("stl_that_may_be_cut_short_or_has_a_tail_is_told") {
+TEST_CASE("stl_truncation_and_trailing_bytes_cause_warnings") {
   CHECK(holds(test::read_text("solid a\n" + facet, "stl").warnings.at(0), "may be cut short"));
   CHECK(holds(test::read_text(binary_stl(test::sphere(1), "a") + "tail", "stl").warnings.at(0),
-              "4 bytes behind"));
+              "4 bytes after"));
 }
 
 namespace {
 
-// So many bytes of attributes behind each triangle, again and again.
+// Attribute sizes after each triangle, repeated in a cycle.
 std::string with_attributes(const Surface& s, const std::vector<std::uint16_t>& sizes) {
   const std::string plain = binary_stl(s, "attributes");
   std::string out = plain.substr(0, 84);
@@ -100,7 +100,7 @@ std::string with_attributes(const Surface& s, const std::vector<std::uint16_t>& 
 
 }  // namespace
 
-TEST_CASE("stl_attributes_behind_triangles_are_passed_over_and_kept") {
+TEST_CASE("stl_attributes_after_triangles_are_skipped_and_kept") {
   const Surface s = test::sphere(1);
   for (const std::vector<std::uint16_t>& sizes :
        {std::vector<std::uint16_t>{0, 2, 4}, {7}, {0, 0, 0, 0, 300}, {65535}}) {
@@ -109,12 +109,12 @@ TEST_CASE("stl_attributes_behind_triangles_are_passed_over_and_kept") {
     CHECK(r.surface.positions.size() == s.positions.size());
     CHECK(r.surface.triangles.size() == s.triangles.size());
     CHECK(r.attributes == nullptr);
-    CHECK(holds(r.warnings.at(0), "attributes behind triangles"));
+    CHECK(holds(r.warnings.at(0), "attributes of triangles"));
     CHECK(test::written_again(r, r.surface.positions) == bytes);
     const std::string moved = test::written_again(r, test::moved(r.surface, 2).positions);
     CHECK(moved.size() == bytes.size());
     CHECK(test::read_text(moved, "stl").surface.positions == test::moved(r.surface, 2).positions);
-    CHECK(holds(test::read_text(bytes + "tail", "stl").warnings.at(1), "4 bytes behind"));
+    CHECK(holds(test::read_text(bytes + "tail", "stl").warnings.at(1), "4 bytes after"));
     const std::string cut = test::refusal(bytes.substr(0, bytes.size() - 3), "stl");
     CHECK_MESSAGE(holds(cut, "the header announces 32 triangles"), cut);
   }
@@ -123,10 +123,10 @@ TEST_CASE("stl_attributes_behind_triangles_are_passed_over_and_kept") {
   CHECK(holds(test::refusal(none, "stl"), "announces 0 triangles, and 1600 bytes follow"));
   none[80] = 31;
   CHECK(
-      holds(test::read_text(none, "stl").warnings.at(0), "50 bytes behind the 31 triangles that the header"));
+      holds(test::read_text(none, "stl").warnings.at(0), "50 bytes after the 31 triangles that the header"));
 }
 
-TEST_CASE("stl_a_normal_that_is_no_direction_becomes_the_triangles_where_it_moves") {
+TEST_CASE("stl_undefined_normals_of_moved_triangles_are_computed") {
   const std::vector<Point> moved = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
   for (const char* normal : {"0 0 -inf", "nan nan nan", "1e999 0 0", "-nan(ind) 0 1"}) {
     std::string text = "solid a\n" + facet + "endsolid\n";

@@ -75,7 +75,7 @@ TEST_CASE("a_missing_triangle_leaves_its_three_edges_as_boundary") {
   }
 }
 
-TEST_CASE("a_flipped_triangle_shows_at_its_three_edges") {
+TEST_CASE("flipped_triangle_has_three_misoriented_edges") {
   Surface s = test::sphere(1);
   std::swap(s.triangles[5][0], s.triangles[5][1]);
   const Summary f = summarize(s);
@@ -94,7 +94,7 @@ TEST_CASE("a_fin_makes_its_edge_nonmanifold") {
   CHECK(f.boundary_edges.size() == 2);
 }
 
-TEST_CASE("parts_are_counted_and_unused_vertices_are_none") {
+TEST_CASE("unused_vertices_are_not_components") {
   Surface a = test::both(test::sphere(1), test::moved(test::cube(), 0.1, 10));
   a.positions.push_back({5, 5, 5});
   const Summary f = summarize(a);
@@ -110,7 +110,7 @@ TEST_CASE("repeated_corners_and_flat_triangles_are_degenerate_at_every_scale") {
   }
 }
 
-TEST_CASE("a_set_of_points_has_facts_too") {
+TEST_CASE("point_sets_have_a_summary") {
   Surface s;
   s.positions = {{1, 2, 3}, {4, 5, 6}};
   s.polygon_starts = {0};
@@ -176,7 +176,7 @@ TEST_CASE("unused_vertices_and_several_parts_do_not_disturb_the_genus") {
   CHECK(t->genus == 1);
 }
 
-TEST_CASE("what_is_no_oriented_manifold_has_no_topology") {
+TEST_CASE("non_manifolds_have_no_topology") {
   const std::vector<Point> p = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0}, {0, 0, 1},
                                 {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
   SUBCASE("two closed parts joined at a vertex, in every order of their triangles") {

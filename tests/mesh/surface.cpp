@@ -21,7 +21,7 @@ TEST_CASE("a_polygon_is_cut_into_a_fan_about_its_first_corner") {
   CHECK(s.triangle_polygon == std::vector<std::uint32_t>{0, 0, 0, 1});
 }
 
-TEST_CASE("cutting_twice_is_the_same_as_once") {
+TEST_CASE("triangulating_twice_changes_nothing") {
   Surface s = test::cube();
   const auto once = s.triangles;
   triangulate(s);
@@ -45,7 +45,7 @@ TEST_CASE("a_surface_without_anything_has_no_polygons_and_an_empty_box") {
   CHECK(used_bounds(s).center() == Point{0, 0, 0});
 }
 
-TEST_CASE("the_box_holds_every_vertex_and_the_used_box_those_of_polygons") {
+TEST_CASE("bounds_contain_all_vertices_and_used_bounds_those_of_polygons") {
   Surface s = test::cube();
   s.positions.push_back({100, -7, 3});
   CHECK(bounds(s.positions).high == Point{100, 1, 3});
@@ -64,7 +64,7 @@ TEST_CASE("the_box_of_huge_and_tiny_coordinates_has_a_finite_centre_and_diagonal
   }
 }
 
-TEST_CASE("the_size_of_a_surface_is_a_box_s_diagonal_and_turns_with_it") {
+TEST_CASE("used_size_of_a_box_is_its_diagonal_in_any_orientation") {
   const Surface cube = viete::test::cube();
   CHECK(used_size(cube) == doctest::Approx(used_bounds(cube).diagonal()).epsilon(1e-15));
   CHECK(used_size(Surface{}) == 0);

@@ -39,7 +39,7 @@ TEST_CASE("a_number_too_small_for_double_is_zero") {
   CHECK(number("0." + std::string(400, '0') + "7e401") == doctest::Approx(7));
 }
 
-TEST_CASE("what_is_no_finite_number_is_refused") {
+TEST_CASE("non_finite_numbers_are_rejected") {
   for (const char* text : {"nan", "inf", "-inf", "1e400", "1e101", "1e99999", "0x10", "1,5", "1.5f", "+-1",
                            "--1", "+", ".", "e5", "1d5", ""}) {
     CHECK_THROWS_AS_MESSAGE(number(text), base::Error, text);
@@ -86,21 +86,21 @@ TEST_CASE("a_long_comment_is_cut_between_characters") {
   CHECK(clipped("###").empty());
 }
 
-TEST_CASE("what_stands_where_a_number_should_is_explained") {
-  const std::pair<const char*, const char*> words[] = {{"3,5", "with a point"},
+TEST_CASE("malformed_numbers_get_specific_advice") {
+  const std::pair<const char*, const char*> words[] = {{"3,5", "decimal point"},
                                                        {"\xE2\x88\x92"
                                                         "3.5",
-                                                        "minus sign of ASCII"},
+                                                        "ASCII minus sign"},
                                                        {"3.1e\xE2\x88\x92"
                                                         "2",
-                                                        "minus sign of ASCII"},
+                                                        "ASCII minus sign"},
                                                        {"3.1e+-2", "two signs"},
                                                        {"--3.1", "two signs"},
                                                        {"+-3.1", "two signs"},
                                                        {"3.1d+2", "Fortran"},
                                                        {"3.1+2", "sign in its middle"},
                                                        {"0.5-0.25", "sign in its middle"},
-                                                       {"1.#QNAN", "no number"},
+                                                       {"1.#QNAN", "invalid number"},
                                                        {"0x1p3", "hexadecimal"},
                                                        {"abc", "repair or export"}};
   for (const auto& [word, advice] : words) {

@@ -94,7 +94,7 @@ TEST_CASE("distance_scales_with_the_scene_from_1e-30_to_1e30") {
   }
 }
 
-TEST_CASE("a_triangle_has_area_unless_rounding_is_all_it_has_at_every_scale") {
+TEST_CASE("has_area_is_false_only_up_to_rounding_at_every_scale") {
   for (const double scale : {1e-300, 1e-30, 1.0, 1e30, 1e99}) {
     const Vec3 a{0, 0, 0}, b{scale, 0, 0}, c{2 * scale, 0, 0};
     CHECK(has_area(a, b, {0, scale, 0}));
@@ -108,7 +108,7 @@ TEST_CASE("a_triangle_has_area_unless_rounding_is_all_it_has_at_every_scale") {
 
 namespace {
 
-// Six times the volume, of whole numbers below 2^20.
+// Six times the volume, in integers below 2^20.
 __int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
   __int128 m[3][3];
   for (int k = 0; k < 3; ++k) {
@@ -131,7 +131,7 @@ TEST_CASE("a_point_is_above_below_or_in_the_plane_of_a_triangle") {
   CHECK(orientation(b, a, c, {0, 0, 1}) == -1);
 }
 
-TEST_CASE("the_sign_is_exact_for_almost_coplanar_points") {
+TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
   std::mt19937_64 random(3);
   std::uniform_int_distribution<int> small(-3, 3), large(-(1 << 19), 1 << 19);
   int zeros = 0;
@@ -158,8 +158,8 @@ TEST_CASE("the_sign_is_exact_for_almost_coplanar_points") {
   CHECK(zeros > 5000);
 }
 
-TEST_CASE("the_sign_is_exact_where_rounding_alone_decides") {
-  // Halfway between neighbours of 0.5: the determinant is one product of two ulps.
+TEST_CASE("orientation_is_exact_where_rounding_decides") {
+  // Half an ulp from 0.5: the determinant is a product of two ulps.
   const double e = 0x1p-53;
   for (int i = -8; i <= 8; ++i) {
     for (int j = -8; j <= 8; ++j) {
@@ -183,7 +183,7 @@ Corners lattice_triangle(int size) {
   return t;
 }
 
-// The least distance of places on both, of a fine grid.
+// The smallest distance between grid points on both triangles.
 double sampled_distance(const Corners& s, const Corners& t) {
   constexpr int n = 12;
   double least = HUGE_VAL;
@@ -201,8 +201,8 @@ double sampled_distance(const Corners& s, const Corners& t) {
   return least;
 }
 
-// In whole numbers, by the definition: the interiors of the two have a point in common which is no common
-// border. Told by moving towards each other's middle: enough for what does not lie in one plane.
+// By definition, in integers: the interiors have a common point that is not on a common border. Tested by
+// moving the triangles towards each other's centre, which is enough if they are not coplanar.
 bool segment_through(const Point& p, const Point& q, const Corners& t) {
   const auto a = volume_of(t[0], t[1], t[2], p), b = volume_of(t[0], t[1], t[2], q);
   if ((a > 0) == (b > 0) || a == 0 || b == 0) return false;
@@ -217,7 +217,7 @@ bool in_one_plane(const Corners& s, const Corners& t) {
 
 }  // namespace
 
-TEST_CASE("triangles_on_a_lattice_cross_as_whole_numbers_say") {
+TEST_CASE("triangle_crossing_on_a_lattice_agrees_with_integer_arithmetic") {
   int crossing = 0, apart = 0;
   for (int i = 0; i < 20'000; ++i) {
     const Corners s = lattice_triangle(3), t = lattice_triangle(3);
@@ -236,7 +236,7 @@ TEST_CASE("triangles_on_a_lattice_cross_as_whole_numbers_say") {
   CHECK(apart > 1000);
 }
 
-TEST_CASE("triangles_in_one_plane_cross_where_they_overlap_and_not_where_they_touch") {
+TEST_CASE("coplanar_triangles_cross_only_if_they_overlap") {
   const Corners t = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}};
   CHECK(intersect(t, {{{1, 1, 1}, {9, 1, 1}, {1, 9, 1}}}));
   CHECK(intersect(t, {{{1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}}}));  // within
@@ -253,7 +253,7 @@ TEST_CASE("a_triangle_without_area_has_no_plane") {
   CHECK(has_plane({{{0, 0, 0}, {1, 1, 1}, {3, 3, std::nextafter(3.0, 4.0)}}}));
 }
 
-TEST_CASE("distances_between_triangles_are_those_of_their_nearest_places") {
+TEST_CASE("triangle_distance_agrees_with_sampling") {
   for (int i = 0; i < 400; ++i) {
     const Corners s = lattice_triangle(4);
     Corners t = lattice_triangle(4);

@@ -46,7 +46,7 @@ Corners at(const Surface& s, std::size_t t) {
 
 }  // namespace
 
-TEST_CASE("the_tree_finds_the_nearest_triangle_as_looking_at_all_does") {
+TEST_CASE("tree_nearest_triangle_agrees_with_brute_force") {
   TreeCase random(1);
   for (const std::size_t count : {1, 4, 5, 63, 1000}) {
     const Surface s = random.mixed(count);
@@ -69,7 +69,7 @@ TEST_CASE("the_tree_finds_the_nearest_triangle_as_looking_at_all_does") {
   }
 }
 
-TEST_CASE("the_nearest_triangle_of_each_group_is_what_a_look_at_all_finds") {
+TEST_CASE("tree_nearest_of_groups_agrees_with_brute_force") {
   TreeCase random(3);
   for (const std::uint32_t count : {1u, 5u, 40u}) {
     const Surface s = random.mixed(500);
@@ -99,7 +99,7 @@ TEST_CASE("the_nearest_triangle_of_each_group_is_what_a_look_at_all_finds") {
   }
 }
 
-TEST_CASE("the_tree_finds_what_is_near_a_triangle_as_looking_at_all_does") {
+TEST_CASE("tree_proximity_agrees_with_brute_force") {
   TreeCase random(2);
   int near = 0, far = 0;
   for (const std::size_t count : {1, 30, 300}) {
@@ -129,7 +129,7 @@ TEST_CASE("the_tree_finds_what_is_near_a_triangle_as_looking_at_all_does") {
   CHECK(far > 50);
 }
 
-TEST_CASE("the_tree_winds_as_all_triangles_together_do") {
+TEST_CASE("tree_winding_number_agrees_with_the_exact_one") {
   TreeCase random(4);
   for (const Surface& s : {test::sphere(4), test::torus(60, 30, true), random.mixed(400)}) {
     const TriangleTree tree(s.positions, s.triangles);
@@ -148,7 +148,7 @@ TEST_CASE("the_tree_winds_as_all_triangles_together_do") {
   }
 }
 
-TEST_CASE("a_tree_of_equal_triangles_is_no_deeper_and_works") {
+TEST_CASE("tree_of_equal_triangles_works") {
   const Surface one = test::cube();
   std::vector<Triangle> many(50'000, one.triangles[0]);
   const TriangleTree tree(one.positions, many);
@@ -158,7 +158,7 @@ TEST_CASE("a_tree_of_equal_triangles_is_no_deeper_and_works") {
   CHECK_FALSE(tree.is_near({Point{5, 5, 5}, Point{6, 5, 5}, Point{5, 6, 5}}, 0.1));
 }
 
-TEST_CASE("the_tree_is_left_when_the_work_is_cancelled") {
+TEST_CASE("building_a_tree_can_be_cancelled") {
   const Surface s = test::sphere(4);
   base::Progress progress;
   const TriangleTree tree(s.positions, s.triangles, &progress);

@@ -37,14 +37,14 @@ Ring polar(std::size_t n, const Radius& radius) {
 
 const Ring dart = flat({{2, 0}, {1, 0.5}, {0, 0}, {1, 1.5}});
 const Ring u_shape = flat({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 1.5}, {2, 1.5}, {2, 4}, {0, 4}});
-// A square with a square hole, along a bridge that is run through twice.
+// A square with a square hole, connected by a bridge that is traversed twice.
 const Ring keyhole = flat({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}});
 
 Ring star(std::size_t n) {
   return polar(n, [](std::size_t i) { return i % 2 ? 1.0 : 10.0; });
 }
 
-// Teeth that hang over, so that none of them is seen from most others.
+// Overhanging teeth, so that most corners do not see each other.
 Ring comb(int teeth) {
   Ring ring = flat({{0, -1}, {3.0 * teeth, -1}});
   for (int i = teeth; i-- > 0;) {
@@ -54,7 +54,7 @@ Ring comb(int teeth) {
   return ring;
 }
 
-// A band in several turns.
+// A spiral band.
 Ring spiral(int n) {
   const auto at = [&](int i, double width) {
     const double a = 0.1 * i, r = 1 + 0.1 * a + width;
@@ -66,7 +66,7 @@ Ring spiral(int n) {
   return ring;
 }
 
-// With a middle on every side and every third corner said again.
+// Adds a midpoint to every side and repeats every third corner.
 Ring with_more_corners(const Ring& ring) {
   Ring more;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -77,7 +77,7 @@ Ring with_more_corners(const Ring& ring) {
   return more;
 }
 
-// Turned by matrices of integers, so that what is flat stays flat and what is straight stays straight.
+// Transformed by integer matrices, so that planar and collinear points stay exactly so.
 Ring onto_a_slope(const Ring& ring) {
   Ring turned;
   for (const Point& p : ring)
@@ -102,8 +102,8 @@ Vec3 area_of(const Ring& ring) {
   return sum;
 }
 
-// That the triangles are a disc whose rim is the ring, and none lies face down: of a ring that does not cross
-// itself they cover each of its points once.
+// Checks that the triangles form a disc with the ring as boundary and that none is reversed: for a simple
+// ring they then cover each point once.
 void check_cover(const Ring& ring, const std::vector<Triangle>& triangles) {
   CAPTURE(ring.size());
   REQUIRE(triangles.size() == ring.size() - 2);
@@ -148,7 +148,7 @@ std::vector<Triangle> fan(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("a_convex_polygon_is_a_fan_also_with_corners_on_its_sides_and_repeated_ones") {
+TEST_CASE("convex_polygon_with_collinear_or_repeated_corners_is_a_fan") {
   for (std::size_t n = 3; n < 40; ++n) {
     const Ring ring = polar(n, [](std::size_t) { return 1.0; });
     for (const Ring& r : {ring, onto_a_slope(ring), turned_by_rounded_numbers(ring)})
@@ -162,7 +162,7 @@ TEST_CASE("a_convex_polygon_is_a_fan_also_with_corners_on_its_sides_and_repeated
   }
 }
 
-TEST_CASE("a_concave_polygon_that_its_first_corner_sees_whole_is_a_fan") {
+TEST_CASE("polygon_star_shaped_about_its_first_corner_is_a_fan") {
   CHECK(triangulation(from_corner(dart, 1)) == fan(4));
   CHECK(triangulation(from_corner(dart, 3)) == fan(4));
 }
@@ -183,7 +183,7 @@ TEST_CASE("every_simple_polygon_is_covered_once_from_any_first_corner") {
 TEST_CASE("only_repeated_corners_make_triangles_without_area") {
   CHECK(without_area(u_shape) == 0);
   CHECK(without_area(keyhole) == 0);
-  Ring ring;  // the U with a middle on every side
+  Ring ring;  // the U with a midpoint on every side
   for (std::size_t i = 0; i < u_shape.size(); ++i) {
     ring.push_back(u_shape[i]);
     ring.push_back(0.5 * (u_shape[i] + u_shape[(i + 1) % u_shape.size()]));
@@ -230,7 +230,7 @@ TEST_CASE("polygons_of_thousands_of_corners_are_covered") {
   }
 }
 
-TEST_CASE("almost_flat_polygons_are_cut_as_they_look_along_their_normal") {
+TEST_CASE("almost_planar_polygons_are_triangulated_along_their_normal") {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> off(-1e-3, 1e-3);
   for (const Ring& shape : {u_shape, star(14), comb(4), spiral(100)}) {
@@ -251,7 +251,7 @@ TEST_CASE("a_bent_quad_keeps_its_first_diagonal_as_long_as_it_is_convex_along_it
   }
 }
 
-TEST_CASE("the_cut_is_the_same_at_any_size_and_mirrored_in_its_mirror_image") {
+TEST_CASE("triangulation_is_invariant_under_scaling_and_mirroring") {
   for (const Ring& ring : {u_shape, star(16), comb(3), spiral(60), keyhole, with_more_corners(u_shape)}) {
     const auto triangles = triangulation(ring);
     for (const double scale : {1e-100, 3e-20, 7.0, 1e99}) {
@@ -276,7 +276,7 @@ TEST_CASE("the_cut_is_the_same_at_any_size_and_mirrored_in_its_mirror_image") {
   }
 }
 
-TEST_CASE("polygons_that_cross_themselves_or_have_no_area_get_as_many_triangles") {
+TEST_CASE("self_crossing_or_flat_polygons_get_n_minus_2_triangles") {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> any(-1, 1);
   std::vector<Ring> rings = {polar(5, [](std::size_t) { return 1.0; }),
@@ -300,8 +300,8 @@ TEST_CASE("polygons_that_cross_themselves_or_have_no_area_get_as_many_triangles"
   }
 }
 
-TEST_CASE("triangles_of_a_surface_name_the_corners_that_they_were_cut_from") {
-  // The keyhole's bridge has two corners at a vertex: by vertices alone they could not be told.
+TEST_CASE("triangles_refer_to_their_polygon_corners") {
+  // The keyhole's bridge has two corners at one vertex, so vertices alone do not identify corners.
   Surface s;
   s.positions = flat({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {9, 9}});
   s.corners = {1, 8, 2, 0, 1, 2, 3, 0, 4, 5, 6, 7, 4, 1, 0, 7};

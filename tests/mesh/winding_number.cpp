@@ -9,7 +9,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// One arc tangent per triangle, in long double: van Oosterom and Strackee's formula as it stands.
+// Van Oosterom and Strackee's formula in long double, one arc tangent per triangle.
 double by_arc_tangents(const Surface& s, const Point& p) {
   using Real = long double;
   Real sum = 0;
@@ -102,7 +102,7 @@ TEST_CASE("points_on_the_cage_are_not_outside") {
   CHECK(points_outside(sphere, sphere.positions).empty());
 }
 
-TEST_CASE("nothing_is_outside_of_nothing_asked_and_all_is_outside_of_an_empty_cage") {
+TEST_CASE("every_point_is_outside_of_an_empty_cage") {
   CHECK(points_outside(test::cube(), {}).empty());
   const std::vector<Point> points = {{0, 0, 0}, {1, 2, 3}};
   CHECK(points_outside(Surface{}, points).size() == 2);

@@ -62,7 +62,7 @@ TEST_CASE("stl_keeps_every_triangle_exactly") {
   }
 }
 
-TEST_CASE("a_comment_cannot_break_the_file") {
+TEST_CASE("control_characters_in_comments_cannot_break_a_file") {
   const test::TemporaryFolder folder;
   const Surface s = test::cube();
   for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
@@ -74,8 +74,8 @@ TEST_CASE("a_comment_cannot_break_the_file") {
   }
 }
 
-// As no reader takes it.
-TEST_CASE("nothing_is_not_written") {
+// Invalid positions.
+TEST_CASE("empty_surfaces_are_not_written") {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.obj", "a.ply", "a.off", "a.glb", "a.gltf"}) {
     CHECK_THROWS_WITH_AS(write(folder / name, Surface{}), doctest::Contains("there are no vertices to write"),
@@ -94,7 +94,7 @@ TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them")
     TextWriter out(
         [&](std::string_view portion) {
           CHECK(portion.size() < 300'000);
-          CHECK(progress.done() > before);  // what was reported after the portion before
+          CHECK(progress.done() > before);  // larger than the value reported for the previous portion
           before = progress.done();
           all += portion;
         },
@@ -127,11 +127,11 @@ TEST_CASE("a_set_of_points_can_be_written") {
   }
 }
 
-TEST_CASE("points_become_no_stl_and_are_not_left_out_unsaid") {
+TEST_CASE("points_are_not_written_as_stl_and_losses_are_reported") {
   const test::TemporaryFolder folder;
   Surface points;
   points.positions = {{1, 2, 3}, {4, 5, 6}};
-  CHECK_THROWS_WITH_AS(write(folder / "a.stl", points), doctest::Contains("STL holds triangles alone"),
+  CHECK_THROWS_WITH_AS(write(folder / "a.stl", points), doctest::Contains("STL stores only triangles"),
                        base::Error);
   CHECK(folder.entries() == 0);
   Surface some = test::sphere(0);
@@ -139,12 +139,12 @@ TEST_CASE("points_become_no_stl_and_are_not_left_out_unsaid") {
   const Content content{some, some.positions, {}};
   for (const char* name : {"a.stl", "a.glb", "a.gltf"})
     CHECK(write(folder / name, content, nullptr, {}) ==
-          std::vector<std::string>{"2 points of no face are left out"});
+          std::vector<std::string>{"2 points without a face were left out"});
   for (const char* name : {"a.obj", "a.ply", "a.off"})
     CHECK(write(folder / name, content, nullptr, {}).empty());
 }
 
-TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
+TEST_CASE("invalid_positions_are_not_written_in_any_format") {
   const test::TemporaryFolder folder;
   const Surface s = test::sphere(1);
   for (const double bad : std::initializer_list<double>{NAN, INFINITY, -INFINITY, 1e103, -1.01e100}) {
@@ -153,7 +153,7 @@ TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
     positions[9][0] = bad;
     for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl", "a.glb", "a.gltf"}) {
       CHECK_THROWS_WITH_AS(write(folder / name, s, positions),
-                           doctest::Contains("the position of vertex 7 is no place"), base::Error);
+                           doctest::Contains("the position of vertex 7 is invalid"), base::Error);
       CHECK(folder.entries() == 0);
     }
     for (const std::string extension : {"obj", "ply", "off", "stl"}) {
@@ -162,7 +162,7 @@ TEST_CASE("positions_that_no_reader_takes_are_not_written_in_any_format") {
       positions[3][1] = bad;
       CHECK_THROWS_WITH_AS(
           write(folder / ("a." + extension), {kept.surface, positions, {}}, kept.original.get(), {}),
-          doctest::Contains("the position of vertex 3 is no place"), base::Error);
+          doctest::Contains("the position of vertex 3 is invalid"), base::Error);
       CHECK(folder.entries() == 0);
     }
   }

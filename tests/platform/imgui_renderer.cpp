@@ -6,7 +6,7 @@ using namespace viete;
 
 namespace {
 
-/// A renderer in an ImGui context of its own, with the size of the stage in logical pixels.
+/// A renderer with its own ImGui context, of the stage's size in logical pixels.
 struct Panels {
   explicit Panels(float framebuffer_scale = 1) {
     ImGuiIO& io = ImGui::GetIO();
@@ -110,7 +110,7 @@ TEST_CASE("text_is_drawn_from_the_font_atlas") {
   CHECK(test::count_not_black(image) < 400);
 }
 
-TEST_CASE("texture_of_our_own_is_shown_as_an_image") {
+TEST_CASE("custom_texture_is_shown_as_an_image") {
   Panels panels;
   const render::Gl& gl = panels.stage.gl;
   const render::Texture texture(gl);
@@ -135,7 +135,7 @@ TEST_CASE("more_than_65536_vertices_are_drawn") {
   CHECK(count(image, {255, 128, 0, 255}) == 40 * 20);
 }
 
-TEST_CASE("what_was_drawn_last_is_known_from_all_else") {
+TEST_CASE("has_drawn_recognises_only_equal_data") {
   Panels panels;
   const auto draw = [&](float x, ImU32 color) {
     panels.picture([&](ImDrawList& list) { list.AddRectFilled(ImVec2(x, 30), ImVec2(60, 50), color); });

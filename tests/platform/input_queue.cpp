@@ -20,7 +20,7 @@ int table(int code) {
 #endif
 }
 
-// ImGui with nothing to show: what it has seen after each frame.
+// ImGui without content: records its input after each frame.
 struct Frames {
   InputQueue queue{table};
 
@@ -45,7 +45,7 @@ struct Frames {
 
 }  // namespace
 
-TEST_CASE("a_click_between_two_frames_is_still_a_click") {
+TEST_CASE("click_between_two_frames_is_not_lost") {
   Frames f;
   f.queue.push(InputEvent::move({20, 30}));
   f.queue.push(InputEvent::button(0, true));
@@ -90,7 +90,7 @@ TEST_CASE("a_modifier_is_held_when_its_key_goes_down") {
 
 namespace {
 
-// Characters of the next frame of a field that has the keyboard.
+// Characters of the next frame in a focused text field.
 std::string typed_in_a_frame(Frames& f) {
   ImGuiIO& io = ImGui::GetIO();
   io.WantTextInput = true;
@@ -104,7 +104,7 @@ std::string typed_in_a_frame(Frames& f) {
 
 }  // namespace
 
-TEST_CASE("in_a_field_any_text_is_taken_at_once_and_what_comes_after_a_key_waits_for_it") {
+TEST_CASE("text_field_takes_text_at_once_and_text_after_a_key_later") {
   Frames f;
   const auto press = [&](int code, const char* text) {
     f.queue.push(InputEvent::key(code, true));
@@ -126,7 +126,7 @@ TEST_CASE("in_a_field_any_text_is_taken_at_once_and_what_comes_after_a_key_waits
   CHECK(f.queue.empty());
 }
 
-TEST_CASE("in_a_field_a_key_with_ctrl_is_a_key_and_one_that_went_down_before_comes_up") {
+TEST_CASE("text_field_gets_ctrl_keys_and_key_releases") {
   Frames f;
   f.queue.push(InputEvent::key(key_a, true));
   f.frame();

@@ -41,7 +41,7 @@ TEST_CASE("osmesa_and_egl_give_the_same_picture" * doctest::test_suite(test::if_
   CHECK(test::difference(by_osmesa, by_egl, 2) <= 0.001);
 }
 
-TEST_CASE("contexts_can_be_made_again_and_again") {
+TEST_CASE("contexts_can_be_created_repeatedly") {
   for (int i = 0; i < 3; ++i) {
     test::Stage stage;
     CHECK(test::count_not_black(ball_picture(stage)) > 10000);

@@ -1,4 +1,4 @@
-// How exact the running method is: said in the panel, and shown on the mesh.
+// The running method's accuracy in the panel and on the mesh.
 #include <set>
 
 #include "program/driver.h"
@@ -14,7 +14,7 @@ void open_posed_dragon(Driver& d) {
   d.open_dragon("pose_alert", test::bundled_dragon);
 }
 
-// Where the view shows anything but the background.
+// Pixels of the view that differ from the background.
 struct Shown {
   double red = 0, blue = 0;
   int pixels = 0;
@@ -24,7 +24,7 @@ Shown shown(Driver& d, const render::Image& empty) {
   const auto picture = d.picture();
   Shown sum;
   for (int y = 0; y < 660; ++y) {      // above the legend
-    for (int x = 330; x < 955; ++x) {  // beside the timings, which differ in every run
+    for (int x = 330; x < 955; ++x) {  // without the timings, which differ in every run
       const auto p = picture.pixel(x, y);
       if (p == empty.pixel(x, y)) continue;
       sum.red += p[0];

@@ -1,4 +1,4 @@
-// viete animate: frames as files, whole whenever the program ends, and gone on with.
+// viete animate: exported frames are complete whenever the program ends, and can be continued.
 #include <tiny_gltf.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ using namespace viete::test;
 
 namespace {
 
-// A cube in its cage, with posed cages p_01, p_09 and p_17 to be keys.
+// A cube in its cage, with posed cages p_01, p_09 and p_17 as keys.
 struct AnimatedFiles : AnimatedCube {
   AnimatedFiles() {
     for (const int frame : {1, 9, 17}) {
@@ -43,7 +43,7 @@ std::set<std::string> names_of(const fs::path& folder, const std::string& end) {
   return names;
 }
 
-// The dragon with two keys, so that a frame takes long enough to be ended within.
+// The dragon with two keys, slow enough to be interrupted within a frame.
 struct AnimatedDragon : TemporaryFolder {
   AnimatedDragon() {
     fs::copy(cage, *this / "k_01.obj");
@@ -109,7 +109,7 @@ TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   }
   outcome = files.animate("-o a.glb --tolerance 0.001");
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
-  CHECK(mentions(outcome, "morph targets with straight lines between them, off by up to "));
+  CHECK(mentions(outcome, "morph targets with linear interpolation, error up to "));
   outcome = files.animate("-o s_%02d.png --frames 4-5 --size 64x48 --no-grid");
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
   CHECK(names_of(files.path(), ".png") == std::set<std::string>{"s_04.png", "s_05.png"});
@@ -187,7 +187,8 @@ TEST_CASE("an_animation_that_was_killed_has_whole_frames") {
     const std::string out = std::string(signal) + "_##.ply";
     const Outcome ended = ended_by(signal, d.path(), d.line("-o '" + out + "'"),
                                    std::string(signal) + "_03.ply", std::string(signal) + "_*");
-    if (std::string(signal) == "INT") CHECK_MESSAGE(mentions(ended, "stopped; whole files stay"), ended.text);
+    if (std::string(signal) == "INT")
+      CHECK_MESSAGE(mentions(ended, "stopped; files written so far are complete"), ended.text);
     const base::NumberedName name(d / out);
     const auto there = name.find();
     CHECK(there.size() >= 3);
@@ -202,9 +203,9 @@ TEST_CASE("frames_that_are_there_are_not_replaced_unasked") {
   put_file(files / "f_07.obj", "mine");
   const Outcome refused = files.animate("-o f_##.obj --frames 5-9");
   CHECK(refused.code == 1);
-  CHECK(mentions(refused, "f_05.obj: this file is there already, and would be replaced, as 4 more would"));
+  CHECK(mentions(refused, "f_05.obj: this file already exists and would be replaced, as 4 more would"));
   CHECK(mentions(refused, "--force"));
-  setenv("VIETE_PROGRESS", "1", 1);  // as the window runs it aside
+  setenv("VIETE_PROGRESS", "1", 1);  // as when run by the window
   CHECK_FALSE(mentions(files.animate("-o f_##.obj"), "--force"));
   unsetenv("VIETE_PROGRESS");
   CHECK(file_bytes(files / "f_07.obj") == "mine");
@@ -213,15 +214,15 @@ TEST_CASE("frames_that_are_there_are_not_replaced_unasked") {
   CHECK(file_bytes(files / "f_07.obj") == file_bytes(files / "fresh_07.obj"));
 }
 
-TEST_CASE("files_of_an_earlier_run_that_are_not_among_the_frames_are_told_of") {
+TEST_CASE("files_of_an_earlier_run_outside_the_frames_are_noted") {
   const AnimatedFiles files;
-  CHECK_FALSE(mentions(files.animate("-o f_##.ply --frames 1-6"), "there before"));
-  CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply was there before"));
+  CHECK_FALSE(mentions(files.animate("-o f_##.ply --frames 1-6"), "existed"));
+  CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply already existed"));
   CHECK(mentions(files.animate("-o f_##.ply --frames 2-6 --step 2 --force"),
                  "3 files from f_01.ply to f_05.ply were there"));
-  CHECK_FALSE(mentions(files.animate("-o s_##.png --frames 4-6 --size 64x48 --no-grid"), "there before"));
+  CHECK_FALSE(mentions(files.animate("-o s_##.png --frames 4-6 --size 64x48 --no-grid"), "existed"));
   CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid --force"),
-                 "s_06.png was there before"));
+                 "s_06.png already existed"));
 }
 
 TEST_CASE("several_programs_share_the_frames") {
@@ -233,7 +234,7 @@ TEST_CASE("several_programs_share_the_frames") {
   CHECK(base::NumberedName(files / "f_##.ply").find().size() == 17);
 }
 
-TEST_CASE("what_a_killed_run_left_goes_with_the_next_command_that_writes_there") {
+TEST_CASE("partial_files_of_a_killed_command_are_deleted_by_the_next_one") {
   const AnimatedFiles files;
   const char* gone[] = {"b.obj.999999999-1-0.part"};
   const char* stay[] = {"b.part", "b.obj.1-x-0.part"};
@@ -241,31 +242,31 @@ TEST_CASE("what_a_killed_run_left_goes_with_the_next_command_that_writes_there")
   for (const char* name : stay) put_file(files / name, "half");
   const std::string running = "c.obj." + base::process_name() + "-0.part";
   put_file(files / running, "half");
-  CHECK(files.animate("-o p_##.obj").code == 1);  // also where it is refused
+  CHECK(files.animate("-o p_##.obj").code == 1);  // also if it is refused
   CHECK(files.animate("-o a.pc2 --keys none.pc2").code != 0);
   for (const char* name : gone) CHECK_MESSAGE(!fs::exists(files / name), std::string(name));
   for (const char* name : stay) CHECK_MESSAGE(fs::exists(files / name), std::string(name));
   CHECK(fs::exists(files / running));
 }
 
-TEST_CASE("what_animate_cannot_do_is_said_before_the_work_starts") {
+TEST_CASE("animate_reports_invalid_requests_before_the_work") {
   const AnimatedFiles files;
   const auto says = [&](const std::string& rest, int code, const std::string& text) {
     const Outcome outcome = files.animate(rest);
     CHECK(outcome.code == code);
     CHECK_MESSAGE(mentions(outcome, text), outcome.text);
   };
-  says("-o a.pc2 --frames 5-1", 2, "needs first-last, such as 1-48, not 5-1");
-  says("-o a.pc2 --frames x", 2, "needs first-last");
+  says("-o a.pc2 --frames 5-1", 2, "needs FIRST-LAST, such as 1-48, not 5-1");
+  says("-o a.pc2 --frames x", 2, "needs FIRST-LAST");
   says("-o a.obj", 1, "write numbered files, a_####.obj");
   says("-o a.png", 1, "write numbered pictures");
   says("-o a.mp4", 1, "unknown extension .mp4");
   says("-o a.txt", 1, "unknown extension .txt");
-  says("-o p_##.obj", 1, "p_01.obj: this file is one of those that are read (the keys)");
+  says("-o p_##.obj", 1, "p_01.obj: this is an input file (the keys)");
   const std::string folder = "cd " + quoted(files.path()) + " &&";
   CHECK(mentions(run("animate model.obj cage.obj -o a.pc2", folder), "--keys is required"));
   put_file(files / "s.viete",
            R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
-  CHECK(mentions(run("animate s.viete -o a.pc2", folder), "there are no keys in time"));
-  CHECK(mentions(run("animate s.viete -o cage.obj", folder), "a file of this format holds one frame"));
+  CHECK(mentions(run("animate s.viete -o a.pc2", folder), "the timeline has no keys"));
+  CHECK(mentions(run("animate s.viete -o cage.obj", folder), "this format stores a single frame"));
 }

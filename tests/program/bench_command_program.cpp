@@ -1,4 +1,4 @@
-// viete bench: small runs of every benchmark, their files and tables.
+// viete bench: short runs of every benchmark, with their files and tables.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -45,12 +45,12 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
     CHECK(mentions(outcome, "148 cage triangles"));  // its own
     std::ifstream in(json);
-    CHECK(nlohmann::json::parse(in)["bars"].empty());  // which are of made ones
+    CHECK(nlohmann::json::parse(in)["bars"].empty());  // bars are only written for generated cages
   }
   const auto made = run("bench frame --rounds 1 --count 500,600 --faces 8 " + quoted(dragon));
   CHECK_MESSAGE(mentions(made, "500 vertices, 8 cage triangles"), made.text);
   CHECK(run("bench frame --faces 8 " + files).code == 2);
-  CHECK(mentions(run("bench bind --json " + quoted(cage) + " " + files), "one of those that are read"));
+  CHECK(mentions(run("bench bind --json " + quoted(cage) + " " + files), "is an input file"));
   CHECK(mentions(run("bench bind none.obj " + quoted(cage)), "none.obj"));
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   for (const char* title : {"\ntall ", "\nbox ", "\nall 2 poses "}) CHECK(mentions(outcome, title));
   std::istringstream lines(outcome.text);
   for (std::string line; std::getline(lines, line);) {
-    const bool names_processor = line.starts_with("modes: ");  // which may have a long name
+    const bool names_processor = line.starts_with("modes: ");  // the processor's name may be long
     CHECK_MESSAGE((names_processor || line.size() <= 130), line);
   }
   std::ifstream in(json);
@@ -97,7 +97,7 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   }
 }
 
-TEST_CASE("what_is_missing_or_does_not_fit_is_said_before_modes_are_compared") {
+TEST_CASE("missing_or_unfit_inputs_are_reported_before_modes_are_compared") {
   const TemporaryFolder scratch;
   const std::string model = quoted(dragon), in_cage = model + " " + quoted(cage);
   const auto no_cage = run("bench modes " + model), no_pose = run("bench modes " + in_cage);
@@ -106,11 +106,11 @@ TEST_CASE("what_is_missing_or_does_not_fit_is_said_before_modes_are_compared") {
   CHECK(no_pose.code == 2);
   CHECK(mentions(no_pose, "POSE is required"));
   CHECK(run("bench modes " + in_cage + " none.obj").code == 1);
-  const auto other = run("bench modes " + in_cage + " " + model);  // of another number of vertices
+  const auto other = run("bench modes " + in_cage + " " + model);  // has another number of vertices
   CHECK(other.code == 1);
   CHECK(mentions(other, "dragon.ply"));
   const auto replaced = run("bench modes " + in_cage + " " + quoted(pose) + " --json " + quoted(pose));
-  CHECK(mentions(replaced, "one of those that are read"));
+  CHECK(mentions(replaced, "is an input file"));
 }
 
 TEST_CASE("benchmarks_are_drawn_as_svg_with_every_method_and_layout") {
@@ -140,10 +140,10 @@ TEST_CASE("numbers_and_plot_of_a_benchmark_are_two_files") {
   const std::string file = quoted(scratch / "a.svg");
   const auto same = run("bench exp --count 2000 --json " + file + " --plot " + file);
   CHECK(same.code == 1);
-  CHECK(mentions(same, "one of those that are read (the numbers)"));
+  CHECK(mentions(same, "is an input file (the numbers)"));
 }
 
-TEST_CASE("a_program_without_its_benchmarks_says_how_to_get_them") {
+TEST_CASE("a_program_without_benchmarks_explains_how_to_install_them") {
   const TemporaryFolder scratch;
   fs::copy_file(build_dir() / "viete", scratch / "viete");
   const auto outcome = run_of(scratch.path(), "bench exp");
@@ -168,12 +168,12 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
       for (const auto& row : table["rows"]) {
         const auto& fast = row["methods"]["Fast"];
         const double spread =
-            table["by"] == "spread" ? double(row["value"]) : 35;  // of the other rows, at most
+            table["by"] == "spread" ? double(row["value"]) : 35;  // maximum of the other rows
         CHECK(fast["nan"] == 0);
         CHECK(fast["worst"] <= (8 + 2.5 * spread) * u);
       }
     }
-    CHECK(tables[0]["rows"][6]["methods"]["ISD as printed"]["nan"] == 1);
+    CHECK(tables[0]["rows"][6]["methods"]["ISD unguarded"]["nan"] == 1);
     CHECK(tables[2]["rows"][4]["methods"]["SD"]["worst"] > 1e4 * u);
   }
 }

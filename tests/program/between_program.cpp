@@ -1,4 +1,4 @@
-// viete between, viete mix and viete pose: what lies between shapes of a model, and what is made of several.
+// viete between, viete mix and viete pose: interpolation, mixes and posing of shapes.
 #include <cmath>
 
 #include "base/numbered_files.h"
@@ -9,10 +9,10 @@
 #include "scene/document/pose_edit.h"
 #include "scene/files.h"
 #include "scene/posed_cube.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/command.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -22,7 +22,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// A cube at rest, and shapes of it: a.obj, b.obj, and the same numbered s_1 to s_3.
+// A cube at rest and its shapes a.obj, b.obj, also numbered as s_1 to s_3.
 struct ShapeFiles : TemporaryFolder {
   mesh::Surface cube = CubeFiles::subdivided_cube();
 
@@ -63,11 +63,11 @@ TEST_CASE("between_two_shapes_a_turn_is_halfway_at_half_of_its_angle") {
   CHECK(distance(f.read("m.ply"), f.shape(25)) < 1e-6);
 }
 
-TEST_CASE("an_old_file_that_is_not_among_the_shapes_between_is_told_of") {
+TEST_CASE("between_notes_old_files_outside_its_numbers") {
   const ShapeFiles f;
-  CHECK_FALSE(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 3"), "there before"));
+  CHECK_FALSE(mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 3"), "existed"));
   CHECK(
-      mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 2 --force"), "f_3.ply was there before"));
+      mentions(f.done("between rest.obj a.obj -o 'f_#.ply' --frames 2 --force"), "f_3.ply already existed"));
 }
 
 TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
@@ -102,8 +102,7 @@ TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes
     f.done("between --rest rest.obj " + name + " -o 'n_#.obj' --frames 9 --force");
     CHECK(distance(f.read("n_9.obj"), f.shape(170, 1)) < 1e-6);
   }
-  CHECK(mentions(f.done("between rest.obj a.obj b.obj -o c.glb"),
-                 "morph targets with straight lines between them"));
+  CHECK(mentions(f.done("between rest.obj a.obj b.obj -o c.glb"), "morph targets with linear interpolation"));
   f.done("between rest.obj c.glb -o m.obj --at 1");
   CHECK(distance(f.read("m.obj"), f.cube.positions) > 1e-3);
   f.done("between s_#.obj -o smooth.pc2 --frames 9");
@@ -112,7 +111,7 @@ TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes
   CHECK(file_bytes(f / "smooth.pc2") != file_bytes(f / "linear.pc2"));
 }
 
-TEST_CASE("what_the_model_holds_beside_positions_is_kept_between_shapes") {
+TEST_CASE("attributes_of_the_model_are_kept_between_shapes") {
   const ShapeFiles f;
   const std::string
       begin = "# mine\r\nmtllib m.mtl\r\no Cloth\r\nv 0 0 0 1 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\n",
@@ -134,13 +133,13 @@ TEST_CASE("what_the_model_holds_beside_positions_is_kept_between_shapes") {
 TEST_CASE("between_replaces_no_numbered_file_unasked") {
   const ShapeFiles f;
   put_file(f / "f_07.obj", "mine");
-  f.refused("between rest.obj b.obj -o 'f_##.obj' --frames 9", 1, "f_07.obj: this file is there already");
+  f.refused("between rest.obj b.obj -o 'f_##.obj' --frames 9", 1, "f_07.obj: this file already exists");
   CHECK(file_bytes(f / "f_07.obj") == "mine");
   f.done("between rest.obj b.obj -o 'f_##.obj' --frames 9 --force");
   CHECK(file_bytes(f / "f_07.obj") != "mine");
 }
 
-TEST_CASE("between_that_is_stopped_leaves_whole_files") {
+TEST_CASE("cancelled_between_leaves_complete_files") {
   const TemporaryFolder folder;
   const std::string at_home = "cd " + quoted(folder.path()) + " && ";
   REQUIRE(
@@ -148,7 +147,7 @@ TEST_CASE("between_that_is_stopped_leaves_whole_files") {
           .code == 0);
   const std::string line = "between " + quoted(dragon) + " a.ply -o 'f_##.ply' --frames 30";
   const Outcome ended = ended_by("INT", folder.path(), line, "f_03.ply", "f_*");
-  CHECK_MESSAGE(mentions(ended, "f_##.ply: stopped; whole files stay"), ended.text);
+  CHECK_MESSAGE(mentions(ended, "f_##.ply: stopped; files written so far are complete"), ended.text);
   const base::NumberedName name(folder / "f_##.ply");
   CHECK(name.find().size() < 30);
   for (const auto& file : name.find()) CHECK(mesh::read(file.path).surface.positions.size() == 3000);
@@ -181,9 +180,8 @@ TEST_CASE("a_shape_of_a_file_that_holds_several_is_named_behind_a_colon") {
   f.done("mix rest.obj --shape face.glb:a:b=c=1 -o m.ply");
   CHECK(distance(f.read("m.ply"), frown) < 1e-6);
   f.refused("mix rest.obj --shape face.glb=1 -o m.ply", 1,
-            "face.glb: it holds several shapes; name one of them behind a colon: smile, a:b=c");
-  f.refused("mix rest.obj --shape face.glb:grin=1 -o m.ply", 1,
-            "it holds no shape of the name grin; name one");
+            "face.glb: it contains several shapes; append one of these names after a colon: smile, a:b=c");
+  f.refused("mix rest.obj --shape face.glb:grin=1 -o m.ply", 1, "it contains no shape named grin; name one");
   f.done("between rest.obj a.obj -o c.pc2 --frames 20");
   f.done("mix rest.obj --shape 'c.pc2:frame 20=1' -o m.ply");
   CHECK(distance(f.read("m.ply"), f.shape(100)) < 1e-6);
@@ -201,32 +199,33 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
   f.refused("between rest.obj broken.obj -o m.ply --at 1", 1, "broken.obj:2: coordinate \"nan\"");
   f.refused("between broken.obj rest.obj -o m.ply --at 1", 1, "broken.obj:2: coordinate \"nan\"");
   f.refused("between rest.obj none.obj -o m.ply --at 1", 1, "none.obj: there is no such file");
-  f.refused("between rest.obj 'none_#.obj' -o m.ply --at 1", 1, "there is no file of this name");
-  f.refused("between 'none_#.obj' -o m.ply --at 1", 1, "there is no file of this name");
+  f.refused("between rest.obj 'none_#.obj' -o m.ply --at 1", 1, "no file matches this name");
+  f.refused("between 'none_#.obj' -o m.ply --at 1", 1, "no file matches this name");
   f.refused("between points.obj points.obj -o m.ply --at 1", 1,
-            "points.obj: no face of this model has an area");
-  f.refused("mix flat.obj --shape flat.obj=1 -o m.ply", 1, "flat.obj: no face of this model has an area");
+            "points.obj: all faces of this model have zero area");
+  f.refused("mix flat.obj --shape flat.obj=1 -o m.ply", 1,
+            "flat.obj: all faces of this model have zero area");
   f.refused("between c.pc2 -o m.ply --at 1", 1, "c.pc2: a point cache has no faces; name the model");
   f.refused("between s.viete a.obj -o m.ply --at 1", 1, "s.viete: this is a session");
   f.refused("mix s.viete --shape a.obj=1 -o m.ply", 1, "s.viete: this is a session");
-  f.refused("between rest.obj -o m.ply --at 1", 1, "there is one shape alone");
-  f.refused("between rest.obj a.obj -o rest.obj --at 1", 1, "one of those that are read (the model)");
-  f.refused("between rest.obj a.obj -o a.obj --at 1", 1, "one of those that are read (a shape)");
-  f.refused("mix rest.obj --shape a.obj=1 -o a.obj", 1, "one of those that are read (a shape)");
-  f.refused("between rest.obj 's_#.obj' -o 's_#.obj' --force", 1, "s_1.obj: this file is one of those");
-  f.refused("between rest.obj a.obj -o m.obj", 1, "a file of this format holds one frame; write numbered");
+  f.refused("between rest.obj -o m.ply --at 1", 1, "a single shape cannot be interpolated");
+  f.refused("between rest.obj a.obj -o rest.obj --at 1", 1, "an input file (the model)");
+  f.refused("between rest.obj a.obj -o a.obj --at 1", 1, "an input file (a shape)");
+  f.refused("mix rest.obj --shape a.obj=1 -o a.obj", 1, "an input file (a shape)");
+  f.refused("between rest.obj 's_#.obj' -o 's_#.obj' --force", 1, "s_1.obj: this is an input file");
+  f.refused("between rest.obj a.obj -o m.obj", 1, "this format stores a single frame; write numbered");
   f.refused("between rest.obj a.obj -o m.png", 1, "unknown extension .png");
   f.refused("between rest.obj a.obj -o m.pc2 --at 1", 1, "unknown extension .pc2");
-  f.refused("between rest.obj a.obj b.obj -o m.pc2 --frames 2", 1, "2 frames are too few");
+  f.refused("between rest.obj a.obj b.obj -o m.pc2 --frames 2", 1, "2 frames are fewer than the shapes");
   f.refused("between rest.obj a.obj -o m.ply --at 1.5", 1, "is beyond the last shape, which is at 1");
   Points large = f.cube.positions;
   for (auto& p : large) p = 1e12 * p;
   f.write("large.obj", large);
-  f.refused("mix rest.obj --shape large.obj=3 -o m.ply", 1, "m.ply: the mix is larger than can be drawn");
+  f.refused("mix rest.obj --shape large.obj=3 -o m.ply", 1, "m.ply: the mix is too large to be drawn");
   CHECK_FALSE(fs::exists(f / "m.ply"));
 }
 
-TEST_CASE("wrong_words_of_between_and_mix_are_said_before_anything_is_read") {
+TEST_CASE("between_and_mix_report_wrong_words_before_reading") {
   const ShapeFiles f;
   f.refused("between -o m.pc2", 2, "SHAPES is required");
   f.refused("between rest.obj a.obj", 2, "--output is required");
@@ -235,7 +234,7 @@ TEST_CASE("wrong_words_of_between_and_mix_are_said_before_anything_is_read") {
   f.refused("between rest.obj a.obj -o m.ply --at 1 --frames 3", 2, "excludes");
   f.refused("between rest.obj a.obj -o m.pc2 --rate 0", 2, "needs a number from 1 to 240, not 0");
   f.refused("mix rest.obj -o m.ply", 2, "--shape is required");
-  f.refused("mix rest.obj --shape a.obj=1 b.obj=1 -o m.ply", 2, "more than viete mix takes: b.obj=1");
+  f.refused("mix rest.obj --shape a.obj=1 b.obj=1 -o m.ply", 2, "unexpected arguments of viete mix: b.obj=1");
   for (const char* bad : {"a.obj", "a.obj=", "=1", "a.obj=x", "a.obj=nan", "a.obj=4", "a.obj=-2.5", "''"})
     f.refused("mix rest.obj -o m.ply --shape " + std::string(bad), 2,
               "needs FILE=WEIGHT, such as smile.obj=0.5, with a weight from -2 to 3, not ");
@@ -266,10 +265,10 @@ TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
   f.refused("pose rest.obj --pin 0=1,2,nan -o p.obj", 2, "VERTEX=x,y,z");
   f.refused("pose rest.obj --pin -1=1,2,3 -o p.obj", 2, "");
   f.refused("pose rest.obj --pin 1=1,2,3 --freedom 2 -o p.obj", 2, "--freedom");
-  f.refused("pose rest.obj --pin 999=1,2,3 -o p.obj", 1, "there is no vertex 999");
+  f.refused("pose rest.obj --pin 999=1,2,3 -o p.obj", 1, "vertex 999");
   f.refused("pose rest.obj --pin 1=1,2,3 --pull 1=3,2,1 -o p.obj", 1, "pinned twice");
   f.refused("pose rest.obj --pin 1=1,2,3 -o rest.obj", 1, "rest.obj");
-  f.refused("pose rest.obj --pin 1=1e60,2,3 --pin 2=0,0,0 -o p.obj", 1, "larger than can be drawn");
+  f.refused("pose rest.obj --pin 1=1e60,2,3 --pin 2=0,0,0 -o p.obj", 1, "too large to be drawn");
   CHECK(!fs::exists(f / "p.obj"));
 }
 

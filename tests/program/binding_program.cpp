@@ -1,4 +1,4 @@
-// Binding aside: the view stays live, and a binding that is cancelled or does not fit changes nothing.
+// Binding in the background: the view stays responsive, and a cancelled or failed binding changes nothing.
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -40,10 +40,10 @@ void open_dragon_with_pose(Driver& d) {
   d.open_dragon();
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(40, 20));
-  scene::mark_saved(d.workspace());  // so that another cage takes its place without a question
+  scene::mark_saved(d.workspace());  // so that replacing the cage needs no question
 }
 
-// Bytes of memory that are free now, as the system says.
+// Free memory in bytes, as reported by the system.
 double free_memory() {
   std::ifstream in("/proc/meminfo");
   std::string key, rest;
@@ -60,7 +60,7 @@ app::ViewerOptions small_window() {
 
 }  // namespace
 
-TEST_CASE("a_cage_that_is_being_opened_is_cancelled_and_everything_stays") {
+TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
   const test::TemporaryFolder folder;
   Driver d(small_window());
   open_dragon_with_pose(d);
@@ -74,7 +74,7 @@ TEST_CASE("a_cage_that_is_being_opened_is_cancelled_and_everything_stays") {
   CHECK(d.document().cage.get() == cage);
   CHECK(test::edit_count(d.document().history) == 1);
   CHECK(deformed_positions(d) == before);
-  CHECK(d.workspace().messages.all().back().text.starts_with("Stopped "));
+  CHECK(d.workspace().messages.all().back().text.starts_with("Cancelled "));
 }
 
 TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
@@ -84,7 +84,7 @@ TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
   const auto* cage = d.document().cage.get();
   d.workspace().requests.open = scene::OpenRequest{What::cage, {ball_cage(folder.path(), 1)}};
   REQUIRE(d.until([&] {
-    // Never a document without what deforms it.
+    // A document always has a deformer.
     REQUIRE(d.viewer().deformer());
     return d.document().cage.get() != cage;
   }));
@@ -92,7 +92,7 @@ TEST_CASE("a_cage_that_is_opened_comes_with_its_binding") {
   CHECK(d.viewer().deformer()->sample_matrices(10).size() > 0);
 }
 
-TEST_CASE("what_was_opened_is_bound_once_for_the_method_that_was_chosen_before") {
+TEST_CASE("an_opened_document_is_bound_once_for_the_chosen_method") {
   const test::TemporaryFolder folder;
   const fs::path balls[] = {ball_cage(folder.path(), 1), ball_cage(folder.path(), 2)};
   Driver d(small_window());
@@ -153,7 +153,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_a_cancel_keeps_t
     const auto before = deformed_positions(d);
     d.document().changed_pose().positions[0][1] += 0.3;
     test::run_command(d.workspace(), weights);
-    d.frame();  // begins the binding, and deforms by the old one
+    d.frame();  // starts the new binding and deforms with the old one
     REQUIRE(d.workspace().binding.running);
     CHECK(d.workspace().binding.what.starts_with("Binding 3,000 vertices to "));
     const auto moved = deformed_positions(d);
@@ -169,7 +169,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_a_cancel_keeps_t
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
 }
 
-TEST_CASE("what_a_binding_takes_is_known_before") {
+TEST_CASE("the_cost_of_a_binding_is_known_before_it_starts") {
   Driver d(small_window());
   open_dragon_with_pose(d);
   const auto plan = scene::binding_plan(d.document(), {deform::Elements::point});

@@ -1,5 +1,5 @@
-"""Judges what viete writes by Blender's importers: a textured box in a cage that is turned rigidly, so that every
-place and normal is known, in every format and from one into another."""
+"""Checks viete's files with Blender's importers: a textured box in a rigidly rotated cage, so that all positions
+and normals are known, in every format and converted between formats."""
 import json
 import math
 import os
@@ -30,14 +30,14 @@ def put(name, data):
 
 
 def turned(p):
-    """Where the pose takes a point: about the x axis, then away. Directions: with w = 0."""
+    """The pose of a point: a rotation about the x axis, then a translation. Directions: with w = 0."""
     c, s = math.cos(0.6), math.sin(0.6)
     w = p[3] if len(p) > 3 else 1
     return (p[0] + 0.25 * w, c * p[1] - s * p[2] - 0.5 * w, s * p[1] + c * p[2])
 
 
 def png():
-    """4 x 4 pixels, each of a colour of its own."""
+    """4 x 4 pixels of different colours."""
     rows = b"".join(b"\0" + bytes(v for x in range(4) for v in (60 * x, 60 * y, 255 - 60 * x)) for y in range(4))
 
     def chunk(kind, data):
@@ -48,7 +48,7 @@ def png():
 
 
 class Box:
-    """Six sides of 2 x 2 quads; each side has its own part of the texture, its normal, and one of two materials."""
+    """Six sides of 2 x 2 quads; each side has a region of the texture, its normal, and one of two materials."""
 
     def __init__(self):
         self.points, self.faces, numbers = [], [], {}
@@ -76,7 +76,7 @@ class Box:
                 self.faces.append((corners, normal, "wood" if side < 4 else "red"))
 
     def corners(self):
-        """(place, texture point, normal, material) of every corner, turned."""
+        """(place, texture point, normal, material) of every corner, rotated."""
         return [(turned(self.points[n]), uv, turned(normal + (0,)), material)
                 for corners, normal, material in self.faces for n, uv in corners]
 
@@ -144,7 +144,7 @@ def vertex_color(p):
 
 
 def ply_of(box):
-    """One texture point and one colour a vertex: all that Blender reads of a PLY."""
+    """One texture point and one colour per vertex: the PLY attributes that Blender reads."""
     head = ["ply", "format ascii 1.0", "element vertex %d" % len(box.points)]
     head += ["property float " + n for n in "xyz"] + ["property uchar " + n for n in ("red", "green", "blue")]
     head += ["property float s", "property float t", "element face %d" % len(box.faces),
@@ -175,7 +175,7 @@ def cage(pose):
 
 
 def imported(name):
-    """The one mesh of the file in world coordinates of the file's own axes: corners, and Blender's mesh."""
+    """The file's only mesh in world coordinates with the file's axes: corners, and Blender's mesh."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     extension = name.rsplit(".", 1)[1]
     candidates = {"obj": ("wm.obj_import", "import_scene.obj"), "ply": ("wm.ply_import", "import_mesh.ply"),
@@ -209,7 +209,7 @@ def check_same(name, found, expected):
 
 
 def found_corners(scene_object, y_up, texture, normals, materials):
-    """Of every corner the place and what else is asked for."""
+    """The position of every corner and the requested attributes."""
     mesh, world = scene_object.data, scene_object.matrix_world
     directions = corner_normals(mesh) if normals else None
     back = (lambda v: (v[0], v[2], -v[1])) if y_up else tuple
@@ -257,7 +257,7 @@ def deform(model, out, rest="cage.obj"):
 
 
 def check_textured(box, out):
-    """Places, texture points and normals, as in the box; in the format of the model materials and their image too."""
+    """Positions, texture points and normals equal the box's; in the model's format also materials and their image."""
     scene_object, y_up = imported(out)
     quads, own = out == "obj.obj", out in ("obj.obj", "glb.glb")
     check_counts(out, scene_object.data, len(box.points) if out.endswith("obj") else None,
@@ -282,7 +282,7 @@ def check_places(box, out, faces):
 
 
 def check_blue():
-    """Colours of the STL's facets are those of vertices in a GLB."""
+    """The STL's facet colours become vertex colours in a GLB."""
     deform("model.stl", "stl.glb")
     mesh = imported("stl.glb")[0].data
     colors = mesh.color_attributes[0].data
@@ -304,7 +304,7 @@ def written_places(frame):
 
 
 def places_at(scene_object, frame):
-    """Vertices in the object's own coordinates, as they are shown at that frame."""
+    """Vertices in object coordinates at that frame."""
     bpy.context.scene.frame_set(int(frame), subframe=frame % 1)
     shown = scene_object.evaluated_get(bpy.context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
@@ -340,7 +340,7 @@ def check_morphs(out):
 
 
 def check_animations():
-    """Of the box that turns: caches and morph targets against the models of the same frames."""
+    """Compares caches and morph targets of the rotating box with the models of the same frames."""
     put("key_01.obj", cage(tuple))
     put("key_11.obj", cage(turned))
     animate("frame_##.obj", "--digits", "all")

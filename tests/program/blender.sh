@@ -1,5 +1,5 @@
 #!/bin/sh
-# blender.sh VIETE FOLDER: what viete writes, as Blender's importers see it. Skipped (77) where Blender is not installed.
+# blender.sh VIETE FOLDER: checks viete's files with Blender's importers. Skipped (77) without Blender.
 if ! command -v blender > /dev/null; then
   echo "skipped: Blender is not installed (apt-get install blender)"
   exit 77

@@ -1,4 +1,4 @@
-// Making a cage in the window: offered, made, changed by sliders, taken back, posed and saved.
+// Cage generation in the window: offer, sliders, undo, posing and saving.
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "mesh/winding_number.h"
@@ -29,7 +29,7 @@ struct Maker : Driver {
     REQUIRE(open({model}));
     settle();
   }
-  // Until the cage is as it is wished for, and bound.
+  // Until the generated cage matches the settings and is bound.
   void finish() {
     frame();
     finish_making();
@@ -56,7 +56,7 @@ struct Maker : Driver {
 
 }  // namespace
 
-TEST_CASE("a model without a cage is framed above the offer of one, and in the middle once that is gone") {
+TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
   Maker d(test::bundled_dragon);
   const auto lowest = [&] {
     const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
@@ -70,7 +70,7 @@ TEST_CASE("a model without a cage is framed above the offer of one, and in the m
   const float bottom = v.origin.y + v.size.y, offer = bottom - scene::offer_height(d.workspace());
   const auto beside = d.viewer().recorder().find("open_cage_beside");
   REQUIRE(beside);
-  CHECK(beside->y0 - 94 < offer);  // there are three lines above that button
+  CHECK(beside->y0 - 94 < offer);  // three lines are above that button
   CHECK(offer < beside->y0 - 60);
   const float above = lowest();
   CHECK(above < offer);
@@ -82,7 +82,7 @@ TEST_CASE("a model without a cage is framed above the offer of one, and in the m
   CHECK(lowest() < bottom);
 }
 
-TEST_CASE("in a low window too the feet of a new model are above the offer of a cage") {
+TEST_CASE("a_new_model_is_framed_above_the_cage_offer_in_a_low_window") {
   auto options = Driver::default_options();
   options.size = {1280, 560};
   Driver d(options);
@@ -101,7 +101,7 @@ TEST_CASE("in a low window too the feet of a new model are above the offer of a 
   CHECK(lowest - highest > 0.6f * (offer - v.origin.y));
 }
 
-TEST_CASE("a cage is made by one button, moves the model, and is taken back by one undo") {
+TEST_CASE("one_button_generates_a_cage_and_one_undo_removes_it") {
   Maker d;
   d.make();
   d.check_encloses();
@@ -129,7 +129,7 @@ TEST_CASE("a cage is made by one button, moves the model, and is taken back by o
   CHECK(d.drawn_error() < 2e-5);
 }
 
-TEST_CASE("sliders change the cage that is being made, in the same edit; Cancel takes it back") {
+TEST_CASE("cage_sliders_change_the_same_edit_and_cancel_undoes_it") {
   Maker d;
   d.make();
   d.workspace().making.wish.triangles = 60;
@@ -147,7 +147,7 @@ TEST_CASE("sliders change the cage that is being made, in the same edit; Cancel 
   CHECK_FALSE(d.document().history.can_undo());
 }
 
-TEST_CASE("what is done while a preview is seen is made with all care before it is kept") {
+TEST_CASE("done_replaces_a_preview_by_the_full_quality_cage") {
   Maker d(test::bundled_dragon);
   d.click("make_cage");
   while (!d.document().has_cage()) d.frame();
@@ -163,7 +163,7 @@ TEST_CASE("what is done while a preview is seen is made with all care before it 
   CHECK(d.drawn_error() < 2e-5);
 }
 
-TEST_CASE("a preview that is stopped or posed on its way to all care is kept, and said to be one") {
+TEST_CASE("a_stopped_or_posed_preview_stays_and_is_labelled_as_preview") {
   Maker d(test::bundled_dragon);
   d.click("make_cage");
   while (!d.document().has_cage()) d.frame();
@@ -179,10 +179,11 @@ TEST_CASE("a preview that is stopped or posed on its way to all care is kept, an
   d.frame(2);
   CHECK_FALSE(d.workspace().making.open);
   CHECK(d.document().cage == preview);
-  CHECK(d.workspace().messages.all().back().text.find("as its preview was") != std::string::npos);
+  CHECK(d.workspace().messages.all().back().text.find("The preview of the cage was kept") !=
+        std::string::npos);
 }
 
-TEST_CASE("a pose is kept beside a cage that is made anew: undo brings both back") {
+TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
   Driver plain;
   plain.open_dragon("pose_alert");
   const auto cage = plain.document().cage;
@@ -210,7 +211,7 @@ TEST_CASE("a pose is kept beside a cage that is made anew: undo brings both back
   CHECK_FALSE(plain.document().cage_file.path.empty());
 }
 
-TEST_CASE("a made cage is unsaved work; session and cage file keep it") {
+TEST_CASE("a_generated_cage_is_unsaved_until_a_session_or_cage_file_stores_it") {
   const test::TemporaryFolder folder;
   Maker d;
   d.make();
@@ -238,7 +239,7 @@ TEST_CASE("a made cage is unsaved work; session and cage file keep it") {
   }
 }
 
-TEST_CASE("a model that no cage goes around says so, and the window stays as it was") {
+TEST_CASE("failed_cage_generation_shows_an_error_and_changes_nothing") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
   Maker d(folder / "point.obj");
@@ -284,7 +285,7 @@ TEST_CASE(
   CHECK(d.document().cage->surface.positions == before);
 }
 
-TEST_CASE("a cage that the model sticks out of is offered to enclose it, and does by one button") {
+TEST_CASE("one_button_makes_a_cage_enclose_its_model") {
   const test::TemporaryFolder folder;
   mesh::Surface small = mesh::read(test::dragon_cage).surface;
   for (auto& p : small.positions) {
@@ -308,7 +309,7 @@ TEST_CASE("a cage that the model sticks out of is offered to enclose it, and doe
   CHECK(d.document().cage->surface.positions == small.positions);
 }
 
-TEST_CASE("a cage of another orientation is offered to be fitted turned, what is outside to be shown") {
+TEST_CASE("a_rotated_cage_offers_a_rotated_fit_and_shows_outside_vertices") {
   const test::TemporaryFolder folder;
   mesh::Surface turned = mesh::read(test::dragon_cage).surface;
   for (auto& p : turned.positions) p = {3 * p[1], 3 * p[2], 3 * p[0] + 1};
@@ -335,7 +336,7 @@ TEST_CASE("a cage of another orientation is offered to be fitted turned, what is
   CHECK(d.document().cage->surface.positions == turned.positions);
 }
 
-TEST_CASE("buttons of the mode change the cage under a selection") {
+TEST_CASE("cage_editing_buttons_edit_the_selection") {
   Driver d;
   d.open_dragon();
   const std::size_t faces = d.document().cage->element_count();
@@ -358,7 +359,7 @@ TEST_CASE("buttons of the mode change the cage under a selection") {
   CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
 }
 
-TEST_CASE("what_an_undo_leads_away_from_stays_away_while_a_better_one_is_made") {
+TEST_CASE("an_undone_preview_is_not_replaced_by_its_full_quality_cage") {
   Maker d(test::bundled_dragon);
   d.click("make_cage");
   REQUIRE(d.until([&] { return d.document().has_cage(); }));  // the preview

@@ -1,4 +1,4 @@
-// viete cage: from a model to a cage that the other commands take.
+// viete cage: generates cages that the other commands accept.
 #include <utility>
 #include <vector>
 
@@ -22,7 +22,7 @@ struct CageFolder : TemporaryFolder {
 
 }  // namespace
 
-TEST_CASE("a_cage_that_was_made_deforms_its_model_and_is_found_sound") {
+TEST_CASE("a_generated_cage_deforms_its_model_and_passes_the_checks") {
   const CageFolder files;
   const Outcome made = files.run("cage " + quoted(dragon) + " -o made.obj --triangles 120");
   CHECK(made.code == 0);
@@ -48,7 +48,7 @@ TEST_CASE("boxes_and_quads_are_written_in_every_format") {
   CHECK(quads.polygon_count() < quads.triangles.size());
 }
 
-TEST_CASE("a_cage_that_the_numbers_of_a_file_cannot_hold_is_not_written") {
+TEST_CASE("a_cage_beyond_the_files_precision_is_not_written") {
   const CageFolder files;
   mesh::Surface far = mesh::read(files / "model.obj").surface;
   for (auto& p : far.positions) p[0] += 1e7;
@@ -58,7 +58,7 @@ TEST_CASE("a_cage_that_the_numbers_of_a_file_cannot_hold_is_not_written") {
   for (const char* model : {"far.obj", "large.obj"}) {
     const Outcome refused = files.run(std::string("cage ") + model + " --triangles 60 -o made.glb");
     CHECK(refused.code == 1);
-    CHECK(mentions(refused, "made.glb: glTF's numbers have 7 digits"));
+    CHECK(mentions(refused, "made.glb: glTF's 7 digits"));
     CHECK_FALSE(fs::exists(files / "made.glb"));
     CHECK(files.run(std::string("cage ") + model + " --triangles 60 -o made.ply --force").code == 0);
   }
@@ -70,13 +70,13 @@ TEST_CASE("a_cage_does_not_replace_its_model_unless_it_is_forced_to") {
   const std::string before = file_bytes(files / "model.obj");
   const Outcome refused = files.run("cage model.obj --kind box -o model.obj");
   CHECK(refused.code == 1);
-  CHECK(mentions(refused, "is one of those that are read"));
+  CHECK(mentions(refused, "is an input file"));
   CHECK(file_bytes(files / "model.obj") == before);
   CHECK(files.run("cage model.obj --kind box -o model.obj --force").code == 0);
   CHECK(file_bytes(files / "model.obj") != before);
 }
 
-TEST_CASE("wishes_out_of_range_and_bad_models_are_refused_with_a_word") {
+TEST_CASE("invalid_cage_settings_and_models_give_an_error") {
   const CageFolder files;
   put_file(files / "point.obj", "v 1 2 3\n");
   put_file(files / "empty.obj", "");
@@ -90,8 +90,8 @@ TEST_CASE("wishes_out_of_range_and_bad_models_are_refused_with_a_word") {
       {"model.obj --kind box --cells 0x1x1", "from 1 to 32"},
       {"model.obj --kind box --cells 2x2", "as 2x3x2"},
       {"model.obj --kind box --cells 1x1x33", "from 1 to 32"},
-      {"model.obj --cells 2x2x2", "--cells: does nothing where the kind of cage is automatic"},
-      {"model.obj --kind box --triangles 50", "does nothing where the kind of cage is box"},
+      {"model.obj --cells 2x2x2", "--cells: has no effect with --kind automatic"},
+      {"model.obj --kind box --triangles 50", "has no effect with --kind box"},
       {"point.obj", "single point"},
       {"empty.obj", "empty.obj"},
       {"missing.obj", "there is no such file"},

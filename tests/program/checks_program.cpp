@@ -1,4 +1,4 @@
-// Broken cages in the real program: what is wrong is found, said, and shown where it is.
+// Defective cages in the real program: findings, their texts and highlights.
 #include <cstdlib>
 
 #include "mesh/formats/write.h"
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pixels of the highlight in the view: much red, little green, as no model, cage or selection has it.
+// Highlight pixels in the view: much red, little green, unlike any model, cage or selection.
 int highlighted(Driver& d) {
   const auto picture = d.picture();
   int count = 0;
@@ -68,7 +68,7 @@ TEST_CASE("an_open_cage_is_found_and_a_click_shows_where") {
   CHECK(d.workspace().camera.pose().distance < before.distance);
   CHECK(highlighted(d) > 100);
 
-  // One edge after the other, alone; and hidden again.
+  // Steps through the edges; then hides them.
   const int all = highlighted(d);
   d.click("finding_next");
   d.settle();
@@ -130,7 +130,7 @@ TEST_CASE("checks_run_aside_while_frames_go_on") {
   d.workspace().view.axes = false;
   REQUIRE(d.open({dragon, dragon_cage}));
   d.frame();
-  // The frame that began them did not wait for them, or they were quick: both are fine, waiting is not.
+  // The frame that started the checks must not wait for them.
   CHECK(d.until([&] { return !d.viewer().checking(); }));
   CHECK(!d.workspace().checks.running);
 }
@@ -153,7 +153,7 @@ TEST_CASE("the_next_step_with_an_own_model_is_one_thing_at_a_time_until_work_beg
   d.settle();
   CHECK(offers("make_cage"));
   CHECK_FALSE(offers("enclose_model"));
-  CHECK(d.document().scheme == deform::default_scheme());  // what `bench modes` chose
+  CHECK(d.document().scheme == deform::default_scheme());  // chosen by `bench modes`
   REQUIRE(d.open({low}, Driver::What::cage));
   d.settle();
   d.viewer().finish_checks();
@@ -177,7 +177,7 @@ TEST_CASE("the_next_step_with_an_own_model_is_one_thing_at_a_time_until_work_beg
   d.settle();
   d.viewer().finish_checks();
   CHECK(offers("hide_cage_offer"));
-  d.press_key(scene::key('A'));  // work has begun
+  d.press_key(scene::key('A'));  // an edit
   CHECK_FALSE(offers("hide_cage_offer"));
 }
 
@@ -191,7 +191,7 @@ bool is_in_the_view(Driver& d, const std::string& widget) {
          rect->y1 < v.origin.y + v.size.y;
 }
 
-// Of the dragon, below which a part of it looks out.
+// A cage of the dragon that leaves a part of it outside.
 fs::path low_cage(const fs::path& folder) {
   auto cage = *scene::open_surface(dragon_cage).surface;
   for (auto& p : cage.positions) p[1] -= 0.3;
@@ -207,19 +207,19 @@ void check(Driver& d) {
 
 }  // namespace
 
-TEST_CASE("a_badge_in_the_view_says_what_is_wrong_while_the_cage_is_edited_and_helps") {
+TEST_CASE("a_badge_in_the_view_names_a_defect_during_cage_editing_and_offers_a_remedy") {
   const test::TemporaryFolder scratch;
   Driver d;
   REQUIRE(d.open({dragon, low_cage(scratch.path())}));
   check(d);
-  CHECK_FALSE(is_in_the_view(d, "badge"));  // there is a larger offer at first
+  CHECK_FALSE(is_in_the_view(d, "badge"));  // a larger offer is shown at first
   test::run_command(d.workspace(), "edit_cage");
   check(d);
   REQUIRE(is_in_the_view(d, "badge"));
   CHECK(d.workspace().checks.badge->title.ends_with("vertices outside the cage"));
   if (const char* pictures = std::getenv("VIETE_PICTURES"))
     render::write_png(fs::path(pictures) / "badge.png", d.picture());
-  // It stays while they are looked for anew, so that nothing jumps under the hand.
+  // It stays while the checks run again, so that it does not move under the pointer.
   test::run_command(d.workspace(), "subdivide_cage");
   d.frame();
   CHECK(is_in_the_view(d, "badge"));
@@ -231,7 +231,7 @@ TEST_CASE("a_badge_in_the_view_says_what_is_wrong_while_the_cage_is_edited_and_h
   CHECK((!badge || !badge->title.ends_with("vertices outside the cage")));
 }
 
-TEST_CASE("a_badge_shows_where_it_is_and_stays_away_once_it_was_put_away") {
+TEST_CASE("a_badge_shows_its_elements_and_stays_dismissed") {
   const test::TemporaryFolder scratch;
   Driver d(test::with_pixels);
   d.workspace().view.axes = false;

@@ -1,4 +1,4 @@
-// The program as a shell runs it, for tests of its command line.
+// Runs the program in a shell, for tests of its command line.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ struct Outcome {
   std::string text;  ///< stdout and stderr
 };
 
-/// Of a line of the shell.
+/// Runs a shell command.
 inline Outcome outcome_of(const std::string& command) {
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
@@ -35,7 +35,7 @@ inline Outcome outcome_of(const std::string& command) {
   return outcome;
 }
 
-/// The program of that folder.
+/// Runs the program in that folder.
 inline Outcome run_of(const fs::path& folder, const std::string& arguments,
                       const std::string& environment = "") {
   return outcome_of(environment + " '" + folder.string() + "/viete' " + arguments + " 2>&1 </dev/null");
@@ -49,8 +49,8 @@ inline std::string quoted(const fs::path& path) {
   return "'" + path.string() + "'";
 }
 
-/// The program in that folder, which is sent the signal once it has written `until`: a result, or `said`, to
-/// which everything goes that it says. If it ends before that, it is started again without the files `made`.
+/// Runs the program in that folder and sends the signal once the file `until` exists: a result, or `said`,
+/// which receives its output. If the program ends first, deletes the files `made` and starts again.
 inline Outcome ended_by(const std::string& signal, const fs::path& folder, const std::string& arguments,
                         const std::string& until, const std::string& made) {
   put_file(folder / "ended.sh",
@@ -62,7 +62,7 @@ inline Outcome ended_by(const std::string& signal, const fs::path& folder, const
   return outcome_of("sh " + quoted(folder / "ended.sh") + " 2>&1 </dev/null");
 }
 
-/// The working folder, and no display.
+/// Changes to the folder and unsets the display.
 inline std::string without_display(const fs::path& folder) {
   return "cd " + quoted(folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY";
 }

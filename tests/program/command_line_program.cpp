@@ -1,4 +1,4 @@
-// The program as a shell sees it: subcommands, outputs, errors, exit codes.
+// The program in a shell: subcommands, outputs, errors, exit codes.
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model") {
 
 namespace {
 
-// What is in the folder's `poses`, to its `frames`.
+// Streams the folder's `poses` to its `frames`.
 Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames",
                  const std::string& in = "< poses") {
   return outcome_of("cd " + quoted(scratch.path()) + " && " + quoted(build_dir() / "viete") + " deform " +
@@ -75,7 +75,7 @@ TEST_CASE("poses_that_are_streamed_give_the_frames_that_deform_writes") {
   CHECK(off(2, exact) < 1e-4);
 }
 
-TEST_CASE("a_stream_that_is_none_says_which_pose_it_is") {
+TEST_CASE("an_invalid_stream_names_the_pose") {
   const TemporaryFolder scratch;
   const auto rest = mesh::read(cage).surface.positions;
   std::string poses(reinterpret_cast<const char*>(rest.data()), rest.size() * sizeof(mesh::Point));
@@ -89,15 +89,15 @@ TEST_CASE("a_stream_that_is_none_says_which_pose_it_is") {
   CHECK(file_bytes(scratch / "frames").size() == 12 * mesh::read(dragon).surface.positions.size());
   put_file(scratch / "poses", poses);
   if (fs::exists("/dev/full"))
-    CHECK(mentions(streamed(scratch, "/dev/full"), "standard output: it takes no more"));
+    CHECK(mentions(streamed(scratch, "/dev/full"), "standard output: it cannot be written"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::memcpy(poses.data() + 5 * sizeof(mesh::Point), &nan, sizeof nan);
   put_file(scratch / "poses", poses);
-  CHECK(mentions(streamed(scratch), "pose 1: vertex 5 is at no place"));
+  CHECK(mentions(streamed(scratch), "pose 1: vertex 5 has no finite position"));
   const double far = 1e50;
   std::memcpy(poses.data() + 5 * sizeof(mesh::Point), &far, sizeof far);
   put_file(scratch / "poses", poses);
-  CHECK(mentions(streamed(scratch), "pose 1: a position is beyond what floats hold"));
+  CHECK(mentions(streamed(scratch), "pose 1: a position is out of the range of float32"));
   CHECK(file_bytes(scratch / "frames").empty());
   CHECK(mentions(run("deform a b --stream -o a.ply"), "--stream"));
   CHECK(run("deform a b --stream -o a.ply").code == 2);
@@ -115,7 +115,7 @@ TEST_CASE("input_that_cannot_be_read_is_not_the_end_of_a_stream") {
 
 TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
   const TemporaryFolder scratch;
-  fs::permissions(scratch.path(), fs::perms::all);  // the limit does not hold for root
+  fs::permissions(scratch.path(), fs::perms::all);  // root ignores the permission
   const std::string user = geteuid() == 0 ? "setpriv --reuid=64321 --clear-groups " : "",
                     files = quoted(dragon) + " " + quoted(cage);
   const auto limited = [&](const std::string& arguments, int processes) {
@@ -142,7 +142,7 @@ TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
   }
 }
 
-TEST_CASE("a_mask_is_not_replaced_by_what_it_is_read_for") {
+TEST_CASE("an_output_does_not_overwrite_its_mask") {
   const TemporaryFolder scratch;
   put_file(scratch / "mask.obj", "1 1 1\n");
   CHECK(mentions(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
@@ -167,8 +167,8 @@ TEST_CASE("a_mask_holds_vertices_and_is_checked") {
   CHECK(deform(zeros).code == 0);
   CHECK(mesh::read(scratch / "a.ply").surface.positions == model);
   CHECK(mentions(deform("1 1 1"), "mask.txt: it has 3 shares for 3,000 vertices"));
-  CHECK(mentions(deform("1 0.5 2"), "mask.txt: number 3 is no share"));
-  CHECK(mentions(deform("1 nan"), "mask.txt: number 2 is no share"));
+  CHECK(mentions(deform("1 0.5 2"), "mask.txt: number 3 is not between 0 and 1"));
+  CHECK(mentions(deform("1 nan"), "mask.txt: number 2 is not between 0 and 1"));
   fs::remove(scratch / "mask.txt");
   CHECK(mentions(run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose) +
                          " --mask none.txt -o a.ply --force",
@@ -181,7 +181,7 @@ TEST_CASE("deform_with_the_rest_cage_as_pose_gives_the_model") {
   const fs::path out = scratch.path() / "out.ply";
   for (const char* way : {"paper", "mean-value"}) {
     const auto outcome = run("deform " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(cage) +
-                             " -o " + quoted(out) + " --way " + way);
+                             " -o " + quoted(out) + " --deformer " + way);
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
     const auto rest = mesh::read(dragon).surface, same = mesh::read(out).surface;
     const double diagonal = mesh::bounds(rest.positions).diagonal();
@@ -242,7 +242,7 @@ TEST_CASE("deform_says_what_a_method_loses_and_only_where_it_does") {
   };
   const auto lost = deform(close, "sd");
   CHECK_MESSAGE(lost.code == 0, lost.text);
-  for (const char* part : {"viete: note: ", "method sd are off by up to ", "fast"})
+  for (const char* part : {"viete: note: ", "method sd have errors up to ", "fast"})
     CHECK_MESSAGE(mentions(lost, part), lost.text);
   for (const char* method : {"diag", "fast"}) CHECK_FALSE(mentions(deform(close, method), "method"));
   CHECK_FALSE(mentions(deform(pose, "sd"), "method"));
@@ -273,7 +273,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   CHECK(difference(plain, picture("--map turn"), 12) > 0.02);
   CHECK(difference(plain, picture("--compare smooth,rigid"), 12) > 0.05);
   CHECK(difference(picture("--compare diag,fast"), picture("--compare diag,sd,fast"), 12) > 0.05);
-  // Nothing in the corner, the model in the middle, and between them edges that are neither.
+  // Transparent in the corner, opaque in the middle, and blended edges between them.
   const auto clear = picture("--transparent");
   CHECK(clear.rgba[3] == 0);
   std::size_t whole = 0, partly = 0;
@@ -283,7 +283,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   }
   CHECK(whole > 5000);
   CHECK(partly > 200);
-  // A map that does not exist there is not left out without a word.
+  // An unavailable map is reported.
   const auto without =
       run("render " + quoted(dragon) + " --size 200x100 --map volume -o " + quoted(scratch / "without.png"));
   CHECK(without.code == 0);
@@ -310,7 +310,7 @@ TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused"
   const auto rest = mesh::read(dragon).surface.positions;
   const double rounding = 1e-9 * mesh::bounds(rest).diagonal();
   std::size_t last = rest.size() + 1;
-  for (const char* radius : {"1000", "40", "10"}) {  // the shorter, the fewer move
+  for (const char* radius : {"1000", "40", "10"}) {  // the shorter the radius, the fewer vertices move
     const fs::path out = scratch.path() / "out.ply";
     const auto outcome =
         run("deform " + scene + " --pose " + quoted(pulled) + " -o " + quoted(out) + " --radius " + radius);
@@ -327,7 +327,7 @@ TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused"
     last = count;
   }
   CHECK(2 * last < rest.size());
-  const auto none = run("render " + scene + " -o x.png --way mean-value --radius 3");
+  const auto none = run("render " + scene + " -o x.png --deformer mean-value --radius 3");
   CHECK(none.code == 1);
   CHECK_MESSAGE(mentions(none, "these weights have no radius"), none.text);
 }
@@ -343,18 +343,18 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   };
   const auto usual = deformed("");
   CHECK(deformed(" --weights biharmonic --blend srl") == usual);
-  const auto published = deformed(" --way paper");
+  const auto published = deformed(" --deformer paper");
   CHECK(published != usual);
   CHECK(deformed(" --weights inverse --blend srl") == published);
-  CHECK(deformed(" --radius 25") == deformed(" --way local"));  // a setting that only these weights have
-  const auto mean_values = deformed(" --way mean-value");
+  CHECK(deformed(" --radius 25") == deformed(" --deformer local"));  // a setting that only these weights have
+  const auto mean_values = deformed(" --deformer mean-value");
   CHECK(mean_values != usual);
   CHECK(deformed(" --weights mean-value") == mean_values);
   CHECK(deformed(" --weights mean-value --blend linear") == mean_values);
   const auto linear = deformed(" --blend linear");
   CHECK(linear != usual);
   CHECK(linear != mean_values);
-  CHECK(deformed(" --blend linear --method diag") == linear);  // which takes no exponential
+  CHECK(deformed(" --blend linear --method diag") == linear);  // linear blending uses no exponential
 
   const auto stitched = deformed(" --stitched");
   CHECK(stitched != usual);
@@ -368,9 +368,9 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
                             " -o " + quoted(scratch.path() / "x.ply");
   const auto apart = run(scene + " --blend srl --weights mean-value");
   CHECK(apart.code == 1);
-  CHECK_MESSAGE(mentions(apart, "do not go together"), apart.text);
-  CHECK_MESSAGE(mentions(apart, "mean value coordinates only move points"), apart.text);
-  CHECK(run(scene + " --way mean-value --blend srl").code == 2);
+  CHECK_MESSAGE(mentions(apart, "cannot be combined"), apart.text);
+  CHECK_MESSAGE(mentions(apart, "mean value coordinates move points"), apart.text);
+  CHECK(run(scene + " --deformer mean-value --blend srl").code == 2);
   CHECK(run(scene + " --blend magic").code == 2);
   CHECK_FALSE(fs::exists(scratch.path() / "x.ply"));
 }
@@ -436,7 +436,7 @@ TEST_CASE("a_pose_with_another_number_of_vertices_is_refused_with_both_counts") 
 
 namespace {
 
-// What a reader that is not ours finds in a GLB.
+// The contents of a GLB according to an independent reader.
 struct Judged {
   std::string image;
   std::vector<float> positions, texture;

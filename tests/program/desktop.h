@@ -24,7 +24,7 @@ namespace viete::test {
 
 namespace fs = std::filesystem;
 
-/// The default limit is only a guard against a program that hangs.
+/// The default limit only guards against a hanging program.
 inline bool wait_until(const std::function<bool()>& condition, double seconds = 300) {
   for (int i = 0; i < seconds * 20; ++i) {
     if (condition()) return true;
@@ -37,10 +37,10 @@ inline bool has_program(const std::string& name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// The key itself: some keyboard maps have the symbol F12 on another key too, and xdotool takes the first.
+/// The key code: some keyboard maps have the symbol F12 on another key too, and xdotool uses the first.
 constexpr const char* f12_keycode = "96";
 
-// A child process that does not outlive the test.
+// A child process that ends with the test.
 class Child {
 public:
   Child(const std::string& command, const fs::path& log) {
@@ -73,7 +73,7 @@ public:
     waitpid(pid_, nullptr, 0);
     pid_ = 0;
   }
-  /// As the end of a desktop's session does it; to the program itself, which is the shell's successor.
+  /// Like the end of a desktop session; reaches the program itself, which has replaced the shell.
   void terminate() { kill(pid_, SIGTERM); }
   int exit_code() const { return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : 128 + WTERMSIG(*status_); }
 
@@ -97,11 +97,11 @@ struct Desktop {
                     "Xvfb did not start");
     std::ifstream(number) >> display;
     display = ":" + display;
-    setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);  // each desktop remembers for itself
+    setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);  // separate preferences for each desktop
     fs::create_directories(folder / "state" / "viete");
     std::ofstream(folder / "state" / "viete" / "remembered.json")
-        << R"({"format": "viete remembered", "version": 1, "ask_keys": false})";
-    setenv("VIETE_REDUCED_MOTION", "1", 1);  // what moves is moved by the test
+        << R"({"format": "viete preferences", "version": 1, "ask_keys": false})";
+    setenv("VIETE_REDUCED_MOTION", "1", 1);  // motion only by the test
   }
   ~Desktop() {
     server.reset();
@@ -111,14 +111,14 @@ struct Desktop {
     REQUIRE(std::system(("DISPLAY=" + display + " xdotool " + arguments + " >/dev/null 2>&1").c_str()) == 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
   }
-  /// The screen as the server keeps it, in a file.
+  /// The screen as stored by the server in a file.
   std::string screen() const { return file_bytes(folder / "Xvfb_screen0"); }
-  /// Waits until a window is drawn where there was another picture, and nothing on the screen changes any
-  /// more: the program has done all that it was told.
+  /// Waits until a window is drawn that differs from the previous picture, and the screen stops changing: the
+  /// program has handled all events.
   void rest(const std::string& before = "") {
     std::string seen = before;
     const auto same_again = [&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(400));  // a caret may blink slower
+      std::this_thread::sleep_for(std::chrono::milliseconds(400));  // longer than a caret's blink
       std::string now = screen();
       const bool same = now == seen && now != before;
       seen = std::move(now);
@@ -126,7 +126,7 @@ struct Desktop {
     };
     REQUIRE_MESSAGE(wait_until(same_again), "the screen does not come to rest");
   }
-  /// Likewise after keys or a mouse that change what is seen.
+  /// The same after keys or mouse events that change the screen.
   void xdotool_seen(const std::string& arguments) {
     const std::string before = screen();
     xdotool(arguments);
@@ -139,7 +139,7 @@ struct Desktop {
     for (int i = 1; i <= 8; ++i) xdotool("mousemove " + at(from + (to - from) * i / 8));
     xdotool("mouseup 1");
   }
-  /// The command that starts the viewer here, in the desktop's folder.
+  /// The command line that starts the viewer in the desktop's folder.
   std::string viete(const std::string& arguments) const {
     return "env DISPLAY=" + display + " WAYLAND_DISPLAY= sh -c 'cd \"" + folder.string() + "\" && exec \"" +
            test::build_dir().string() + "/viete\" --scale 1 " + arguments + "'";
@@ -152,7 +152,7 @@ struct Desktop {
   }
 };
 
-/// Skips the case and gives true where a virtual display or its mouse is missing.
+/// Skips the case and returns true without a virtual display or its mouse.
 inline bool no_desktop() {
   for (const char* program : {"Xvfb", "xdotool"}) {
     if (has_program(program)) continue;

@@ -1,4 +1,4 @@
-// Drives the real program offscreen with mouse and key events, as a person would.
+// Drives the real program offscreen with mouse and key events.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -26,19 +26,19 @@
 
 namespace viete::test {
 
-/// The bundled model, and the same with 3,000 vertices for tests that look at no reference picture.
+/// The bundled model, and a version with 3,000 vertices for tests without reference pictures.
 inline const std::filesystem::path bundled_dragon = assets_dir() / "dragon" / "dragon.ply",
                                    dragon = source_dir() / "tests" / "program" / "dragon.ply",
                                    dragon_cage = assets_dir() / "dragon" / "cage.obj";
 
-/// A driver of a test that looks at pixels, with this kind of context.
+/// The context for drivers of tests that need pixels.
 struct WithPixels {
   platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any;
 };
 inline constexpr WithPixels with_pixels;
 
-/// Draws nothing, unless it is asked for or pictures are wanted (VIETE_PICTURES). Input, commands and panels
-/// are always the program's own.
+/// Draws nothing, unless requested or VIETE_PICTURES is set. Input, commands and panels are the program's
+/// own.
 class Driver {
 public:
   explicit Driver(const app::ViewerOptions& options = default_options(),
@@ -48,7 +48,7 @@ public:
     // Tests start with the published deformer.
     document().scheme = {};
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
-      workspace().remembered.layout.sections[title] = true;
+      workspace().preferences.layout.sections[title] = true;
   }
 
   explicit Driver(WithPixels pixels) : Driver(default_options(), pixels) {}
@@ -71,18 +71,17 @@ public:
   render::Image picture() { return viewer().picture(); }
 
   using What = scene::OpenRequest::What;
-  /// Opens files as a person does: asks for them, and the frames go on until they are there. False if they
-  /// are not taken: refused, or a question comes first.
+  /// Opens files by request and runs frames until they are open. False if they are refused or a question is
+  /// asked.
   [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
-  /// The dragon in its cage, at rest or in a pose of its own, and the picture at rest.
+  /// The dragon in its cage, at rest or in a pose, with the picture at rest.
   void open_dragon(const std::string& pose = "", const std::filesystem::path& model = dragon);
 
-  /// Every event gets frames of its own.
+  /// Each event gets its own frames.
   void frame(int count = 1) {
     for (int i = 0; i < count; ++i) viewer().frame(1.0f / 60);
   }
-  /// Frames go on until something that is worked out beside them has come: a matter of seconds, not of how
-  /// many frames a machine draws in them.
+  /// Runs frames until background work has finished: limited by seconds, independent of the frame rate.
   template <class Condition>
   [[nodiscard]] bool until(Condition has_come) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
@@ -93,7 +92,7 @@ public:
     }
     return true;
   }
-  /// Until the cage is as it is wished for. A preview rests before it is made with all care.
+  /// Until the generated cage matches the settings, including the full-quality cage after a preview.
   void finish_making() {
     do {
       frame();
@@ -142,24 +141,24 @@ public:
     for (int i = 1; i <= 8; ++i) move(glm::floor(from + (to - from) * (static_cast<float>(i) / 8)));
   }
 
-  /// Unfolds, one after the other, what is not there for want of room, until the widget is.
+  /// Unfolds columns one after the other until the widget is visible.
   void unfold_columns(const std::string& widget) {
     for (const char* column : {"toggle_methods", "toggle_tools"}) {
       const bool methods = std::string_view(column) == "toggle_methods";
-      const auto shown = scene::shown_columns(workspace().remembered.layout, workspace().viewport.window.x);
+      const auto shown = scene::shown_columns(workspace().preferences.layout, workspace().viewport.window.x);
       if ((methods ? shown.methods : shown.tools) > 0) continue;
       scene::find_command(column)->run(workspace());
       frame(3);
       if (unfold_custom(widget)) return;
     }
   }
-  /// Unfolds what ways of blending are made of, where the widget is part of that. True if it is there then.
+  /// Unfolds the custom deformer settings. True if the widget is there then.
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
                                                 "pins",    "hold",  "formula"};
     const auto& recorder = viewer().recorder();
     if (parts.contains(widget) && !recorder.find(widget) && recorder.find("section/Custom deformer")) {
-      workspace().remembered.layout.sections["Custom deformer"] = true;
+      workspace().preferences.layout.sections["Custom deformer"] = true;
       frame(3);
     }
     return recorder.find(widget).has_value();
@@ -168,13 +167,13 @@ public:
     scene::find_command(command)->run(workspace());
     frame(2);
   }
-  /// Scrolls its column until the widget is visible, as a person would, and clicks its middle.
+  /// Scrolls its column until the widget is visible, and clicks its center.
   void click(const std::string& widget) { click(place_of(widget)); }
-  /// Opens a chooser and takes one of its list.
+  /// Opens a chooser and selects an entry.
   void choose(const std::string& chooser, const std::string& item) {
     click(chooser);
     frame(2);
-    const auto rect = viewer().recorder().find(item);  // in front of columns and status bar
+    const auto rect = viewer().recorder().find(item);  // drawn over columns and status bar
     if (!rect || !rect->visible) return click(item);
     click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
   }
@@ -197,7 +196,7 @@ public:
     return {};
   }
 
-  /// The deformed model in double, as it is written to files.
+  /// The deformed model in double, as exported.
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
     const scene::Export e = scene::export_of(document(), {});
@@ -206,7 +205,7 @@ public:
         .positions;
   }
 
-  /// How far vertices of the model as it is drawn lie from the exact ones, in diagonals of the model.
+  /// The largest distance of the drawn model's vertices from the exact ones, in model diagonals.
   double drawn_error() {
     const auto exact = exact_positions(), shown = viewer().deformer()->positions();
     REQUIRE(exact.size() == shown.size());
@@ -220,8 +219,7 @@ public:
     const scene::Projector project(document().space, workspace().camera, workspace().viewport);
     return glm::vec2(*project(document().pose.positions[i]));
   }
-  /// A cage vertex near the camera (so that nothing hides it) that no other one is near on screen, and not
-  /// far from the middle.
+  /// A cage vertex near the camera (so that it is visible), isolated on screen, and not far from the center.
   std::uint32_t free_vertex();
 
   static constexpr int left_ctrl = 341, left_shift = 340, left_alt = 342;

@@ -1,4 +1,4 @@
-// Deformed models written aside, of the moment they were asked for.
+// Background export of deformed models, from a snapshot at the request.
 #include "mesh/formats/point_cache.h"
 #include "mesh/formats/read.h"
 #include "program/kept_work.h"
@@ -16,13 +16,13 @@ namespace {
 
 const std::string saved = "Saved ", old = "v 0 0 0\n";
 
-// A model so large that writing it takes many frames, in its cage, posed.
+// A posed model so large that exporting it takes many frames.
 struct LargeModel : Driver {
   explicit LargeModel(const fs::path& folder, std::uint32_t cells = 160) : Driver(small_window()) {
     mesh::write(folder / "large.ply", SmallModel::grid_ball(cells));
     mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(3), 1.4));
     REQUIRE(open({folder / "large.ply", folder / "cage.obj"}));
-    workspace().view.model = false;  // a software rasteriser would need longer for it than the export
+    workspace().view.model = false;  // software rendering would take longer than the export
     settle();
     drag_some_vertex(*this, {20, 10});
   }
@@ -44,7 +44,7 @@ struct LargeModel : Driver {
 
 }  // namespace
 
-TEST_CASE("an_export_is_written_aside_with_the_pose_it_was_asked_for") {
+TEST_CASE("a_background_export_has_the_pose_at_the_request") {
   const test::TemporaryFolder folder;
   LargeModel d(folder.path());
   const auto expected = d.exact_positions();
@@ -52,7 +52,7 @@ TEST_CASE("an_export_is_written_aside_with_the_pose_it_was_asked_for") {
   d.ask_for(file);
   CHECK(d.viewer().exporting());
   CHECK(d.workspace().exporting.what == "Exporting out.ply");
-  drag_some_vertex(d, {-40, 25});  // the view stays live
+  drag_some_vertex(d, {-40, 25});  // the view stays responsive
   double furthest = 0;
   REQUIRE(d.until([&] {
     const auto& exporting = d.workspace().exporting;
@@ -72,10 +72,10 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   const fs::path file = folder / "out.obj";
   test::put_file(file, old);
   const auto before = folder.entries();
-  d.workspace().requests.stop_export = true;  // in the frame that begins it: no machine is faster
+  d.workspace().requests.stop_export = true;  // in the frame that starts it, before it can finish
   d.ask_for(file);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-  CHECK(d.last_message() == "Stopped exporting out.obj; no file was changed.");
+  CHECK(d.last_message() == "Cancelled exporting out.obj; no file was changed.");
   CHECK(test::file_bytes(file) == old);
   CHECK(folder.entries() == before);
 
@@ -118,14 +118,14 @@ TEST_CASE("an_animation_is_exported_aside_and_stopped_without_a_trace") {
   CHECK(d.workspace().exporting.what == "Exporting out.pc2");
   d.workspace().requests.stop_export = true;
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-  CHECK(d.last_message() == "Stopped exporting out.pc2; no file was changed.");
+  CHECK(d.last_message() == "Cancelled exporting out.pc2; no file was changed.");
   CHECK(folder.entries() == before);
   d.workspace().requests.save_animation = file;
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Saved out.pc2.");
   const auto& all = d.workspace().messages.all();
   CHECK(all[all.size() - 2].text.starts_with("out.pc2: 600 frames of "));
-  CHECK_FALSE(all[all.size() - 2].in_sight);
+  CHECK_FALSE(all[all.size() - 2].visible);
   CHECK(mesh::PointCache(file).head().frames == 600);
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(fs::exists(folder / "f_02.png"));
   CHECK_FALSE(fs::exists(folder / "f_04.png"));
 
-  // As the dialog says: on a light ground, of another size, and neither with cage nor panels unasked.
+  // Options of the dialog: light theme, another size, without cage and panels by default.
   scene::find_command("save_animation")->run(d.workspace());
   d.frame(2);
   d.press_key('A', true);
@@ -206,7 +206,7 @@ TEST_CASE("a_window_that_is_to_close_waits_for_its_export_and_stays_if_that_fail
   }
 }
 
-TEST_CASE("an_export_says_what_its_method_has_lost") {
+TEST_CASE("an_export_reports_the_error_of_its_method") {
   const test::TemporaryFolder folder;
   mesh::write(folder / "ball.ply", SmallModel::grid_ball(6));
   mesh::write(folder / "cage.obj", SmallModel::scaled(SmallModel::grid_ball(2), 1.4));

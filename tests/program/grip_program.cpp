@@ -1,4 +1,4 @@
-// Pivot, axes, mirror and soft selection, by the mouse and the keyboard in the real program.
+// Pivot, axes, mirror and soft selection with real mouse and keyboard events.
 #include <cmath>
 #include <cstdlib>
 
@@ -45,7 +45,7 @@ struct Hand : Driver {
     }
     return all;
   }
-  // One that is paired, and that the mouse reaches without another one in its way.
+  // A paired vertex that is not covered by another one.
   std::uint32_t paired_vertex() {
     const scene::Mirror& mirror = *scene::mirror_of(workspace());
     for (std::uint32_t v = 0; v < positions().size(); ++v) {
@@ -56,7 +56,7 @@ struct Hand : Driver {
     FAIL("no vertex is paired and to be seen");
     return 0;
   }
-  // All of the cage, as a person begins it: by the button, and the pointer comes into the view.
+  // Starts a shape on the whole cage: by its button, then with the pointer in the view.
   void take_shape(const std::string& shape) {
     press_key('A');
     click(shape);
@@ -64,7 +64,7 @@ struct Hand : Driver {
     frame();
     REQUIRE(workspace().interaction.drag);
   }
-  // Every vertex is where the shape takes it.
+  // Checks every vertex against the shape.
   void check_shaped(const scene::Shaping& shaping, double amount) {
     double farthest = 0;
     for (std::size_t v = 0; v < rest().size(); ++v)
@@ -80,7 +80,7 @@ void keep_picture(Hand& d, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a drag with a mirror moves both sides, in one edit, and undo takes both back") {
+TEST_CASE("a_mirrored_drag_moves_both_sides_in_one_edit") {
   const test::TemporaryFolder folder;
   Hand d(folder.path());
   d.choose("mirror", "mirror_x");
@@ -99,7 +99,7 @@ TEST_CASE("a drag with a mirror moves both sides, in one edit, and undo takes bo
   CHECK(d.moved().empty());
 }
 
-TEST_CASE("the wheel changes the radius of a soft selection while it is dragged") {
+TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
   Hand d;
   d.press_key('S');
   REQUIRE(d.workspace().handling.soft.on);
@@ -124,7 +124,7 @@ TEST_CASE("the wheel changes the radius of a soft selection while it is dragged"
   CHECK(d.moved().empty());
 }
 
-TEST_CASE("a pivot is placed by a click, snaps to a vertex, and is what a typed turn goes about") {
+TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex") {
   Hand d;
   const auto v = d.free_vertex();
   d.press_key('J');
@@ -146,7 +146,7 @@ TEST_CASE("a pivot is placed by a click, snaps to a vertex, and is what a typed 
   CHECK(d.moved().size() + 1 == d.positions().size());
 }
 
-TEST_CASE("Esc gives up placing a pivot, and a click selects again") {
+TEST_CASE("esc_cancels_placing_a_pivot") {
   Hand d;
   d.press_key('J');
   d.press_key(scene::Key::escape);
@@ -157,7 +157,7 @@ TEST_CASE("Esc gives up placing a pivot, and a click selects again") {
   CHECK(d.workspace().handling.pivot == scene::Pivot::median);
 }
 
-TEST_CASE("a session remembers how the hand moves, and another model forgets the placed point") {
+TEST_CASE("a_session_stores_handling_and_another_model_resets_the_pivot") {
   const test::TemporaryFolder folder;
   Hand d;
   scene::Handling& hand = d.workspace().handling;
@@ -213,7 +213,7 @@ TEST_CASE(
   CHECK(d.positions()[v][0] == doctest::Approx(d.rest()[v][0] + 2));
 }
 
-TEST_CASE("a button of the panel twists what is selected once the pointer is in the view") {
+TEST_CASE("the_twist_button_starts_when_the_pointer_enters_the_view") {
   Hand d;
   d.press_key('A');
   d.click("twist");
@@ -236,7 +236,7 @@ TEST_CASE("a button of the panel twists what is selected once the pointer is in 
   CHECK_FALSE(d.workspace().interaction.drag);
 }
 
-TEST_CASE("a bend goes about the axis whose key is pressed, and the same key again bends as seen") {
+TEST_CASE("an_axis_key_sets_the_bending_axis_and_pressing_it_again_uses_the_view_plane") {
   Hand d;
   d.take_shape("bend");
   const scene::Shaping seen = d.workspace().interaction.drag->grip().shaping;
@@ -266,7 +266,7 @@ TEST_CASE("a bend goes about the axis whose key is pressed, and the same key aga
   CHECK(d.moved().empty());
 }
 
-TEST_CASE("as a viewer the left button turns the view on empty space, and still drags a vertex") {
+TEST_CASE("the_viewer_preset_orbits_with_the_left_button_on_empty_space") {
   Hand d;
   scene::find_command("keys_viewer")->run(d.workspace());
   const auto before = d.workspace().camera.pose();
@@ -278,7 +278,7 @@ TEST_CASE("as a viewer the left button turns the view on empty space, and still 
   CHECK(d.moved() == std::vector<std::uint32_t>{v});
 }
 
-TEST_CASE("a double click brings a place to the middle, about which the view turns") {
+TEST_CASE("a_double_click_centers_the_orbit_target") {
   Hand d;
   const auto v = d.free_vertex();
   const glm::vec2 at = d.vertex(v);
@@ -293,19 +293,19 @@ TEST_CASE("a double click brings a place to the middle, about which the view tur
   CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
 }
 
-TEST_CASE("a drag at once after a click is a drag and no double click") {
+TEST_CASE("a_drag_right_after_a_click_is_not_a_double_click") {
   Hand d;
   const auto v = d.free_vertex();
   const auto before = d.workspace().camera.destination();
   d.click(d.vertex(v));
-  d.click("strip/tool_select");  // no gizmo is in the way
+  d.click("strip/tool_select");  // without a gizmo
   d.click(d.vertex(v));
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
   CHECK(d.moved() == std::vector<std::uint32_t>{v});
   CHECK(d.workspace().camera.destination() == before);
 }
 
-TEST_CASE("with soft selection the edges of the cage go over from the colour of the selection to their own") {
+TEST_CASE("soft_selection_fades_the_colour_of_cage_edges") {
   Hand d(test::with_pixels);
   const auto v = d.free_vertex();
   d.click(d.vertex(v));
@@ -326,7 +326,7 @@ TEST_CASE("with soft selection the edges of the cage go over from the colour of 
   CHECK(changed >= 3);
 }
 
-TEST_CASE("the plane of the mirror is seen while its list is pointed at and while something is dragged") {
+TEST_CASE("the_mirror_plane_is_shown_while_its_list_is_hovered_and_during_drags") {
   Hand d(test::with_pixels);
   scene::find_command("mirror_fit")->run(d.workspace());
   d.frame(3);
@@ -359,7 +359,7 @@ TEST_CASE("the plane of the mirror is seen while its list is pointed at and whil
   }
 }
 
-TEST_CASE("any command gets another key by a right click in the palette, and that is remembered") {
+TEST_CASE("a_right_click_in_the_palette_changes_a_key_persistently") {
   Hand d;
   scene::find_command("command_palette")->run(d.workspace());
   d.frame(2);
@@ -378,9 +378,9 @@ TEST_CASE("any command gets another key by a right click in the palette, and tha
   CHECK(d.moved().empty());
   const test::TemporaryFolder folder;
   scene::find_command("keys_blender")->run(d.workspace());
-  scene::write_remembered(folder / "remembered.json", d.workspace().remembered);
-  const auto read = scene::read_remembered(folder / "remembered.json");
-  CHECK(read.keymap == d.workspace().remembered.keymap);
+  scene::write_preferences(folder / "remembered.json", d.workspace().preferences);
+  const auto read = scene::read_preferences(folder / "remembered.json");
+  CHECK(read.keymap == d.workspace().preferences.keymap);
   CHECK(scene::text(read.keymap.of(*scene::find_command("undo")).first) == "Ctrl+U");
   CHECK(scene::text(read.keymap.of(*scene::find_command("grab")).first) == "G");
 }

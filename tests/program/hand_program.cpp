@@ -1,4 +1,4 @@
-// The hand at work: gizmo, typed numbers, edges and faces, orthographic view, axis widget, with real events.
+// Gizmo, typed numbers, edges and faces, orthographic view, axis widget, with real events.
 #include <cmath>
 
 #include "deform/scheme.h"
@@ -31,7 +31,7 @@ struct Interaction : Driver {
     return *gizmo;
   }
   const std::vector<mesh::Point>& pose() { return document().pose.positions; }
-  // In double; the floats that are shown agree with it.
+  // In double; the displayed floats agree with it.
   std::vector<mesh::Point> mesh() {
     const auto exact = exact_positions();
     const auto shown = viewer().deformer()->positions();
@@ -42,7 +42,7 @@ struct Interaction : Driver {
     CHECK(largest < 2e-5 * document().cage->diagonal);
     return exact;
   }
-  // A place on the ring's near side, and one a little further on it.
+  // A point on the ring's near side, and one a little further.
   std::pair<glm::vec2, glm::vec2> on_ring(int axis, std::size_t further) {
     const auto ring = gizmo().rings[axis];
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -71,7 +71,7 @@ double farthest_apart(const std::vector<mesh::Point>& a, const std::vector<mesh:
   return largest;
 }
 
-// The points turned about a vertical line.
+// The points rotated about a vertical line.
 std::vector<mesh::Point> turned(const std::vector<mesh::Point>& points, const glm::dvec3& center,
                                 double degrees) {
   const double a = degrees * 3.14159265358979323846 / 180, c = std::cos(a), s = std::sin(a);
@@ -88,7 +88,7 @@ std::vector<mesh::Point> turned(const std::vector<mesh::Point>& points, const gl
 TEST_CASE("a_ring_of_the_whole_posed_cage_tells_to_orbit_instead") {
   Interaction d;
   const auto tells = [&] {
-    return ui::mouse_text(d.workspace()).find("orbit to see another side") != std::string::npos;
+    return ui::mouse_text(d.workspace()).find("slightly change the model's shape") != std::string::npos;
   };
   d.select_whole_cage();
   d.move(d.on_ring(1, 12).first);
@@ -114,7 +114,7 @@ TEST_CASE("the_whole_cage_turned_by_hand_twice_round_stays_rigid_and_its_turns_a
   d.settle();
   const glm::vec2 middle = d.gizmo().center;
   const auto on_circle = [&](int i) {
-    const double a = (45 - i * 15) * 3.14159265358979323846 / 180;  // 45: where no other ring crosses
+    const double a = (45 - i * 15) * 3.14159265358979323846 / 180;  // 45 degrees: no other ring crosses there
     return middle + scene::gizmo_radius * glm::vec2(std::cos(a), std::sin(a));
   };
   d.move(on_circle(0));
@@ -143,7 +143,7 @@ TEST_CASE("a_typed_move_is_constrained_by_letters_and_its_keys_run_no_commands")
   const glm::vec2 at = glm::round(d.vertex(v));
   d.press_and_move(at, at + glm::vec2(30, 30));
   const auto axes = d.workspace().view.axes;
-  d.key('X', true);  // a key that is a command at other times
+  d.key('X', true);  // a shortcut in other situations
   d.type("x");
   d.key('X', false);
   d.type("-0.125");
@@ -162,7 +162,7 @@ TEST_CASE("edges_and_faces_are_selected_by_keys_clicks_and_boxes") {
   d.press_key('2');
   CHECK(d.document().selection.kind() == ElementKind::edge);
   const auto& edges = d.document().cage->edges;
-  // An edge at the free vertex: clicked a quarter of the way, so that no other is nearer.
+  // An edge at the free vertex: clicked at a quarter of its length, where no other edge is nearer.
   const auto v = d.free_vertex();
   std::uint32_t clicked = 0;
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
@@ -220,7 +220,7 @@ TEST_CASE("numbers_are_typed_in_the_cage_panel") {
 
 namespace {
 
-// Something is selected, and a number stands in the field of the panel, not yet taken.
+// A selection, and an uncommitted number in a field.
 struct TypingHand : Interaction {
   std::uint32_t vertex_selected = free_vertex();
   std::vector<mesh::Point> rest = pose();
@@ -276,7 +276,7 @@ TEST_CASE("a_field_takes_its_number_when_it_is_left_and_not_before") {
     d.click(glm::vec2(700, 60));
     CHECK(d.document().selection.empty());
     CHECK(d.point()[1] == 1.5);
-    d.press_key('Z', true);  // selects again
+    d.press_key('Z', true);  // restores the selection
     CHECK_FALSE(d.document().selection.empty());
     CHECK(d.point()[1] == 1.5);
     d.press_key('Z', true);
@@ -289,7 +289,7 @@ TEST_CASE("a_field_takes_its_number_when_it_is_left_and_not_before") {
   }
 }
 
-TEST_CASE("esc_takes_back_what_stands_in_a_field") {
+TEST_CASE("esc_restores_a_field") {
   TypingHand d;
   d.type_in("transform_y", "1.5");
   d.press_key(scene::Key::escape);
@@ -301,7 +301,7 @@ TEST_CASE("esc_takes_back_what_stands_in_a_field") {
   d.frame(2);
   CHECK(d.pose() == d.rest);
   d.type_in("transform_y", "1.5");
-  d.press_key(scene::Key::f1);  // what is being typed is no command
+  d.press_key(scene::Key::f1);  // shortcuts are disabled while typing
   d.workspace().view.panels = false;
   d.frame(3);
   d.workspace().view.panels = true;
@@ -338,10 +338,10 @@ TEST_CASE("a_number_that_leads_out_of_range_moves_nothing_and_says_so") {
   d.type_in("transform_y", "1e15");
   d.press_key(scene::Key::enter);
   d.frame(2);
-  CHECK(d.last_message() == "Turned by 360,000 degrees, the most at once");
+  CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum at once");
 }
 
-TEST_CASE("what_is_painted_stays_while_the_cage_moves_and_ctrl_and_undo_let_it_follow_again") {
+TEST_CASE("painted_vertices_stay_until_ctrl_or_undo") {
   Interaction d;
   d.press_key(scene::Key::pad3);  // from the right, where the wings cover the body
   d.settle();
@@ -359,7 +359,7 @@ TEST_CASE("what_is_painted_stays_while_the_cage_moves_and_ctrl_and_undo_let_it_f
   d.settle();
   const auto painted = d.document().mask;
   REQUIRE(painted);
-  CHECK(d.document().selection.empty());  // nothing was selected, nothing moved
+  CHECK(d.document().selection.empty());  // no selection, no motion
   CHECK_FALSE(scene::differs_from_rest(d.document()));
   const auto stays = std::ranges::count(*painted, 0.0f);
   CHECK(stays > 20);
@@ -386,10 +386,10 @@ TEST_CASE("what_is_painted_stays_while_the_cage_moves_and_ctrl_and_undo_let_it_f
   CHECK((!after || std::ranges::count(*after, 0.0f) < stays));
   d.press_key('Z', true);
   CHECK(d.document().mask == painted);
-  d.press_key('Z', true);  // what was selected
+  d.press_key('Z', true);  // undoes the selection
   d.press_key('Z', true);
   CHECK_FALSE(d.document().mask);
-  // Esc takes back what is being painted.
+  // Esc cancels a stroke.
   d.press_and_move(middle, to);
   CHECK(d.document().mask);
   d.press_key(scene::Key::escape);
@@ -410,7 +410,7 @@ TEST_CASE("the_brush_is_set_in_the_panel_and_by_shift_and_wheel") {
   d.key(Driver::left_shift, false);
   d.frame(2);
   CHECK(d.workspace().brush.radius > 1.2f * radius);
-  d.click("brush_share");  // in its middle
+  d.click("brush_share");  // in its center
   CHECK(d.workspace().brush.share == doctest::Approx(0.5).epsilon(0.1));
   d.click("mask_invert");
   CHECK(d.document().mask);
@@ -421,7 +421,7 @@ TEST_CASE("the_brush_is_set_in_the_panel_and_by_shift_and_wheel") {
 TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one_that_has_none") {
   const test::TemporaryFolder folder;
   mesh::Surface cage = test::ball(1.2, 1);
-  cage.positions[5][0] += 0.3;  // without an image
+  cage.positions[5][0] += 0.3;  // removes its mirror image
   mesh::write(folder / "ball.obj", test::ball(1, 3));
   mesh::write(folder / "cage.obj", cage);
   Driver d;

@@ -1,4 +1,4 @@
-// What the program does when nothing, or very much, happens.
+// The program when idle and under heavy input.
 #include <cctype>
 
 #include "program/driver.h"
@@ -42,7 +42,7 @@ TEST_CASE("typed_text_arrives_in_one_frame_in_order_however_long") {
   d.frame();
   CHECK(input.empty());
   CHECK(d.workspace().browser.path == text);
-  // What edits comes after the text before it, and before the text after it.
+  // Events before a text edit apply before it, those after it apply after it.
   for (int i = 0; i < 3; ++i) {
     input.push(platform::InputEvent::key(259, true));
     input.push(platform::InputEvent::key(259, false));
@@ -60,7 +60,7 @@ TEST_CASE("a_press_and_the_movement_after_it_are_not_mixed_up") {
   const glm::vec2 from = glm::round(d.vertex(v)), to = from + glm::vec2(50, 20), offset = d.vertex(v) - from;
   d.move(from);
   auto& input = d.viewer().input();
-  input.push(platform::InputEvent::button(0, true));  // all of this between two frames
+  input.push(platform::InputEvent::button(0, true));  // all between two frames
   input.push(platform::InputEvent::move(from + glm::vec2(20, 10)));
   input.push(platform::InputEvent::move(to));
   input.push(platform::InputEvent::button(0, false));
@@ -77,7 +77,7 @@ TEST_CASE("keys_of_one_frame_keep_their_modifiers_and_their_order") {
   d.key(Driver::left_shift, true);
   for (const auto& [code, down] : {std::pair{t, true}, {Driver::left_shift, false}, {t, false}}) {
     input.push(platform::InputEvent::key(
-        code, down));  // Shift is let go before the key: still Shift+T, which is no command
+        code, down));  // Shift is released before the key: still Shift+T, which is no shortcut
   }
   d.frame(4);
   CHECK(d.workspace().view == view);

@@ -1,4 +1,4 @@
-// The view is a picture that stays while nothing in it changes: it is never an old one.
+// The cached view is redrawn whenever its content changes.
 #include <random>
 
 #include "program/small_scene.h"
@@ -17,10 +17,10 @@ glm::vec2 bare_place(Driver& d) {
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 40);
 }
 
-// Clicks, drags and commands without a plan.
-class RandomHand {
+// Random clicks, drags and commands.
+class RandomInput {
 public:
-  RandomHand(Driver& driver, unsigned seed) : d(driver), random_(seed) {}
+  RandomInput(Driver& driver, unsigned seed) : d(driver), random_(seed) {}
 
   void act() {
     switch (below(8)) {
@@ -49,7 +49,7 @@ private:
     for (int i = 1; i <= 4; ++i) d.move(from + glm::vec2(9 * i, 5 * i - 12));
     if (below(2) == 0) d.button(button, false);
   }
-  // Not those that leave, or ask for files or for what the whole screen is.
+  // Except those that quit, open files, or change the whole screen.
   void run_any_command() {
     const auto all = scene::commands();
     const scene::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
@@ -67,14 +67,13 @@ private:
 
 double differs_from_a_fresh_one(Driver& d) {
   const render::Image kept = d.picture();
-  d.viewer().draw_anew();
+  d.viewer().redraw();
   return test::difference(kept, d.picture(), 0);
 }
 
 }  // namespace
 
-TEST_CASE("whatever_is_done_the_picture_is_the_one_that_a_fresh_drawing_makes" *
-          doctest::test_suite(test::longer)) {
+TEST_CASE("the_cached_view_always_equals_a_fresh_drawing" * doctest::test_suite(test::longer)) {
   unsigned long kept = 0, drawn = 0;
   const int actions = test::rounds(12, 300);
   for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -82,8 +81,8 @@ TEST_CASE("whatever_is_done_the_picture_is_the_one_that_a_fresh_drawing_makes" *
     options.may_be_coarse = seed % 2 == 0;
     options.samples = seed == 3 ? 4 : 0;
     SmallScene scene(options, test::with_pixels);
-    scene.d.workspace().remembered.coarse_motion = true;
-    RandomHand hand(scene.d, seed);
+    scene.d.workspace().preferences.coarse_motion = true;
+    RandomInput hand(scene.d, seed);
     for (int i = 0; i < actions; ++i) {
       CAPTURE(seed);
       CAPTURE(i);
@@ -119,7 +118,7 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   CHECK(d.viewer().views_drawn() > views);
 }
 
-TEST_CASE("where_nothing_changes_the_view_is_not_drawn") {
+TEST_CASE("an_unchanged_view_is_not_drawn") {
   SmallScene scene;
   Driver& d = scene.d;
   d.settle();
@@ -134,7 +133,7 @@ TEST_CASE("where_nothing_changes_the_view_is_not_drawn") {
   CHECK(d.viewer().has_drawn());
 }
 
-TEST_CASE("what_moves_is_drawn_coarsely_where_a_processor_draws_and_sharpens_at_rest") {
+TEST_CASE("software_rendering_draws_motion_coarsely_and_refines_at_rest") {
   auto options = small_options();
   options.may_be_coarse = true;
   options.still_samples = 4;
@@ -149,16 +148,16 @@ TEST_CASE("what_moves_is_drawn_coarsely_where_a_processor_draws_and_sharpens_at_
     }
     return d.viewer().view_fineness() == app::Fineness::smooth;
   };
-  d.workspace().remembered.coarse_motion = true;
+  d.workspace().preferences.coarse_motion = true;
   orbit();
   CHECK(d.viewer().view_fineness() == app::Fineness::coarse);
   CHECK(rest());  // the button is still held
   d.button(2, false);
-  d.workspace().remembered.coarse_motion = false;
+  d.workspace().preferences.coarse_motion = false;
   orbit();
   CHECK(d.viewer().view_fineness() == app::Fineness::plain);
   d.button(2, false);
-  d.workspace().remembered.coarse_motion.reset();
+  d.workspace().preferences.coarse_motion.reset();
   orbit();
   CHECK((d.viewer().view_fineness() == app::Fineness::coarse) == d.workspace().about.software);
 }

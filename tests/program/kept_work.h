@@ -1,4 +1,4 @@
-// Viewers that remember, models that load at once, and what a viewer has kept, for tests of files.
+// Viewers with a state folder, small models that load quickly, and access to recovery files.
 #pragma once
 
 #include "mesh/formats/write.h"
@@ -21,12 +21,12 @@ inline void drag_some_vertex(Driver& d, glm::vec2 by) {
   d.drag(at, at + by);
 }
 
-// Away from everything, until the picture rests; without the panels, whose times are never the same.
+// Moves the pointer away and waits for a still picture; without panels, whose timings always differ.
 inline render::Image rest_picture(Driver& d) {
   d.move({700, 760});
-  d.workspace().attended = false;  // messages come and go
+  d.workspace().has_user = false;  // messages appear and disappear
   d.settle();
-  d.workspace().attended = true;
+  d.workspace().has_user = true;
   render::Image picture = d.picture();
   const auto& v = d.workspace().viewport;
   for (int y = 0; y < picture.height; ++y) {
@@ -47,7 +47,7 @@ inline std::vector<fs::path> kept_files(const fs::path& state) {
   return files;
 }
 
-// A model and a cage that are small, so that starting a viewer is quick.
+// A small model and cage for a quick start.
 struct SmallModel {
   fs::path model, cage;
 
@@ -63,7 +63,7 @@ struct SmallModel {
     return surface;
   }
 
-  // A cube of n by n squares a side, blown up to a ball; sides do not share vertices.
+  // A cube of n by n squares per side, projected to a ball; sides do not share vertices.
   static mesh::Surface grid_ball(std::uint32_t n) {
     std::vector<mesh::Point> points;
     std::vector<mesh::Triangle> triangles;

@@ -1,4 +1,4 @@
-// Keys of every preset, the list in which they are changed, and what is said of keys and mouse.
+// Keys of every preset, the key list, and the help for keys and mouse.
 #include <algorithm>
 #include <cstdlib>
 
@@ -20,7 +20,7 @@ constexpr scene::KeyPreset presets[] = {scene::KeyPreset::viete, scene::KeyPrese
                                         scene::KeyPreset::maya, scene::KeyPreset::viewer};
 
 scene::Keymap& keymap(Driver& d) {
-  return d.workspace().remembered.keymap;
+  return d.workspace().preferences.keymap;
 }
 
 std::string key_of(Driver& d, const char* command) {
@@ -85,7 +85,7 @@ TEST_CASE("f11_asks_for_the_whole_screen_and_back_but_where_hands_mean_something
   }
 }
 
-TEST_CASE("a_click_in_the_list_of_keys_and_a_key_change_it_and_who_loses_it_is_said") {
+TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   Driver d;
   d.open_dragon();
   open_list(d);
@@ -102,7 +102,8 @@ TEST_CASE("a_click_in_the_list_of_keys_and_a_key_change_it_and_who_loses_it_is_s
   CHECK(d.workspace().view.grid == grid);
   CHECK(key_of(d, "toggle_wireframe") == "G");
   CHECK(key_of(d, "toggle_grid").empty());
-  CHECK(d.workspace().messages.all().back().text.find("It was of \"Show the grid\"") != std::string::npos);
+  CHECK(d.workspace().messages.all().back().text.find("It was taken from \"Show grid\"") !=
+        std::string::npos);
   d.frame(2);
   keep_picture(d, "key_list.png");
   d.click("key/toggle_wireframe/reset");
@@ -154,7 +155,7 @@ TEST_CASE("all_changes_of_keys_are_taken_back_at_once_and_brought_back") {
   CHECK(key_of(d, "undo") == "Ctrl+U");
 }
 
-TEST_CASE("what_is_said_of_the_mouse_is_what_it_does_in_the_preset_in_force") {
+TEST_CASE("mouse_help_matches_the_preset") {
   Driver d;
   d.open_dragon();
   choose_preset(d, scene::KeyPreset::viewer);
@@ -171,7 +172,7 @@ TEST_CASE("what_is_said_of_the_mouse_is_what_it_does_in_the_preset_in_force") {
   choose_preset(d, scene::KeyPreset::maya);
   CHECK(says(ui::mouse_lines(keymap(d)), "Alt+left, middle, right drag: orbit, pan, zoom"));
   choose_preset(d, scene::KeyPreset::viete);
-  CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: select with a box"));
+  CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: box select"));
   keymap(d).change("help", {scene::Key::f7});
   CHECK(ui::key_or_label(keymap(d), "help") == "F7");
   keymap(d).change("help", {});

@@ -1,4 +1,4 @@
-// Maps on the mesh, and the view split in several.
+// Maps on the mesh, and split views.
 #include <cmath>
 #include <set>
 
@@ -25,7 +25,7 @@ void choose_map(Driver& d, const char* word) {
   d.settle();
 }
 
-// The largest distance of what a view draws from the same in double, in diagonals.
+// The largest distance of a view's vertices from the result in double, in diagonals.
 double error_of_side(Driver& d, std::size_t side) {
   const auto& view = d.workspace().split.sides[side];
   base::WorkerPool pool;
@@ -42,7 +42,7 @@ double error_of_side(Driver& d, std::size_t side) {
   return largest / d.document().model.bounds.diagonal();
 }
 
-// How many pixels of a column range, below the captions, differ.
+// The share of differing pixels in a range of columns, below the captions.
 double differing(const render::Image& a, const render::Image& b, double from, double to) {
   const int top = 70;
   const int left = static_cast<int>(from * a.width), right = static_cast<int>(to * a.width);
@@ -65,7 +65,7 @@ double differing(const render::Image& a, const render::Image& b, double from, do
 TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
   Driver d(test::with_pixels);
   d.open_dragon("pose_alert");
-  d.press_key(scene::key('C'));  // no cage in the way
+  d.press_key(scene::key('C'));  // hides the cage
   d.settle();
   const auto plain = d.picture();
   d.document().selection.apply(std::vector<std::uint32_t>{d.free_vertex()}, scene::SelectMode::replace);
@@ -83,7 +83,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
     CHECK(test::difference(plain, d.picture(), 12) > 0.02);
     seen.insert(*map.values);
   }
-  // All say something else; of one view both differences are nothing.
+  // All maps differ; with a single view both difference maps are empty.
   CHECK(seen.size() >= choices(Field::none).size() - 2);
   choose_map(d, "none");
   d.move({1, 1});
@@ -91,7 +91,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
   CHECK(d.workspace().field.values == nullptr);
 }
 
-TEST_CASE("a_map_follows_the_hand_and_its_range_can_be_held") {
+TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   Driver d;
   d.open_dragon();
   choose_map(d, "displacement");
@@ -108,7 +108,7 @@ TEST_CASE("a_map_follows_the_hand_and_its_range_can_be_held") {
   d.settle();
   CHECK(d.workspace().field.stats.most < 1e-6);
   CHECK(d.workspace().field.stats.high == stats.high);
-  // It can be typed while it is held, the other way round not.
+  // It can be typed only while the range is fixed.
   d.click("map/high");
   d.type("0.25");
   d.press_key(scene::Key::enter);
@@ -123,7 +123,7 @@ TEST_CASE("a_map_follows_the_hand_and_its_range_can_be_held") {
   d.press_key('Z', true, true);
   d.settle();
   CHECK(d.workspace().field.stats.high == stats.high);
-  // The worst vertex comes near, to the middle.
+  // The worst vertex is centered and near.
   d.click("frame_worst");
   d.settle();
   const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
@@ -140,7 +140,7 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
   d.settle();
   CHECK(d.workspace().field.stats.least == doctest::Approx(1).epsilon(1e-3));
   CHECK(d.workspace().field.stats.most == doctest::Approx(1).epsilon(1e-3));
-  // Two pins that hold: where one is it goes along wholly, at the other not at all.
+  // Two pins that hold: at one the influence is 1, at the other 0.
   scene::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[100]);
   scene::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[40000]);
   d.settle();
@@ -179,7 +179,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
     CHECK(error_of_side(d, i) < 2e-5);
   }
   scene::enter_view(d.workspace(), 0);
-  // And while a hand moves the cage, in whichever view.
+  // And during a drag of the cage, in any view.
   const glm::vec2 first = glm::round(d.vertex(d.free_vertex()));
   const auto& v = d.workspace().viewport;
   const glm::vec2 second = first + glm::vec2(0.5f * v.size.x, 0.5f * v.size.y);
@@ -189,7 +189,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.button(0, false);
   d.settle();
   CHECK(d.document().history.undo_label() == "move a vertex");
-  d.move({1, 1});  // in none of them
+  d.move({1, 1});  // outside all views
   CHECK(d.drawn_error() < 2e-5);
   for (std::size_t i = 0; i < 3; ++i) {
     CAPTURE(i);
@@ -226,7 +226,7 @@ TEST_CASE("a_wipe_shows_on_either_side_what_the_view_would_show_alone") {
   CHECK(differing(left, wiped, 0, 0.48) == 0);
   CHECK(differing(right, wiped, 0.52, 1) == 0);
   CHECK(differing(left, wiped, 0.52, 1) > 0);
-  // The line is dragged.
+  // Drags the line.
   d.drag(d.place_of("wipe_line"), d.place_of("wipe_line") + glm::vec2(140, 0));
   CHECK(split.line == doctest::Approx(0.7).epsilon(0.02));
   d.move({1, 1});
@@ -272,7 +272,7 @@ TEST_CASE("another_document_is_shown_in_the_views_that_there_are") {
 TEST_CASE("the_key_for_a_vertex_opens_its_section_wherever_the_columns_were") {
   Driver d;
   d.open_dragon("pose_alert");
-  scene::PanelLayout& layout = d.workspace().remembered.layout;
+  scene::PanelLayout& layout = d.workspace().preferences.layout;
   for (const bool folded : {false, true}) {
     layout.sections.clear();
     layout.folded[static_cast<std::size_t>(scene::Column::methods)] = folded;
@@ -307,7 +307,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   CHECK(sum == doctest::Approx(1).epsilon(1e-9));
   CHECK(
       std::ranges::is_sorted(view.terms, std::greater<>(), [](const auto& t) { return std::abs(t.weight); }));
-  // The whole map takes what is near the vertex where the frame has it.
+  // The map moves the neighbourhood of the vertex to its position in the frame.
   const auto& last = view.terms.back().eigenvalues;
   const double volume = glm::determinant(view.map);
   CHECK(volume == doctest::Approx(std::exp(last[0] + last[1] + last[2])).epsilon(1e-9));
@@ -320,19 +320,19 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.settle();
   CHECK_FALSE(d.workspace().vertex.vertex);
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
-  // A term of the formula leads there, too.
+  // A click on a term of the formula opens it too.
   d.place_of("formula");
   const auto formula = d.viewer().recorder().find("formula");
   d.click(d.place_of("formula") - glm::vec2(0.5f * (formula->x1 - formula->x0) - 6, 0));
   d.settle();
   CHECK(d.workspace().vertex.vertex);
-  // By the key, under the cursor; it goes with the pose.
+  // With the key, under the cursor; it follows the pose.
   d.move(d.workspace().viewport.middle());
   d.press_key('Y', false, false, true);
   d.settle();
   REQUIRE(d.workspace().vertex.vertex);
   const double degrees = d.workspace().vertex.degrees;
-  d.press_key(scene::key('R'), true);  // a pose of its own comes and goes
+  d.press_key(scene::key('R'), true);  // sets and resets a pose
   scene::reset_pose(d.document());
   d.settle();
   CHECK(d.workspace().vertex.degrees == 0);
@@ -353,7 +353,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   scene::split_view(d.workspace(), 2);
   auto& side = d.workspace().split.sides[0];
   side.scheme = d.document().scheme;
-  side.other_lines = true;
+  side.other_blending = true;
   d.settle();
   const auto first = d.viewer().deformer()->positions();
   scene::enter_view(d.workspace(), 1);
@@ -363,7 +363,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   for (std::size_t v = 0; v < first.size(); ++v)
     apart = std::max(apart, mesh::norm(posed.at(*d.document().model.surface, v) - first[v]));
   CHECK(apart > 0.02 * d.document().model.bounds.diagonal());
-  // It is what the document has when its lines are straight.
+  // It equals the document's result with linear blending.
   std::vector<mesh::Point> straight;
   for (std::size_t v = 0; v < first.size(); ++v) straight.push_back(posed.at(*d.document().model.surface, v));
   scene::enter_view(d.workspace(), 0);
@@ -383,7 +383,7 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   d.settle();
   CHECK(d.workspace().field.stats.most == 0);
   CHECK(d.workspace().field.problem.empty());
-  // A pin of a vertex that is not there cannot be reached from any triangle.
+  // A pin of a missing vertex cannot be reached from any triangle.
   scene::Document& document = d.document();
   mesh::Surface loose = *document.model.surface;
   loose.positions.push_back({0, 0, 0});

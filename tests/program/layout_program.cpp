@@ -9,7 +9,7 @@
 #include "render/image.h"
 #include "scene/document/record.h"
 #include "scene/workspace/menus.h"
-#include "scene/workspace/remembered.h"
+#include "scene/workspace/preferences.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
 #include "support/full_disk.h"
@@ -30,7 +30,7 @@ glm::vec2 empty_place(Driver& d) {
 }
 
 scene::PanelLayout& layout(Driver& d) {
-  return d.workspace().remembered.layout;
+  return d.workspace().preferences.layout;
 }
 
 app::ViewerOptions remembering(const std::filesystem::path& state) {
@@ -39,7 +39,7 @@ app::ViewerOptions remembering(const std::filesystem::path& state) {
   return options;
 }
 
-// A cube in a cage of its own.
+// A cube in its cage.
 void open_cube(Driver& d, const std::filesystem::path& folder) {
   mesh::Surface cage = mesh::read(test::dragon_cage).surface;
   mesh::write(folder / "cube.obj", cage);
@@ -96,13 +96,13 @@ TEST_CASE("columns_sections_and_theme_are_as_they_were_left") {
   CHECK(d.viewer().recorder().find("map"));
 }
 
-TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {
+TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
   Driver d(test::with_pixels);
   d.open_dragon();
   d.press_key(scene::Key::f2);
   d.settle();
   const auto with_line = d.picture();
-  d.workspace().attended = false;
+  d.workspace().has_user = false;
   d.settle();
   const auto without = d.picture();
   int differing = 0;
@@ -110,7 +110,7 @@ TEST_CASE("where_all_panels_are_hidden_a_line_says_how_they_come_back") {
     for (int x = 0; x < 400; ++x) differing += with_line.pixel(x, y) != without.pixel(x, y);
   }
   CHECK(differing > 100);
-  d.workspace().attended = true;
+  d.workspace().has_user = true;
   d.press_key(scene::Key::f2);
   d.frame(2);
   CHECK(is_seen(d, "open_model"));
@@ -168,7 +168,7 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   menu("File", "recent");
   if (const char* pictures = std::getenv("VIETE_PICTURES"))
     render::write_png(std::filesystem::path(pictures) / "recent.png", d.picture());
-  const auto file = d.workspace().remembered.recent.at(1).file;
+  const auto file = d.workspace().preferences.recent.at(1).file;
   d.click("menu/recent/1");
   d.settle();
   CHECK(d.document().model.path == file);
@@ -222,14 +222,14 @@ TEST_CASE("the_palette_walks_by_arrow_keys_and_says_why_a_command_cannot_run") {
   CHECK(d.workspace().palette.highlighted == found.size() - 1);
   d.press_key(scene::Key::down);
   CHECK_FALSE(found.front()->enabled(d.workspace()));
-  d.press_key(scene::Key::enter);  // nothing is open that could be saved
+  d.press_key(scene::Key::enter);  // nothing to save
   CHECK(d.workspace().palette.open);
   CHECK_FALSE(d.workspace().browser.open);
   d.press_key(scene::Key::escape);
   CHECK_FALSE(d.workspace().palette.open);
 }
 
-TEST_CASE("a_message_moves_no_button_and_goes_by_itself") {
+TEST_CASE("a_message_moves_no_button_and_disappears_by_itself") {
   Driver d;
   d.open_dragon();
   d.frame(3);
@@ -250,7 +250,7 @@ TEST_CASE("a_message_moves_no_button_and_goes_by_itself") {
   CHECK(d.workspace().messages.all().back().text.find("/somewhere") != std::string::npos);
 }
 
-TEST_CASE("an_error_stays_until_the_same_thing_succeeds_or_it_is_put_away") {
+TEST_CASE("an_error_stays_until_the_action_succeeds_or_it_is_dismissed") {
   const test::TemporaryFolder folder;
   Driver d;
   d.open_dragon();
@@ -263,7 +263,7 @@ TEST_CASE("an_error_stays_until_the_same_thing_succeeds_or_it_is_put_away") {
     CHECK(d.open({folder / "other.obj"}));
     d.frame(2);
     for (const auto& m : d.workspace().messages.all())
-      CHECK_FALSE((m.severity == scene::Severity::error && m.in_sight));
+      CHECK_FALSE((m.severity == scene::Severity::error && m.visible));
   }
   SUBCASE("it is put away") {
     d.click("toast/0/close");
@@ -302,7 +302,7 @@ TEST_CASE("a_name_a_format_and_enter_export_whatever_the_list_begins_with") {
   std::filesystem::create_directories(folder / "a_folder");
   Driver d;
   d.open_dragon();
-  d.workspace().saved.session = folder / "session.viete";  // beside which exports are proposed
+  d.workspace().saved.session = folder / "session.viete";  // exports are proposed in its folder
   d.press_key(scene::key('E'), true);
   d.frame(2);
   d.type("arm.obj");
@@ -315,7 +315,7 @@ TEST_CASE("a_name_a_format_and_enter_export_whatever_the_list_begins_with") {
   CHECK(std::filesystem::exists(folder / "arm.ply"));
 }
 
-TEST_CASE("what_is_typed_in_a_save_dialog_takes_the_place_of_the_proposed_name_each_time") {
+TEST_CASE("typing_in_a_save_dialog_replaces_the_proposed_name") {
   const test::TemporaryFolder folder;
   Driver d;
   d.open_dragon();
@@ -352,14 +352,14 @@ TEST_CASE("an_unknown_extension_keeps_the_dialog_and_the_name_and_says_what_is_k
 
 namespace {
 
-// Asks a file dialog for this path, by the keyboard, and waits until that is done or refused.
+// Requests a path in the file browser by keyboard, and waits for success or refusal.
 void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
   scene::find_command(command)->run(d.workspace());
   d.frame(3);
   REQUIRE(d.workspace().browser.open);
   d.type(file.string());
   d.press_key(scene::Key::enter);
-  if (d.workspace().browser.warned == file.string()) d.press_key(scene::Key::enter);  // it is replaced
+  if (d.workspace().browser.warned == file.string()) d.press_key(scene::Key::enter);  // overwrite it
   REQUIRE(d.until([&] { return d.workspace().browser.asked.empty() && !d.viewer().exporting(); }));
   d.frame(2);
 }
@@ -454,7 +454,7 @@ TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
     std::map<std::string, ui::WidgetRect> before = d.viewer().recorder().all();
     d.frame(3);
     for (const auto& [name, rect] : d.viewer().recorder().all()) {
-      if (!before.contains(name)) continue;  // it was measured since
+      if (!before.contains(name)) continue;  // measured later
       CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
     }
     if (!d.workspace().browser.open) d.press_key('O', true);  // and stays open

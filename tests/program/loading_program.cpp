@@ -1,4 +1,4 @@
-// Large files read aside, and loads that fail.
+// Large files read in the background, and failed loads.
 #include "program/kept_work.h"
 #include "scene/workspace/saving.h"
 #include "support/edits.h"
@@ -9,8 +9,7 @@ using What = scene::OpenRequest::What;
 
 namespace {
 
-// Frames until the bar with its button is there; false if the file was read before a person could have seen
-// one.
+// Runs frames until the progress bar is visible; false if the file was read too quickly for it.
 bool sees_loading_bar(Driver& d) {
   bool seen = false;
   d.frame();  // takes the request
@@ -29,7 +28,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   Driver d(remembering(folder / "state", {640, 400}));
   const scene::OpenRequest request{What::model, {folder / "large.obj"}};
 
-  // 348,000 vertices, 36 MB of text; a machine that reads them in a moment gets more.
+  // 348,000 vertices, 36 MB of text; fast machines get more.
   int cells = 240;
   const mesh::Surface* surface = nullptr;
   for (;; cells *= 2) {
@@ -49,7 +48,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     if (d.document().model.surface.get() == surface) break;
   }
   CHECK(test::edit_count(d.document().history) == 1);
-  CHECK(d.workspace().messages.all().back().text.find("Stopped reading") != std::string::npos);
+  CHECK(d.workspace().messages.all().back().text.find("Cancelled reading") != std::string::npos);
 
   double furthest = 0;
   for (int i = 0; i < 20 && furthest <= 0.1; ++i) {  // it may be read between two frames
@@ -68,7 +67,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   CHECK(d.document().model.summary.vertices == static_cast<std::size_t>(6 * (cells + 1) * (cells + 1)));
 }
 
-TEST_CASE("what_was_read_waits_until_the_drag_is_over") {
+TEST_CASE("loaded_files_are_applied_after_the_drag") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   Driver d(remembering(folder / "state"));
@@ -84,7 +83,7 @@ TEST_CASE("what_was_read_waits_until_the_drag_is_over") {
   CHECK(d.document().model.path == small.model);
   d.button(0, false);
   REQUIRE(d.until([&] { return d.document().model.path == dragon; }));
-  CHECK_MESSAGE(d.workspace().leftovers.size() == 1, "the drag that was finished is kept");
+  CHECK_MESSAGE(d.workspace().recovery_files.size() == 1, "the drag that was finished is kept");
 }
 
 TEST_CASE("a_load_that_fails_leaves_everything_as_it_was") {

@@ -1,6 +1,5 @@
-// Work by a real mouse and keyboard in the real window: mirror, soft selection, pivot, a box over a dense
-// cage, the palette, a dialog and the full screen. What came of it is read from the session that the program
-// saves.
+// Real mouse and keyboard events in the real window: mirror, soft selection, pivot, box selection over a
+// dense cage, palette, dialog and full screen. Results are read from the saved session.
 #include <cmath>
 #include <sstream>
 
@@ -35,15 +34,14 @@ std::string drag_words(glm::vec2 from, glm::vec2 to, const std::string& meanwhil
   return words + meanwhile + " mouseup 1 sleep 0.1";
 }
 
-// A ball in a cage that is a ball, too, as a session that is open offscreen, which says where things are, and
-// in a real window.
-struct RealHand {
+// A ball in a ball-shaped cage, as a session open offscreen, to locate widgets, and in a real window.
+struct RealSession {
   Desktop desktop;
   fs::path session = desktop.folder / "work.viete";
   Driver offscreen{options()};
   std::optional<Child> viewer;
 
-  explicit RealHand(int levels) {
+  explicit RealSession(int levels) {
     mesh::write(desktop.folder / "ball.obj", test::ball(1, 3));
     mesh::write(desktop.folder / "cage.obj", test::ball(1.3, levels));
     REQUIRE(offscreen.open({desktop.folder / "ball.obj", desktop.folder / "cage.obj"}));
@@ -61,8 +59,8 @@ struct RealHand {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// What the program has now, after all that it was told: events come in order. A window that has no
-  /// keyboard yet is told again.
+  /// The program's current state after all events, which are handled in order. Retries until the window has
+  /// the keyboard focus.
   scene::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };
@@ -91,7 +89,7 @@ struct RealHand {
 TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_commands_and_files" *
           doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  RealHand hand(3);
+  RealSession hand(3);
   const auto& v = hand.offscreen.workspace().viewport;
   const glm::vec2 middle = glm::round(v.origin + 0.5f * v.size), from = middle - glm::vec2(150, 110),
                   to = middle + glm::vec2(140, 120);
@@ -106,7 +104,7 @@ TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_command
   CHECK(boxed.selection == expected);
   CHECK(hand.moved(boxed) == 0);
 
-  // A window that is drawn slowly takes some frames until it has the keyboard.
+  // A slowly drawn window needs some frames to get the keyboard focus.
   hand.desktop.xdotool_seen("key ctrl+k");
   hand.desktop.xdotool_seen("type --delay 60 wire");
   hand.desktop.xdotool_seen("key Return");
@@ -122,7 +120,7 @@ TEST_CASE("a_real_mouse_draws_a_box_over_a_dense_cage_and_real_keys_find_command
 
 TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::test_suite(test::if_present)) {
   if (test::no_desktop()) return;
-  RealHand hand(1);
+  RealSession hand(1);
   const auto size = [&] {
     const fs::path out = hand.desktop.folder / "size";
     const std::string command = "DISPLAY=" + hand.desktop.display +
@@ -148,6 +146,7 @@ TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::t
   hand.act(std::string("key ") + f11_keycode);
   CHECK(wait_until([&] { return size() == small; }));
   hand.quit();
-  const auto remembered = scene::read_remembered(hand.desktop.folder / "state" / "viete" / "remembered.json");
-  CHECK(remembered.window == small);
+  const auto preferences =
+      scene::read_preferences(hand.desktop.folder / "state" / "viete" / "remembered.json");
+  CHECK(preferences.window == small);
 }

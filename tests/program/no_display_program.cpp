@@ -1,4 +1,4 @@
-// The viewer where there is no display: a picture, and one line that says where it is.
+// The viewer without a display: a picture, and a line with its path.
 #include <algorithm>
 #include <vector>
 
@@ -21,7 +21,7 @@ TEST_CASE("without_a_display_the_viewer_says_so_in_one_line_and_renders_a_pictur
   }
 }
 
-TEST_CASE("a_picture_that_is_there_stays_and_so_does_what_a_link_of_its_name_leads_to") {
+TEST_CASE("existing_pictures_and_link_targets_are_not_overwritten") {
   const TemporaryFolder scratch;
   put_file(scratch / "precious", "precious");
   fs::create_symlink("precious", scratch / "viete.png");
@@ -48,7 +48,7 @@ TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
   const std::string here = without_display(scratch.path());
   const std::string scene = "view " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose);
   std::vector<std::vector<std::uint8_t>> pictures;
-  for (const char* settings : {"", " --radius 10", " --way mean-value"}) {
+  for (const char* settings : {"", " --radius 10", " --deformer mean-value"}) {
     const auto outcome = run(scene + settings, here);
     REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
     pictures.push_back(test::read_png(scratch / "viete.png").rgba);
@@ -57,7 +57,7 @@ TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
   CHECK(pictures[0] != pictures[1]);
   CHECK(pictures[0] != pictures[2]);
   CHECK(pictures[1] != pictures[2]);
-  const auto both = run("view --way mean-value --radius 3", here);
+  const auto both = run("view --deformer mean-value --radius 3", here);
   CHECK(both.code == 1);
   CHECK(mentions(both, "these weights have no radius"));
 }

@@ -1,4 +1,4 @@
-// A context that draws nothing: the viewer runs as ever, without OpenGL.
+// A context that draws nothing: runs the viewer without OpenGL.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// Answers as a driver that takes everything. Reading a pixel throws.
+/// Accepts all GL calls. Reading a pixel throws.
 class NoPixels final : public platform::OffscreenContext {
 public:
   std::string name() const override { return "no pixels"; }

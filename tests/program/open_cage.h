@@ -1,4 +1,4 @@
-// A cage with a hole: it has findings.
+// A cage with a hole, which gives findings.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What the commands may write over, and what they must leave.
+// Which files commands may overwrite.
 #include <map>
 #include <vector>
 
@@ -13,7 +13,7 @@ using namespace viete::test;
 
 namespace {
 
-// A model, its cage, a pose and a session of them, small.
+// A small model, its cage, a pose and a session of them.
 struct SmallFiles : TemporaryFolder {
   SmallFiles() {
     mesh::write(*this / "model.obj", cube(1));
@@ -29,7 +29,7 @@ struct SmallFiles : TemporaryFolder {
 
 }  // namespace
 
-TEST_CASE("what_is_read_is_not_written_over_whatever_it_is_called") {
+TEST_CASE("inputs_are_not_overwritten_under_any_name") {
   const SmallFiles files;
   fs::create_symlink("model.obj", files / "link.obj");
   fs::create_symlink("model.obj", files / "link.png");
@@ -43,14 +43,14 @@ TEST_CASE("what_is_read_is_not_written_over_whatever_it_is_called") {
         std::string("render model.obj -o link.png"), std::string("bench exp --json a.svg --plot a.svg")}) {
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "is one of those that are read"), line << '\n' << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, "is an input file"), line << '\n' << outcome.text);
     for (std::size_t i = 0; i < before.size(); ++i) CHECK(file_bytes(files / names[i]) == before[i]);
   }
   CHECK(files.run(deform + "pose.obj --force").code == 0);
   CHECK(file_bytes(files / "pose.obj") != before[2]);
 }
 
-TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys") {
+TEST_CASE("dependencies_and_key_files_are_not_overwritten") {
   const SmallFiles files;
   put_file(files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");
   put_file(files / "m_05.obj", "mtllib model.mtl\nusemtl skin\n" + file_bytes(files / "model.obj"));
@@ -76,7 +76,7 @@ TEST_CASE("what_files_lead_to_is_not_written_over_nor_are_keys") {
     fs::copy_file(files / "cage.obj", files / "other.obj", fs::copy_options::overwrite_existing);
     const Outcome outcome = files.run(line);
     CHECK(outcome.code == 1);
-    CHECK_MESSAGE(mentions(outcome, "is one of those that are read ("), line << '\n' << outcome.text);
+    CHECK_MESSAGE(mentions(outcome, "is an input file ("), line << '\n' << outcome.text);
     for (const auto& [name, bytes] : before)
       CHECK_MESSAGE(file_bytes(files / name) == bytes, line << " changed " << name);
   }
@@ -110,7 +110,7 @@ TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
   CHECK(files.run("bench exp --count 64 --json empty").code == 0);
 }
 
-TEST_CASE("where_results_go_is_looked_at_before_the_work_starts") {
+TEST_CASE("outputs_are_checked_before_the_work") {
   const SmallFiles files;
   put_file(files / "locked.obj", "precious");
   fs::permissions(files / "locked.obj", fs::perms::owner_read);
@@ -120,7 +120,7 @@ TEST_CASE("where_results_go_is_looked_at_before_the_work_starts") {
         {"deform none.obj cage.obj --pose pose.obj -o locked.obj --force",
          "locked.obj: this file is write-pro"},
         {"render none.obj -o none/a.png", "none/a.png: cannot be written"},
-        {"render none.obj -o a.jpg", "a.jpg: pictures are not written in this format"},
+        {"render none.obj -o a.jpg", "a.jpg: pictures can only be written as PNG"},
         {"bench exp --json none/a", "none/a: cannot be written"},
         {"bench frame --json none/a", "none/a: cannot be written"},
         {"bench bind --json none/a", "none/a: cannot be written"}}) {

@@ -1,6 +1,6 @@
 // Every panel, in both themes and at both scales: nothing leaves the window, nothing covers anything else.
 //
-// VIETE_PICTURES=FOLDER also writes a picture of each, to be looked at.
+// VIETE_PICTURES=FOLDER also writes a picture of each.
 #include <cstdlib>
 
 #include "program/open_cage.h"
@@ -44,7 +44,7 @@ void check_places(const Widgets& widgets, glm::vec2 window) {
     CHECK(rect.y1 > rect.y0);
     CHECK(rect.x0 >= 0);
     CHECK(rect.x1 <= window.x);
-    if (name.starts_with("menu/") || on_notice_bar(name)) continue;  // above all else
+    if (name.starts_with("menu/") || on_notice_bar(name)) continue;  // in front of everything
     if (rect.x0 < column) CHECK(rect.x1 <= column);
     if (rect.x1 > window.x - column) CHECK(rect.x0 >= window.x - column);
     for (auto b = std::next(a); b != widgets.end(); ++b) {
@@ -70,14 +70,13 @@ void show(Driver& d, const std::string& name) {
 
 void visit_questions(Driver& d, const std::string& look) {
   auto& w = d.workspace();
-  w.question =
-      scene::ask_before_closing(scene::name_of_work(w),
-                                "/home/somebody/.local/state/viete/recovery: unsaved work cannot be kept "
-                                "here: Not a directory; save often");
+  w.question = scene::ask_before_closing(scene::name_of_work(w),
+                                         "/home/somebody/.local/state/viete/recovery: unsaved edits cannot "
+                                         "be saved here for recovery: Not a directory; save often");
   d.frame(2);
   show(d, look + "_question_close");
   REQUIRE(d.viewer().recorder().find("question_go_on"));
-  w.question = scene::ask_before_opening(scene::name_of_work(w), "There is no home folder to keep them in.");
+  w.question = scene::ask_before_opening(scene::name_of_work(w), "There is no home folder to save them in.");
   w.question->chosen = 2;
   d.frame(2);
   show(d, look + "_question_open");
@@ -90,15 +89,16 @@ void visit_questions(Driver& d, const std::string& look) {
 
 void visit_notices(Driver& d, const std::string& look) {
   auto& w = d.workspace();
-  w.leftovers = {{"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
-                 {"/b.viete", "b", 0}};
-  w.offers_leftovers = true;
+  w.recovery_files = {
+      {"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon", "move 3 vertices"},
+      {"/b.viete", "b", 0}};
+  w.offers_recovery = true;
   d.frame(3);
   show(d, look + "_leftovers");
-  w.leftovers.pop_back();
+  w.recovery_files.pop_back();
   d.frame(3);
   show(d, look + "_leftover");
-  w.leftovers.clear();
+  w.recovery_files.clear();
   d.frame(3);
 }
 
@@ -109,10 +109,10 @@ void visit_time(Driver& d, const std::string& look) {
   scene::set_key(w.document, 1);
   scene::set_key(w.document, 30);
   scene::set_camera_key(w.document, 10, w.camera.pose());
-  w.remembered.layout.timeline = true;
+  w.preferences.layout.timeline = true;
   d.frame(3);
   show(d, look + "_time");
-  w.remembered.layout.timeline = false;
+  w.preferences.layout.timeline = false;
 }
 
 void visit_panels(Driver& d, const std::string& look) {
@@ -121,7 +121,7 @@ void visit_panels(Driver& d, const std::string& look) {
   show(d, look + "_empty");
   REQUIRE(d.open({test::dragon, cage}));
   d.settle();
-  d.workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // places need no drawn model
+  d.workspace().view.model = std::getenv("VIETE_PICTURES") != nullptr;  // layout needs no drawn model
   d.press_key(scene::key('A'));
   d.click("section/Checks");
   if (!d.viewer().recorder().find("finding/0"))
@@ -156,11 +156,12 @@ void visit_panels(Driver& d, const std::string& look) {
 TEST_CASE("no_panel_leaves_the_window_or_covers_another_at_any_scale") {
   for (const float scale : {1.0f, 2.0f}) {
     for (const bool dark : {true, false}) {
-      if (!dark && std::getenv("VIETE_PICTURES") == nullptr) continue;  // places are the same in both themes
+      if (!dark && std::getenv("VIETE_PICTURES") == nullptr)
+        continue;  // the layout is the same in both themes
       auto options = Driver::default_options();
       options.size = {1280, 1500};
       options.scale = scale;
-      options.probe = std::getenv("VIETE_PICTURES") != nullptr;  // pictures are as a person sees them
+      options.probe = std::getenv("VIETE_PICTURES") != nullptr;  // pictures show everything
       options.builtin_font = !options.probe;
       Driver d(options);
       d.workspace().view.dark = dark;
@@ -178,10 +179,10 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     d.open_dragon();
     const std::string name = "a_model_whose_name_somebody_took_some_time_to_think_about_and_then_more.ply";
     auto& w = d.workspace();
-    w.leftovers = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
-    w.offers_leftovers = true;
+    w.recovery_files = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
+    w.offers_recovery = true;
     w.question = scene::ask_before_closing(
-        scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved work cannot be kept here");
+        scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved edits cannot be saved here");
     d.frame(5);
     CAPTURE(size.x);
     std::size_t seen = 0;
@@ -214,7 +215,7 @@ bool within(const ui::WidgetRect& rect, glm::vec2 window) {
   return rect.x0 >= 0 && rect.y0 >= 0 && rect.x1 <= window.x && rect.y1 <= window.y;
 }
 
-// With its list open, over each of its entries.
+// With its list open, over each entry.
 template <class Entry>
 void visit_chooser(Driver& d, const char* chooser, std::span<const Entry> table, const std::string& look) {
   const glm::vec2 window = d.workspace().viewport.window;

@@ -1,8 +1,8 @@
-// Pictures of the program against pictures that someone looked at (tests/program/pictures).
+// Compares pictures of the program with reviewed references (tests/program/pictures).
 //
 // Tolerance: at most 2 levels per channel for 99.9 % of pixels. Panels are masked or hidden, because versions
-// of ImGui move text; where they are what is looked at, the case is skipped for other versions. A missing
-// reference, or VIETE_UPDATE_PICTURES=1, writes the picture instead: look at it before you commit it.
+// of ImGui move text; cases that test panels are skipped for other versions. A missing reference, or
+// VIETE_UPDATE_PICTURES=1, writes the picture instead: review it before committing.
 #include <cstdlib>
 
 #include "mesh/formats/write.h"
@@ -35,7 +35,7 @@ void mask_panels(render::Image& image, float scale) {
 
 struct Tolerance {
   int levels = 2;        // per channel
-  double share = 0.001;  // of pixels that may differ by more
+  double share = 0.001;  // fraction of pixels that may exceed it
 };
 
 void compare(const std::string& name, render::Image picture, bool panels, float scale,
@@ -73,7 +73,7 @@ TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
     options.size = {720, 480};
     options.scale = s.scale;
     Driver d(options, test::with_pixels);
-    d.workspace().attended = false;  // versions of ImGui move text
+    d.workspace().has_user = false;  // versions of ImGui move text
     d.workspace().view.panels = s.panels;
     d.workspace().view.dark = s.dark;
     d.workspace().view.hints = false;
@@ -100,7 +100,7 @@ TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
     options.size = {720, 400};
     options.scale = h.scale;
     Driver d(options, test::with_pixels);
-    d.workspace().attended = false;  // versions of ImGui move text
+    d.workspace().has_user = false;  // versions of ImGui move text
     auto& w = d.workspace();
     w.view.dark = h.dark;
     w.view.hints = w.view.model = w.view.grid = false;
@@ -115,7 +115,7 @@ TEST_CASE("the_hand_is_drawn_as_it_was_when_someone_looked_at_it") {
 
 namespace {
 
-// Small and without panels or text: what is open, and the commands that follow.
+// Small, without panels or text: the files to open, and the commands to run.
 struct ViewPicture {
   const char* name;
   const char* pose;
@@ -150,7 +150,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
     auto options = Driver::default_options();
     options.size = {320, 220};
     Driver d(options, test::with_pixels);
-    d.workspace().attended = false;  // versions of ImGui move text
+    d.workspace().has_user = false;  // versions of ImGui move text
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = false;
     d.open_dragon(v.pose, test::bundled_dragon);
@@ -162,7 +162,7 @@ TEST_CASE("views_and_tools_are_drawn_as_they_were_when_someone_looked_at_them") 
 
 namespace {
 
-// A sheet with a picture on it, in a glTF, in a box whose right end was pulled forward.
+// A textured sheet in a glTF, in a box whose right end was pulled forward.
 void open_bent_sheet(Driver& d, const fs::path& folder) {
   render::Image image{64, 64, {}};
   for (int y = 0; y < 64; ++y) {
@@ -226,7 +226,7 @@ TEST_CASE("textures_are_drawn_as_they_were_when_someone_looked_at_them") {
     auto options = Driver::default_options();
     options.size = {320, 220};
     Driver d(options, test::with_pixels);
-    d.workspace().attended = false;  // versions of ImGui move text
+    d.workspace().has_user = false;  // versions of ImGui move text
     auto& view = d.workspace().view;
     view.hints = view.axes = view.panels = view.cage = false;
     open_bent_sheet(d, folder.path());
@@ -238,7 +238,7 @@ TEST_CASE("textures_are_drawn_as_they_were_when_someone_looked_at_them") {
 
 namespace {
 
-// What a person does, and what is seen then.
+// The actions before the picture.
 struct Picture {
   const char* name;
   glm::ivec2 size;
@@ -246,15 +246,14 @@ struct Picture {
   Tolerance tolerance{};
 };
 
-// A kernel with fused multiply-add rounds otherwise, and its errors are other ones; a line of text is few
-// pixels.
+// A kernel with fused multiply-add rounds differently and gives other errors; a line of text has few pixels.
 const Tolerance of_errors{.levels = 24}, of_text{.share = 0.0001};
 
 void compare_after(const Picture& p, bool panels, bool dark) {
   auto options = Driver::default_options();
   options.size = p.size;
   Driver d(options, test::with_pixels);
-  d.workspace().attended = false;  // versions of ImGui move text
+  d.workspace().has_user = false;  // versions of ImGui move text
   auto& view = d.workspace().view;
   view.hints = view.axes = false;
   view.panels = panels;
@@ -286,7 +285,7 @@ void open_model_alone(Driver& d) {
   d.settle();
 }
 
-// On the head, which it has turned.
+// At the head, rotating it.
 void turn_a_probe(Driver& d) {
   d.open_dragon("", test::bundled_dragon);
   CHECK(test::run_command(d.workspace(), "view_right"));
@@ -312,7 +311,7 @@ TEST_CASE("gestures_are_drawn_as_they_were_when_someone_looked_at_them") {
 
 namespace {
 
-// Numbers that were measured, and names of the machine, are other ones in each run: these stand for them.
+// Replaces measured numbers and machine names, which differ in each run.
 void put_numbers(Driver& d) {
   auto& w = d.workspace();
   d.settle();
@@ -349,7 +348,7 @@ void show_checks(Driver& d) {
   put_numbers(d);
 }
 
-// Stretched nearly evenly on one side, where SD loses digits.
+// Nearly uniform stretch on one side, where SD loses digits.
 void show_error_map(Driver& d) {
   d.open_dragon("", test::bundled_dragon);
   deform::Pose pose = d.document().pose;
@@ -415,7 +414,7 @@ void show_making(Driver& d) {
   put_numbers(d);
 }
 
-// The cage is edited, and vertices of the model that are outside of it are shown.
+// Cage editing, with the outside vertices of the model shown.
 void show_outside(Driver& d) {
   const test::TemporaryFolder folder;
   mesh::Surface small = mesh::read(test::dragon_cage).surface;
@@ -453,7 +452,7 @@ const Picture light_texts[] = {
 
 }  // namespace
 
-// ImGui 1.86 wrote them; another version moves text.
+// Reference made with ImGui 1.86; other versions move text.
 TEST_CASE("panels_are_drawn_as_they_were_when_someone_looked_at_them" *
           doctest::test_suite(test::if_present)) {
   if (IMGUI_VERSION_NUM != 18600)

@@ -1,5 +1,5 @@
-// Probes by hand: placed by a key, moved and turned by the gizmo, set in the panel, saved and written; beside
-// a cage and without one.
+// Probes with real events: added by a key, moved and rotated by the gizmo, set in the panel, saved and
+// exported; with and without a cage.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,8 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
 #include "scene/files/session.h"
-#include "scene/hand/picking.h"
 #include "scene/hand/cursor_projection.h"
+#include "scene/hand/picking.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
 #include "support/edits.h"
@@ -32,7 +32,7 @@ struct ProbeHand : Driver {
       settle();
     }
   }
-  // Under the cursor, on the head.
+  // Under the cursor, at the head.
   void place_probe() {
     move(head());
     press_key('P');
@@ -60,7 +60,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_taken_back_by_hand") {
     ProbeHand d(cage, test::with_pixels);
     const auto rest = d.document().model.surface->positions;
     d.place_probe();
-    // It lies on the model, where the cursor was.
+    // It is on the model, under the cursor.
     const auto at = scene::probe_center(d.document(), 0);
     double nearest = 1e9;
     for (const auto& x : rest) nearest = std::min(nearest, mesh::norm(x - at));
@@ -70,7 +70,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_taken_back_by_hand") {
     CHECK_FALSE(scene::differs_from_rest(d.document()));
     const auto before = d.picture();
     const auto unmoved = d.exact_positions();
-    // Up, by the green arrow.
+    // Up, with the green arrow.
     d.press_key('W');
     d.frame(2);
     const auto arm = d.gizmo().arms[1];
@@ -82,7 +82,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_taken_back_by_hand") {
     CHECK(moved[2] == 0);
     CHECK(test::difference(before, d.picture(), 8) > 0.003);
     CHECK(d.drawn_error() < 2e-5);
-    // By typed numbers, while it turns.
+    // By typed numbers, during a rotation.
     d.press_key('E');
     d.frame(2);
     const auto ring = d.gizmo();
@@ -95,7 +95,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_taken_back_by_hand") {
     d.settle();
     CHECK(d.probe().pose.turn[1] == doctest::Approx(std::acos(-1.0) / 2).epsilon(1e-12));
     CHECK(d.drawn_error() < 2e-5);
-    // Far from it nothing has moved by a bit.
+    // Distant vertices are unchanged, bit for bit.
     const auto exact = d.exact_positions();
     std::size_t still = 0;
     for (std::size_t v = 0; v < rest.size(); ++v) still += exact[v] == rest[v];
@@ -119,7 +119,7 @@ TEST_CASE("probes_are_set_in_their_panel") {
   d.choose("probe_turn", "probe_turn_sharp");
   CHECK(d.probe().turn.falloff == scene::Falloff::sharp);
   const double radius = d.probe().move.radius;
-  d.click("probe_move_radius");  // in its middle
+  d.click("probe_move_radius");  // in its center
   CHECK(d.probe().move.radius != radius);
   CHECK(d.probe().turn.radius == radius);
   d.choose("probe_mix", "probe_mix_softmax");
@@ -142,7 +142,7 @@ TEST_CASE("probes_are_set_in_their_panel") {
 
 namespace {
 
-// What it shows then, in double.
+// Saves and exports; returns the positions in double.
 std::vector<mesh::Point> save_and_write(ProbeHand& d, const std::filesystem::path& folder) {
   d.place_probe();
   d.press_key('W');
@@ -187,7 +187,7 @@ TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_o
   d.document().changed_probes().all[0].pose.move = {0.1, 0.25, 0};
   d.settle();
   const auto probes = d.document().probes;
-  // Where the head is drawn now.
+  // The drawn position of the head.
   const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
   const glm::vec2 at =
       glm::floor(glm::vec2(*project(scene::probe_center(d.document(), 0)))) + glm::vec2(3, 0);
@@ -209,7 +209,7 @@ TEST_CASE("a_cage_that_is_opened_leaves_the_probes_and_they_are_placed_on_what_o
 
 TEST_CASE("the_model_is_seen_at_rest_whatever_moves_it_and_follows_again") {
   ProbeHand d(true, test::with_pixels);
-  d.press_key('C');  // the cage would be drawn where it is
+  d.press_key('C');  // hides the cage
   d.settle();
   const auto rest = d.picture();
   deform::Pose pose = d.document().pose;
@@ -222,9 +222,9 @@ TEST_CASE("the_model_is_seen_at_rest_whatever_moves_it_and_follows_again") {
   d.settle();
   CHECK(d.workspace().posed.vertices.empty());
   const auto off = d.picture();
-  CHECK(test::difference(rest, off, 8) < 0.02);  // but for the panels
+  CHECK(test::difference(rest, off, 8) < 0.02);  // except for the panels
   CHECK(test::difference(posed, off, 8) > 0.01);
-  // What is posed meanwhile is there afterwards.
+  // A pose made in the meantime is kept.
   for (auto& p : pose.positions) p[0] += 0.3;
   scene::set_pose(d.document(), pose);
   d.settle();

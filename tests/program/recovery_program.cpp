@@ -1,4 +1,4 @@
-// Work that outlives kill -9, and work set aside.
+// Work that survives kill -9, and work set aside.
 #include <random>
 
 #include "program/kept_work.h"
@@ -33,7 +33,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
     d.press_and_move(from, from + glm::vec2(30, 20));
     d.frame(3);
     CHECK(scene::has_unsaved_edits(d.workspace()));
-    CHECK_FALSE(wait_until([&] { return !kept_files(state).empty(); }, 0.2));  // nothing is finished yet
+    CHECK_FALSE(wait_until([&] { return !kept_files(state).empty(); }, 0.2));  // no edit is finished yet
     d.button(0, false);
     d.frame();
     REQUIRE(settled(1));
@@ -59,7 +59,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   CHECK_MESSAGE(kept_files(state).size() == 1, "quitting without saving keeps the work");
 }
 
-TEST_CASE("what_a_killed_program_was_still_writing_goes_at_the_next_start") {
+TEST_CASE("partial_files_of_a_killed_program_are_deleted_at_the_next_start") {
   const test::TemporaryFolder folder;
   const fs::path recovery = folder / "state" / "recovery", half = recovery / "9-1.viete.999999999-1-0.part";
   fs::create_directories(recovery);
@@ -79,17 +79,17 @@ TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_b
   const auto picture = rest_picture(d);
   d.open_dragon();
   CHECK(d.document().model.path == dragon);
-  REQUIRE(d.workspace().leftovers.size() == 1);
-  CHECK(d.workspace().leftovers[0].name == "small.ply");
+  REQUIRE(d.workspace().recovery_files.size() == 1);
+  CHECK(d.workspace().recovery_files[0].name == "small.ply");
 
   d.frame(3);
-  CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));  // it was not asked for
+  CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));  // not requested
   d.press_key(scene::key('B'), true);
   d.frame(3);
   d.click("restore_leftover");
   d.settle();
   CHECK(d.document().pose.positions == posed);
-  CHECK(d.workspace().leftovers.empty());
+  CHECK(d.workspace().recovery_files.empty());
   CHECK(scene::has_unsaved_edits(d.workspace()));
   CHECK(test::difference(picture, rest_picture(d), 0) == 0);
   CHECK(wait_until([&] { return kept_files(folder / "state").size() == 1; }));
@@ -109,11 +109,11 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
   {
     Driver d(remembering(state));
     d.frame(3);
-    REQUIRE(d.workspace().leftovers.size() == 2);
+    REQUIRE(d.workspace().recovery_files.size() == 2);
     d.click("restore_leftover");
     d.settle();
     CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
-    CHECK(d.workspace().leftovers.size() == 2);
+    CHECK(d.workspace().recovery_files.size() == 2);
     d.click("put_off_leftovers");
     d.frame(3);
     CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
@@ -134,7 +134,7 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
   CHECK(kept_files(state).empty());
 }
 
-TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks") {
+TEST_CASE("an_unwritable_state_folder_is_reported_once_and_is_harmless") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   test::put_file(folder / "state", "a file, not a folder");
@@ -150,7 +150,7 @@ TEST_CASE("a_state_folder_that_cannot_be_written_is_said_once_and_nothing_breaks
 
 namespace {
 
-// The folder of what is kept is a file now: nothing more can be written there.
+// Replaces the recovery folder by a file, so that writing fails.
 void break_recovery(const fs::path& state) {
   fs::remove_all(state / "recovery");
   fs::create_directories(state);
@@ -198,7 +198,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_cancel_leaves_everythi
   CHECK_FALSE(u.d.viewer().keeping());
   CHECK(u.d.workspace().question->why.find((u.state / "recovery").string()) != std::string::npos);
   const auto posed = u.d.document().pose.positions;
-  u.d.press_key(scene::key('Z'), true);  // nothing else is done meanwhile
+  u.d.press_key(scene::key('Z'), true);  // blocked by the question
   u.d.press_key(scene::Key::delete_key);
   const glm::vec2 at = glm::round(u.d.vertex(u.d.free_vertex()));
   u.d.drag(at, at + glm::vec2(30, 30));
@@ -331,10 +331,10 @@ TEST_CASE("edits_of_a_model_whose_name_is_not_utf_8_are_kept") {
   }
   REQUIRE(kept_files(state).size() == 1);
   CHECK(scene::read_session(kept_files(state).front()).model == odd);
-  CHECK(scene::read_remembered(state / "remembered.json").recent.at(0).file == odd);
+  CHECK(scene::read_preferences(state / "remembered.json").recent.at(0).file == odd);
 }
 
-TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_and_closing") {
+TEST_CASE("an_unkeyed_pose_can_be_restored_after_a_frame_change_and_reopening") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path state = folder / "state", session = folder / "a.viete";
@@ -362,7 +362,7 @@ TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_
     }
     REQUIRE(kept_files(state).size() == 1);
     fs::rename(kept_files(state).front(),
-               state / "recovery" / "999999999-1.viete");  // of a process that ended
+               state / "recovery" / "999999999-1.viete");  // of an ended process
     Driver again(remembering(state));
     again.frame(3);
     again.click("restore_leftover");
@@ -375,8 +375,7 @@ TEST_CASE("a_pose_in_no_key_is_kept_and_comes_back_after_going_to_another_frame_
   }
 }
 
-// Runs in a process of its own, see the next test: finishes edit after edit, and says in a log which one is
-// about to be finished and which one is.
+// Runs in its own process, see the next test: makes edits and logs the start and end of each.
 TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
   const fs::path folder = std::getenv("VIETE_TEST_FOLDER");
   const SmallModel small(folder);
@@ -421,7 +420,7 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 200000));
       child.kill_now();
     }
-    // The edits that may be in the file: the last finished one, and the one being finished.
+    // The edits that the file may contain: the last finished one, and the one in progress.
     std::vector<double> allowed;
     std::ifstream lines(log);
     std::string what;
@@ -430,9 +429,9 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
       allowed.push_back(x);
     }
     REQUIRE_FALSE(allowed.empty());
-    const auto leftovers = scene::find_leftovers(folder / "state" / "recovery");
-    REQUIRE(leftovers.size() == 1);
-    const auto positions = scene::read_session(leftovers[0].file).pose->positions;
+    const auto recovery_files = scene::find_recovery_files(folder / "state" / "recovery");
+    REQUIRE(recovery_files.size() == 1);
+    const auto positions = scene::read_session(recovery_files[0].file).pose->positions;
     const auto holds = [&](double x) {
       return std::any_of(positions.begin(), positions.end(), [x](const auto& p) { return p[0] == x; });
     };
@@ -458,30 +457,31 @@ TEST_CASE("a_real_window_that_is_killed_offers_its_work_at_the_next_start" *
   desktop.drag(from, to);
   REQUIRE(wait_until([&] { return !kept_files(desktop.folder / "state" / "viete").empty(); }));
   viewer.kill_now();
-  const auto leftovers = scene::find_leftovers(desktop.folder / "state" / "viete" / "recovery");
-  REQUIRE(leftovers.size() == 1);
-  CHECK(leftovers[0].name == "dragon.ply");
-  const auto kept = scene::read_session(leftovers[0].file).pose->positions;
+  const auto recovery_files = scene::find_recovery_files(desktop.folder / "state" / "viete" / "recovery");
+  REQUIRE(recovery_files.size() == 1);
+  CHECK(recovery_files[0].name == "dragon.ply");
+  const auto kept = scene::read_session(recovery_files[0].file).pose->positions;
   CHECK(kept == d.document().pose.positions);
 
   Child again(desktop.viete(""), desktop.folder / "second.log");
   desktop.xdotool("search --sync --onlyvisible --name dragon");
   const auto recovery = desktop.folder / "state" / "viete" / "recovery";
-  const auto ended = [&] { return scene::find_leftovers(recovery); };
+  const auto ended = [&] { return scene::find_recovery_files(recovery); };
   desktop.rest();
   desktop.xdotool("key ctrl+b");
   desktop.rest();
-  CHECK(fs::exists(leftovers[0].file));
+  CHECK(fs::exists(recovery_files[0].file));
   const auto edited = [&] {
     desktop.drag(to, from + glm::ivec2(20, 10));  // not to rest, which would equal the cage's file
-    return !fs::exists(leftovers[0].file);        // its work is in the file of the running program now
+    return !fs::exists(recovery_files[0].file);   // its work is now in the running program's file
   };
   REQUIRE(wait_until(edited));
   CHECK(ended().empty());
   desktop.xdotool("key ctrl+q");
   REQUIRE(wait_until([&] { return again.finished(); }));
   CHECK(again.exit_code() == 0);
-  CHECK(test::file_bytes(desktop.folder / "second.log").find("unsaved edits are kept") != std::string::npos);
+  CHECK(test::file_bytes(desktop.folder / "second.log").find("unsaved edits were saved") !=
+        std::string::npos);
   REQUIRE(ended().size() == 1);
   CHECK_FALSE(ended()[0].restored);
 }

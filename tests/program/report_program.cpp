@@ -1,4 +1,4 @@
-// viete report: a page of figures, through the real program.
+// viete report: writes a page of figures, run as a program.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -12,7 +12,7 @@ using namespace viete::test;
 
 namespace {
 
-/// A small model in a cage that is posed.
+/// A small model in a posed cage.
 struct SmallModel {
   explicit SmallModel(const TemporaryFolder& scratch) {
     auto cube = test::moved(test::cube(), 1.5);
@@ -44,17 +44,17 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
   CHECK(json["figure"] == "report");
   CHECK(json["deformation"][0]["vertices"] == 258);
   CHECK(json["shapes"].size() == 3);
-  // Again over itself, but not over a page of someone else's.
+  // Overwrites its own page, but not another one.
   put_file(folder / "index.html", "<html>mine</html>");
   put_file(folder / "notes.txt", "mine");
   const auto refused = run(command);
   CHECK(refused.code == 1);
-  CHECK(mentions(refused, "not a page of a report"));
+  CHECK(mentions(refused, "not a report page"));
   CHECK(file_bytes(folder / "index.html") == "<html>mine</html>");
   CHECK(file_bytes(folder / "notes.txt") == "mine");
 }
 
-TEST_CASE("a_report_that_is_stopped_leaves_nothing") {
+TEST_CASE("a_cancelled_report_leaves_no_files") {
   const TemporaryFolder scratch;
   const fs::path folder = scratch / "out";
   const auto ended = ended_by("INT", scratch.path(), "report -o out", "said", "out");
@@ -63,7 +63,7 @@ TEST_CASE("a_report_that_is_stopped_leaves_nothing") {
   CHECK_FALSE(fs::exists(folder));
 }
 
-TEST_CASE("what_is_wrong_with_a_report_is_said_before_it_is_measured") {
+TEST_CASE("report_errors_are_reported_before_measuring") {
   const TemporaryFolder scratch;
   const SmallModel model(scratch);
   put_file(scratch / "file", "mine");
@@ -71,8 +71,8 @@ TEST_CASE("what_is_wrong_with_a_report_is_said_before_it_is_measured") {
   const auto no_cage = run("report " + quoted(dragon) + " -o " + quoted(scratch / "out"));
   CHECK(no_cage.code == 2);
   CHECK(mentions(no_cage, "CAGE is required"));
-  CHECK(mentions(run("report -o " + quoted(scratch / "file")), "this is no folder"));
-  CHECK(mentions(run("report -o " + quoted(scratch / "none/out")), "the folder cannot be made"));
+  CHECK(mentions(run("report -o " + quoted(scratch / "file")), "this is not a folder"));
+  CHECK(mentions(run("report -o " + quoted(scratch / "none/out")), "the folder cannot be created"));
   const auto other = run("report --quick " + model.files + " none.obj -o " + quoted(scratch / "out"));
   CHECK(other.code == 1);
   CHECK(mentions(other, "none.obj"));

@@ -1,4 +1,4 @@
-// The report that the window makes: measured in the background, cancelled, opened.
+// The report from the window: measured in the background, cancelled, opened.
 #include <cstdlib>
 #include <filesystem>
 
@@ -27,16 +27,16 @@ TEST_CASE("a_report_is_measured_in_the_background_and_opened_in_the_browser") {
   setenv("PATH", path.c_str(), 1);
   REQUIRE(d.workspace().messages.all().size() == 1);
   const std::string message = d.workspace().messages.all().back().text,
-                    begin = "The report is open in the browser: ";
+                    begin = "Opened the report in the browser: ";
   REQUIRE_MESSAGE(message.starts_with(begin), message);
   const std::string page = message.substr(begin.size());
   CHECK(page == (scratch / "state/report/index.html").string());
   CHECK(test::file_bytes(page).ends_with("</html>\n"));
-  const std::string opened = "--version\n" + page + "\n";  // by a program that nobody waits for
+  const std::string opened = "--version\n" + page + "\n";  // by a detached program
   CHECK(d.until([&] { return test::file_bytes(scratch / "opened") == opened; }));
 }
 
-TEST_CASE("a_cancelled_report_stops_and_says_nothing") {
+TEST_CASE("a_cancelled_report_shows_no_message") {
   const test::TemporaryFolder scratch;
   app::ViewerOptions options = Driver::default_options();
   options.program = test::build_dir() / "viete";

@@ -1,4 +1,4 @@
-// Every route to a picture gives the same picture.
+// All ways to create a picture give the same picture.
 #include "program/driver.h"
 #include "support/pictures.h"
 #include "support/stage.h"

@@ -1,4 +1,4 @@
-// A scan of half a million vertices loads, binds and follows the hand.
+// A scan of half a million vertices loads, binds and follows a drag.
 #include "program/desktop.h"
 #include "program/driver.h"
 

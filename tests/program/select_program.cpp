@@ -1,4 +1,4 @@
-// Selecting in the real program, over a dense cage and with real events: box, lasso and brush in the hand.
+// Selecting over a dense cage with real events: box, lasso and brush.
 #include <cmath>
 
 #include "mesh/formats/write.h"
@@ -35,7 +35,7 @@ struct Selecting : Driver {
     return best;
   }
   std::size_t selected() { return document().selection.size(); }
-  // Pixels of the view that are as amber as selected vertices.
+  // Pixels of the view in the amber of selected vertices.
   int amber() {
     const render::Image picture = this->picture();
     int count = 0;

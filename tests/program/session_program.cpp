@@ -1,11 +1,11 @@
-// Sessions that open to the same picture; open and save by hand.
+// Sessions restore the same picture; opening and saving with real events.
 #include "mesh/formats/read.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "program/kept_work.h"
 #include "scene/document/edit.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -96,8 +96,8 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   REQUIRE(run_viete("render a.viete --show-cage -o a.png", folder.path()).starts_with("0 "));
   CHECK(test::difference(before, test::read_png(folder / "a.png"), 0) == 0);
   REQUIRE(run_viete("deform a.viete -o a.obj", folder.path()).starts_with("0 "));
-  // The window shows floats; what is written is double, by the window too. (A PLY would have floats, as its
-  // model.)
+  // The window displays floats; exports are in double, from the window too. (A PLY would contain floats, like
+  // its model.)
   const auto written = mesh::read(folder / "a.obj").surface.positions;
   CHECK(largest_difference(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
   CHECK(largest_difference(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);
@@ -110,11 +110,11 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   REQUIRE(run_viete("render a.viete -o b.png --size 320x200 --light --look top", folder.path())
               .starts_with("0 "));
   CHECK(test::read_png(folder / "b.png").width == 320);
-  CHECK(run_viete("deform a.viete -o b.obj --way mean-value", folder.path()).starts_with("0 "));
+  CHECK(run_viete("deform a.viete -o b.obj --deformer mean-value", folder.path()).starts_with("0 "));
   CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
 }
 
-TEST_CASE("a_cage_whose_faces_disagree_turns_its_model_in_the_window_and_from_a_session") {
+TEST_CASE("a_cage_with_misoriented_faces_deforms_its_model_in_the_window_and_from_a_session") {
   const test::TemporaryFolder folder;
   const mesh::Surface ball = test::sphere(2);
   mesh::Surface cube = test::moved(test::cube(), 1.5);
@@ -134,7 +134,7 @@ TEST_CASE("a_cage_whose_faces_disagree_turns_its_model_in_the_window_and_from_a_
   d.settle();
   bool said = false;
   for (const auto& m : d.workspace().messages.all())
-    said |= m.text.find("mean value coordinates turn") != std::string::npos;
+    said |= m.text.find("mean value coordinates flip") != std::string::npos;
   CHECK(said);
   CHECK(d.drawn_error() < 1e-5);
   CHECK(largest_difference(turned(ball.positions), d.viewer().deformer()->positions()) < 1e-5);
@@ -175,14 +175,14 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
         "animate a.viete --turntable --frames 1-1 --size 64x48 -o a_#.png", "view a.viete"}) {
     const std::string refused = said(line);
     CHECK_MESSAGE(
-        refused.find("small.ply: there is no such file; name it with --model FILE") < refused.size(),
+        refused.find("small.ply: there is no such file; give it with --model FILE") < refused.size(),
         refused);
     const std::string done = said(line + " --model new.ply");
     CHECK_MESSAGE(done.starts_with("0 "), line << done);
   }
   fs::rename(small.cage, folder / "grid.obj");
   const std::string refused = said("deform a.viete -o b.ply --model new.ply");
-  CHECK_MESSAGE(refused.find("there is no such file; name it with --cage FILE") < refused.size(), refused);
+  CHECK_MESSAGE(refused.find("there is no such file; give it with --cage FILE") < refused.size(), refused);
   CHECK(said("deform a.viete -o b.ply --model new.ply --cage grid.obj").starts_with("0 "));
   CHECK(file_bytes(folder / "b.ply") == file_bytes(folder / "a.ply"));
   CHECK(said("deform a.viete -o new.ply --model new.ply --cage grid.obj").starts_with("1 "));
@@ -213,17 +213,17 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
   CHECK(other.document().pose.positions == pose.positions);
 }
 
-TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one") {
+TEST_CASE("a_damaged_session_is_drawn_with_a_warning_and_a_bomb_is_refused") {
   const test::TemporaryFolder folder;
   const std::string head = R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() +
                            R"(", "cage": ")" + dragon_cage.string() + R"(", )";
   test::put_file(folder / "a.viete",
                  head + R"("window": [8192, 8192], "camera": {"target": [1e308, null, 0], "distance": 1}})");
   const std::string said = run_viete("render a.viete -o a.png", folder.path());
-  CHECK_MESSAGE(
-      (said.starts_with("0 ") && said.find("a.viete: window: no window has this size") < said.size() &&
-       said.find("a.viete: camera.target[1]: found null") < said.size()),
-      said);
+  CHECK_MESSAGE((said.starts_with("0 ") &&
+                 said.find("a.viete: window: this is not a valid window size") < said.size() &&
+                 said.find("a.viete: camera.target[1]: found null") < said.size()),
+                said);
   CHECK(test::read_png(folder / "a.png").width == 1280);
   const std::string bombs[] = {
       std::string(20 << 20, '['), head + "\"pose\": " + std::string(1 << 20, '['),
@@ -236,7 +236,7 @@ TEST_CASE("a_damaged_session_is_drawn_with_a_word_and_a_bomb_is_refused_with_one
   }
 }
 
-TEST_CASE("a_permuted_pose_is_refused_and_a_mirrored_one_told_by_the_command_line") {
+TEST_CASE("the_command_line_refuses_a_permuted_pose_and_notes_a_mirrored_one") {
   const test::TemporaryFolder folder;
   mesh::Surface pose = mesh::read(dragon_cage).surface;
   mesh::write(folder / "pose.stl", pose);
@@ -248,10 +248,10 @@ TEST_CASE("a_permuted_pose_is_refused_and_a_mirrored_one_told_by_the_command_lin
         folder.path());
   };
   const std::string permuted = deform("pose.stl"), mirrored = deform("mirrored.obj");
-  CHECK_MESSAGE(
-      (permuted.starts_with("1 ") && permuted.find("pose.stl: STL keeps no order") < permuted.size()),
-      permuted);
-  CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("as by a mirror") < mirrored.size()), mirrored);
+  CHECK_MESSAGE((permuted.starts_with("1 ") &&
+                 permuted.find("pose.stl: STL files do not preserve the vertex order") < permuted.size()),
+                permuted);
+  CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("mirrored") < mirrored.size()), mirrored);
 }
 
 TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
@@ -288,7 +288,7 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   const SmallModel small(folder.path());
   fs::create_directories(folder / "a_folder");
   Driver d;
-  d.workspace().remembered.folder = folder.path();
+  d.workspace().preferences.folder = folder.path();
   d.press_key(scene::key('O'), true);
   d.frame(2);
   const fs::path top = d.workspace().browser.folder;
@@ -345,7 +345,7 @@ TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
   }
   Driver d(remembering(folder / "state"));
   CHECK_FALSE(d.workspace().view.hints);
-  REQUIRE(d.workspace().remembered.recent.size() == 1);
+  REQUIRE(d.workspace().preferences.recent.size() == 1);
   d.frame(3);
   d.click("recent/0");
   d.settle();
@@ -353,7 +353,7 @@ TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
   CHECK(d.document().cage_file.path == small.cage);
 }
 
-TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to") {
+TEST_CASE("a_session_saved_by_another_window_is_overwritten_only_after_confirmation") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path session = folder / "a.viete";
@@ -383,7 +383,7 @@ TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to
   CHECK(scene::has_unsaved_edits(d.workspace()));
 
   save();
-  d.press_key(scene::Key::enter);  // the safe answer: under another name
+  d.press_key(scene::Key::enter);  // the safe answer: another name
   d.frame(3);
   CHECK(d.workspace().browser.open);
   CHECK(test::file_bytes(session) == theirs);
@@ -395,7 +395,7 @@ TEST_CASE("a_session_that_another_window_has_saved_is_replaced_only_when_told_to
   d.frame(3);
   CHECK(scene::read_session(session).pose->positions == d.document().pose.positions);
   drag_some_vertex(d, {10, 10});
-  d.press_key(scene::key('S'), true);  // it is this window's again
+  d.press_key(scene::key('S'), true);  // it now belongs to this window
   d.frame(3);
   CHECK_FALSE(d.workspace().question);
   CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));

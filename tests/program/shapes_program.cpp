@@ -1,4 +1,5 @@
-// Shapes and pins by hand: imported, mixed by sliders, keyed, pulled by a pin, exported; upon them a cage.
+// Shapes and pins with real events: imported, mixed by sliders, keyed, posed by a pin, exported; combined
+// with a cage.
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +8,8 @@
 #include "program/driver.h"
 #include "scene/document/edit.h"
 #include "scene/document/probes.h"
-#include "scene/hand/placing.h"
 #include "scene/hand/cursor_projection.h"
+#include "scene/hand/placing.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
@@ -19,7 +20,7 @@ using test::Driver;
 
 namespace {
 
-// The dragon and two shapes of it, of files: its upper half turned to the left and to the right.
+// The dragon and two shapes of it in files: its upper half turned to the left and to the right.
 struct ShapeHand : Driver {
   test::TemporaryFolder folder;
   std::filesystem::path left = folder / "left.ply", right = folder / "right.ply";
@@ -65,14 +66,14 @@ TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
     ShapeHand d(cage, test::with_pixels);
     CHECK(d.pose(0).name == "left");
     const auto before = d.picture();
-    d.click("pose_weight/1");  // in its middle: 50 %
+    d.click("pose_weight/1");  // in its center: 50 %
     d.settle();
     CHECK(d.pose(1).weight == doctest::Approx(0.5).epsilon(0.03));
     REQUIRE(d.document().shape);
     CHECK(test::difference(before, d.picture(), 8) > 0.01);
     CHECK(d.drawn_error() < 2e-5);
     CHECK(scene::has_unsaved_edits(d.workspace()));
-    // With a cage that is posed too.
+    // With a posed cage too.
     if (cage) {
       d.document().changed_pose().positions[d.free_vertex()][1] += 0.4;
       d.frame(2);
@@ -121,7 +122,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   const std::uint32_t foot = d.document().probes.all[0].pin->vertex;
   CHECK(mesh::norm(shape[foot] - rest[foot]) < 1e-6);
   CHECK(d.drawn_error() < 2e-5);
-  // Taken back, and made again, to the bit.
+  // Undo and redo are exact, bit for bit.
   const auto posed = d.document().shape;
   d.press_key('Z', true);
   d.settle();
@@ -130,7 +131,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   d.press_key('Z', true, true);
   d.settle();
   CHECK(d.document().shape == posed);
-  // A drag that is called off leaves nothing.
+  // A cancelled drag changes nothing.
   const auto weight = d.pose(0).weight;
   const glm::vec2 now = d.on_screen(scene::probe_center(d.document(), 1));
   d.press_and_move(now, now + glm::vec2(60, 0));
@@ -142,7 +143,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   CHECK(d.pose(0).weight == weight);
 }
 
-TEST_CASE("under_a_turned_cage_a_pin_takes_the_model_where_the_hand_goes") {
+TEST_CASE("a_pin_under_a_rotated_cage_follows_the_cursor") {
   ShapeHand d(true);
   auto& cage = d.document().changed_pose().positions;
   for (mesh::Point& p : cage) p = {p[0], -p[2], p[1]};  // a quarter turn about x
@@ -162,7 +163,7 @@ TEST_CASE("under_a_turned_cage_a_pin_takes_the_model_where_the_hand_goes") {
   d.settle();
   const auto way = scene::pinned_vertex(d.document(), 0) - before;
   CHECK(mesh::norm(way - mesh::Point{0, 0.2, 0}) < 0.02);
-  CHECK(std::abs(pin.pose.move[2] + 0.2) < 0.02);  // of the shape: against the turn
+  CHECK(std::abs(pin.pose.move[2] + 0.2) < 0.02);  // relative to the shape
   CHECK(mesh::norm(scene::pinned_vertex(d.document(), 0) - scene::probe_center(d.document(), 0)) < 1e-3);
 }
 

@@ -1,4 +1,4 @@
-// The program with little in it, which is quickly drawn.
+// The program with a small scene, for quick drawing.
 #pragma once
 
 #include "mesh/formats/write.h"

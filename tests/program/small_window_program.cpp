@@ -1,4 +1,4 @@
-// In a window of any size and scale nothing that can be used is out of reach.
+// All controls are reachable in a window of any size and scale.
 #include "program/small_scene.h"
 #include "support/commands.h"
 
@@ -12,7 +12,7 @@ struct WindowSize {
   float scale;
 };
 
-// The least that a window can be, and those of real screens.
+// The smallest possible window, and real screen sizes.
 const WindowSize sizes[] = {{{640, 400}, 1},      {{1280, 800}, 2},  {{800, 600}, 1},   {{1024, 640}, 1},
                             {{1366, 768}, 1},     {{2048, 1280}, 2}, {{2560, 1440}, 2}, {{1920, 1080}, 1.25f},
                             {{2880, 1620}, 1.5f}, {{1440, 900}, 1}};
@@ -31,7 +31,7 @@ bool is_inside(Driver& d, const std::string& widget) {
   return rect && rect->visible && rect->x0 >= 0 && rect->y0 >= 0 && rect->x1 <= end.x && rect->y1 <= end.y;
 }
 
-// There, or in the menu that opens at `more`; the menu is closed again.
+// True if the widget is visible, or in the menu that opens at `more`; closes the menu.
 bool is_in_reach(Driver& d, const std::string& there, const std::string& in_menu, const std::string& more) {
   if (is_inside(d, there)) return true;
   if (!is_inside(d, more)) return false;
@@ -55,7 +55,7 @@ TEST_CASE("all_of_strip_and_timeline_is_in_the_window_or_in_the_menu_at_its_end"
     options.scale = scale;
     SmallScene scene(options);
     Driver& d = scene.d;
-    d.workspace().remembered.layout.timeline = true;
+    d.workspace().preferences.layout.timeline = true;
     test::run_command(d.workspace(), "set_key");
     d.frame(4);
     for (const std::string tool : tools) {
@@ -77,12 +77,12 @@ TEST_CASE("all_of_strip_and_timeline_is_in_the_window_or_in_the_menu_at_its_end"
   CHECK(in_menus > 20);
 }
 
-TEST_CASE("what_is_in_the_menu_of_strip_and_timeline_works_from_there") {
+TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
   auto options = small_options();
   options.size = {1024, 640};
   SmallScene scene(options);
   Driver& d = scene.d;
-  d.workspace().remembered.layout.timeline = true;
+  d.workspace().preferences.layout.timeline = true;
   d.frame(3);
   d.click("strip/more");
   d.frame(3);

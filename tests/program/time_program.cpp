@@ -1,6 +1,6 @@
-// Poses with names and a timeline in the real program: kept, mixed, keyed, played, retimed, with real events.
+// Named poses and the timeline with real events: saved, mixed, keyed, played, retimed.
 //
-// VIETE_PICTURES=FOLDER also writes pictures, to be looked at.
+// VIETE_PICTURES=FOLDER also writes pictures.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -24,7 +24,7 @@ struct Timed : Driver {
   explicit Timed(glm::ivec2 size = {1440, 900}, std::optional<test::WithPixels> pixels = pictures_wanted())
       : Driver(options(size), pixels) {
     open_dragon();
-    workspace().remembered.layout.sections["Poses"] = true;
+    workspace().preferences.layout.sections["Poses"] = true;
     frame(3);
   }
 
@@ -62,7 +62,7 @@ struct Timed : Driver {
       if (way(v) > way(farthest)) farthest = v;
     return farthest;
   }
-  // Where a frame is on the track: `y` is the share of its height.
+  // The screen position of a frame on the track; `y` is a fraction of its height.
   glm::vec2 on_track(double at, float y) {
     const auto rect = viewer().recorder().find("time/track");
     REQUIRE(rect);
@@ -142,14 +142,14 @@ TEST_CASE("poses_are_kept_with_a_picture_and_mixed_by_sliders") {
   CHECK(d.document().library.poses.size() == 3);
 }
 
-// As the README's first minute has it, on the dragon as it opens.
+// As in the README's first minute, with the dragon as it opens.
 TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   Timed d;
   d.open_dragon("", test::bundled_dragon);
   CHECK(d.timeline().empty());
   CHECK(d.document().library.poses.empty());
   d.press_key(scene::Key::right);
-  CHECK(d.document().frame == 1);  // nothing of time is seen
+  CHECK(d.document().frame == 1);  // the timeline is hidden
   d.press_key('I');
   d.frame(3);
   CHECK(d.viewer().recorder().find("time/track"));
@@ -177,7 +177,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   d.show("loop_added");
   d.press_key(scene::Key::space);
   REQUIRE_FALSE(d.workspace().playback.playing);
-  // Sliders show what is played: the first pose is the key at both ends of the loop.
+  // Sliders show the played pose: the first pose is the key at both ends of the loop.
   d.go_to(1);
   CHECK(scene::shown_weights(d.workspace()) == std::vector<double>{1, 0, 0});
   d.go_to(110);
@@ -203,7 +203,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   const auto rest = d.pose();
   d.press_key('I');
   REQUIRE(d.timeline().keys.size() == 1);
-  CHECK(d.workspace().remembered.layout.timeline);
+  CHECK(d.workspace().preferences.layout.timeline);
   d.frame(3);
   d.key_pose_of("pose_alert", 24);
   const auto alert = d.pose();
@@ -211,7 +211,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   REQUIRE(d.timeline().keys.size() == 3);
   d.show("timeline");
 
-  // The ruler scrubs; what is there at a key is that key, to the bit.
+  // The ruler scrubs; at a key the pose is that key, bit for bit.
   d.drag(d.on_track(30, ruler), d.on_track(24, ruler));
   CHECK(d.document().frame == 24);
   CHECK(d.pose() == alert);
@@ -227,7 +227,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   d.press_key(scene::Key::left, false, true);
   CHECK(d.document().frame == 1);
 
-  // Playing goes on with time, and stops at a whole frame.
+  // Playback advances with time, and stops at a whole frame.
   d.press_key(scene::Key::space);
   CHECK(d.workspace().playback.playing);
   CHECK(d.viewer().wants_frame());
@@ -237,7 +237,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   CHECK_FALSE(d.workspace().playback.playing);
   CHECK(d.document().frame == std::round(d.document().frame));
 
-  // A key is dragged to another frame, Esc takes it back, and so does undo.
+  // A key is dragged to another frame; Esc cancels it, and undo reverts it.
   d.drag(d.on_track(24, keys), d.on_track(30, keys));
   CHECK(scene::key_at(d.timeline(), 30));
   CHECK_FALSE(scene::key_at(d.timeline(), 24));
@@ -250,7 +250,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   CHECK(scene::key_at(d.timeline(), 24));
   CHECK_FALSE(scene::key_at(d.timeline(), 36));
 
-  // Delete is of keys while the pointer is over the timeline.
+  // Delete applies to keys while the pointer is over the timeline.
   d.click(d.on_track(48, keys));
   d.press_key(scene::Key::delete_key);
   CHECK(d.timeline().keys.size() == 2);

@@ -1,4 +1,4 @@
-// A person at work in the viewer: drags, clicks, undoes, opens broken files.
+// The viewer with real events: drags, clicks, undo, broken files.
 #include <cmath>
 #include <fstream>
 
@@ -39,7 +39,7 @@ double diagonal(Driver& d) {
   return 2 / d.document().space.scale;
 }
 
-// In double; the floats that are shown agree with it.
+// In double; the displayed floats agree with it.
 std::vector<mesh::Point> positions(Driver& d) {
   auto exact = d.exact_positions();
   const auto shown = d.viewer().deformer()->positions();
@@ -47,7 +47,7 @@ std::vector<mesh::Point> positions(Driver& d) {
   return exact;
 }
 
-// How many vertices move with one of the cage.
+// The number of model vertices that move with a cage vertex.
 std::size_t followers(Driver& d) {
   const auto& rest = d.document().model.surface->positions;
   deform::Pose pose = deform::rest_pose(*d.document().cage);
@@ -69,7 +69,7 @@ TEST_CASE("settings_made_before_anything_is_open_are_kept_for_what_is_opened") {
   Driver d;
   test::run_command(d.workspace(), "weights_mean_value");
   scene::set_radius(d.document(), 0.3);
-  d.frame(3);  // with nothing to show
+  d.frame(3);  // an empty scene
   d.open_dragon();
   CHECK(d.document().scheme.weighting.weights == deform::Weights::mean_value);
   CHECK(d.document().scheme.weighting.radius == 0.3);
@@ -96,8 +96,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   CHECK(finite(positions(d)));
   CHECK(test::edit_count(d.document().history) == 1);
 
-  // Mesh pixels change where the deformer moved them: around the projected positions of the vertex that moved
-  // farthest.
+  // Mesh pixels change around the projected positions of the vertex that moved farthest.
   const auto after = positions(d);
   std::size_t farthest = 0;
   const auto shift = [&](std::size_t i) {
@@ -131,8 +130,8 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
   d.frame(2);
   const auto reference = positions(d);
   const auto picture = d.picture();
-  // Bounds: Diag is exact to rounding, and Fast has compressed weights; SD loses up to 1e-4 on clustered
-  // eigenvalues, which most of a mesh near rest has.
+  // Bounds: Diag is exact up to rounding, and Fast has compressed weights; SD loses up to 1e-4 for clustered
+  // eigenvalues, which dominate near rest.
   const struct {
     const char* widget;
     sym3::Method method;
@@ -154,7 +153,7 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
     int differing = 0;
     const auto now_picture = d.picture();
     for (int y = 40; y < 760; ++y) {
-      for (int x = 400; x < 940; ++x) {  // of the view alone
+      for (int x = 400; x < 940; ++x) {  // the view only
         const auto a = picture.pixel(x, y), b = now_picture.pixel(x, y);
         for (int i = 0; i < 3; ++i) differing += std::abs(a[i] - b[i]) > 8;
       }
@@ -274,11 +273,11 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
   CHECK(test::difference(pictures[0], pictures[2], 8) < 0.002);
 }
 
-TEST_CASE("a_way_is_one_choice_and_what_it_is_made_of_is_folded_away") {
+TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   Driver d;
   d.open_dragon();
   const auto& scheme = d.document().scheme;
-  CHECK(deform::way_of(scheme) == deform::Way::paper);  // of these tests
+  CHECK(deform::way_of(scheme) == deform::Way::paper);  // default in these tests
   CHECK_FALSE(d.viewer().recorder().find("weights"));
   for (const auto& way : deform::all_ways()) {
     CAPTURE(way.name);
@@ -295,7 +294,7 @@ TEST_CASE("a_way_is_one_choice_and_what_it_is_made_of_is_folded_away") {
   d.choose("blend", "blend_linear");
   d.settle();
   CHECK_FALSE(deform::way_of(scheme));
-  CHECK(scheme.weighting.weights == deform::Weights::cut_off);  // as of Local
+  CHECK(scheme.weighting.weights == deform::Weights::cut_off);  // as in Local
 }
 
 TEST_CASE("mean_value_coordinates_are_chosen_and_the_method_says_not_used") {
@@ -318,7 +317,7 @@ TEST_CASE("cut_off_weights_have_a_radius_and_others_have_none") {
   d.open_dragon();
   d.choose("weights", "weights_cutoff");
   d.settle();
-  d.click("radius");  // in its middle
+  d.click("radius");  // in its center
   d.settle();
   const deform::Weighting& weighting = d.document().scheme.weighting;
   CHECK(weighting.radius > 0.05);
@@ -389,7 +388,7 @@ TEST_CASE("the_wheel_over_the_panels_scrolls_them_and_not_the_camera") {
   CHECK(d.workspace().camera.pose() == start);
 }
 
-TEST_CASE("the_methods_are_measured_aside_and_shown") {
+TEST_CASE("the_methods_are_measured_in_the_background_and_shown") {
   auto options = Driver::default_options();
   options.probe = true;
   Driver d(options);
@@ -406,7 +405,7 @@ TEST_CASE("the_measured_error_is_of_the_frame_that_is_shown_whatever_it_blends")
   options.probe = true;
   const test::TemporaryFolder folder;
   mesh::write(folder / "ball.ply",
-              test::SmallModel::grid_ball(40));  // all of them bound to the dragon take long
+              test::SmallModel::grid_ball(40));  // binding all schemes to the dragon takes long
   mesh::write(folder / "cage.obj", test::SmallModel::scaled(test::SmallModel::grid_ball(2), 1.4));
   Driver d(options);
   REQUIRE(d.open({folder / "ball.ply", folder / "cage.obj"}));

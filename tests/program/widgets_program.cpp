@@ -1,7 +1,6 @@
-// Widgets in the real program: Esc takes back what is held and closes what has dropped down; dialogs, offers
-// and notices.
+// Widgets with real events: Esc cancels an active widget and closes popups; dialogs, offers and notices.
 //
-// VIETE_PICTURES=FOLDER also writes pictures, to be looked at.
+// VIETE_PICTURES=FOLDER also writes pictures.
 #include <imgui_internal.h>
 
 #include <cstdlib>
@@ -32,7 +31,7 @@ void keep_picture(Driver& d, const std::string& name) {
     render::write_png(fs::path(folder) / (name + ".png"), d.picture());
 }
 
-// All that a slider can change, but for what follows from it.
+// Everything a slider can change, without derived data.
 struct State {
   scene::Scheme scheme;
   scene::PoseLibrary library;
@@ -52,7 +51,7 @@ struct State {
         pose(w.document.pose),
         probes(w.document.probes),
         handling(w.handling),
-        layout(w.remembered.layout),
+        layout(w.preferences.layout),
         brush(w.brush.radius),
         share(w.brush.share),
         undo(w.document.history.undo_label()),
@@ -73,17 +72,17 @@ bool has_tooltip() {
 struct Held : Driver {
   Held() : Driver(sized({1440, 1000})) {
     open_dragon("pose_alert");
-    workspace().view.model = false;  // to draw it takes long
-    for (const char* section : {"Poses", "Probes"}) workspace().remembered.layout.sections[section] = true;
-    workspace().remembered.layout.sections["Model"] = workspace().remembered.layout.sections["Display"] =
+    workspace().view.model = false;  // drawing it takes long
+    for (const char* section : {"Poses", "Probes"}) workspace().preferences.layout.sections[section] = true;
+    workspace().preferences.layout.sections["Model"] = workspace().preferences.layout.sections["Display"] =
         false;
     for (const char* command : {"keep_pose", "reset_pose", "toggle_soft"}) run(command);
     scene::set_key(document(), 1);
     scene::set_key(document(), 20);
-    workspace().remembered.layout.timeline = true;
+    workspace().preferences.layout.timeline = true;
     frame(3);
   }
-  // Something that can be repeated is there before, and after it.
+  // Checked with something to redo, which must remain.
   void check_called_off(const std::string& widget, glm::vec2 way) {
     const glm::vec2 at = place_of(widget);
     const State before(workspace());
@@ -100,14 +99,14 @@ struct Held : Driver {
   std::set<std::string> names() {
     std::set<std::string> all;
     for (const auto& [name, rect] : viewer().recorder().all())
-      if (name != "choice_picture") all.insert(name);  // comes where the mouse rests
+      if (name != "choice_picture") all.insert(name);  // shown under the mouse
     return all;
   }
 };
 
 }  // namespace
 
-TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
+TEST_CASE("esc_cancels_any_slider_or_handle") {
   Held d;
   scene::set_radius(d.document(), 0.3);
   scene::undo(d.document());
@@ -128,13 +127,13 @@ TEST_CASE("esc_calls_off_whatever_slider_or_handle_the_mouse_holds") {
 
 TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_range") {
   Held d;
-  d.run("toggle_timeline");  // all of the columns is beside the view
+  d.run("toggle_timeline");  // more room for the columns
   const auto begin = [&](const std::string& slider, bool twice) {
     d.place_of(slider);  // scrolls to it
     const auto rect = d.viewer().recorder().find(slider);
     const glm::vec2 at{rect->x0 + 0.9f * (rect->x1 - rect->x0), 0.5f * (rect->y0 + rect->y1)};
     const State before(d.workspace());
-    d.frame(30);  // a click before is none of these
+    d.frame(30);  // a separate click
     if (twice) {
       d.click(at), d.click(at);
     } else {
@@ -192,7 +191,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   type("probe_turn_radius", "21");
   CHECK(d.document().probes.all[0].turn.radius == doctest::Approx(0.21 * diagonal));
 
-  // Esc leaves the number as it is, and a single click moves the slider as ever.
+  // Esc keeps the number, and a single click moves the slider as usual.
   const State before(d.workspace());
   begin("turn", true);
   d.type("150");
@@ -227,7 +226,7 @@ TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
 
 TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
   Held d;
-  d.workspace().remembered.layout.sections["Cage"] = true;
+  d.workspace().preferences.layout.sections["Cage"] = true;
   d.document().selection.apply(std::vector<std::uint32_t>{0}, scene::SelectMode::replace);
   for (const double x : {-0.0036471234, -123.456789, -1.23456789e-5, 0.5}) {
     CAPTURE(x);
@@ -244,15 +243,15 @@ TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
   }
 }
 
-TEST_CASE("esc_closes_what_has_dropped_down_and_changes_nothing") {
+TEST_CASE("esc_closes_popups_without_a_change") {
   Held d;
-  d.workspace().remembered.layout.sections["Display"] =
+  d.workspace().preferences.layout.sections["Display"] =
       true;  // below the probes, so that these are scrolled into view
   d.run("add_probe");
   for (const char* chooser :
        {"way", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance", "probe_mix",
         "probe_turn", "time/repeat", "time/easing", "menu/File", "menu/View"}) {
-    const bool in_bar = std::string_view(chooser).starts_with("menu/");  // above what is scrolled
+    const bool in_bar = std::string_view(chooser).starts_with("menu/");  // above the scrolled area
     const auto rect = d.viewer().recorder().find(chooser);
     const glm::vec2 place = in_bar ? glm::vec2(rect.value().x0 + 4, rect->y0 + 4) : d.place_of(chooser);
     d.frame(2);
@@ -289,7 +288,7 @@ TEST_CASE("a_pose_moves_the_whole_cage_unless_the_box_says_otherwise") {
   d.run("clear_mix");
   d.run("toggle_mix_selected");
   CHECK(d.workspace().handling.mix_selected);
-  d.frame(30);  // else a second click types
+  d.frame(30);  // otherwise a second click starts typing
   d.click("pose_weight/0");
   CHECK(d.document().library.poses[0].part.size() == 3);
   keep_picture(d, "poses");
@@ -354,7 +353,7 @@ TEST_CASE("two_clicks_on_a_file_to_save_under_replace_nothing") {
   CHECK(browser.open);
   CHECK(browser.path == browser.folder / "precious.obj");
   CHECK(d.viewer().recorder().find("file_replaces"));
-  d.press_key(scene::Key::enter);  // once says so, twice does it
+  d.press_key(scene::Key::enter);  // the first warns, the second confirms
   d.frame(3);
   CHECK(browser.open);
   CHECK(test::file_bytes(folder / "precious.obj") == "precious");
@@ -366,7 +365,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
     auto options = sized(size);
     options.scale = scale;
     Driver d(options);
-    d.workspace().remembered.layout.sections.clear();
+    d.workspace().preferences.layout.sections.clear();
     d.open_dragon("pose_alert");
     d.frame(3);
     const auto& recorder = d.viewer().recorder();
@@ -384,7 +383,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
 
 TEST_CASE("the_left_column_has_at_most_twenty_controls_before_anything_is_unfolded") {
   Driver d(sized({1440, 900}));
-  d.workspace().remembered.layout.sections.clear();
+  d.workspace().preferences.layout.sections.clear();
   d.open_dragon();
   d.frame(3);
   std::size_t controls = 0;
@@ -404,7 +403,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   for (const auto& links : times.links) CHECK(links.total() > 0);
   for (const std::size_t staged : {0, 1, 2}) CHECK(times.links[staged][deform::Link::exp] > 0);
   CHECK(times.links[3][deform::Link::fused] > 0);
-  // Their weights are there: the choice of another method binds nothing.
+  // The weights exist: choosing another method needs no binding.
   d.click("method_diag");
   REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == deform::EngineKind::staged; }));
   keep_picture(d, "timings");
@@ -419,7 +418,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   CHECK(d.until([&] { return times.measured; }));
 }
 
-TEST_CASE("the_first_start_asks_once_whose_keys_the_hands_know") {
+TEST_CASE("the_first_start_asks_once_for_the_keymap") {
   for (const bool chooses : {true, false}) {
     Driver d(sized({1024, 640}));
     d.open_dragon();
@@ -429,16 +428,16 @@ TEST_CASE("the_first_start_asks_once_whose_keys_the_hands_know") {
     keep_picture(d, "ask_keys");
     d.click(chooses ? "ask_keys/blender" : "ask_keys/close");
     d.frame(2);
-    CHECK(d.workspace().remembered.keymap.preset() ==
+    CHECK(d.workspace().preferences.keymap.preset() ==
           (chooses ? scene::KeyPreset::blender : scene::KeyPreset::viete));
     CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
   }
 }
 
-TEST_CASE("where_the_mesh_may_fold_is_told_in_the_checks_and_marked_at_the_cage") {
+TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
   Driver d(sized({1440, 900}), test::with_pixels);
   d.open_dragon();
-  d.workspace().remembered.layout.sections["Checks"] = true;
+  d.workspace().preferences.layout.sections["Checks"] = true;
   d.settle();
   d.move({720, 880});
   CHECK_FALSE(d.viewer().recorder().find("pose_note/0"));

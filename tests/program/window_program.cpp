@@ -1,5 +1,4 @@
-// The real window under a virtual display, with a real mouse: it does to the pixel what the offscreen program
-// does.
+// The real window on a virtual display, with a real mouse: equals the offscreen program to the pixel.
 #include <chrono>
 #include <thread>
 
@@ -19,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The columns, the bars, and the strip of tools: where the text is, whose font differs.
+// Columns, bars and the tool strip, whose text differs in font.
 void cut_panels(render::Image& image) {
   constexpr int left = 384, right = 320, top = 40, bottom = 26;
   for (int y = 0; y < image.height; ++y) {
@@ -30,7 +29,7 @@ void cut_panels(render::Image& image) {
   }
 }
 
-// A picture that is kept is as smooth as one at rest.
+// The same smoothness as a cached picture at rest.
 app::ViewerOptions as_in_the_window() {
   auto options = Driver::default_options();
   options.size = {1440, 900};
@@ -170,12 +169,12 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     if (can_keep) {
       REQUIRE(wait_until([&] { return viewer.finished(); }));
       CHECK(viewer.exit_code() == 0);
-      CHECK(test::file_bytes(log).find("unsaved edits are kept") != std::string::npos);
+      CHECK(test::file_bytes(log).find("unsaved edits were saved") != std::string::npos);
       continue;
     }
     desktop.rest(at_work);
     CHECK_FALSE(viewer.finished());
-    desktop.xdotool_seen("key Escape");  // it has asked: back to work, each time
+    desktop.xdotool_seen("key Escape");  // dismisses the question each time
     const std::string again_at_work = desktop.screen();
     viewer.terminate();
     desktop.rest(again_at_work);

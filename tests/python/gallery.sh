@@ -1,6 +1,6 @@
 #!/bin/sh
-# gallery.sh PYTHON SOURCE FOLDER EXAMPLE: every script of the gallery runs as its README says, in a folder of its own, is short, and says a number;
-# and the example of the README, a script too, gives the file that it promises.
+# gallery.sh PYTHON SOURCE FOLDER EXAMPLE: every gallery script must run as in its README, in a separate folder, be short, and print a
+# number; the README's example must write its file.
 set -eu
 python=$1 source=$2 folder=$3 example=$4
 rm -rf "$folder" && mkdir -p "$folder"

@@ -1,4 +1,4 @@
-"""The deformer of the module `viete`: against the command line, to the bit, and against what must hold.
+"""Tests of the deformer of the module `viete`: bit-exact against the command line, and against its contract.
 
 test_deformer.py PROGRAM ASSETS: the program viete, and the folder of the bundled dragon.
 """
@@ -58,9 +58,9 @@ class Dragon(WithFolder):
         return viete.Deformer(self.dragon.vertices, self.dragon.faces, self.cage.vertices, self.cage.faces, **words)
 
     def test_it_has_the_bits_of_the_command_line(self):
-        for words, options in [({}, []), ({"way": "mean-value"}, ["--way", "mean-value"]),
+        for words, options in [({}, []), ({"way": "mean-value"}, ["--deformer", "mean-value"]),
                                ({"way": "paper", "method": "improved_sd", "turn": 0.5},
-                                ["--way", "paper", "--method", "improved_sd", "--turn", "50"])]:
+                                ["--deformer", "paper", "--method", "improved_sd", "--turn", "50"])]:
             out = self.folder / "out.ply"
             run("deform", ASSETS / "dragon.ply", ASSETS / "cage.obj", "--pose", ASSETS / "pose_alert.obj", *options,
                 "-o", out, "--force")
@@ -90,7 +90,7 @@ class Dragon(WithFolder):
                     error = np.linalg.norm(fast.deform(pose) - exact.deform(pose), axis=1).max()
                     self.assertLess(error, 1e-4 * max(size(rest), size(pose)))
 
-    def test_sessions_are_what_animate_writes(self):
+    def test_session_frames_equal_viete_animate(self):
         session = viete.Session(ASSETS / "loop.viete")
         self.assertEqual(session.range, [1, 121])
         run("animate", ASSETS / "loop.viete", "--frames", "12-13", "-o", self.folder / "f_###.obj",
@@ -132,7 +132,7 @@ class Arrays(WithFolder):
                               [np.array(f, np.uint8) for f in CUBE_FACES])
         self.assertTrue(np.array_equal(same.deform(self.pose), expected))
 
-    def test_answers_go_where_out_is(self):
+    def test_out_receives_results(self):
         d = self.bound()
         expected, expected_normals = d.deform(self.pose, normals=True)
         count = len(self.model)
@@ -172,7 +172,7 @@ class Arrays(WithFolder):
             viete.write(self.folder / "a.obj", viete.Surface.__new__(viete.Surface))
 
     @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
-    def test_a_child_of_fork_works_on(self):
+    def test_forked_child_works(self):
         d = self.bound(threads=3)
         expected = d.deform(self.pose)
         child = os.fork()
@@ -181,7 +181,7 @@ class Arrays(WithFolder):
         self.assertEqual(os.waitpid(child, 0)[1], 0)
 
     @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
-    def test_a_child_of_fork_works_while_another_thread_of_its_parent_does(self):
+    def test_forked_child_works_while_a_parent_thread_computes(self):
         deformer, shapes = self.bound(threads=3), viete.ShapeSpace(self.model, self.faces, [self.model * 2])
         poses = viete.PoseSpace(CUBE, CUBE_FACES, [CUBE * 2])
         for name, work in [
@@ -201,7 +201,7 @@ class Arrays(WithFolder):
             for _ in range(10):
                 child = os.fork()
                 if child == 0:
-                    signal.alarm(60)  # only against a hang
+                    signal.alarm(60)  # timeout
                     os._exit(0 if np.array_equal(work(), expected) else 1)
                 with self.subTest(name):
                     self.assertEqual(os.waitpid(child, 0)[1], 0)
@@ -209,18 +209,18 @@ class Arrays(WithFolder):
             thread.join()
 
     @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
-    def test_threads_that_the_system_refuses_are_done_without(self):
+    def test_works_without_threads(self):
         expected = self.bound().deform(self.pose)
         child = os.fork()
         if child == 0:
-            signal.alarm(60)  # only against a hang
+            signal.alarm(60)  # timeout
             pages = int(pathlib.Path("/proc/self/statm").read_text().split()[0])
             most = pages * resource.getpagesize() + (1 << 30)
             resource.setrlimit(resource.RLIMIT_AS, (most, most))
             os._exit(0 if np.array_equal(self.bound(threads=600).deform(self.pose), expected) else 1)
         self.assertEqual(os.waitpid(child, 0)[1], 0)
 
-    def test_nothing_is_kept_of_the_arrays(self):
+    def test_arrays_are_not_kept(self):
         model, pose = self.model.copy(), self.pose.copy()
         d = viete.Deformer(model, self.faces, CUBE, CUBE_FACES)
         expected = d.deform(pose)
@@ -230,14 +230,14 @@ class Arrays(WithFolder):
         d.deform(pose + 1)
         self.assertTrue(np.array_equal(first, expected))
 
-    def test_a_moved_cage_moves_the_model_alike(self):
+    def test_moved_cage_moves_the_model_equally(self):
         for way in ("smooth", "paper", "mean-value", "rigid", "arap"):
             for dtype in ("float64", "float32"):
                 with self.subTest((way, dtype)):
                     moved = self.bound(way=way, dtype=dtype).deform(turned(CUBE, 0.7) + 1)
                     self.assertLess(np.abs(moved - (turned(self.model, 0.7) + 1)).max(), 1e-5)
 
-    def test_wrong_arrays_are_told(self):
+    def test_wrong_arrays_are_rejected(self):
         d = self.bound()
         count = len(self.model)
         read_only = np.empty((count, 3))
@@ -249,20 +249,20 @@ class Arrays(WithFolder):
         nan[3, 1] = np.nan
         for problem, error, words in [
             (lambda: d.deform(self.pose[:-1]), viete.Error, "7 places for 8 vertices"),
-            (lambda: d.deform(nan), viete.Error, "vertex 3 is at no place"),
+            (lambda: d.deform(nan), viete.Error, "vertex 3 has a coordinate that is not finite"),
             (lambda: d.deform(self.pose[:, :2]), ValueError, "(n, 3)"),
             (lambda: d.deform(self.pose.astype(complex)), TypeError, "float32 or float64"),
             (lambda: d.deform("pose"), TypeError, ""),
             (lambda: d.deform(None), TypeError, ""),
             (lambda: d.deform(self.pose, out=np.empty((count, 4))), ValueError, "out has shape"),
-            (lambda: d.deform(self.pose, out=np.empty((count, 3), int)), TypeError, "out is float32"),
+            (lambda: d.deform(self.pose, out=np.empty((count, 3), int)), TypeError, "out must be float32"),
             (lambda: d.deform(self.pose, out=read_only), ValueError, "read-only"),
             (lambda: d.deform(self.pose, out=shared[1:], normals=shared[:-1]), ValueError, "share memory"),
             (lambda: d.deform(self.pose, out=np.empty((count, 3)), normals=np.empty((count, 3), np.float32)), TypeError, "same type"),
             (lambda: viete.Deformer(self.model, [[0, 1, 99999]], CUBE, CUBE_FACES), viete.Error, "vertex 99999"),
-            (lambda: viete.Deformer(self.model, [[0, 1, -1]], CUBE, CUBE_FACES), ValueError, "counted from 0"),
+            (lambda: viete.Deformer(self.model, [[0, 1, -1]], CUBE, CUBE_FACES), ValueError, "start at 0"),
             (lambda: viete.Deformer(self.model, [[0, 1]], CUBE, CUBE_FACES), viete.Error, "fewer than three"),
-            (lambda: viete.Deformer(self.model, [[0.5, 1, 2]], CUBE, CUBE_FACES), TypeError, "whole numbers"),
+            (lambda: viete.Deformer(self.model, [[0.5, 1, 2]], CUBE, CUBE_FACES), TypeError, "must be integers"),
             (lambda: self.bound(way="smoth"), viete.Error, "choose one of smooth"),
             (lambda: self.bound(radius=0.2), viete.Error, "radius"),
             (lambda: self.bound(way="smooth", turn=3), viete.Error, "turn"),
@@ -274,26 +274,26 @@ class Arrays(WithFolder):
             (lambda: viete.Session(self.folder / "a.obj"), viete.Error, "session"),
             (lambda: d.deform(self.pose, out=overlapping), ValueError, "overlaps itself"),
             (lambda: d.deform(self.pose * 1e80), viete.Error, "within 1e60"),
-            (lambda: d.deform(self.pose * 1e50, out=np.empty((count, 3), np.float32)), viete.Error, "beyond what floats hold"),
-            (lambda: d.set_mask([]), ValueError, "no shares"),
-            (lambda: d.set_shape(np.zeros((0, 3))), ValueError, "no places"),
-            (lambda: d.set_shape(self.model * 1e70), viete.Error, "the shape: it reaches as far as"),
+            (lambda: d.deform(self.pose * 1e50, out=np.empty((count, 3), np.float32)), viete.Error, "exceeds the range of float"),
+            (lambda: d.set_mask([]), ValueError, "mask is empty"),
+            (lambda: d.set_shape(np.zeros((0, 3))), ValueError, "shape is empty"),
+            (lambda: d.set_shape(self.model * 1e70), viete.Error, "the shape: it has a coordinate of size"),
             (lambda: d.set_probes([{"place": (1e70, 0, 0)}]), viete.Error, "beyond 1e60"),
             (lambda: d.set_probes([{"place": (0, 0, 0), "move": (0, 1e70, 0)}]), viete.Error, "beyond 1e60"),
-            (lambda: d.set_probes([{"place": (0, 0, 0), "radius": 1e70}]), viete.Error, "radius is not a length"),
-            (lambda: viete.ShapeSpace(self.model, self.faces, [self.model * 1e70]), viete.Error, "a shape: it reaches"),
-            (lambda: viete.PoseSpace(CUBE, CUBE_FACES, [CUBE * 1e70]), viete.Error, "a pose: it reaches"),
-            (lambda: shapes.pose([5], self.model[[5]] * 1e70), viete.Error, "the places: it reaches"),
-            (lambda: d.set_probes([{"place": (0, 0, 0), "move": (0, 0, np.nan)}]), viete.Error, "move has a number"),
-            (lambda: d.set_probes([{"place": (0, 0)}]), ValueError, "place is three numbers"),
-            (lambda: d.set_probes([{"place": (0, 0, 0), "falloff": 3}]), ValueError, "falloff is a word"),
+            (lambda: d.set_probes([{"place": (0, 0, 0), "radius": 1e70}]), viete.Error, "radius is out of range"),
+            (lambda: viete.ShapeSpace(self.model, self.faces, [self.model * 1e70]), viete.Error, "a shape: it has a coordinate"),
+            (lambda: viete.PoseSpace(CUBE, CUBE_FACES, [CUBE * 1e70]), viete.Error, "a pose: it has a coordinate"),
+            (lambda: shapes.pose([5], self.model[[5]] * 1e70), viete.Error, "the places: it has a coordinate"),
+            (lambda: d.set_probes([{"place": (0, 0, 0), "move": (0, 0, np.nan)}]), viete.Error, "move is not finite"),
+            (lambda: d.set_probes([{"place": (0, 0)}]), ValueError, "place must be three numbers"),
+            (lambda: d.set_probes([{"place": (0, 0, 0), "falloff": 3}]), ValueError, "falloff must be a string"),
             (lambda: viete.Deformer(self.model, np.zeros((4, 0), int), CUBE, CUBE_FACES), viete.Error, "fewer than three"),
-            (lambda: viete.Deformer(self.model, np.array([[0, 1, 2**64 - 1]], np.uint64), CUBE, CUBE_FACES), ValueError, "no vertex"),
-            (lambda: viete.Deformer(self.model * 1e-200, self.faces, CUBE, CUBE_FACES), viete.Error, "1e-60 or more across"),
-            (lambda: viete.Deformer(self.model, self.faces, CUBE * 1e80, CUBE_FACES), viete.Error, "the cage: it reaches as far as 1e"),
+            (lambda: viete.Deformer(self.model, np.array([[0, 1, 2**64 - 1]], np.uint64), CUBE, CUBE_FACES), ValueError, "invalid vertex index"),
+            (lambda: viete.Deformer(self.model * 1e-200, self.faces, CUBE, CUBE_FACES), viete.Error, "1e-60 or more"),
+            (lambda: viete.Deformer(self.model, self.faces, CUBE * 1e80, CUBE_FACES), viete.Error, "the cage: it has a coordinate of size 1e"),
             (lambda: viete.ShapeSpace(self.model, self.faces, [self.model * 3]).mix([1000]), viete.Error, "nearer to 0"),
             (lambda: (d.set_probes([{"place": (0, 0, 0), "radius": 5, "stretch": (1e4, 0, 0, 0, 0, 0)}]), d.deform(self.pose)),
-             viete.Error, "would be at no place"),
+             viete.Error, "would have a coordinate that is not finite"),
             (lambda: d.set_probes([{"place": (0, 0, 0), "radius": -1}]), viete.Error, "radius"),
             (lambda: self.bound(radius=100, way="local"), viete.Error, "choose 0.001 to 10"),
             (lambda: self.bound(way="smooth", radius=0.2), viete.Error, "choose weights cutoff"),
@@ -303,8 +303,8 @@ class Arrays(WithFolder):
             (lambda: viete.make_cage(self.model, self.faces, triangles=-5), ValueError, "12 to 20000"),
             (lambda: viete.write(self.folder / "a.glb", np.zeros((0, 3)), []), viete.Error, "no vertices to write"),
             (lambda: viete.write(self.folder / "a.obj", np.zeros((0, 3)), []), viete.Error, "no vertices to write"),
-            (lambda: shapes.pose([], np.zeros((0, 3))), viete.Error, "name one or more"),
-            (lambda: shapes.pose([5, 5], self.model[[5, 5]]), viete.Error, "vertex 5 is there twice"),
+            (lambda: shapes.pose([], np.zeros((0, 3))), viete.Error, "pass one or more"),
+            (lambda: shapes.pose([5, 5], self.model[[5, 5]]), viete.Error, "vertex 5 is given twice"),
             (lambda: viete.read("\udcff.obj"), viete.Error, "\udcff.obj"),
         ]:
             with self.subTest(words):
@@ -313,10 +313,10 @@ class Arrays(WithFolder):
                 self.assertNotIn("--", str(raised.exception))
         self.assertTrue(issubclass(viete.Error, ValueError))
         d.set_probes([])
-        self.assertEqual(d.deform(self.pose).shape, (count, 3))  # it is as it was
+        self.assertEqual(d.deform(self.pose).shape, (count, 3))  # unchanged by the errors
 
     def test_arrays_too_large_for_memory_are_memory_errors(self):
-        rows = np.broadcast_to(np.zeros(3), (10**16, 3))  # of no memory itself
+        rows = np.broadcast_to(np.zeros(3), (10**16, 3))  # a view without memory
         faces = np.broadcast_to(np.array([0, 1, 2], np.int32), (10**16, 3))
         d = self.bound()
         for name, call in {
@@ -349,7 +349,7 @@ class Arrays(WithFolder):
         with self.assertRaisesRegex(ValueError, "place, radius"):
             d.set_probes([{"place": (0, 0, 0), "size": 1}])
 
-    def test_turns_go_on_where_they_are_kept(self):
+    def test_keeps_turns_accumulates_rotations(self):
         space = viete.PoseSpace(CUBE, CUBE_FACES, [CUBE, turned(CUBE, 2.5)])
         self.assertLess(np.abs(space.between(0.5) - turned(CUBE, 1.25)).max(), 1e-9)
         self.assertLess(np.abs(space.between(0.5, straight=True) - 0.5 * (CUBE + turned(CUBE, 2.5))).max(), 1e-12)
@@ -358,7 +358,7 @@ class Arrays(WithFolder):
         self.assertEqual(logs.shape, (12, 9))
         self.assertLess(np.abs(logs[:, :6]).max(), 1e-12)
         self.assertLess(np.abs(logs[:, 6:] - [0, 0, 2.5]).max(), 1e-12)
-        with self.assertRaisesRegex(viete.Error, "number 2"):
+        with self.assertRaisesRegex(viete.Error, "no shape 2"):
             space.vector(2)
         shapes = viete.ShapeSpace(self.model, self.faces, [turned(self.model, 1.0)])
         self.assertLess(np.abs(shapes.mix([2]) - turned(self.model, 2.0)).max(), 1e-6)
@@ -366,7 +366,7 @@ class Arrays(WithFolder):
         self.assertEqual(len(weights), 1)
         self.assertLess(np.abs(places[[0, 50, 100]] - turned(self.model, 1.0)[[0, 50, 100]]).max(), 1e-6)
 
-    def test_a_cage_that_is_made_is_around_the_model(self):
+    def test_made_cage_encloses_the_model(self):
         vertices, faces = viete.make_cage(self.model, self.faces, triangles=60)
         self.assertLessEqual(len(faces), 90)
         deformed = viete.Deformer(self.model, self.faces, vertices, faces).deform(vertices * 2)
@@ -391,7 +391,7 @@ class Arrays(WithFolder):
         again = viete.read(self.folder / "c.ply").faces
         self.assertEqual([list(f) for f in again], mixed)
 
-    def test_attributes_of_files_are_seen(self):
+    def test_attributes_of_files_are_available(self):
         (self.folder / "a.obj").write_text(
             "v 0 0 0 1 0.5 0\nv 1 0 0 1 0 0\nv 0 1 0 0 0 1\nv 1 1 0 0 1 0\nvt 0 0\nvt 1 0\nvt 0 0.5\nvn 0 0 1\n"
             "usemtl red\nf 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 3 2 4\n")
@@ -408,7 +408,7 @@ class Arrays(WithFolder):
         self.assertIsNone(plain.corner_normals)
         self.assertEqual((plain.materials, set(plain.face_materials)), ([], {-1}))
 
-    def test_threads_work_beside_each_other(self):
+    def test_threads_work_in_parallel(self):
         mine, theirs = self.bound(), self.bound(way="paper")
         expected = [mine.deform(self.pose), theirs.deform(self.pose)]
         wrong = []
@@ -425,7 +425,7 @@ class Arrays(WithFolder):
             t.join()
         self.assertEqual(wrong, [])
 
-    def test_signals_end_long_work_and_nothing_else(self):
+    def test_signals_cancel_only_long_work(self):
         class Stop(Exception):
             pass
 
@@ -446,7 +446,7 @@ class Arrays(WithFolder):
         d = viete.Deformer(CUBE, CUBE_FACES, cage, cage_faces)
         self.assertLess(np.abs(d.deform(cage) - CUBE).max(), 1e-9)
 
-    def test_memory_stays_where_it_is(self):
+    def test_memory_does_not_grow(self):
         d = self.bound(dtype="float32")
         out = np.empty((len(self.model), 3), np.float32)
 
@@ -459,12 +459,12 @@ class Arrays(WithFolder):
         before = frames(1000)
         self.assertLess(frames(9000) - before, 2048)  # kB
 
-    def test_it_is_there_at_once(self):
-        """What takes time is numpy, which is asked for when an array comes."""
+    def test_import_is_fast(self):
+        """Importing numpy takes most of the time, so it is imported on first use."""
         code = "import sys, viete; assert 'numpy' not in sys.modules; viete.exp([[0.0] * 6]); assert 'numpy' in sys.modules"
         subprocess.run([sys.executable, "-c", code], check=True)
 
-    def test_everything_says_what_it_is(self):
+    def test_everything_has_a_docstring(self):
         for name in dir(viete):
             if not name.startswith("_"):
                 self.assertTrue(getattr(viete, name).__doc__, name)

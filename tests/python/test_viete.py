@@ -1,4 +1,4 @@
-"""The module `viete` against numpy: answers, shapes, memory, errors."""
+"""Tests of the module `viete` against numpy: results, shapes, memory, errors."""
 
 import importlib.util
 import sys
@@ -17,7 +17,7 @@ def tolerance(dtype):
 
 
 def packed(full):
-    """(..., 3, 3) as (..., 6): the upper triangle by rows."""
+    """Converts (..., 3, 3) to (..., 6): the upper triangle by rows."""
     return np.ascontiguousarray(full[..., [0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]])
 
 
@@ -67,14 +67,14 @@ class Answers(unittest.TestCase):
                     self.assertTrue(np.array_equal(packed(answer), f(packed(s))))
                     self.assertTrue(np.array_equal(answer, np.swapaxes(answer, -1, -2)))
 
-    def test_powers_agree_with_what_they_are(self):
+    def test_powers_agree_with_numpy(self):
         s = positive(np.float64, 100)
         self.assert_close(viete.pow(s, -1), np.linalg.inv(s), np.float64)
         self.assert_close(viete.pow(s, 2), s @ s, np.float64)
         self.assert_close(viete.sqrt(s) @ viete.sqrt(s), s, np.float64)
         self.assert_close(viete.exp(viete.log(s)), s, np.float64)
 
-    def test_what_has_no_real_answer_is_nan(self):
+    def test_undefined_results_are_nan(self):
         for f in (viete.log, viete.inv_sqrt):
             self.assertTrue(np.isnan(f(-np.eye(3))).all())
         self.assertTrue(np.isnan(viete.exp(np.full(6, np.nan))).all())
@@ -108,14 +108,14 @@ class Answers(unittest.TestCase):
             self.assertTrue(np.array_equal(given[0], r) and np.array_equal(given[1], u))
             viete.polar(m, out=(m, given[1]))
             self.assertTrue(np.array_equal(m, r) and np.array_equal(given[1], u))
-        for text, out in (("out must be a pair", m), ("an array of its own", (given[0], m)),
-                          ("an array of its own", (given[0], given[0])),
+        for text, out in (("out must be a pair", m), ("must not share memory", (given[0], m)),
+                          ("must not share memory", (given[0], given[0])),
                           (r"out has shape \(3, 3\)", (given[0], np.zeros((3, 3), dtype)))):
             with self.assertRaisesRegex(ValueError, text):
                 viete.polar(m, out=out)
 
 
-EXTREME_WEIGHTS = [  # of two, and the same as shares
+EXTREME_WEIGHTS = [  # two weights, and their normalised values
     ([1e308, 1e308], [0.5, 0.5]), ([1.5e308, 0.5e308], [0.75, 0.25]), ([3e-320, 3e-320], [0.5, 0.5]),
     ([5e-324, 1.5e-323], [0.25, 0.75]), ([1e308, 1e-320], [1, 0]), ([-1e308, -1e308], [0.5, 0.5]),
     ([-3e-320, -3e-320], [0.5, 0.5]), ([1.5e308, -0.5e308], [1.5, -0.5]), ([-1, -3], [0.25, 0.75]),
@@ -145,7 +145,7 @@ class AffineMaps(unittest.TestCase):
         self.assertTrue((viete.affine_log(affine(5))[..., 3, :] == 0).all())
         self.assertEqual(viete.affine_log(affine(5).astype(np.float32)).dtype, np.float32)
 
-    def test_of_a_symmetric_map_it_is_the_symmetric_log(self):
+    def test_affine_log_of_a_symmetric_map_is_the_symmetric_log(self):
         s = positive(np.float64, 50)
         np.testing.assert_allclose(viete.affine_log(s), viete.log(s), atol=1e-13)
 
@@ -170,7 +170,7 @@ class AffineMaps(unittest.TestCase):
         back = viete.affine_interpolate(turn_about_z(0), turn_about_z(1), 0.5, near=(0, 0, -5))
         np.testing.assert_allclose(back, turn_about_z(0.5 - np.pi), atol=1e-14)
 
-    def test_combinations_are_of_the_sums_of_logs_and_means_go_along(self):
+    def test_combinations_use_sums_of_logs_and_means_are_invariant(self):
         m, w = affine(4, 5), np.array([0.4, 0.1, 0.2, 0.2, 0.1])
         sums = np.einsum("k,ikab->iab", w, viete.affine_log(m))
         np.testing.assert_allclose(viete.affine_combine(m, w), viete.affine_exp(sums), atol=1e-13)
@@ -190,7 +190,7 @@ class AffineMaps(unittest.TestCase):
                 np.testing.assert_allclose(mean, viete.affine_mean(m, share)[0], atol=1e-12)
 
     def test_opposite_terms_of_a_combination_cancel_at_any_size(self):
-        m = turn_about_z(2, (3, 0, 0))  # whose log is above 1: its terms overflow
+        m = turn_about_z(2, (3, 0, 0))  # its log is above 1, so terms overflow
         np.testing.assert_allclose(viete.affine_combine([m, m, m], [1e308, 0.25, -1e308]), np.eye(4), atol=1e-15)
 
     def test_maps_without_a_log_get_a_bounded_one(self):
@@ -203,7 +203,7 @@ class AffineMaps(unittest.TestCase):
             self.assertTrue(np.isfinite(viete.affine_log(nothing, near=(0, 0, 7))).all())
         self.assertTrue(np.isnan(viete.affine_log(np.full((3, 3), np.nan))).all())
 
-    def test_wrong_shapes_say_so(self):
+    def test_wrong_shapes_are_rejected(self):
         for f in (viete.affine_log, viete.affine_exp, viete.affine_has_log):
             with self.assertRaisesRegex(ValueError, r"viete.affine_.*\(\.\.\., 4, 4\)"):
                 f(np.zeros((3, 4)))
@@ -218,7 +218,7 @@ class AffineMaps(unittest.TestCase):
 
 
 def derivative_by_eigenvalues(f, slope, s, e):
-    """By divided differences, for eigenvalues that are well apart or equal."""
+    """Reference by divided differences, for well separated or equal eigenvalues."""
     x, v = np.linalg.eigh(s.astype(np.float64))
     gap = x[..., :, None] - x[..., None, :]
     near = np.abs(gap) < 1e-6
@@ -238,7 +238,7 @@ DERIVATIVES = {
 
 
 class Means(unittest.TestCase):
-    """In log space (V. Arsigny et al., 2006)."""
+    """Means and interpolation in log space (V. Arsigny et al., 2006)."""
 
     def test_the_determinant_of_a_mean_is_the_geometric_mean(self):
         for a in (positive(np.float64, 5, 40), packed(positive(np.float64, 5, 40))):
@@ -278,10 +278,10 @@ class Means(unittest.TestCase):
         self.assertTrue(np.allclose(np.diff(np.log(np.linalg.det(way)), 2), 0))
 
     def test_one_matrix_has_no_mean(self):
-        with self.assertRaisesRegex(ValueError, "one matrix alone"):
+        with self.assertRaisesRegex(ValueError, "expected several"):
             viete.mean(np.eye(3))
 
-    def test_what_has_no_mean_is_told(self):
+    def test_undefined_means_are_rejected(self):
         pair = np.stack([np.eye(3), 2 * np.eye(3)])
         for problem, error, words in [
             (lambda: viete.mean(pair[:0]), ValueError, "no matrices"),
@@ -317,7 +317,7 @@ class Derivatives(unittest.TestCase):
                     self.assertTrue(np.array_equal(derivative(s, e[1]), several[1]))
                     self.assertTrue(np.array_equal(derivative(packed(s), packed(e)), packed(several)))
 
-    def test_a_tangent_has_the_derivatives_by_each_number(self):
+    def test_tangent_contains_all_derivatives(self):
         six = np.broadcast_to(np.eye(6)[:, None], (6, 50, 6))
         for name, (derivative, tangent, _, _) in DERIVATIVES.items():
             for dtype in TYPES:
@@ -356,7 +356,7 @@ class Derivatives(unittest.TestCase):
 
 class Arrays(unittest.TestCase):
     def test_arrays_too_large_for_memory_are_memory_errors(self):
-        # Of no memory themselves; a copy or an answer has some exabytes.
+        # Broadcast views without memory; a copy or a result would need exabytes.
         matrices, maps, planes = (np.broadcast_to(a, (10**15,) + a.shape) for a in (np.eye(3), np.eye(4), np.eye(3)[0]))
         s, e = np.eye(3), matrices
         numbers = np.broadcast_to(np.float64(0.5), (10**16,))
@@ -431,7 +431,7 @@ class Arrays(unittest.TestCase):
     def test_other_threads_run_during_a_call(self):
         s = np.zeros((200000, 6))
         interval = sys.getswitchinterval()
-        sys.setswitchinterval(1e6)  # a thread that holds the lock is not asked for it
+        sys.setswitchinterval(1e6)  # the interpreter does not switch threads by itself
         try:
             self.assertTrue(any(self.saw_a_call_running(s) for _ in range(1000)))
         finally:
@@ -474,7 +474,7 @@ class Errors(unittest.TestCase):
         s = np.zeros((4, 6))
         self.assert_raises(ValueError, r"out has shape \(5, 6\)", viete.exp, s, out=np.zeros((5, 6)))
         self.assert_raises(TypeError, "out is float32", viete.exp, s, out=np.zeros((4, 6), np.float32))
-        self.assert_raises(TypeError, "out is an array; this is a list", viete.exp, s, out=[0] * 24)
+        self.assert_raises(TypeError, "out must be an array; this is a list", viete.exp, s, out=[0] * 24)
         self.assert_raises(ValueError, "out is not contiguous", viete.exp, s, out=np.zeros((4, 12))[:, ::2])
         read_only = np.zeros((4, 6))
         read_only.flags.writeable = False

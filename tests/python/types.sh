@@ -1,5 +1,5 @@
 #!/bin/sh
-# types.sh SOURCE: the gallery and the tests agree with the types in viete-stubs, as mypy sees them; and the stubs with the module's own help.
+# types.sh SOURCE: checks the gallery, the tests and the module's help against viete-stubs with mypy.
 set -eu
 source=$1
 python=/usr/bin/python3

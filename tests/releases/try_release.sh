@@ -19,7 +19,7 @@ shift $((OPTIND - 1))
 [ "$(id -u)" = 0 ] || { echo "try_release.sh: making a root needs root" >&2; exit 1; }
 command -v mmdebstrap >/dev/null || { echo "try_release.sh: apt-get install mmdebstrap" >&2; exit 1; }
 
-# What testing's Release file says of its own age is not looked at: mirrors may be behind.
+# The age in testing's Release file is ignored: mirrors may be behind.
 stale='Acquire::Check-Valid-Until "false";'
 
 # inside ROOT COMMAND: with nothing of this machine's environment.

@@ -57,13 +57,13 @@ TEST_CASE("size_can_change_between_frames") {
   }
 }
 
-TEST_CASE("too_large_a_picture_is_refused_and_the_next_one_works") {
+TEST_CASE("too_large_picture_is_rejected_and_the_next_one_works") {
   test::Stage stage;
   CHECK_THROWS_AS(stage.framebuffer.begin({1 << 20, 16}, 0), base::Error);
   CHECK(stage.picture([&] { clear(stage.gl, 0, 0, 1, 1); }).pixel(0, 0)[2] == 255);
 }
 
-TEST_CASE("what_is_drawn_after_the_resolve_is_in_the_picture") {
+TEST_CASE("drawing_after_resolve_is_in_the_picture") {
   test::Stage stage;
   stage.framebuffer.begin(stage.view.size, 4);
   clear(stage.gl, 1, 0, 0, 1);
@@ -77,7 +77,7 @@ TEST_CASE("what_is_drawn_after_the_resolve_is_in_the_picture") {
   CHECK(image.pixel(5, 5) == render::Rgba8{255, 0, 0, 255});
 }
 
-TEST_CASE("a_picture_begins_with_another_one_stretched_to_its_size_and_leaves_that_as_it_is") {
+TEST_CASE("begin_with_stretches_another_picture_without_changing_it") {
   test::Stage stage;
   const render::Image small = stage.picture([&] {
     clear(stage.gl, 0, 1, 0, 1);

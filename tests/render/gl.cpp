@@ -34,7 +34,7 @@ TEST_CASE("context_has_a_version_and_a_renderer_name") {
 
 TEST_CASE("gl_mistake_is_reported_once_with_its_place") {
   const test::Stage stage;
-  stage.gl.Enable(GL_RENDERER);  // no capability
+  stage.gl.Enable(GL_RENDERER);  // not a capability
   CHECK_THROWS_WITH_AS(render::check_gl(stage.gl, "here"), "here: OpenGL reports invalid enum", base::Error);
   CHECK_NOTHROW(render::check_gl(stage.gl, "here"));
 }
@@ -52,7 +52,7 @@ TEST_CASE("shader_mistake_names_its_file") {
   }
 }
 
-TEST_CASE("shaders_that_do_not_fit_each_other_are_refused") {
+TEST_CASE("mismatched_shaders_are_rejected") {
   const test::Stage stage;
   const char* vertex =
       "#version 330 core\nout vec2 a;\nvoid main() { a = vec2(1); gl_Position = vec4(0); }\n";
@@ -62,8 +62,7 @@ TEST_CASE("shaders_that_do_not_fit_each_other_are_refused") {
 }
 
 TEST_CASE("unknown_shader_is_named") {
-  CHECK_THROWS_WITH_AS(render::shader_text("nothing.vert"),
-                       "nothing.vert: no shader of this name is embedded", base::Error);
+  CHECK_THROWS_WITH_AS(render::shader_text("nothing.vert"), "nothing.vert: unknown shader name", base::Error);
 }
 
 TEST_CASE("defines_follow_the_version_line_and_line_numbers_stay_true") {
@@ -101,5 +100,5 @@ TEST_CASE("wrong_index_is_named_with_its_element") {
   const std::vector<std::array<std::uint32_t, 2>> segments{{0, 1}, {1, 7}};
   CHECK_NOTHROW(render::require_indices<2>("segments", segments, 8));
   CHECK_THROWS_WITH_AS(render::require_indices<2>("segments", segments, 7),
-                       "segments: element 1: names vertex 7, there are 7", base::Error);
+                       "segments: element 1: refers to vertex 7, the mesh has 7", base::Error);
 }

@@ -14,7 +14,7 @@ using namespace viete;
 
 namespace {
 
-/// A folder of this process alone, removed at the end of the test.
+/// A folder for this process only, removed at the end of the test.
 struct ScratchFolder {
   ScratchFolder()
       : path(std::filesystem::temp_directory_path() / ("viete_image_" + std::to_string(getpid()))) {
@@ -32,7 +32,7 @@ render::Image pattern(int width, int height) {
 
 }  // namespace
 
-TEST_CASE("png_comes_back_as_it_was_written") {
+TEST_CASE("png_round_trip_is_exact") {
   const ScratchFolder folder;
   const render::Image image = pattern(13, 7);
   render::write_png(folder.path / "a.png", image);
@@ -42,7 +42,7 @@ TEST_CASE("png_comes_back_as_it_was_written") {
   CHECK(back.rgba == image.rgba);
 }
 
-TEST_CASE("writing_leaves_nothing_beside_the_png_and_replaces_an_old_one") {
+TEST_CASE("png_write_replaces_the_old_file_and_leaves_no_temporary") {
   const ScratchFolder folder;
   render::write_png(folder.path / "a.png", pattern(3, 3));
   render::write_png(folder.path / "a.png", pattern(5, 4));
@@ -53,16 +53,16 @@ TEST_CASE("writing_leaves_nothing_beside_the_png_and_replaces_an_old_one") {
 }
 
 TEST_CASE("png_that_cannot_be_written_is_named") {
-  const std::filesystem::path nowhere = "/nonexistent_folder/a.png";
+  const std::filesystem::path recovered = "/nonexistent_folder/a.png";
   try {
-    render::write_png(nowhere, pattern(2, 2));
+    render::write_png(recovered, pattern(2, 2));
     FAIL("a folder that is not there was written to");
   } catch (const base::Error& error) {
     CHECK(std::string(error.what()).find("/nonexistent_folder/a.png") != std::string::npos);
   }
 }
 
-TEST_CASE("target_that_is_a_folder_is_refused_and_kept") {
+TEST_CASE("folder_as_png_target_is_rejected_and_kept") {
   const ScratchFolder folder;
   std::filesystem::create_directories(folder.path / "a.png" / "inside");
   CHECK_THROWS_AS(render::write_png(folder.path / "a.png", pattern(2, 2)), base::Error);
@@ -102,7 +102,7 @@ TEST_CASE("a_picture_is_decoded_and_halved_until_it_is_short_enough") {
   CHECK(small.pixel(0, 0) == render::Rgba8{188, 255, 255, 255});  // half of the light
 }
 
-TEST_CASE("pictures_of_hostile_size_or_none_at_all_are_refused_before_they_are_decoded") {
+TEST_CASE("pictures_of_invalid_size_are_rejected_before_decoding") {
   std::string head("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x4e\x20\0\0\x27\x10\x08\6\0\0\0", 29);
   head += std::string("\0\0\0\0\0\0\0\4IDATabcd\0\0\0\0", 20);
   const auto refusal = [](const std::string& bytes) {
@@ -114,7 +114,7 @@ TEST_CASE("pictures_of_hostile_size_or_none_at_all_are_refused_before_they_are_d
     return std::string();
   };
   CHECK(refusal(head).find("20000 x 10000 pixels") != std::string::npos);
-  CHECK(refusal("nonsense").find("not a picture") != std::string::npos);
+  CHECK(refusal("nonsense").find("unsupported picture format") != std::string::npos);
   CHECK(refusal("").find("given: ") == 0);
   head[18] = head[19] = 0;  // 0 x 10000
   CHECK(refusal(head) != "");

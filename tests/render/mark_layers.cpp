@@ -81,7 +81,7 @@ TEST_CASE("disc_behind_the_eye_is_not_drawn") {
   CHECK(test::count_not_black(stage.picture([&] { discs.draw(stage.view, {}); })) == 0);
 }
 
-TEST_CASE("discs_and_positions_must_be_equally_many") {
+TEST_CASE("disc_and_position_counts_must_match") {
   test::Stage stage;
   render::DiscLayer discs(stage.gl);
   discs.set_discs(std::vector<render::Disc>(2));
@@ -140,9 +140,9 @@ TEST_CASE("line_through_the_near_plane_is_cut_there") {
   render::LineLayer lines(stage.gl);
   test::set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
   const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
-  CHECK(image.pixel(160, 195)[0] > 0);  // runs down to the lower border
+  CHECK(image.pixel(160, 195)[0] > 0);  // reaches the lower border
   for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);
-  test::set_line(lines, {-1, -1, 20}, {1, 1, 40});  // wholly behind
+  test::set_line(lines, {-1, -1, 20}, {1, 1, 40});  // entirely behind the eye
   CHECK(test::count_not_black(stage.picture([&] { lines.draw(stage.view, {}); })) == 0);
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("each_segment_has_its_own_colour") {
   CHECK(image.pixel(160, 150) == render::Rgba8{0, 255, 0, 255});
 }
 
-TEST_CASE("halo_lies_beside_the_line_and_under_every_other_one") {
+TEST_CASE("halo_is_beside_its_line_and_under_other_lines") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
   const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
@@ -182,7 +182,7 @@ TEST_CASE("halo_lies_beside_the_line_and_under_every_other_one") {
   for (int x = 130; x < 190; ++x) CHECK(brightest(image, x, 0) == brightest(plain, x, 0));
 }
 
-TEST_CASE("between_the_colours_of_its_ends_a_segment_goes_over_from_one_to_the_other") {
+TEST_CASE("segment_interpolates_its_end_colours") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
   const std::vector<render::Segment> segments{{0, 1}};
@@ -202,7 +202,7 @@ TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
   test::Stage stage;
   render::FaceLayer faces(stage.gl);
   faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
-  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises to the viewer
+  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises towards the viewer
   render::DiscLayer discs(stage.gl);
   test::set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
   render::FaceStyle untinted;

@@ -31,7 +31,7 @@ double darkness_at(const GroundShadow& s, float x, float y) {
 
 }  // namespace
 
-TEST_CASE("shadow_is_dark_below_what_touches_the_ground_and_faint_below_what_is_high") {
+TEST_CASE("shadow_is_dark_below_contact_and_faint_below_height") {
   const auto at_height = [](float h) { return darkness_at(render::ground_shadow(square(0, 0, h), 1), 0, 0); };
   CHECK(at_height(0) > 0.85);
   CHECK(at_height(0.1F) < at_height(0));
@@ -49,7 +49,7 @@ TEST_CASE("shadow_lies_where_its_points_are_and_ends_softly_before_its_edges") {
     CHECK(shadow.darkness[static_cast<std::size_t>(y + 1) * shadow.width - 1] == 0);
 }
 
-TEST_CASE("what_is_below_the_ground_casts_no_shadow_on_it") {
+TEST_CASE("points_below_the_ground_cast_no_shadow") {
   CHECK(darkness_at(render::ground_shadow(square(0, 0, -0.3F), 1), 0, 0) == 0);
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("points_are_spread_over_triangles_by_their_areas") {
   CHECK(mean.y / static_cast<double>(large) == doctest::Approx(1).epsilon(0.01));
 }
 
-TEST_CASE("points_past_all_cells_cast_no_shadow_and_leave_that_of_others") {
+TEST_CASE("points_beyond_the_grid_cast_no_shadow") {
   const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   for (const float far : {1e8F, 1e30F, 3e38F, -1e30F, inf, -inf, nan}) {
     CAPTURE(far);
@@ -114,7 +114,7 @@ glm::dmat4 look_from(const glm::dvec3& eye, const glm::dvec3& up) {
   return glm::lookAt(eye, glm::dvec3(0), up);
 }
 
-// A ball that stands on the ground, on a white picture.
+// A ball on the ground, in front of white.
 struct Standing {
   explicit Standing(int up) : shadow(stage.gl), backdrop(stage.gl) {
     glm::dvec3 middle(0);
@@ -163,7 +163,7 @@ TEST_CASE("shadow_is_on_the_ground_below_the_model_whichever_axis_is_up") {
   }
 }
 
-TEST_CASE("no_shadow_is_seen_from_below") {
+TEST_CASE("shadow_is_invisible_from_below") {
   Standing s(1);
   CHECK(darkest(s.seen_from({0, 12, 12}, {0, 1, 0})) < 190);
   CHECK(darkest(s.seen_from({0, -12, 12}, {0, 1, 0})) >= 254);
@@ -182,7 +182,7 @@ TEST_CASE("shadow_follows_the_model") {
   CHECK(image.pixel(before.x, before.y)[0] > 240);
 }
 
-TEST_CASE("vertices_of_another_model_are_refused_and_those_that_are_not_finite_cast_none") {
+TEST_CASE("mismatched_vertices_are_rejected_and_non_finite_ones_cast_no_shadow") {
   Standing s(1);
   CHECK_THROWS_AS(s.shadow.set_positions(std::vector<render::Point>(3)), base::Error);
   std::vector<render::SurfaceVertex> lost(s.ball.positions.size());

@@ -1,4 +1,4 @@
-// What the tests of lines, discs and faces draw.
+// Shapes for the tests of lines, discs and faces.
 #pragma once
 
 #include "render/mark_layers.h"
@@ -13,7 +13,7 @@ inline render::Theme black_model() {
   return theme;
 }
 
-/// A wall from x = 0 to the right at z = 1, drawn black so that only lines and discs shine.
+/// A wall at x >= 0, z = 1, drawn black so that only lines and discs are visible.
 struct Wall {
   explicit Wall(const render::Gl& gl) : surface(gl) {
     const std::vector<Point> corners{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}};

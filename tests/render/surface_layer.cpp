@@ -35,7 +35,7 @@ void move(std::vector<Point>& positions, double dx) {
 }  // namespace
 
 TEST_CASE("lit_ball_covers_its_projected_area") {
-  Scene scene(test::ball(7));  // 70 pixels of radius
+  Scene scene(test::ball(7));  // radius 70 pixels
   const double area = static_cast<double>(test::count_not_black(scene.picture()));
   CHECK(area == doctest::Approx(M_PI * 70 * 70).epsilon(0.01));
 }
@@ -53,7 +53,7 @@ TEST_CASE("key_light_comes_from_the_upper_left") {
   const int upper_left = test::brightness(image.pixel(160 - 30, 100 - 40));
   const int lower_right = test::brightness(image.pixel(160 + 40, 100 + 40));
   CHECK(upper_left > lower_right + 100);
-  CHECK(lower_right > 40);  // nothing sinks into black
+  CHECK(lower_right > 40);  // no part is black
 }
 
 TEST_CASE("moved_positions_move_the_pixels") {
@@ -111,8 +111,7 @@ TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belong
   Scene scene(test::ball(4));
   scene.stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
   const render::Image middle = scene.picture();
-  // The same frustum seen through a window moved half a picture to the right: the picture moves left by 80
-  // pixels.
+  // The same frustum through a window shifted right by half a picture: the picture moves left by 80 pixels.
   const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(-0.5, 0, 0));
   scene.stage.view.projection = shift * scene.stage.view.projection;
   const render::Image shifted = scene.picture();
@@ -190,7 +189,7 @@ TEST_CASE("wrong_sizes_and_indices_are_refused") {
   render::SurfaceLayer surface(stage.gl);
   const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 1, 3}};
   CHECK_THROWS_WITH_AS(surface.set_triangles(triangles, 3),
-                       "surface triangles: element 1: names vertex 3, there are 3", base::Error);
+                       "surface triangles: element 1: refers to vertex 3, the mesh has 3", base::Error);
   surface.set_triangles(triangles, 4);
   const std::vector<Point> three(3), four(4);
   CHECK_THROWS_AS(surface.set_positions(three, three), base::Error);
@@ -202,7 +201,7 @@ TEST_CASE("wrong_sizes_and_indices_are_refused") {
 
 namespace {
 
-// Two triangles, 16 units wide and high, whose texture has a red, a green, a blue and a hollow quarter.
+// Two triangles, 16 units wide and high, with a texture of a red, a green, a blue and a transparent quarter.
 struct Card : Scene {
   Card()
       : Scene(
@@ -239,7 +238,7 @@ bool mostly(const render::Rgba8& pixel, std::size_t channel) {
 
 }  // namespace
 
-TEST_CASE("an_image_lies_on_the_surface_upright_and_one_looks_through_its_holes") {
+TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
   Card card;
   const render::Image image = card.painted(render::Paint::file);
   CHECK(mostly(image.pixel(120, 60), 0));   // red at the upper left
@@ -264,7 +263,7 @@ TEST_CASE("an_image_lies_on_the_surface_upright_and_one_looks_through_its_holes"
   CHECK(mostly(faces.pixel(110, 70), 1));
 }
 
-TEST_CASE("checker_and_normals_show_what_they_say") {
+TEST_CASE("checker_and_normals_paint_the_surface") {
   Card card;
   const render::Image checker = card.painted(render::Paint::checker);
   // 160 pixels, 16 squares: 10 pixels each.
@@ -294,7 +293,7 @@ TEST_CASE("flat_runs_have_one_light_for_each_face") {
   CHECK(neighbours_differ(false) > 60);
 }
 
-TEST_CASE("looks_that_do_not_fit_the_surface_are_refused") {
+TEST_CASE("mismatched_looks_are_rejected") {
   Card card;
   card.looks.texture_points.pop_back();
   CHECK_THROWS_AS(card.surface.set_looks(card.looks), base::Error);

@@ -19,25 +19,26 @@ namespace fs = std::filesystem;
 using Budget = std::map<std::string, std::size_t>;
 
 const Budget lines_of_src = {
-    {"app", 8377},        {"base", 2200},          {"bench", 6306},           {"blender", 630},
-    {"cages", 4190},      {"deform", 13556},       {"deform/sparse", 1271},   {"lab", 880},
-    {"library", 1122},    {"mesh", 3141},          {"mesh/formats", 10458},   {"platform", 1097},
-    {"python", 1954},     {"render", 2314},        {"scene/document", 6251},  {"scene/files", 5036},
-    {"scene/hand", 3114}, {"scene/pictures", 771}, {"scene/workspace", 6500}, {"sym3", 6641},
-    {"ui", 7580},
+    {"app", 8112},        {"base", 2019},          {"bench", 6044},           {"blender", 630},
+    {"cages", 4032},      {"deform", 13066},       {"deform/sparse", 1240},   {"lab", 835},
+    {"library", 1119},    {"mesh", 3061},          {"mesh/formats", 8940},    {"platform", 1095},
+    {"python", 1943},     {"render", 2229},        {"scene/document", 6041},  {"scene/files", 4566},
+    {"scene/hand", 2798}, {"scene/pictures", 734}, {"scene/workspace", 6414}, {"sym3", 6570},
+    {"ui", 7247},
 };
-constexpr std::size_t all_lines_of_src = 93'389;
+constexpr std::size_t all_lines_of_src = 88'735;
 
+// support has helpers that were in scene, mesh and deform, each of them twice.
 const Budget lines_of_tests = {
-    {"app", 1671},    {"assets", 366},   {"base", 1011},     {"bench", 809},   {"blender", 432},
-    {"cages", 1356},  {"consumer", 530}, {"deform", 8958},   {"fuzz", 366},    {"lab", 316},
-    {"mesh", 6109},   {"platform", 358}, {"program", 10496}, {"python", 994},  {"releases", 184},
-    {"render", 1322}, {"rules", 966},    {"scene", 12028},   {"support", 773}, {"sym3", 4109},
+    {"app", 1657},    {"assets", 366},   {"base", 941},      {"bench", 747},   {"blender", 432},
+    {"cages", 1317},  {"consumer", 530}, {"deform", 8796},   {"fuzz", 365},    {"lab", 316},
+    {"mesh", 5692},   {"platform", 358}, {"program", 10390}, {"python", 994},  {"releases", 184},
+    {"render", 1272}, {"rules", 977},    {"scene", 11313},   {"support", 803}, {"sym3", 4014},
     {"ui", 13},
 };
-constexpr std::size_t all_lines_of_tests = 53'167;
+constexpr std::size_t all_lines_of_tests = 51'477;
 
-constexpr std::size_t words_of_readme = 1199, words_of_manual_and_rooms = 19'946;
+constexpr std::size_t words_of_readme = 894, words_of_manual_and_rooms = 15'126;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -1,4 +1,4 @@
-// What a source text declares in its namespaces, as far as that can be told without compiling it.
+// Finds namespace-level declarations in a source text, without compiling it.
 #pragma once
 
 #include <cctype>
@@ -9,7 +9,7 @@
 
 namespace viete::rules {
 
-/// Where a comment, a literal or a line of the preprocessor that begins at `at` ends; `at` if none does.
+/// The end of a comment, literal or preprocessor line that starts at `at`; otherwise `at`.
 inline std::size_t end_of_no_code(const std::string& text, std::size_t at) {
   const auto after = [&](const std::string& what, std::size_t from) {
     const std::size_t found = text.find(what, from);
@@ -31,7 +31,7 @@ inline std::size_t end_of_no_code(const std::string& text, std::size_t at) {
   return end == text.npos ? text.size() : end;
 }
 
-/// The text without comments, literals and lines of the preprocessor.
+/// Removes comments, literals and preprocessor lines.
 inline std::string plain_code(const std::string& text) {
   std::string code;
   for (std::size_t i = 0; i < text.size();) {
@@ -42,18 +42,18 @@ inline std::string plain_code(const std::string& text) {
   return code;
 }
 
-/// All up to its first brace or semicolon, in a namespace and in nothing else.
+/// A declaration at namespace level, up to its first brace or semicolon.
 struct Head {
   std::string text;
-  std::string space;  ///< in which: "viete mesh  ", a blank more where it has no name
+  std::string space;  ///< its namespace: "viete mesh  ", with an extra blank if anonymous
   bool anonymous = false;
 };
 
 inline std::vector<Head> heads_of(const std::string& code) {
   static const std::regex opens_namespace(R"((?:^|\s)namespace(?:\s+([\w:]+))?\s*$)");
   std::vector<Head> heads;
-  std::vector<std::string> spaces;  // that are open
-  int braces = 0;                   // that are open in the last of them
+  std::vector<std::string> spaces;  // open namespaces
+  int braces = 0;                   // open braces within the last namespace
   std::string head;
   const auto keep = [&] {
     if (braces > 0 || head.find_first_not_of(" \n\t") == head.npos) return;
@@ -87,17 +87,17 @@ inline std::vector<Head> heads_of(const std::string& code) {
 struct Declared {
   enum class Kind { type, alias, function, constant } kind;
   std::string name;
-  std::string meaning;  ///< of an alias what it stands for, of a function the types of its parameters
+  std::string meaning;  ///< target of an alias, or parameter types of a function
 };
 
-/// The types of "const Point& p, int n = 3", without blanks.
+/// The parameter types of "const Point& p, int n = 3", without blanks.
 inline std::string types_of(const std::string& parameters) {
   static const std::regex value("=[^,]*"), name(R"(([\s&*>])\w+\s*(?=,|$))"), blank(R"(\s+)");
   return std::regex_replace(std::regex_replace(std::regex_replace(parameters, value, ""), name, "$1"), blank,
                             "");
 }
 
-/// Nothing where it declares nothing of its own: a member that is defined, a using directive.
+/// Empty if nothing new is declared, as by member definitions and using directives.
 inline std::optional<Declared> declared_by(const std::string& head) {
   static const std::regex alias(R"(^\s*(?:template\s*<.*>\s*)?using\s+(\w+)\s*=([^]*))"),
       type(

@@ -1,4 +1,4 @@
-// Every #include in src points where the table of rooms lets it.
+// Every #include in src must be allowed by the table of rooms.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ bool is_source(const fs::path& path) {
 
 namespace {
 
-// use(room, path in src, text) of each file of a room.
+// Calls use(room, path in src, text) for each file of a room.
 template <class Use>
 void for_sources(const Use& use) {
   const fs::path src = viete::test::source_dir() / "src";

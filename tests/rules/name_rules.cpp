@@ -1,5 +1,5 @@
-// Sources of a room are compiled one by one, or several as one: a name without a home means one thing in a
-// room, and each source includes what it names.
+// Sources of a room may be compiled separately or as one unit: names at namespace level must be unambiguous
+// in a room, and each source must include the headers of the names it uses.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using namespace viete::rules;
 
 namespace {
 
-using Texts = std::map<std::string, std::string>;  // by path
+using Texts = std::map<std::string, std::string>;  // keyed by path
 
 Texts texts_below(const std::string& top) {
   Texts texts;
@@ -71,7 +71,7 @@ bool mentions(const std::string& code, const std::string& name) {
   return std::regex_search(code, std::regex("\\b" + name + "\\b"));
 }
 
-// As a member, a parameter, a variable, or a type of its own.
+// Declared as a member, parameter, variable or own type.
 bool declares(const std::string& code, const std::string& name) {
   static const std::regex no_type(R"(\b(?:return|else|case|throw|new|const)\b)");
   return std::regex_search(std::regex_replace(code, no_type, ""),
@@ -79,7 +79,7 @@ bool declares(const std::string& code, const std::string& name) {
                                       "\\s*[=({;,):>\\[]"));
 }
 
-// Uses a name that headers of its room declare, or of a room that is named with it, and none of them is
+// Uses a name that is declared only in headers (of this room or a room qualified with it) that are not
 // included.
 std::set<std::string> missing_includes(const Texts& texts) {
   std::map<std::string, Files> homes;
@@ -120,7 +120,7 @@ std::set<std::string> missing_includes(const Texts& texts) {
 TEST_CASE("a_name_in_an_anonymous_namespace_means_one_thing_in_a_room_and_in_its_tests") {
   for (const auto& found : clashes(texts_below("src"))) FAIL_CHECK(found);
   Texts tests = texts_below("tests");
-  std::erase_if(tests, [](const auto& text) { return home_of(text.first) == "fuzz"; });  // a program each
+  std::erase_if(tests, [](const auto& text) { return home_of(text.first) == "fuzz"; });  // separate programs
   for (const auto& found : clashes(tests)) FAIL_CHECK(found);
 }
 

@@ -13,13 +13,13 @@
 namespace viete::rules {
 
 struct Room {
-  std::set<std::string> knows;            ///< rooms whose headers it may include, besides its own
+  std::set<std::string> knows;            ///< other rooms whose headers it may include
   std::set<std::string> packages;         ///< third-party packages it may include anywhere
-  std::set<std::string> source_packages;  ///< and those that only its .cpp files may include
-  bool in_python = false;                 ///< it has no C++
+  std::set<std::string> source_packages;  ///< further packages that only its .cpp files may include
+  bool in_python = false;                 ///< contains no C++
 };
 
-/// By folder in src. A room in another one has its namespace.
+/// Keyed by folder in src. Nested rooms share the namespace of their first folder.
 inline const std::map<std::string, Room>& rooms() {
   static const std::map<std::string, Room> table = {
       {"base", {{}, {}, {"stb"}}},
@@ -69,7 +69,7 @@ inline const std::map<std::string, Room>& rooms() {
   return table;
 }
 
-/// The room of a file in src, or of an include; nothing for those of no room.
+/// The room of a file in src or of an include; empty for files outside of rooms.
 inline std::optional<std::string> room_of(std::string path) {
   for (auto slash = path.rfind('/'); slash != std::string::npos; slash = path.rfind('/')) {
     path.resize(slash);
@@ -78,13 +78,13 @@ inline std::optional<std::string> room_of(std::string path) {
   return std::nullopt;
 }
 
-/// What its names stand in.
+/// The first folder of the room's path.
 inline std::string namespace_of(const std::string& room) {
   return room.substr(0, room.find('/'));
 }
 
-/// Files that include each other, however many are in between: a header and its source count as one. Each
-/// cycle once, in the order of its includes; `includes`: of each file, without its extension, those of src.
+/// Groups of files that include each other, directly or not; a header and its source count as one. Each cycle
+/// once, in include order. `includes`: for each file (without extension) its includes in src.
 inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<std::string>>& includes) {
   enum class State { entered, left };
   std::map<std::string, State> seen;
@@ -110,7 +110,7 @@ inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<
   return {};
 }
 
-/// The package that an include belongs to; none for the standard library and the system.
+/// The package of an include; empty for the standard library and the system.
 inline std::optional<std::string> package_of(const std::string& include) {
   static const std::vector<std::pair<std::string, std::string>> prefixes = {
       {"Eigen/", "eigen"},
@@ -143,7 +143,7 @@ inline std::optional<std::string> package_of(const std::string& include) {
   return std::nullopt;
 }
 
-/// Every #include of a source text, in order; comments do not count.
+/// Every #include of a source text, in order; ignores comments.
 inline std::vector<std::string> includes_of(const std::string& text) {
   static const std::regex line_pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
   std::vector<std::string> found;
@@ -155,13 +155,13 @@ inline std::vector<std::string> includes_of(const std::string& text) {
   return found;
 }
 
-/// The text without comments and strings, which are blank.
+/// Replaces comments and strings by blanks.
 inline std::string code_of(const std::string& text) {
   static const std::regex other(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/|"(\\.|[^"\\\n])*")");
   return std::regex_replace(text, other, " ");
 }
 
-/// Names of other rooms that a file of `room` may not know: "deform::Link" in ui.
+/// Names of other rooms that a file of `room` must not use: "deform::Link" in ui.
 inline std::vector<std::string> foreign_names(const std::string& room, const std::string& text) {
   static const std::regex qualified(R"((^|[^\w:])(?:viete::)?(\w+)::(\w+))");
   const std::string code = code_of(text);
@@ -178,7 +178,7 @@ inline std::vector<std::string> foreign_names(const std::string& room, const std
   return found;
 }
 
-/// Why a file of `room` may not include `include`, or nothing when it may.
+/// The reason why a file of `room` must not include `include`; empty if it may.
 inline std::optional<std::string> violation(const std::string& room, bool is_header,
                                             const std::string& include) {
   const Room& rules = rooms().at(room);

@@ -1,8 +1,9 @@
-// Rules about the text of the sources: ASCII only, a first line that says what a header is for.
+// Rules for source text: ASCII only, and a first line that states a header's purpose.
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 
 #include "support/data.h"
@@ -43,12 +44,21 @@ TEST_CASE("sources_are_ascii") {
 TEST_CASE("headers_say_in_their_first_line_what_they_are_for") {
   for_each_source([](const fs::path& path, const std::string& text) {
     if (path.extension() != ".h") return;
-    const bool is_c = text.find("extern \"C\"") != std::string::npos;  // for both languages
+    const bool is_c = text.find("extern \"C\"") != std::string::npos;  // for C and C++
     CHECK_MESSAGE(text.rfind(is_c ? "/* " : "// ", 0) == 0, path.string());
-    const bool is_kernel_text = path.string().ends_with("-inl.h");  // included again for each instruction set
+    const bool is_kernel_text = path.string().ends_with("-inl.h");  // included once per instruction set
     const char* guard = is_c             ? "#ifndef VIETE_"
                         : is_kernel_text ? "defined(HWY_TARGET_TOGGLE)"
                                          : "#pragma once";
     CHECK_MESSAGE(text.find(guard) != std::string::npos, path.string());
+  });
+}
+
+TEST_CASE("no_comment_begins_with_a_relative_clause") {
+  const std::regex opening("\\n *(///?<?|#) (Of|What|Where|Those|That of) [^\\n]*");
+  for_each_source([&](const fs::path& path, const std::string& text) {
+    std::smatch found;
+    const std::string all = "\n" + text;
+    if (std::regex_search(all, found, opening)) FAIL_CHECK(path.string() << ":" << found.str());
   });
 }

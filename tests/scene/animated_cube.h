@@ -1,4 +1,4 @@
-// A cube in a cage that turns in time.
+// A cube in a rotating cage.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// About z, and moved along x; a vertex is pulled out, so that no pose is a motion of the whole.
+/// About z, and moved along x; one vertex is pulled out, so that no pose is a rigid motion.
 inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double along = 0,
                                 double pull = 0.5) {
   const double a = degrees / 180 * 3.14159265358979323846;
@@ -35,7 +35,7 @@ struct AnimatedCube : CubeFiles {
   }
 
   scene::WholePose pose(double frame) const {
-    scene::KnownVectors vectors;
+    scene::VectorCache vectors;
     vectors.follow(document.cage);
     return scene::Animation(document.timeline, vectors).at(frame);
   }

@@ -19,7 +19,7 @@ namespace {
 
 struct Keyed {
   Document document = test::cube_document();
-  KnownVectors vectors;
+  VectorCache vectors;
 
   Animation animation(const Timeline& timeline) {
     vectors.follow(document.cage);
@@ -44,7 +44,7 @@ TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
   const Animation even = k.animation(two_keys(turned_cube(0), turned_cube(180)));
   for (double share = 0; share <= 1; share += 0.05)
     CHECK(distance(even.at(1 + 10 * share).cage.positions, turned_cube(180 * share).positions) < 1e-12);
-  // In a straight line it passes through nothing.
+  // Linear blending collapses it.
   const auto middle = even.at(6, true).cage.positions;
   for (const auto& p : middle) CHECK(std::hypot(p[0], p[1]) < 1e-12);
 }
@@ -112,7 +112,7 @@ TEST_CASE("a_chain_of_keys_moves_the_model_as_the_same_poses_applied_by_hand_to_
     keep_pose(document, "pose");
     set_key(document, static_cast<int>(1 + 12 * i));
   }
-  KnownVectors vectors;
+  VectorCache vectors;
   vectors.follow(document.cage);
   const Animation animation(document.timeline, vectors);
   base::WorkerPool pool(1);
@@ -155,10 +155,10 @@ TEST_CASE("any_order_of_seeking_gives_the_same_bits") {
 
 namespace {
 
-// A cube that is its own shapes, and no cage.
+// A cube with shapes of itself, without a cage.
 struct Shaped {
   std::shared_ptr<const mesh::Surface> model = std::make_shared<const mesh::Surface>(test::cube(1));
-  KnownVectors vectors;
+  VectorCache vectors;
 
   Animation animation(const Timeline& timeline) {
     vectors.follow_model(model);
@@ -192,7 +192,7 @@ TEST_CASE("keys_with_and_without_shapes_lead_by_logs_from_one_to_the_next") {
   const auto straight = a.at(6, true).shape;
   for (std::size_t v = 0; v < straight->size(); ++v)
     CHECK(mesh::norm((*straight)[v] - 0.5 * (m.model->positions[v] + (*turned)[v])) < 1e-15);
-  // Any order, and taken anew, gives the same bits.
+  // Any order of evaluation, or a new evaluation, gives the same bits.
   std::vector<WholePose> in_order;
   for (int frame = 1; frame <= 31; ++frame) in_order.push_back(a.at(frame));
   Shaped other;
@@ -272,7 +272,7 @@ TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
   const deform::ProbePose half{{0, 0, std::numbers::pi}, {2, 0, 0, 0, 0, 0}, {4, 0, 0}};
   Timeline t;
   t.keys = {{1, test::whole({}, {}), Easing::linear}, {11, test::whole({}, {half})}};
-  KnownVectors none;
+  VectorCache none;
   none.follow(nullptr);
   const WholePose pose = Animation(t, none).at(6);
   CHECK(pose.cage.positions.empty());
@@ -282,7 +282,7 @@ TEST_CASE("probes_are_blended_by_their_logs_also_without_a_cage") {
   CHECK(pose.probes[0].move[0] == doctest::Approx(2));
 }
 
-TEST_CASE("what_overshoots_beyond_what_can_be_drawn_stays_at_the_key_before") {
+TEST_CASE("overshoot_beyond_the_drawable_range_shows_the_previous_key") {
   Keyed k;
   Timeline t = two_keys(stretched_cube(1), stretched_cube(1e30), Easing::smooth);
   t.keys.push_back(key(111, stretched_cube(1e29)));

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Of the frame's pose, as if it was exported alone.
+// The frame's pose exported alone.
 std::vector<mesh::Point> exact_frame(const test::AnimatedCube& cube, double frame) {
   Export one = export_of(cube.document, cube / "one.ply");
   one.pose = cube.pose(frame).cage;
@@ -42,7 +42,7 @@ double farthest(const std::vector<mesh::Point>& a, const std::vector<mesh::Point
   return worst;
 }
 
-// glTF keeps no order: where each vertex of the model is among those that were read.
+// glTF does not preserve order: the index of each model vertex among those read.
 std::vector<std::size_t> file_vertices(const mesh::Surface& read, const mesh::Surface& model) {
   std::vector<std::size_t> own;
   for (const mesh::Point& p : model.positions) {
@@ -60,7 +60,7 @@ std::vector<mesh::Point> picked(const std::vector<mesh::Point>& all, const std::
   return some;
 }
 
-// A sphere of more vertices than errors are measured at.
+// A sphere with more vertices than the error sample.
 mesh::Surface globe(std::uint32_t rings, std::uint32_t around) {
   std::vector<mesh::Point> points;
   for (std::uint32_t i = 0; i < rings; ++i) {
@@ -86,7 +86,7 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-// Cancels when so much is done.
+// Cancels at this progress.
 class CancelledAt {
 public:
   explicit CancelledAt(double share) : share_(share) {}
@@ -134,7 +134,7 @@ TEST_CASE("numbered_frames_are_the_model_as_each_pose_deforms_it_to_the_bit") {
 TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
   test::AnimatedCube cube;
   for (const char* name : {"a.pc2", "a.mdd"}) {
-    for (const auto method : {sym3::Method::fast, sym3::Method::diag}) {  // by float and double engines
+    for (const auto method : {sym3::Method::fast, sym3::Method::diag}) {  // float and double engines
       CAPTURE(name);
       cube.document.method = method;
       const AnimationExport what = animation_export_of(cube.document, cube / name);
@@ -158,7 +158,7 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
   const deform::Cage& cage = *cube.document.cage;
   const auto rest = test::whole(deform::rest_pose(cage)),
              bent = test::whole(test::turned_cage(cage, 90, 20, 2));
-  // At rest where the engine is chosen: at the first, the middle and the last frame.
+  // At rest at the frames where the engine is chosen: the first, the middle and the last.
   cube.document.timeline.keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
   base::WorkerPool pool(2);
   std::size_t in_float = 0;
@@ -197,7 +197,7 @@ TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
     REQUIRE(clip);
     const auto& seconds = clip->seconds();
     CHECK(seconds.size() == report.frames);
-    CHECK(clip->targets().size() == report.frames - 1);  // none of the key at rest
+    CHECK(clip->targets().size() == report.frames - 1);  // none for the key at rest
     CHECK(std::ranges::count_if(seconds, [](double s) { return std::abs(s - 8 / 24.0) < 1e-6; }) == 1);
     CHECK(seconds.back() == doctest::Approx(16 / 24.0));
     const auto own = file_vertices(read.surface, *cube.document.model.surface);
@@ -243,7 +243,7 @@ TEST_CASE("keys_that_hold_jump_and_targets_come_at_every_so_many_frames") {
   test::AnimatedCube cube;
   for (auto& key : cube.document.timeline.keys) key.easing = Easing::hold;
   AnimationExport what = animation_export_of(cube.document, cube / "a.glb");
-  CHECK(write_animation(what).frames == 5);  // three keys, and what comes before two of them
+  CHECK(write_animation(what).frames == 5);  // three keys, and the frames before two of them
   cube.document.timeline.keys[0].easing = cube.document.timeline.keys[1].easing = Easing::linear;
   what = animation_export_of(cube.document, cube / "a.glb");
   what.step = 2;
@@ -302,7 +302,7 @@ TEST_CASE("names_that_say_nothing_that_can_be_written_are_refused_with_what_to_d
     return problem_of(animation_export_of(cube.document, cube / name));
   };
   CHECK(test::mentions(problem("a.obj"), "a_####.obj"));
-  CHECK(test::mentions(problem("a_##.pc2"), "leave the ####"));
+  CHECK(test::mentions(problem("a_##.pc2"), "remove ####"));
   CHECK(test::mentions(problem("a.xyz"), "unknown extension .xyz"));
   CHECK(test::mentions(problem("none/a.pc2"), "none/a.pc2"));
   cube.document.timeline.keys.clear();
@@ -313,7 +313,7 @@ TEST_CASE("an_animation_that_floats_do_not_hold_leaves_nothing") {
   test::AnimatedCube cube;
   WholePose far = *cube.document.timeline.keys.back().pose;
   for (auto& p : far.cage.positions)
-    for (double& x : p) x *= 1e39;  // beyond floats, which the first frames are not
+    for (double& x : p) x *= 1e39;  // beyond float, unlike the first frames
   cube.document.timeline.keys.push_back({18, test::whole(far.cage), Easing::hold});
   cube.document.timeline.last = 18;
   cube.document.timeline.keys[2].easing = Easing::hold;
@@ -327,12 +327,12 @@ TEST_CASE("an_animation_that_floats_do_not_hold_leaves_nothing") {
   }
 }
 
-TEST_CASE("a_frame_that_is_there_is_never_replaced_unasked") {
+TEST_CASE("an_existing_frame_is_never_overwritten_without_force") {
   const test::AnimatedCube cube;
   AnimationExport what = animation_export_of(cube.document, cube / "f_##.ply");
   test::put_file(cube / "f_05.ply", "of a user");
   const std::string problem = problem_of(what);
-  CHECK(test::mentions(problem, "f_05.ply: this file is there already, and would be replaced; choose"));
+  CHECK(test::mentions(problem, "f_05.ply: this file already exists and would be replaced; choose"));
   CHECK_FALSE(test::mentions(problem, "--"));  // unless a caller offers it
   CHECK_FALSE(fs::exists(cube / "f_01.ply"));
   CHECK(test::file_bytes(cube / "f_05.ply") == "of a user");
@@ -341,7 +341,7 @@ TEST_CASE("a_frame_that_is_there_is_never_replaced_unasked") {
   CHECK(mesh::read(cube / "f_05.ply").surface.positions == exact_frame(cube, 5));
   what.force = Force::offered;
   CHECK(test::mentions(problem_of(what),
-                       "f_01.ply: this file is there already, and would be replaced, as 16 more"));
+                       "f_01.ply: this file already exists and would be replaced, as 16 more"));
 }
 
 TEST_CASE("a_cancelled_export_leaves_whole_files_or_none") {

@@ -12,7 +12,7 @@
 #include "scene/document/edit.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/open.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 #include "support/text.h"
 
 using namespace viete;
@@ -76,8 +76,8 @@ TEST_CASE("numbered_posed_cages_are_keys_at_their_numbers") {
       CHECK(keys[i].pose->cage.positions == m.pose(keys[i].frame).cage.positions);
     }
   }
-  CHECK(test::mentions(m.problem(m / "q_#.obj"), "there is no file of this name"));
-  CHECK(test::mentions(m.problem(m.cage), "its name has no number"));
+  CHECK(test::mentions(m.problem(m / "q_#.obj"), "no file matches this name"));
+  CHECK(test::mentions(m.problem(m.cage), "its name has no frame number"));
 }
 
 TEST_CASE("point_caches_of_the_cage_are_keys_at_every_frame") {
@@ -106,16 +106,16 @@ TEST_CASE("morph_targets_of_a_cage_are_poses_and_their_animation_keys") {
   for (const PoseKey& key : keys) CHECK(farthest(key.pose->cage, m.pose(key.frame).cage) < 1e-5);
   const fs::path file = m / "c.glb";
   const auto poses = read_poses(std::span(&file, 1), *m.document.cage);
-  CHECK(poses.warnings.empty());  // nobody is told that what was taken is not played
+  CHECK(poses.warnings.empty());  // no note about unplayed animation
   CHECK(read_keys(file, *m.document.cage, {}).warnings.empty());
-  REQUIRE(poses.poses.size() >= 16);  // rest needs none
+  REQUIRE(poses.poses.size() >= 16);  // rest needs no target
   CHECK(poses.poses.back().name == "frame 17");
   CHECK(farthest(poses.poses.back().pose->cage, m.pose(17).cage) < 1e-5);
   write_animation(animation_export_of(m.document, m / "model.glb"));
   CHECK(test::mentions(m.problem(m / "model.glb"), "20 points, and the cage has 8 vertices"));
 }
 
-TEST_CASE("keys_on_one_frame_are_said") {
+TEST_CASE("several_keys_on_one_frame_give_a_warning") {
   const CageMotion m;
   m.write(m / "c.mdd");
   const ImportedKeys keys = read_keys(m / "c.mdd", *m.document.cage, {1, 12});

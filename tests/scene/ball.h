@@ -47,8 +47,8 @@ inline mesh::Surface ball(double radius, int levels = 4) {
 
 inline scene::Workspace ball_workspace(int levels = 4) {
   scene::Workspace w;
-  w.document = scene::document_of(scene::made_surface(ball(1, levels), "ball"));
-  scene::set_cage(w.document, scene::made_surface(ball(1.2, levels), "larger ball"));
+  w.document = scene::document_of(scene::generated_surface(ball(1, levels), "ball"));
+  scene::set_cage(w.document, scene::generated_surface(ball(1.2, levels), "larger ball"));
   w.viewport = {{1000, 800}, {200, 0}, {800, 780}};
   scene::frame_all(w, false);
   return w;

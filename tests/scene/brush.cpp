@@ -6,8 +6,8 @@
 #include "scene/document/edit.h"
 #include "scene/files.h"
 #include "scene/files/session.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "scene/workspace/workspace.h"
 #include "support/commands.h"
 #include "support/edits.h"
@@ -61,18 +61,18 @@ TEST_CASE("a_stroke_paints_once_however_often_it_goes_over_a_vertex_and_is_one_e
   CHECK(d.mask == painted);
 }
 
-TEST_CASE("a_stroke_that_is_taken_back_or_paints_nothing_is_no_edit") {
+TEST_CASE("a_cancelled_or_empty_stroke_is_no_edit") {
   Painted p;
   Document& d = p.w.document;
   MaskStroke taken_back(d);
   taken_back.dab(d, {}, d.model.surface->positions[0], 1, 0);
   taken_back.cancel(d);
   CHECK_FALSE(d.mask);
-  p.paint(0, 1e-9, 1);  // it follows already
+  p.paint(0, 1e-9, 1);  // it is 1 already
   CHECK_FALSE(d.mask);
   CHECK(test::edit_count(d.history) == 0);
   p.paint(0, 1e-9, 0);
-  p.paint(0, 1e-9, 1);  // and follows again: nothing is left of the mask
+  p.paint(0, 1e-9, 1);  // and 1 again: the mask becomes null
   CHECK_FALSE(d.mask);
   CHECK(test::edit_count(d.history) == 2);
 }
@@ -105,10 +105,10 @@ TEST_CASE("a_mask_is_unsaved_until_its_session_is_and_comes_back_to_the_last_bit
   REQUIRE(back.document.mask);
   CHECK(*back.document.mask == *p.w.document.mask);
   CHECK_FALSE(has_unsaved_edits(back));
-  // A cage that is opened over it leaves it as it is; another model has none.
+  // Opening another cage keeps it; another model has none.
   REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
   CHECK(back.document.mask);
-  CHECK(has_unsaved_edits(back));  // no file holds it together with this cage
+  CHECK(has_unsaved_edits(back));  // no file contains it together with this cage
   REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
   CHECK_FALSE(back.document.mask);
   CHECK_FALSE(has_unsaved_edits(back));
@@ -125,7 +125,7 @@ TEST_CASE("damaged_masks_cost_themselves_alone_and_say_so") {
                {"[255, 0]", "mask: it is of 0 vertices, the model has 20"},
                {"[255, 4294967295]", "mask: it is of 4294967295 vertices, the model has 20"},
                {"[0, 4294967295, 1, 4294967295]", "mask: it is of 8589934590 vertices"},
-               {"[255]", "mask: a share without the number of its vertices"},
+               {"[255]", "mask: a share lacks the number of its vertices"},
                {"[-1, 8]", "mask[0]"},
                {"\"all\"", "mask: found a text"}};
   for (const auto& c : cases) {
@@ -157,7 +157,7 @@ TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {
   CHECK((*hit)[2] == doctest::Approx(box.high[2]));
   CHECK((*hit)[0] == doctest::Approx(c[0] + 0.01));
   CHECK_FALSE(pick_model(d, {}, {ray.origin, {0, 0, 1}}));
-  // Posed 5 to the side it is no longer there, and there it is.
+  // Moved 5 to the side, the model is hit there and no longer here.
   std::vector<deform::FrameVertex> posed;
   for (const auto& x : d.model.surface->positions)
     posed.push_back({{float(x[0] + 5), float(x[1]), float(x[2])}, 0, {0, 0, 1}, 0});

@@ -1,4 +1,4 @@
-// Editing the cage itself: what becomes of its shape, its pose and the history.
+// Cage editing: its effect on shape, pose and history.
 #include "scene/document/cage_editing.h"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ double volume(const mesh::Surface& s) {
   return six / 6;
 }
 
-// Posed by one vertex, then in the mode.
+// With one posed vertex, in cage editing.
 Document edited_cube() {
   Document document = test::cube_document();
   document.pose.positions[7] = {3, 3, 3};
@@ -57,13 +57,13 @@ TEST_CASE("the_mode_shows_the_cage_at_rest_and_keeps_the_pose") {
   CHECK(document.pose.positions[7] == mesh::Point{3, 3, 3});
 }
 
-TEST_CASE("what_a_hand_moves_in_the_mode_is_the_rest_and_the_pose_follows") {
+TEST_CASE("drags_in_cage_editing_change_the_rest_shape_and_the_pose_follows") {
   Document document = edited_cube();
   const auto before = document.cage->surface.positions;
   document.history.record("move", state_of(document));
   document.pose.positions[7] = {2, 2, 2};
-  CHECK(settle_cage_edit(document));
-  CHECK_FALSE(settle_cage_edit(document));
+  CHECK(commit_cage_edit(document));
+  CHECK_FALSE(commit_cage_edit(document));
   CHECK(document.cage->surface.positions[7] == mesh::Point{2, 2, 2});
   CHECK(document.cage_file.path.empty());
   end_cage_editing(document);
@@ -73,12 +73,12 @@ TEST_CASE("what_a_hand_moves_in_the_mode_is_the_rest_and_the_pose_follows") {
   CHECK(document.cage->surface.positions == before);
 }
 
-TEST_CASE("a_move_that_leaves_no_cage_is_taken_back_and_said") {
+TEST_CASE("a_move_that_invalidates_the_cage_is_undone_with_a_message") {
   Document document = edited_cube();
   const auto before = document.cage->surface.positions;
   document.history.record("move", state_of(document));
   for (auto& p : document.pose.positions) p = {0, 0, 0};
-  CHECK_THROWS_AS(settle_cage_edit(document), base::Error);
+  CHECK_THROWS_AS(commit_cage_edit(document), base::Error);
   CHECK(document.cage->surface.positions == before);
   CHECK(document.pose.positions == before);
 }
@@ -161,7 +161,7 @@ TEST_CASE("subdividing_makes_four_of_one_and_mirroring_makes_both_sides_alike") 
   for (auto& p : document.pose.positions) {
     if (p == mesh::Point{1.5, 1.5, 1.5}) p = {1.9, 1.7, 1.8};
   }
-  REQUIRE(settle_cage_edit(document));
+  REQUIRE(commit_cage_edit(document));
   document.selection.clear();
   mirror_cage(document);
   CHECK(document.cage->closed);
@@ -180,7 +180,7 @@ TEST_CASE("a_cage_of_another_size_and_place_is_fitted_and_one_that_is_too_tight_
   Document document = test::cube_document();
   mesh::Surface far = document.cage->surface;
   for (auto& p : far.positions) p = {1000 + 0.01 * p[0], 0.01 * p[1], 0.01 * p[2] - 7};
-  document.cage_file = made_surface(far, "far away");
+  document.cage_file = generated_surface(far, "far away");
   document.cage = std::make_shared<const deform::Cage>(deform::make_cage(far));
   document.pose = deform::rest_pose(*document.cage);
   fit_cage(document);
@@ -196,7 +196,7 @@ TEST_CASE("a_cage_of_another_size_and_place_is_fitted_and_one_that_is_too_tight_
 }
 
 TEST_CASE("a_turned_cage_is_fitted_turned_and_its_pose_with_it") {
-  constexpr double c = 0.6, d = 0.8;  // of 53 degrees about Z
+  constexpr double c = 0.6, d = 0.8;  // a rotation of 53 degrees about Z
   const auto box = [](double size) {
     mesh::Surface s = test::cube(size);
     for (auto& p : s.positions) p = {p[0], 2 * p[1], 4 * p[2]};
@@ -207,8 +207,8 @@ TEST_CASE("a_turned_cage_is_fitted_turned_and_its_pose_with_it") {
   };
   mesh::Surface cage = box(0.3);
   for (auto& p : cage.positions) p = turned(p) + mesh::Point{5, 0, 0};
-  Document document = document_of(made_surface(box(1), "box"));
-  set_cage(document, made_surface(cage, "cage"));
+  Document document = document_of(generated_surface(box(1), "box"));
+  set_cage(document, generated_surface(cage, "cage"));
   const mesh::Vec3 way = turned({1, 0, 0}), spin = turned({0, 7, 0});
   document.pose.positions[7] = document.pose.positions[7] + way;
   document.pose.turns = {spin};
@@ -217,9 +217,9 @@ TEST_CASE("a_turned_cage_is_fitted_turned_and_its_pose_with_it") {
   for (std::size_t k = 0; k < 3; ++k)
     CHECK(now.high[k] == doctest::Approx(document.model.bounds.high[k]).epsilon(0.1));
   const mesh::Vec3 moved = document.pose.positions[7] - document.cage->surface.positions[7];
-  CHECK(moved[0] > 3);  // as much larger as the cage
+  CHECK(moved[0] > 3);  // scaled like the cage
   CHECK(std::abs(moved[1]) < 0.03 * moved[0]);
-  CHECK(document.pose.turns[0][1] == doctest::Approx(7).epsilon(0.01));  // as far around, about its new axis
+  CHECK(document.pose.turns[0][1] == doctest::Approx(7).epsilon(0.01));  // the same angle, about its new axis
   CHECK(std::abs(document.pose.turns[0][0]) < 0.2);
   undo(document);
   CHECK(document.cage->surface.positions == cage.positions);
@@ -227,8 +227,9 @@ TEST_CASE("a_turned_cage_is_fitted_turned_and_its_pose_with_it") {
 }
 
 TEST_CASE("to_a_model_that_is_a_point_no_cage_is_fitted") {
-  Document document = document_of(made_surface(mesh::from_triangles({{1, 2, 3}, {1, 2, 3}}, {}), "point"));
-  set_cage(document, made_surface(test::cube(1), "cage"));
+  Document document =
+      document_of(generated_surface(mesh::from_triangles({{1, 2, 3}, {1, 2, 3}}, {}), "point"));
+  set_cage(document, generated_surface(test::cube(1), "cage"));
   CHECK_THROWS_AS(fit_cage(document), base::Error);
   CHECK_THROWS_AS(fit_cage_turned(document), base::Error);
   CHECK(document.cage->surface.positions == test::cube(1).positions);
@@ -239,7 +240,7 @@ TEST_CASE("selected_vertices_within_the_model_snap_out_of_it_and_stay_selected")
   document.pose.positions[7] = {0.7, 0.2, 0.1};
   document.pose.positions[6] = {0, 0.4, 0.8};
   document.history.record("move", state_of(document));
-  REQUIRE(settle_cage_edit(document));
+  REQUIRE(commit_cage_edit(document));
   const auto before = document.cage->surface.positions;
   select(document, ElementKind::vertex, {3, 7});
   const SnapResult snapped = snap_selected(document);
@@ -253,12 +254,12 @@ TEST_CASE("selected_vertices_within_the_model_snap_out_of_it_and_stay_selected")
   CHECK(document.selection.indices() == std::vector<std::uint32_t>{3, 7});
   const auto edits = test::edit_count(document.history);
   CHECK(snap_selected(document).moved == 0);
-  CHECK(test::edit_count(document.history) == edits);  // nothing to take back
+  CHECK(test::edit_count(document.history) == edits);  // no edit
   undo(document);
   CHECK(document.cage->surface.positions == before);
 }
 
-TEST_CASE("what_is_no_cage_changes_nothing") {
+TEST_CASE("an_invalid_cage_changes_nothing") {
   Document document = edited_cube();
   const auto cage = document.cage;
   const std::size_t edits = test::edit_count(document.history);
@@ -282,19 +283,19 @@ TEST_CASE("whole_turns_of_the_pose_outlive_an_edit_of_the_cage") {
   CHECK(document.pose.turns == std::vector<deform::Vec3>{{0, 6.2, 0}});
 }
 
-TEST_CASE("a_pose_that_is_opened_in_the_mode_ends_it") {
+TEST_CASE("opening_a_pose_ends_cage_editing") {
   Document document = edited_cube();
   const auto cage = document.cage;
   deform::Pose pose = deform::rest_pose(*cage);
   pose.positions[0] = {-4, -4, -4};
   set_pose(document, pose);
   CHECK_FALSE(is_editing_cage(document));
-  CHECK_FALSE(settle_cage_edit(document));
+  CHECK_FALSE(commit_cage_edit(document));
   CHECK(document.cage == cage);
   CHECK(document.pose.positions == pose.positions);
 }
 
-TEST_CASE("what_cannot_be_removed_is_said_and_no_edit") {
+TEST_CASE("a_failed_removal_shows_a_message_and_is_no_edit") {
   Document document = edited_cube();
   select(document, ElementKind::face, {0, 1});
   remove_selected(document);
@@ -302,7 +303,7 @@ TEST_CASE("what_cannot_be_removed_is_said_and_no_edit") {
   const std::size_t edits = test::edit_count(document.history);
   const auto count = document.cage->surface.positions.size();
   select(document, ElementKind::vertex, {0});
-  remove_selected(document);  // at the border: it goes all the same
+  remove_selected(document);  // at the boundary: still removable
   CHECK(document.cage->surface.positions.size() == count - 1);
   CHECK(test::edit_count(document.history) == edits + 1);
 }
@@ -352,7 +353,7 @@ TEST_CASE("a_file_that_now_holds_another_cage_is_not_that_of_earlier_ones") {
   CHECK(document.cage_file.path == folder / "cage.obj");
   undo(document);
   CHECK(document.cage_file.path.empty());
-  CHECK(session_of(w).made_cage);
+  CHECK(session_of(w).generated_cage);
   redo(document);
   CHECK(document.cage_file.path == folder / "cage.obj");
 }

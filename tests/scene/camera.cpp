@@ -26,14 +26,14 @@ glm::vec2 pixel(const Camera& camera, const Viewport& v, const glm::vec3& p) {
   return {(0.5f + 0.5f * clip.x / clip.w) * v.window.x, (0.5f - 0.5f * clip.y / clip.w) * v.window.y};
 }
 
-// A bottle: broad at one end of an axis, a point at the other.
+// A bottle: wide at one end of an axis, a point at the other.
 OpenedSurface bottle(std::size_t axis, const std::string& format = "OBJ") {
   mesh::Surface cone = test::cube(1);
   for (auto& p : cone.positions) {
     const double height = p[axis];
     for (std::size_t k = 0; k < 3; ++k) p[k] *= k == axis ? 3 : height > 0 ? 0.1 : 1;
   }
-  OpenedSurface opened = made_surface(std::move(cone), "bottle");
+  OpenedSurface opened = generated_surface(std::move(cone), "bottle");
   opened.format = format;
   return opened;
 }
@@ -142,7 +142,7 @@ TEST_CASE("standard_views_look_along_the_axes_after_150_ms") {
   }
 }
 
-TEST_CASE("the_hand_interrupts_an_eased_move") {
+TEST_CASE("user_input_interrupts_a_camera_animation") {
   Camera camera;
   camera.look(StandardView::top);
   camera.animate(0.05f);
@@ -219,7 +219,7 @@ TEST_CASE("an_eased_view_stays_orthographic_and_switching_meanwhile_lasts") {
   CHECK_FALSE(camera.pose().orthographic);
 }
 
-TEST_CASE("a_camera_stays_in_range_whatever_it_is_told") {
+TEST_CASE("a_camera_clamps_every_input") {
   const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   const auto is_sane = [](const CameraPose& p) {
     const float far = static_cast<float>(farthest_place);
@@ -252,7 +252,7 @@ TEST_CASE("a_model_stands_on_its_broad_end") {
   CHECK(guessed_up(bottle(2)) == UpAxis::z);
   CHECK(guessed_up(bottle(1, "STL binary")) == UpAxis::z);
   CHECK(guessed_up(bottle(2, "glTF binary")) == UpAxis::y);
-  OpenedSurface cube = made_surface(test::cube(1), "cube");
+  OpenedSurface cube = generated_surface(test::cube(1), "cube");
   CHECK(guessed_up(cube) == UpAxis::y);
 }
 

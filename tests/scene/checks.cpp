@@ -41,7 +41,7 @@ void check_only(const std::vector<Finding>& found, Defect defect, Subject subjec
   CHECK(!meaning(found[0]).empty());
 }
 
-// Two cubes that do not touch, or one.
+// Two separate cubes, or one.
 deform::Cage cage_of(int cubes) {
   mesh::Surface surface = test::cube(1);
   const auto positions = surface.positions;
@@ -56,7 +56,7 @@ deform::Cage cage_of(int cubes) {
   return deform::make_cage(mesh::from_triangles(surface.positions, surface.triangles));
 }
 
-// Said of the cage with its first vertices mapped.
+// The notes about the cage with its first vertices mapped.
 std::vector<std::string> notes(deform::Cage cage, std::size_t mapped, auto map) {
   deform::Pose pose = deform::rest_pose(cage);
   for (std::size_t v = 0; v < mapped; ++v) map(pose.positions[v]);
@@ -108,7 +108,7 @@ TEST_CASE("a_turned_face_names_its_edges_and_puts_nothing_outside") {
   CHECK(found[0].edges.size() == 3);
 }
 
-TEST_CASE("an_inside_out_cage_is_said_and_does_not_matter") {
+TEST_CASE("an_inside_out_cage_is_reported_as_information") {
   auto s = test::cube(1.5);
   for (auto& t : s.triangles) std::swap(t[0], t[1]);
   const auto found = check_in(with_triangles(s, s.triangles));
@@ -118,10 +118,10 @@ TEST_CASE("an_inside_out_cage_is_said_and_does_not_matter") {
 }
 
 TEST_CASE("a_face_without_area_and_a_thin_one_are_named") {
-  // A vertex on an edge of the cube, or just beside it, in faces of their own.
+  // A vertex on an edge of the cube, or close to it, in its own faces.
   for (const double beside : {0.0, 1e-6}) {
     auto s = test::cube(1.5);
-    s.positions.push_back({1.5 - beside, 0, -1.5 - beside});  // of the edge 1-3
+    s.positions.push_back({1.5 - beside, 0, -1.5 - beside});  // on or near the edge 1-3
     auto triangles = s.triangles;
     triangles.push_back({1, 8, 3});
     const auto found = check_in(with_triangles(s, triangles));
@@ -141,10 +141,10 @@ TEST_CASE("vertices_at_one_place_are_named_and_do_not_open_the_cage") {
   const auto found = check_in(with_triangles(s, triangles));
   check_only(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex);
   CHECK(found[0].elements == List{8});
-  CHECK(title(found[0]) == "1 vertex on top of another");
+  CHECK(title(found[0]) == "1 duplicate vertex");
 }
 
-TEST_CASE("a_vertex_without_a_face_is_said_and_does_not_matter") {
+TEST_CASE("an_unused_vertex_is_reported_as_information") {
   auto s = test::cube(1.5);
   s.positions.push_back({0, 5, 0});
   const auto found = check_in(s);
@@ -172,30 +172,30 @@ TEST_CASE("model_vertices_outside_the_cage_are_named") {
   CHECK(matters(found[0]));
 }
 
-TEST_CASE("a_cage_that_would_fit_when_it_is_turned_is_said_to") {
+TEST_CASE("a_cage_that_fits_when_rotated_is_reported_as_such") {
   mesh::Surface model = test::cube(1);
   for (auto& p : model.positions) p = {p[0], 2 * p[1], 4 * p[2]};
   mesh::Surface larger = model, turned = model, elsewhere = model;
   for (auto& p : larger.positions) p = 1.1 * p;
   for (auto& p : turned.positions) p = {1.1 * p[2], 1.1 * p[0], 1.1 * p[1]};
   for (auto& p : elsewhere.positions) p[0] += 10;
-  const OpenedSurface opened_model = made_surface(model, "model");
+  const OpenedSurface opened_model = generated_surface(model, "model");
   const auto outside = [&](const mesh::Surface& cage) -> std::optional<Finding> {
     CheckState checks;
-    take_findings(checks, check(opened_model, made_surface(cage, "cage")));
+    take_findings(checks, check(opened_model, generated_surface(cage, "cage")));
     const auto at = outside_finding(checks);
     return at ? std::optional(checks.findings[*at]) : std::nullopt;
   };
   CHECK_FALSE(outside(larger));
   REQUIRE(outside(turned));
   CHECK(outside(turned)->turned);
-  CHECK(meaning(*outside(turned)).ends_with("Turned, the cage fits clearly better."));
+  CHECK(meaning(*outside(turned)).ends_with("Rotated, the cage fits clearly better."));
   REQUIRE(outside(elsewhere));
   CHECK_FALSE(outside(elsewhere)->turned);
 }
 
 TEST_CASE("faces_are_polygons_and_not_their_triangles") {
-  mesh::Surface s;  // a pentagon of which one triangle has no area, after a quad
+  mesh::Surface s;  // a pentagon with a degenerate triangle, after a quad
   s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1.5, 1, 0}};
   s.corners = {0, 1, 2, 3, 1, 4, 5, 6, 2};
   s.polygon_starts = {0, 4, 9};
@@ -209,7 +209,7 @@ TEST_CASE("faces_are_polygons_and_not_their_triangles") {
   CHECK(vertices_of(*named, s, 0) == List{1, 4, 5, 6, 2});
 }
 
-TEST_CASE("what_matters_comes_first") {
+TEST_CASE("important_findings_come_first") {
   auto model = test::cube(1);
   model.positions.push_back({0, 0, 0});
   model.positions[5] = {4, 4, 4};
@@ -238,20 +238,20 @@ TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
   step_element(w, -1);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{1});
   frame_finding(w, w.document.pose.positions);
-  CHECK(w.camera.destination().target.x > 0.2F);  // edge 5-7 lies at the right
+  CHECK(w.camera.destination().target.x > 0.2F);  // edge 5-7 is on the right
   toggle_finding(w, 0);
   CHECK(!w.checks.shown);
 }
 
-TEST_CASE("a_mirrored_cage_is_told_as_such") {
+TEST_CASE("a_mirrored_cage_is_reported_as_mirrored") {
   for (int axis = 0; axis < 3; ++axis) {
     const auto said = notes(cage_of(1), 8, [&](mesh::Point& p) { p[axis] = -2 * p[axis]; });
     REQUIRE(said.size() == 1);
-    CHECK_MESSAGE(holds(said[0], "The cage is turned inside out in this pose, as by a mirror"), said[0]);
+    CHECK_MESSAGE(holds(said[0], "The cage is mirrored in this pose"), said[0]);
   }
   const auto through_a_point = notes(cage_of(1), 8, [](mesh::Point& p) { p = {-p[0], -p[1], -p[2]}; });
   REQUIRE(through_a_point.size() == 1);
-  CHECK(holds(through_a_point[0], "inside out"));
+  CHECK(holds(through_a_point[0], "mirrored"));
 }
 
 TEST_CASE("a_cage_that_is_turned_stretched_or_bent_is_no_mirror_image") {
@@ -261,8 +261,8 @@ TEST_CASE("a_cage_that_is_turned_stretched_or_bent_is_no_mirror_image") {
   for (const auto& note : torn) CHECK_FALSE(holds(note, "mirror"));
 }
 
-TEST_CASE("of_several_parts_those_that_are_mirrored_are_counted") {
+TEST_CASE("mirrored_parts_are_counted") {
   const auto said = notes(cage_of(2), 8, [](mesh::Point& p) { p[1] = -p[1]; });
   REQUIRE_FALSE(said.empty());
-  CHECK_MESSAGE(holds(said[0], "1 of 2 parts of the cage is turned inside out"), said[0]);
+  CHECK_MESSAGE(holds(said[0], "1 of 2 parts of the cage is mirrored"), said[0]);
 }

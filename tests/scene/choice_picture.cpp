@@ -1,5 +1,4 @@
-// The pictures of the choosers: there is one for each entry, they tell entries apart, and they say what is
-// so.
+// Chooser pictures: one for each entry, all different, and showing correct data.
 #include "scene/pictures/choice_picture.h"
 
 #include <doctest/doctest.h>
@@ -26,13 +25,13 @@ bool inside(const glm::vec2& p) {
 
 void check_shape(const scene::PictureShape& shape) {
   CHECK(shape.points.size() >= 2);
-  CHECK(std::ranges::all_of(shape.points, inside));  // which no NaN is
+  CHECK(std::ranges::all_of(shape.points, inside));  // false for NaN
   CHECK(std::ranges::all_of(shape.tones, [](float t) { return t >= 0 && t <= 1; }));
   if (shape.ink == Ink::model) CHECK(shape.tones.size() == 1);
   if (shape.ink == Ink::weight) CHECK(shape.tones.size() == shape.points.size());
 }
 
-// One for each entry, none like another.
+// One for each entry, all different.
 template <class Entry>
 void check_pictures(std::span<const Entry> table) {
   std::vector<ChoicePicture> seen;
@@ -41,7 +40,7 @@ void check_pictures(std::span<const Entry> table) {
     const ChoicePicture picture = choice_picture(e.value);
     CHECK_FALSE(picture.caption.empty());
     CHECK(count(picture, Ink::model) + count(picture, Ink::weight) > 50);
-    CHECK(count(picture, Ink::cage) >= 10);  // of quads
+    CHECK(count(picture, Ink::cage) >= 10);  // edges of quads
     for (const auto& shape : picture.shapes) check_shape(shape);
     CHECK(picture == choice_picture(e.value));
     CHECK(std::ranges::find(seen, picture) == seen.end());
@@ -49,7 +48,7 @@ void check_pictures(std::span<const Entry> table) {
   }
 }
 
-// The largest weight where a condition holds.
+// The largest weight where a condition is met.
 template <class Where>
 float most(const ChoicePicture& picture, Where where) {
   float result = 0;
@@ -68,7 +67,7 @@ float on_the_other_prong(Weights weights) {
   });
 }
 
-// Square pixels of the model on screen.
+// The model's area on screen in square pixels.
 double covered(const ChoicePicture& picture) {
   double sum = 0;
   for (const auto& shape : picture.shapes) {
@@ -120,7 +119,7 @@ TEST_CASE("a_picture_is_kept_once_it_is_made") {
 
 TEST_CASE("a_lattice_is_closed_and_outward_with_shared_corners") {
   const mesh::Surface bar = lattice_surface({even(-3, 3, 6), even(-1, 1, 2), {0, 0.5, 3}});
-  CHECK(bar.positions.size() == 7 * 3 * 3 - 5);  // all but those inside
+  CHECK(bar.positions.size() == 7 * 3 * 3 - 5);  // without those inside
   CHECK(bar.polygon_count() == 2 * (6 * 2 + 6 * 2 + 2 * 2));
   CHECK(volume_of(bar) == doctest::Approx(6 * 2 * 3));
   CHECK(deform::make_cage(bar).closed);
@@ -139,7 +138,7 @@ TEST_CASE("cells_that_are_not_filled_are_left_out") {
       2);
 }
 
-TEST_CASE("even_steps_end_where_they_should") {
+TEST_CASE("even_steps_end_exactly_at_the_upper_bound") {
   CHECK(even(-3.2, 3.2, 3).front() == -3.2);
   CHECK(even(-3.2, 3.2, 3).back() == 3.2);
   CHECK(even(0, 1, 4) == std::vector<double>{0, 0.25, 0.5, 0.75, 1});

@@ -107,7 +107,7 @@ TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "blend_linear"));
   CHECK(w.document.scheme.blend == deform::Blend::linear);
-  CHECK(w.document.revisions().weights == before.weights);  // other sums of the same weights
+  CHECK(w.document.revisions().weights == before.weights);  // other sums with the same weights
   CHECK(w.document.revisions().method > before.method);
   CHECK_FALSE(test::run_command(w, "method_sd"));
   CHECK(test::run_command(w, "weights_mean_value"));
@@ -148,7 +148,7 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK(test::run_command(w, "toggle_stitched"));
   CHECK(w.document.scheme.iterations == 1);
   CHECK(w.document.revisions().method > before.method);
-  CHECK(w.document.revisions().weights == before.weights);  // the same sums of the same weights
+  CHECK(w.document.revisions().weights == before.weights);  // the same sums with the same weights
   for (const int iterations : {3, 4, 7}) set_iterations(w.document, iterations);
   CHECK(w.document.scheme.iterations == 7);
   CHECK(test::edit_count(w.document.history) == 1);
@@ -158,12 +158,12 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK(w.document.scheme.iterations == 7);
   CHECK(test::run_command(w, "weights_harmonic"));  // stays stitched
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "weights_mean_value"));  // which have nothing to stitch
+  CHECK(test::run_command(w, "weights_mean_value"));  // cannot be stitched
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK_FALSE(test::run_command(w, "toggle_stitched"));
   CHECK(test::run_command(w, "undo"));
   CHECK(w.document.scheme.iterations == 7);
-  // What holds it is one edit however it slides, and stays while it is not stitched.
+  // Consecutive changes of the constraints are one edit, and are kept while it is not stitched.
   const auto edits = test::edit_count(w.document.history);
   for (const double radius : {0.01, 0.05, 0.1}) set_holding(w.document, {radius, 0});
   CHECK(test::edit_count(w.document.history) == edits + 1);
@@ -172,26 +172,26 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK(w.document.scheme.holding.radius == 0.1);
 }
 
-TEST_CASE("a_stitching_that_is_not_to_be_had_leaves_no_trace_in_the_history") {
+TEST_CASE("a_failed_stitching_leaves_no_history_entry") {
   Workspace w = test::cube_workspace();
   test::run_command(w, "toggle_stitched");
-  give_up_scheme(w.document, deform::Scheme());
+  revert_scheme(w.document, deform::Scheme());
   CHECK(w.document.scheme == deform::Scheme());
   CHECK_FALSE(w.document.history.can_undo());
 }
 
-TEST_CASE("a_way_of_blending_that_is_not_to_be_had_leaves_no_trace_in_the_history") {
+TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   Workspace w = test::cube_workspace();
   test::run_command(w, "reset_pose");
   const std::size_t edits = test::edit_count(w.document.history);
   test::run_command(w, "weights_mean_value");
-  give_up_scheme(w.document, deform::Scheme());
+  revert_scheme(w.document, deform::Scheme());
   CHECK(w.document.scheme == deform::Scheme());
   CHECK(test::edit_count(w.document.history) == edits);
   w.document.pose.positions[0][0] += 0.25;
   test::run_command(w, "weights_mean_value");
   test::run_command(w, "reset_pose");
-  give_up_scheme(w.document, deform::Scheme());  // what came after it stays
+  revert_scheme(w.document, deform::Scheme());  // keeps later settings
   CHECK(test::edit_count(w.document.history) == edits + 2);
   CHECK(w.document.scheme == deform::Scheme());
 }
@@ -265,7 +265,7 @@ TEST_CASE("every_command_is_understood_by_its_label_alone") {
     CHECK_MESSAGE((label.find(' ') != label.npos || plain.contains(label)), label);
     CHECK_FALSE(command.brief.empty());
     if (command.submenu.empty()) continue;
-    CHECK_MESSAGE(label.size() > command.brief.size(), label);  // its headline, too
+    CHECK_MESSAGE(label.size() > command.brief.size(), label);  // includes its headline
   }
 }
 
@@ -293,14 +293,14 @@ TEST_CASE("a_few_letters_find_a_command_and_the_best_comes_first") {
   CHECK(find_commands(w, "no such thing at all").empty());
 }
 
-TEST_CASE("nothing_typed_finds_all_but_what_answers_something_that_is_not_there") {
+TEST_CASE("an_empty_search_lists_all_except_transient_commands") {
   const Workspace w;
   const auto all = find_commands(w, "");
   CHECK(all.size() > 80);
   for (const Command* command : all) CHECK_FALSE(command->passing);
 }
 
-TEST_CASE("a_switch_says_whether_it_is_on") {
+TEST_CASE("a_toggle_returns_its_state") {
   Workspace w;
   CHECK(find_command("toggle_grid")->on(w));
   w.view.grid = false;

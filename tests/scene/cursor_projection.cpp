@@ -93,7 +93,7 @@ TEST_CASE("an_edge_on_ring_has_no_angle_but_its_near_side_follows_the_cursor") {
   c.animate(1);
   const CursorProjection projection(glm::dvec3(c.pose().target), c, test::viewport);
   CHECK_FALSE(projection.angle({1, 0, 0}, {700, 300}));
-  // Pushed up, the near side of a wheel about +x turns backwards.
+  // Moved up, the near side of a wheel about +x rotates backwards.
   CHECK(projection.edge_on_angle({1, 0, 0}, {0, -84}, 84) == doctest::Approx(-1));
 }
 

@@ -11,7 +11,7 @@
 #include "scene/document/history.h"
 #include "scene/document/space.h"
 #include "scene/files.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 #include "support/open.h"
 
 using namespace viete;
@@ -64,7 +64,7 @@ TEST_CASE("sizes_that_double_can_deform_are_told_from_those_that_it_cannot") {
                            base::Error);
     }
   }
-  auto point = test::cube(0);  // but far away
+  auto point = test::cube(0);  // far away
   for (auto& p : point.positions) p[2] = 1e70;
   mesh::write(model, point);
   CHECK_THROWS_AS(check_deformable(open_document(model, {})), base::Error);
@@ -169,7 +169,7 @@ TEST_CASE("a_new_edit_ends_redo") {
   CHECK_FALSE(h.can_redo());
 }
 
-TEST_CASE("an_edit_that_is_called_off_leaves_what_could_be_repeated") {
+TEST_CASE("a_cancelled_edit_keeps_redo") {
   History h;
   h.record("one", at(0));
   h.undo(at(1));

@@ -87,7 +87,7 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   highlight(browser, 2);
   const std::string path = browser.path;
   const auto listed_anew = [&](const std::string& all, std::size_t highlighted) {
-    browser.changed = {};  // clocks of files may be coarse
+    browser.changed = {};  // file times may be coarse
     refresh(browser);
     CHECK(names(browser) == all);
     CHECK(browser.highlighted == highlighted);
@@ -103,7 +103,7 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   listed_anew("Sub ", 0);
   browser.entries.clear();
   refresh(browser);
-  CHECK(browser.entries.empty());  // nothing has changed since
+  CHECK(browser.entries.empty());  // no change was noticed
 }
 
 TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {
@@ -191,7 +191,7 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
   CHECK(problem_of_name(browser) != "");
 }
 
-TEST_CASE("what_is_chosen_of_the_list_stands_in_the_field_and_a_folder_keeps_the_name_to_save_under") {
+TEST_CASE("a_selected_file_fills_the_name_and_a_folder_keeps_it") {
   const test::TemporaryFolder folder;
   put_files(folder);
   std::filesystem::create_directory(folder / "a folder");
@@ -214,7 +214,7 @@ TEST_CASE("what_is_chosen_of_the_list_stands_in_the_field_and_a_folder_keeps_the
   CHECK(browser.path == browser.folder / shown(browser).back()->name);
 }
 
-TEST_CASE("when_saving_nothing_is_highlighted_until_the_list_is_walked") {
+TEST_CASE("saving_highlights_no_entry_until_arrow_keys_are_used") {
   const test::TemporaryFolder folder;
   put_files(folder);
   FileBrowser browser;
@@ -228,7 +228,7 @@ TEST_CASE("when_saving_nothing_is_highlighted_until_the_list_is_walked") {
   CHECK(browser.highlighted == 0);
 }
 
-TEST_CASE("a_name_that_cannot_be_written_is_known_before") {
+TEST_CASE("an_unwritable_name_is_detected_before_the_work") {
   const test::TemporaryFolder folder;
   put_files(folder);
   FileBrowser browser;
@@ -245,7 +245,7 @@ TEST_CASE("a_name_that_cannot_be_written_is_known_before") {
   CHECK(problem_of_name(browser).find("none.ply") != std::string::npos);
 }
 
-TEST_CASE("what_is_in_use_is_not_proposed_and_is_refused_by_name") {
+TEST_CASE("files_in_use_are_neither_proposed_nor_accepted") {
   const test::TemporaryFolder folder;
   put_files(folder);
   FilesInUse in_use;
@@ -259,7 +259,7 @@ TEST_CASE("what_is_in_use_is_not_proposed_and_is_refused_by_name") {
   for (const char* name : {"Beta.obj", "./Beta.obj", "link.obj", "Beta"}) {
     browser.path = name;
     CHECK_FALSE(browser.replaces());
-    CHECK(problem_of_name(browser).find("is open (the model) and stays as it is; ") != std::string::npos);
+    CHECK(problem_of_name(browser).find("is open (the model) and cannot be replaced; ") != std::string::npos);
   }
   browser.path = "alpha.obj";
   CHECK(problem_of_name(browser) == "");

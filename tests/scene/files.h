@@ -1,4 +1,4 @@
-// Cubes as files: a model, a cage around it and a pose of that; and what becomes of files.
+// Cubes as files: a model, a cage around it and a pose; and helpers to open them.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "mesh/formats/write.h"
 #include "scene/cube.h"
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 #include "support/folder.h"
 
 namespace viete::test {
@@ -26,7 +26,7 @@ struct CubeFiles : TemporaryFolder {
     put_file(broken, "v 0 0 0\nf 1 2 3\n");
   }
 
-  // With the centre of every face, so that the model has more vertices than the cage.
+  // With the center of every face, so that the model has more vertices than the cage.
   static mesh::Surface subdivided_cube() {
     mesh::Surface surface = cube(1);
     std::vector<mesh::Triangle> triangles;
@@ -49,7 +49,7 @@ inline scene::Workspace opened(std::vector<std::filesystem::path> files) {
   return workspace;
 }
 
-// The message of a step that is refused; empty: it is not.
+// The error message of a step; empty: none.
 std::string problem_of(const auto& step) {
   try {
     step();

@@ -56,7 +56,7 @@ TEST_CASE("frames_of_another_method_are_no_part_of_the_median") {
   CHECK(stats.median()->method == viete::sym3::Method::diag);
 }
 
-TEST_CASE("while_only_the_camera_moves_the_frame_is_that_of_the_camera_and_links_stay_known") {
+TEST_CASE("camera_motion_keeps_the_last_deformation_timings") {
   FrameStats stats;
   stats.add(frame(1, 4));
   for (int i = 0; i < 3; ++i) stats.add({.when = 2 + 0.01 * i, .links = {}, .draw = 7, .frame = 8});

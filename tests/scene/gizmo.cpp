@@ -48,8 +48,8 @@ TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_c
                                      camera(0.65f, 0.32f, distance, orthographic), test::viewport);
       for (int i = 0; i < 3; ++i) {
         const float length = glm::distance(gizmo.center, gizmo.arms[i].tip);
-        // Perspective makes an arm that comes towards the viewer longer, by as much as it is nearer: a few
-        // per cent.
+        // Perspective enlarges an arm that points at the viewer in proportion to its nearness: a few per
+        // cent.
         CHECK(length ==
               doctest::Approx(glm::distance(reference.center, reference.arms[i].tip)).epsilon(0.06));
       }
@@ -89,7 +89,7 @@ TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
   CHECK_FALSE(pick_handle(gizmo, gizmo.center + glm::vec2(130, 0)));
 }
 
-TEST_CASE("with_reach_handles_are_hit_from_farther_and_rings_on_the_far_side_too") {
+TEST_CASE("reach_hits_handles_from_farther_and_the_far_side_of_rings") {
   const auto gizmo = *make_gizmo(Tool::rotate, {0, 0, 0}, glm::dmat3(1), camera(), test::viewport);
   const glm::vec2 outside = gizmo.center + glm::vec2(gizmo_view_ring + gizmo_tolerance + 4, 0);
   CHECK_FALSE(pick_handle(gizmo, outside));

@@ -17,7 +17,7 @@ using namespace viete::scene;
 
 namespace {
 
-// A chain of cubes' rings along x: an arm of square rings at x = 0, 1, 2 ... 9, four vertices each.
+// An arm along x: square rings at x = 0, 1, 2 ... 9, four vertices each.
 Document arm() {
   Document document = test::cube_document();
   std::vector<mesh::Point> points;
@@ -56,7 +56,8 @@ Transform quarter_about(const Grip& grip, int axis) {
   return t;
 }
 
-// A strip of quads along x, two units apart in y, folded back over itself halfway: its ends lie close.
+// A strip of quads along x, two units apart in y, folded back over itself halfway, so that its ends are
+// close.
 deform::Cage hairpin() {
   std::vector<mesh::Point> points;
   std::vector<mesh::Triangle> triangles;
@@ -79,17 +80,17 @@ double share_of(const std::vector<Softened>& all, std::uint32_t v) {
 
 }  // namespace
 
-TEST_CASE("a_joint_is_where_the_selection_borders_on_most_of_the_rest") {
+TEST_CASE("a_joint_is_the_boundary_with_the_largest_remaining_part") {
   Document document = arm();
   const Camera camera;
-  select(document, 24, 40);  // the hand: rings 6 to 9
+  select(document, 24, 40);  // rings 6 to 9
   check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {6, 0, 0});
   check_near(anchor_of(document, {}, nullptr, camera).center, {7.5, 0, 0});
   select(document, 24, 32);  // rings 6 and 7: six rings stay on the left, two on the right
   check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {6, 0, 0});
   select(document, 4, 12);
   check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {2, 0, 0});
-  select(document, 0, 40);  // all: nothing to join
+  select(document, 0, 40);  // everything: no joint
   check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {4.5, 0, 0});
 }
 
@@ -121,14 +122,14 @@ TEST_CASE("the_active_element_is_what_was_clicked_last") {
   CHECK_FALSE(document.selection.active());
 }
 
-TEST_CASE("with_pivots_of_their_own_two_ends_turn_about_their_middles") {
+TEST_CASE("individual_pivots_rotate_two_ends_about_their_centers") {
   Document document = arm();
   std::vector<std::uint32_t> ends{0, 1, 2, 3, 36, 37, 38, 39};
   document.selection.apply(ends, SelectMode::replace);
   const Grip grip = grip_of(document, {.pivot = Pivot::individual}, nullptr, Camera());
   CHECK(grip.anchor.pivots.size() == 2);
   REQUIRE(transform_selection(document, Tool::rotate, grip, quarter_about(grip, 2)));
-  // (0, 1, -1) turns about (0, 0, 0) to (-1, 0, -1), (9, 1, -1) about (9, 0, 0) to (8, 0, -1).
+  // (0, 1, -1) rotates about (0, 0, 0) to (-1, 0, -1), (9, 1, -1) about (9, 0, 0) to (8, 0, -1).
   CHECK(document.pose.positions[1] == mesh::Point{-1, 0, -1});
   CHECK(document.pose.positions[37] == mesh::Point{8, 0, -1});
 }
@@ -152,7 +153,7 @@ TEST_CASE("axes_are_of_length_1_and_right_handed_whatever_is_asked_for") {
         const Anchor a =
             anchor_of(document, {.axes = static_cast<Axes>(i)}, i == 4 ? &*mirror : nullptr, Camera());
         const glm::dmat3 square = glm::transpose(a.axes) * a.axes;
-        for (int k = 0; k < 3; ++k) check_near(square[k], glm::dmat3(1)[k], 1e-6);  // the camera's are floats
+        for (int k = 0; k < 3; ++k) check_near(square[k], glm::dmat3(1)[k], 1e-6);  // the camera uses float
         check_near(glm::cross(a.axes[0], a.axes[1]), a.axes[2], 1e-6);
       }
     }
@@ -186,7 +187,7 @@ TEST_CASE("in_a_mirror_the_other_side_moves_as_its_image") {
   CHECK(document.pose.positions == document.cage->surface.positions);
 }
 
-TEST_CASE("where_both_sides_are_selected_one_leads_and_the_other_follows") {
+TEST_CASE("one_side_leads_if_both_are_selected") {
   Document document = arm();
   const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
   select(document, 36, 40);
@@ -201,11 +202,10 @@ TEST_CASE("where_both_sides_are_selected_one_leads_and_the_other_follows") {
   for (std::uint32_t v = 36; v < 40; ++v) CHECK(std::abs(document.pose.positions[v][2]) == 2);
 }
 
-TEST_CASE("what_is_on_the_mirrors_plane_does_not_leave_it") {
+TEST_CASE("vertices_on_the_mirror_plane_stay_on_it") {
   Document document = arm();
   std::vector<mesh::Point> points = document.cage->surface.positions;
-  for (auto& p : points)
-    p[2] = p[2] > 0 ? 0 : p[2];  // now two rows are on z = 0, and have no partner but themselves
+  for (auto& p : points) p[2] = p[2] > 0 ? 0 : p[2];  // two rows are now on z = 0, and are their own partners
   mesh::Surface surface = document.cage->surface;
   surface.positions = points;
   document.cage = std::make_shared<const deform::Cage>(deform::make_cage(surface));
@@ -224,7 +224,7 @@ TEST_CASE("what_is_on_the_mirrors_plane_does_not_leave_it") {
   CHECK(document.pose.positions[36] == mesh::Point{9.5, -0.5, 2});
 }
 
-TEST_CASE("what_goes_along_softly_moves_by_its_share_and_turns_by_its_share") {
+TEST_CASE("soft_vertices_move_and_rotate_by_their_share") {
   Document document = arm();
   select(document, 36, 40);
   Handling handling;
@@ -235,13 +235,13 @@ TEST_CASE("what_goes_along_softly_moves_by_its_share_and_turns_by_its_share") {
   t.shift = {0, 0, 2};
   REQUIRE(transform_selection(document, Tool::move, grip, t));
   CHECK(document.pose.positions[36][2] == doctest::Approx(1));
-  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // 3 quarters of 2
+  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // three quarters of 2
   CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // a quarter
   CHECK(document.pose.positions[20][2] == -1);
   undo(document);
   const Grip turning = grip_of(document, handling, nullptr, Camera());
   REQUIRE(transform_selection(document, Tool::rotate, turning, quarter_about(turning, 0)));
-  // Of ring 7 half of 90 degrees: (y, z) = (-1, -1) to (0, -sqrt 2).
+  // Ring 7 rotates by half of 90 degrees: (y, z) = (-1, -1) to (0, -sqrt 2).
   CHECK(document.pose.positions[28][1] == doctest::Approx(0).epsilon(1e-12));
   CHECK(document.pose.positions[28][2] == doctest::Approx(-std::sqrt(2)));
 }

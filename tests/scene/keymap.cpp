@@ -45,7 +45,7 @@ TEST_CASE("in_every_preset_a_key_runs_one_command") {
   }
 }
 
-TEST_CASE("presets_give_hands_their_keys_and_take_them_from_others") {
+TEST_CASE("presets_assign_keys_and_remove_them_from_other_commands") {
   Keymap keymap;
   CHECK(text(keys_of(keymap, "toggle_grid").first) == "G");
   CHECK(text(keys_of(keymap, "grab").first).empty());
@@ -63,7 +63,7 @@ TEST_CASE("presets_give_hands_their_keys_and_take_them_from_others") {
   CHECK(text(keys_of(keymap, "toggle_grid").first) == "G");
 }
 
-TEST_CASE("a_key_of_another_program_does_here_what_it_does_there_or_nothing") {
+TEST_CASE("a_preset_key_has_its_original_function_or_none") {
   const auto runs = [](KeyPreset preset, const char* written) {
     Keymap keymap;
     keymap.set_preset(preset);
@@ -78,13 +78,13 @@ TEST_CASE("a_key_of_another_program_does_here_what_it_does_there_or_nothing") {
     Names names;
   };
   const Expected all[] = {
-      {KeyPreset::blender, "Ctrl+R", {}},  // cuts a loop
+      {KeyPreset::blender, "Ctrl+R", {}},  // loop cut
       {KeyPreset::blender, "T", {"toggle_tools"}},
       {KeyPreset::blender, "N", {"toggle_methods"}},
-      {KeyPreset::blender, "K", {}},  // a knife
+      {KeyPreset::blender, "K", {}},  // knife
       {KeyPreset::blender, "U", {}},
       {KeyPreset::blender, "P", {}},
-      {KeyPreset::blender, "Ctrl+B", {}},  // a bevel
+      {KeyPreset::blender, "Ctrl+B", {}},  // bevel
       {KeyPreset::blender, "Ctrl+E", {}},
       {KeyPreset::blender, "Ctrl+P", {}},
       {KeyPreset::blender, "Shift+1", {}},
@@ -98,7 +98,7 @@ TEST_CASE("a_key_of_another_program_does_here_what_it_does_there_or_nothing") {
       {KeyPreset::maya, "Ctrl+R", {}},
       {KeyPreset::maya, "Ctrl+E", {"extrude_faces"}},
       {KeyPreset::maya, "T", {}},
-      {KeyPreset::maya, "X", {}},  // snaps to the grid
+      {KeyPreset::maya, "X", {}},  // snap to grid
       {KeyPreset::maya, "C", {}},
       {KeyPreset::maya, "P", {}},
       {KeyPreset::maya, "K", {}},
@@ -117,13 +117,13 @@ TEST_CASE("a_changed_key_is_taken_from_others_and_given_back") {
   keymap.change("toggle_grid", {key('F'), true});
   CHECK(text(keys_of(keymap, "toggle_grid").first) == "Ctrl+F");
   keymap.change("toggle_axes", {key('G')});
-  keymap.change("toggle_ghost", {key('G')});  // takes it from the axes, whose own key does not come back
+  keymap.change("toggle_ghost", {key('G')});  // takes it from the axes, whose default does not return
   CHECK(text(keys_of(keymap, "toggle_ghost").first) == "G");
   CHECK(text(keys_of(keymap, "toggle_axes").first).empty());
   keymap.change("undo", {});
   CHECK(text(keys_of(keymap, "undo").first).empty());
   keymap.set_preset(KeyPreset::blender);
-  CHECK(text(keys_of(keymap, "toggle_ghost").first) == "G");  // own changes stay
+  CHECK(text(keys_of(keymap, "toggle_ghost").first) == "G");  // user changes stay
   CHECK(text(keys_of(keymap, "grab").first).empty());
   keymap.take_back("toggle_ghost");
   CHECK(text(keys_of(keymap, "grab").first) == "G");

@@ -47,7 +47,7 @@ TEST_CASE("the_plane_that_fits_a_turned_cage_pairs_all_of_it") {
 }
 
 TEST_CASE("a_vertex_without_an_image_has_no_partner_and_one_on_the_plane_is_its_own") {
-  // A roof: two feet, and a ridge on the plane; one more vertex hangs on the right alone.
+  // A roof: two feet, and a ridge on the plane; one more vertex on the right is unpaired.
   const deform::Cage cage = deform::make_cage(
       mesh::from_triangles({{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 2}, {1, 0, 2}, {0, 1, 2}, {3, 0, 1}},
                            {{0, 2, 3}, {2, 5, 3}, {1, 4, 2}, {4, 5, 2}, {1, 6, 4}}));
@@ -71,7 +71,7 @@ TEST_CASE("a_side_is_copied_to_the_other_and_swapped_and_undone") {
   Document document = test::cube_document();
   const auto rest = document.pose.positions;
   const auto mirror = mirror_of(*document.cage, MirrorPlane::x);
-  document.pose.positions[1] = {2, -1, -1};  // of the side of larger x
+  document.pose.positions[1] = {2, -1, -1};  // on the side of larger x
   document.pose.positions[0] = {-9, 0, 0};   // its partner
   const auto posed = document.pose.positions;
   document.selection.apply(std::array{1u}, SelectMode::replace);
@@ -89,7 +89,7 @@ TEST_CASE("a_side_is_copied_to_the_other_and_swapped_and_undone") {
   CHECK(test::edit_count(document.history) == 2);
 }
 
-TEST_CASE("what_is_hidden_on_the_other_side_stays_where_it_is") {
+TEST_CASE("hidden_partners_stay") {
   Document document = test::cube_document();
   const auto mirror = mirror_of(*document.cage, MirrorPlane::x);
   document.groups.hidden = {0};
@@ -106,8 +106,8 @@ TEST_CASE("what_is_hidden_on_the_other_side_stays_where_it_is") {
   CHECK(document.pose.positions[1] == mesh::Point{5, 5, 5});
 }
 
-TEST_CASE("what_is_known_of_a_mirror_follows_cage_and_choice") {
-  KnownMirror known;
+TEST_CASE("a_cached_mirror_follows_cage_and_choice") {
+  MirrorCache known;
   Document document = test::cube_document();
   known.follow(document.cage, MirrorPlane::y);
   REQUIRE(known.get());
@@ -128,7 +128,7 @@ TEST_CASE("the_rectangle_of_a_mirror_lies_in_its_plane_and_covers_the_cage_there
       CHECK(mesh::dot(plane.normal, corner) == doctest::Approx(plane.offset));
       for (std::size_t k = 0; k < 3; ++k) middle[k] += corner[k] / 4;
     }
-    for (std::size_t i = 0; i < 4; ++i) {  // right angles, and no point beyond a side
+    for (std::size_t i = 0; i < 4; ++i) {  // right angles, and no point outside
       mesh::Vec3 side{}, next{}, inward{};
       for (std::size_t k = 0; k < 3; ++k) {
         side[k] = corners[(i + 1) % 4][k] - corners[i][k];

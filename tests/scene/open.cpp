@@ -11,8 +11,8 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/selection_sets.h"
 #include "scene/files.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/data.h"
 #include "support/edits.h"
 #include "support/open.h"
@@ -58,7 +58,7 @@ TEST_CASE("the_surface_that_encloses_is_the_cage_even_with_more_vertices") {
   CHECK(said(w, "encloses it"));
 }
 
-TEST_CASE("where_neither_encloses_the_one_with_fewer_vertices_is_the_cage_and_that_is_said") {
+TEST_CASE("if_neither_encloses_the_surface_with_fewer_vertices_is_the_cage") {
   const test::CubeFiles files;
   auto aside = test::cube(1.5);
   for (auto& p : aside.positions) p[0] += 2;
@@ -69,14 +69,14 @@ TEST_CASE("where_neither_encloses_the_one_with_fewer_vertices_is_the_cage_and_th
   CHECK(said(w, "does not enclose it"));
 }
 
-TEST_CASE("a_cage_that_most_of_the_model_is_outside_of_is_named_whichever_way_it_faces") {
+TEST_CASE("a_cage_with_most_of_the_model_outside_is_reported_for_either_orientation") {
   const test::CubeFiles files;
   auto far_away = test::cube(1.5), inside_out = test::cube(1.5);
   for (auto& p : far_away.positions) p[0] += 9;
   for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
   mesh::write(files / "far.obj", far_away);
   mesh::write(files / "inside_out.obj", mesh::from_triangles(inside_out.positions, inside_out.triangles));
-  const std::string warning = "far.obj: all of model.obj is outside of this cage";
+  const std::string warning = "far.obj: all of model.obj is outside this cage";
   Workspace w;
   REQUIRE(test::load_model(w, files.model, files / "far.obj"));
   CHECK(said(w, warning));
@@ -148,7 +148,7 @@ TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   CHECK(other.document.has_cage());
   const auto* surface = other.document.model.surface.get();
   CHECK_FALSE(drop(other, {files.model, files.cage, files.pose}));
-  CHECK(said(other, "3 files were dropped, and this is no shape of the model"));
+  CHECK(said(other, "3 files were dropped, and this one is not a shape of the model"));
   CHECK_FALSE(drop(other, {files / "a.viete", files.model}));
   CHECK_FALSE(drop(other, {}));
   CHECK_FALSE(drop(other, {files.broken}));
@@ -175,7 +175,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   CHECK_FALSE(w.document.history.can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
-  CHECK(said(w, "name the cage too"));
+  CHECK(said(w, "give the cage as well"));
 }
 
 TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
@@ -190,23 +190,23 @@ TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
   CHECK(has_unsaved_edits(back));
   CHECK(back.saved.session == fs::canonical(files.path()) / "mine.viete");
   CHECK(back.recovered_from == files / "r.viete");
-  CHECK(back.remembered.recent.empty());
+  CHECK(back.preferences.recent.empty());
   REQUIRE(save_session(back, back.saved.session));
   CHECK_FALSE(has_unsaved_edits(back));
 }
 
-TEST_CASE("what_is_opened_comes_to_the_front_of_the_recent_files") {
+TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   REQUIRE(test::load_model(w, files.cage, {}));
   REQUIRE(save_session(w, files / "a.viete"));
   REQUIRE(test::load_model(w, files.model, files.cage));
-  REQUIRE(w.remembered.recent.size() == 3);
-  CHECK(w.remembered.recent[0] == RecentFile{files.model, files.cage});
-  CHECK(w.remembered.recent[1] == RecentFile{files / "a.viete", {}});
+  REQUIRE(w.preferences.recent.size() == 3);
+  CHECK(w.preferences.recent[0] == RecentFile{files.model, files.cage});
+  CHECK(w.preferences.recent[1] == RecentFile{files / "a.viete", {}});
 }
 
-// An open cage may load "with a plain warning": so says its line of the manifest.
+// The manifest allows an open cage to load "with a plain warning".
 TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_expects" *
           doctest::test_suite(test::if_present)) {
   const fs::path folder = test::shared_data("bad");
@@ -241,7 +241,7 @@ TEST_CASE(
   CHECK(as_saved.document.scheme.weighting.radius == 0.3);
   CHECK_FALSE(has_unsaved_edits(as_saved));
 
-  AskedSettings asked;
+  RequestedSettings asked;
   asked.method = sym3::Method::diag;
   Workspace other_method;
   REQUIRE(open_now(other_method, {What::model, {files / "a.viete"}, asked}));
@@ -290,7 +290,7 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
   CHECK(w.document.method == sym3::Method::sd);
   CHECK(w.document.scheme.weighting.radius == 0.3);
-  AskedSettings asked;
+  RequestedSettings asked;
   asked.radius = 0.4;
   REQUIRE(open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK(w.document.method == sym3::Method::sd);
@@ -300,34 +300,34 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
 
 TEST_CASE("settings_that_do_not_go_together_open_nothing") {
   const test::CubeFiles files;
-  AskedSettings asked;
+  RequestedSettings asked;
   asked.choice = {deform::Weights::mean_value, deform::Blend::srl};
   Workspace w;
   CHECK_FALSE(open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK_FALSE(w.document.model.surface);
-  CHECK(said(w, "do not go together"));
+  CHECK(said(w, "cannot be combined"));
 }
 
 TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_have_them") {
   const test::CubeFiles files;
-  const auto opened = [&](const AskedSettings& asked, const fs::path& model) {
+  const auto opened = [&](const RequestedSettings& asked, const fs::path& model) {
     return open_files({OpenRequest::What::model, {model, files.cage}, asked}, {}).document->scheme;
   };
   CHECK(opened({}, files.model) == deform::default_scheme());
   CHECK(text(opened({{.radius = 0.2}}, files.model)) == "cutoff, srl");
   CHECK_THROWS_AS(opened({{.choice = {.weights = deform::Weights::mean_value}, .radius = 0.3}}, files.model),
                   base::Error);
-  // Of a session they count as chosen.
+  // For a session they count as chosen.
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
   CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->scheme) ==
-        "inverse, srl");  // as it was before there was another default
+        "inverse, srl");  // the former default
   test::put_file(
       files / "b.viete",
       R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
   CHECK_THROWS_AS(open_files({OpenRequest::What::model, {files / "b.viete"}, {{.radius = 0.3}}}, {}),
                   base::Error);
-  // Points without triangles have no surface for weights to spread along.
+  // Points without triangles have no surface for weights.
   test::put_file(files / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
   try {
     CHECK(text(opened({}, files / "points.obj")) == "inverse, srl");
@@ -376,7 +376,7 @@ TEST_CASE("located_files_take_the_place_of_those_that_a_session_names") {
   }
 }
 
-TEST_CASE("a_cage_with_a_fin_opens_without_it_where_that_is_asked_for") {
+TEST_CASE("a_cage_opens_without_its_fin_on_request") {
   const test::CubeFiles files;
   const mesh::Surface plain = test::cube(1.5);
   const auto with = [&](std::vector<mesh::Point> points, const std::vector<mesh::Triangle>& more) {
@@ -386,7 +386,7 @@ TEST_CASE("a_cage_with_a_fin_opens_without_it_where_that_is_asked_for") {
     return mesh::from_triangles(std::move(points), triangles);
   };
   const std::pair<mesh::Surface, std::size_t> cages[] = {
-      {with({{0, 3, 3}}, {{6, 7, 8}}), 1},                         // a triangle that sticks out
+      {with({{0, 3, 3}}, {{6, 7, 8}}), 1},                         // a protruding triangle
       {with({{0, 3, 3}, {1, 4, 4}}, {{6, 7, 8}, {7, 9, 8}}), 2},   // two
       {with({{0, 3, 3}, {0, 3, -3}}, {{6, 7, 8}, {2, 3, 9}}), 2},  // at two edges
       {with({}, {{0, 1, 6}, {1, 7, 6}}), 2},                       // a wall through the middle
@@ -424,17 +424,17 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Sets of the cage before are gone: \"Set 1\"; kept.viete has them"));
-    CHECK(said("Poses of the cage before are gone: 1 pose; kept.viete has them"));
+    CHECK(said("Selection sets of the previous cage were removed: \"Set 1\"; kept.viete has them"));
+    CHECK(said("Poses of the previous cage were removed: 1 pose; kept.viete has them"));
   }
   SUBCASE("nowhere") {
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Poses of the cage before are gone: 1 pose"));
+    CHECK(said("Poses of the previous cage were removed: 1 pose"));
     CHECK_FALSE(said("has them"));
   }
   SUBCASE("another_model_is_no_loss_that_would_have_to_be_told") {
     REQUIRE(open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
-    CHECK_FALSE(said("are gone"));
+    CHECK_FALSE(said("were removed"));
   }
   CHECK(w.document.groups.sets.empty());
 }

@@ -48,7 +48,7 @@ TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels") {
   }
 }
 
-TEST_CASE("of_vertices_on_one_pixel_the_nearer_one_is_picked") {
+TEST_CASE("the_nearer_of_two_vertices_on_one_pixel_is_picked") {
   Workspace w = test::cube_workspace();
   w.camera.look(StandardView::front);
   w.camera.animate(1);
@@ -78,7 +78,7 @@ TEST_CASE("points_behind_the_camera_are_never_picked") {
   CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
 }
 
-TEST_CASE("a_box_picks_what_is_inside_whichever_corner_comes_first") {
+TEST_CASE("a_box_picks_its_content_from_any_corner") {
   const Workspace w = test::cube_workspace();
   const glm::vec2 at = pixel(w, w.document.pose.positions[5]);
   CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, at + 2.0f, at - 2.0f) ==
@@ -90,7 +90,7 @@ TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front
   for (const bool orthographic : {false, true}) {
     Workspace w = front_cube(ElementKind::edge);
     w.camera.set_orthographic(orthographic);
-    const glm::vec2 middle = pixel(w, {0.2, 1.5, 1.5});  // of the upper edge in front, from vertex 6 to 7
+    const glm::vec2 middle = pixel(w, {0.2, 1.5, 1.5});  // on the upper front edge, between vertices 6 and 7
     for (const float off : {0.0f, -7.5f}) {
       const auto found = pick(w, middle + glm::vec2(0, off));
       REQUIRE(found);
@@ -128,7 +128,7 @@ TEST_CASE("an_edge_that_begins_behind_the_eye_is_picked_by_its_visible_part") {
   CameraPose pose = w.camera.pose();
   pose.distance = 0.5f;  // the front of the cage is behind the eye
   w.camera.set_pose(pose);
-  const glm::vec2 at = pixel(w, {1.5, 1.5, -1.0});  // on the edge from 3, in the back, to 7
+  const glm::vec2 at = pixel(w, {1.5, 1.5, -1.0});  // on the edge between 3, at the back, and 7
   const auto found = pick(w, at);
   REQUIRE(found);
   CHECK(has(w, found->index, {3, 7}));

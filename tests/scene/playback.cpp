@@ -1,5 +1,5 @@
-#include "scene/workspace/playing.h"
 #include "scene/workspace/playback.h"
+#include "scene/workspace/playing.h"
 
 #include <doctest/doctest.h>
 
@@ -22,14 +22,14 @@ using test::distance, test::turned_cube;
 
 namespace {
 
-// Keys: rest at 1, a half turn at 11, twice as wide at 31; ten frames a second.
+// Keys: rest at 1, a half turn at 11, twice as wide at 31; ten frames per second.
 struct Played {
   Workspace w = test::cube_workspace();
 
   Played() {
     timeline() = test::three_keys();
     timeline().rate = 10;
-    w.remembered.layout.timeline = true;
+    w.preferences.layout.timeline = true;
     for (PoseKey& key : timeline().keys) key.easing = Easing::linear;
     follow_time(w, 0);
   }
@@ -37,7 +37,7 @@ struct Played {
   Timeline& timeline() { return w.document.timeline; }
   const std::vector<mesh::Point>& positions() const { return w.document.pose.positions; }
   void pass(double seconds) { follow_time(w, seconds); }
-  // As a hand does.
+  // Like a drag.
   void put(const deform::Pose& pose) {
     record_edit(document(), "move by hand");
     document().pose = pose;
@@ -71,7 +71,7 @@ TEST_CASE("a_frame_shows_its_pose_and_its_camera_and_is_no_edit") {
   CHECK(p.edits() == 0);
 }
 
-TEST_CASE("a_pose_that_is_in_no_key_is_not_lost_by_going_elsewhere") {
+TEST_CASE("an_unkeyed_pose_survives_a_frame_change") {
   Played p;
   const auto lost_without_a_word = [&](auto change) {
     go_to_frame(p.w, 6);
@@ -95,7 +95,7 @@ TEST_CASE("a_pose_that_is_in_no_key_is_not_lost_by_going_elsewhere") {
   };
   lost_without_a_word([&] { p.put(turned_cube(33)); });
   lost_without_a_word([&] {
-    // The same places after a whole turn.
+    // The same positions after a whole turn.
     deform::Pose pose = p.document().pose;
     pose.turns[0][2] += 2 * std::numbers::pi;
     p.put(pose);
@@ -123,7 +123,7 @@ TEST_CASE("commands_change_the_frame_while_the_timeline_is_open_and_with_keys_or
   CHECK(test::run_command(p.w, "next_frame"));
   CHECK(p.document().frame == 2);
   p.timeline() = test::three_keys();
-  p.w.remembered.layout.timeline = false;
+  p.w.preferences.layout.timeline = false;
   all_are(false, steps), all_are(false, to_keys);
   CHECK(find_command("play")->enabled(p.w));
 }
@@ -132,11 +132,11 @@ TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
   Played p;
   const auto said = [&] { return p.w.messages.all().back().text; };
   const auto opens_by = [&](const char* command) {
-    p.w.remembered.layout.timeline = false;
-    return test::run_command(p.w, command) && p.w.remembered.layout.timeline;
+    p.w.preferences.layout.timeline = false;
+    return test::run_command(p.w, command) && p.w.preferences.layout.timeline;
   };
   CHECK(opens_by("set_key"));
-  CHECK(said() == "Key at frame 1 replaced; undo brings the old one back.");
+  CHECK(said() == "Key at frame 1 replaced; undo restores the old one.");
   CHECK(opens_by("set_camera_key"));
   CHECK(said() == "Camera key set at frame 1.");
   go_to_frame(p.w, 40);
@@ -147,7 +147,7 @@ TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
   CHECK(said() == "Camera keys set from frame 1 to 40.");
 }
 
-TEST_CASE("a_pose_that_is_in_no_key_is_unsaved_work_whatever_has_taken_its_place") {
+TEST_CASE("an_unkeyed_pose_is_unsaved_work_after_being_replaced") {
   Played p;
   test::add_two_poses(p.document());
   const std::map<std::string, std::function<void()>> ways{
@@ -181,7 +181,7 @@ TEST_CASE("a_pose_that_is_in_no_key_is_unsaved_work_whatever_has_taken_its_place
   }
 }
 
-TEST_CASE("a_pose_that_is_kept_elsewhere_or_was_saved_is_no_unsaved_work_elsewhere_in_time") {
+TEST_CASE("a_stored_or_saved_pose_is_not_unsaved_work_at_other_frames") {
   Played p;
   go_to_frame(p.w, 6);
   p.put(turned_cube(33));
@@ -194,7 +194,7 @@ TEST_CASE("a_pose_that_is_kept_elsewhere_or_was_saved_is_no_unsaved_work_elsewhe
   mark_saved(p.w);
   go_to_frame(p.w, 6);
   CHECK_FALSE(has_unsaved_edits(p.w));
-  mark_saved(p.w);  // with another pose: that one is in the list
+  mark_saved(p.w);  // with another pose, which is in the list
   CHECK_FALSE(has_unsaved_edits(p.w));
   p.put(turned_cube(55));
   go_to_frame(p.w, 7);
@@ -202,7 +202,7 @@ TEST_CASE("a_pose_that_is_kept_elsewhere_or_was_saved_is_no_unsaved_work_elsewhe
   CHECK(has_unsaved_edits(p.w));
 }
 
-TEST_CASE("a_pose_that_is_put_there_while_it_plays_is_not_lost_by_stopping") {
+TEST_CASE("a_pose_set_during_playback_survives_stopping") {
   Played p;
   start_playing(p.w);
   p.pass(0.5);
@@ -213,7 +213,7 @@ TEST_CASE("a_pose_that_is_put_there_while_it_plays_is_not_lost_by_stopping") {
   CHECK(p.positions() == turned_cube(33).positions);
 }
 
-TEST_CASE("rest_is_never_lost_and_nothing_is_said_of_it") {
+TEST_CASE("rest_is_never_stored_as_an_unkeyed_pose") {
   Played p;
   go_to_frame(p.w, 6);
   p.pass(0);
@@ -261,12 +261,12 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   p.pass(0);
   weights_are(0.2, 0.6);
   CHECK_FALSE(p.document().library.mixes());
-  REQUIRE(test::run_command(p.w, "set_key"));  // what is played is keyed
+  REQUIRE(test::run_command(p.w, "set_key"));  // keys the played pose
   CHECK(p.timeline().keys[1].mix.size() == 2);
   undo(p.document());
   p.pass(0);
 
-  // A slider that is moved changes its own pose alone.
+  // Moving a slider changes only its own pose.
   const auto before = p.positions();
   REQUIRE(set_weight(p.document(), vectors, 0, 0.2 + 1e-7, false, shown_weights(p.w)));
   CHECK(distance(before, p.positions()) < 1e-5);
@@ -276,7 +276,7 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   CHECK(p.positions() == before);
   p.pass(0);
 
-  // By name, as long as the pose is the one that was mixed.
+  // References by name stay while the pose is unchanged.
   rename_pose(p.document(), 0, "Wave");
   p.pass(0);
   weights_are(0.2, 0.6);
@@ -299,7 +299,7 @@ TEST_CASE("locked_probes_stay_where_time_goes_on") {
   CHECK_FALSE(has_unkeyed_pose(p.w));
 }
 
-TEST_CASE("nothing_moves_by_time_while_something_is_in_the_hand_or_the_cage_is_edited") {
+TEST_CASE("the_timeline_is_ignored_during_drags_and_cage_editing") {
   Played p;
   p.document().selection.apply(std::vector<std::uint32_t>{0}, SelectMode::replace);
   p.hold_something();
@@ -341,12 +341,12 @@ TEST_CASE("it_plays_by_seconds_and_comes_to_rest_at_a_whole_frame") {
   p.pass(1);
   CHECK(p.document().frame == 6);
   start_playing(p.w);
-  p.pass(2.6);  // beyond the end: a loop
+  p.pass(2.6);  // beyond the end: loops
   CHECK(p.document().frame == doctest::Approx(2));
   CHECK(p.edits() == 0);
 }
 
-TEST_CASE("what_plays_once_ends_at_the_last_frame_and_begins_anew") {
+TEST_CASE("single_playback_ends_at_the_last_frame_and_restarts") {
   Played p;
   p.timeline().repeat = Repeat::once;
   start_playing(p.w);
@@ -410,7 +410,7 @@ TEST_CASE("an_edit_of_the_pose_while_it_plays_stops_it_and_stays") {
   CHECK(has_unkeyed_pose(p.w));
 }
 
-TEST_CASE("with_auto_key_what_a_hand_changes_is_a_key_and_one_edit") {
+TEST_CASE("auto_key_sets_a_key_within_the_same_edit") {
   Played p;
   p.w.playback.auto_key = true;
   go_to_frame(p.w, 21);
@@ -430,7 +430,7 @@ TEST_CASE("with_auto_key_what_a_hand_changes_is_a_key_and_one_edit") {
   p.pass(0);
   CHECK(p.timeline().keys.size() == 3);
   CHECK(p.edits() == 0);
-  // Undo and redo are no edits of a hand.
+  // Undo and redo do not count as edits for auto-key.
   redo(p.document());
   p.pass(0);
   CHECK(p.timeline().keys.size() == 4);

@@ -129,7 +129,7 @@ TEST_CASE("a_drag_goes_on_over_panels") {
   CHECK(m.vertex(7).x == doctest::Approx(50).epsilon(1e-3));
 }
 
-TEST_CASE("a_press_over_a_panel_begins_nothing") {
+TEST_CASE("a_press_over_a_panel_starts_no_gesture") {
   Mouse m;
   m.input.over_view = false;
   m.drag(m.vertex(7), m.vertex(7) + glm::vec2(50, 0));

@@ -9,8 +9,8 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/cage_making.h"
 #include "scene/document/edit.h"
-#include "scene/document/record.h"
 #include "scene/document/probes.h"
+#include "scene/document/record.h"
 #include "scene/posed_cube.h"
 #include "support/edits.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 struct Mixed {
   Document document = test::cube_document();
-  KnownVectors vectors;
+  VectorCache vectors;
 
   explicit Mixed(bool poses = true) {
     if (poses) test::add_two_poses(document);
@@ -32,7 +32,7 @@ struct Mixed {
   bool weigh(std::size_t pose, double weight, bool selected_alone = false) {
     return set_weight(document, vectors, pose, weight, selected_alone);
   }
-  // As a hand does.
+  // Like a drag.
   void put(const deform::Pose& pose, const char* label = "move by hand") {
     record_edit(document, label);
     document.pose = pose;
@@ -42,7 +42,7 @@ struct Mixed {
     for (const NamedPose& named : document.library.poses) all.push_back(named.name);
     return all;
   }
-  // Every edit is taken back, and made again.
+  // Undoes and redoes every edit.
   void check_undone(const Document& start) {
     const deform::Pose pose = document.pose;
     const PoseLibrary library = document.library;
@@ -91,7 +91,7 @@ TEST_CASE("poses_are_kept_applied_renamed_moved_duplicated_and_deleted_and_all_o
   m.check_undone(start);
 }
 
-TEST_CASE("what_changes_nothing_is_no_edit") {
+TEST_CASE("an_unchanged_value_is_no_edit") {
   Mixed m;
   rename_pose(m.document, 0, "turned");
   move_pose(m.document, 0, 0);
@@ -116,7 +116,7 @@ TEST_CASE("names_are_short_each_there_once_and_cut_between_characters") {
     const std::string name = add(text);
     CHECK(name.size() <= PoseLibrary::longest_name);
     const auto space = name.find(' ');
-    CHECK(name.substr(0, space).size() % 2 == 1);  // whole characters
+    CHECK(name.substr(0, space).size() % 2 == 1);  // no split character
   }
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("a_weight_goes_through_rest_and_beyond_the_pose") {
   CHECK(m.poses()[1].weight == PoseLibrary::largest_weight);
 }
 
-TEST_CASE("all_of_one_pose_is_that_pose_and_none_of_it_what_was_there_to_the_bit") {
+TEST_CASE("weight_1_is_the_pose_and_weight_0_the_previous_pose_bit_for_bit") {
   Mixed m;
   m.poses()[0].pose = whole(turned_cube(400));
   m.weigh(0, 0.3);
@@ -176,14 +176,14 @@ TEST_CASE("several_poses_are_added_in_log_space_subtracted_and_averaged") {
   m.weigh(2, 0);
   CHECK(clear_mix(m.document, m.vectors));
   CHECK(m.positions() == test::cube(1.5).positions);
-  // Twice two half turns: the whole turns count.
+  // Twice two half turns: whole turns are counted.
   m.poses()[0].pose = whole(turned_cube(360));
   m.weigh(0, 0.5);
   m.weigh(2, 1);
   CHECK(distance(m.positions(), turned_cube(150).positions) < 1e-12);
 }
 
-TEST_CASE("an_average_of_weights_that_are_nothing_together_is_refused") {
+TEST_CASE("averaging_weights_with_sum_0_is_refused") {
   Mixed m;
   CHECK_FALSE(average_mix(m.document, m.vectors));
   m.weigh(0, 1);
@@ -191,7 +191,7 @@ TEST_CASE("an_average_of_weights_that_are_nothing_together_is_refused") {
   const std::size_t edits = test::edit_count(m.document.history);
   CHECK_FALSE(average_mix(m.document, m.vectors));
   m.weigh(1, -0.9);
-  CHECK_FALSE(average_mix(m.document, m.vectors));  // they would be 10 and -9
+  CHECK_FALSE(average_mix(m.document, m.vectors));  // the weights would be 10 and -9
   CHECK(m.poses()[0].weight == 1);
   CHECK(test::edit_count(m.document.history) <= edits + 1);
 }
@@ -220,13 +220,13 @@ TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
   CHECK(m.poses()[1].weight == 0);
   CHECK(m.poses()[0].weight == doctest::Approx(0.9));
   CHECK(distance(m.positions(), turned_cube(81).positions) < 1e-12);
-  // After undo, the slider goes on from there.
+  // After undo the slider continues there.
   m.weigh(0, 0.5);
   CHECK(distance(m.positions(), turned_cube(45).positions) < 1e-12);
   m.check_undone(start);
 }
 
-TEST_CASE("a_slider_moves_the_whole_cage_whatever_is_selected") {
+TEST_CASE("a_slider_moves_the_whole_cage_for_any_selection") {
   Mixed m;
   m.poses()[1].pose = whole(stretched_cube(2, 3));
   m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);
@@ -235,7 +235,7 @@ TEST_CASE("a_slider_moves_the_whole_cage_whatever_is_selected") {
   CHECK(m.positions() == stretched_cube(2, 3).positions);
 }
 
-TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_it_moves") {
+TEST_CASE("a_slider_can_be_limited_to_the_selection_when_it_leaves_0") {
   Mixed m;
   m.poses()[1].pose = whole(stretched_cube(2, 3));
   m.document.selection.apply(std::vector<std::uint32_t>{4, 5, 6, 7}, SelectMode::replace);  // the upper face
@@ -243,7 +243,7 @@ TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_
   m.weigh(1, 1, true);
   CHECK(m.poses()[1].part == std::vector<std::uint32_t>{4, 5, 6, 7});
   const auto upper = m.positions();
-  // The faces between both move by as much of it as they have corners there, and take the lower one along.
+  // The faces between both move by their fraction of corners in the part, and take the lower face along.
   CHECK(upper[1][0] - upper[0][0] < 4);
   CHECK(upper[5][0] - upper[4][0] > 4.5);
   m.document.selection.clear();
@@ -252,21 +252,21 @@ TEST_CASE("where_that_is_wished_what_is_selected_when_a_slider_leaves_0_is_what_
   m.weigh(1, 0);
   CHECK(m.poses()[1].part.empty());
   CHECK(m.positions() == test::cube(1.5).positions);
-  m.weigh(1, 1, true);  // nothing is selected any more
+  m.weigh(1, 1, true);  // the selection is empty
   CHECK(m.poses()[1].part.empty());
   CHECK(m.positions() == stretched_cube(2, 3).positions);
 }
 
-TEST_CASE("a_hand_moves_what_is_there_with_the_mix_and_mixing_goes_on_upon_that") {
+TEST_CASE("a_drag_edits_the_pose_below_the_mix") {
   Mixed m;
   m.weigh(0, 0.5);
-  // Half of a quarter turn; the hand turns it on by 20 degrees.
+  // Half of a quarter turn, then dragged by 20 degrees.
   m.put(turned_cube(65));
   m.weigh(0, 1);
   CHECK(distance(m.positions(), turned_cube(110).positions) < 1e-12);
   m.weigh(0, 0);
   CHECK(distance(m.positions(), turned_cube(20).positions) < 1e-12);
-  // A whole turn by hand is not nothing.
+  // A whole turn counts as an edit.
   m.weigh(0, 0.5);
   m.put(turned_cube(65 + 360));
   m.weigh(0, 0.75);
@@ -290,7 +290,7 @@ TEST_CASE("whole_poses_from_elsewhere_end_the_mix") {
   ended([](Document& d) { update_pose(d, 0); });
 }
 
-TEST_CASE("a_pose_that_is_mixed_in_goes_with_what_it_moved") {
+TEST_CASE("removing_a_mixed_pose_removes_its_motion") {
   Mixed m;
   const Document start = m.document;
   m.weigh(0, 0.5);
@@ -326,7 +326,7 @@ TEST_CASE("poses_of_probes_alone_are_mixed_without_a_cage") {
   document.model = test::cube_document().model;
   document.probes.all.resize(1);
   document.library.poses = {{"out", whole({}, {{.move = {4, 0, 0}}})}};
-  KnownVectors vectors;
+  VectorCache vectors;
   CHECK(set_weight(document, vectors, 0, 0.5));
   CHECK(document.probes.all[0].pose.move == mesh::Vec3{2, 0, 0});
   CHECK(set_weight(document, vectors, 0, 0));

@@ -11,15 +11,15 @@
 #include <sstream>
 
 #include "scene/document/edit.h"
-#include "scene/document/record.h"
 #include "scene/document/probes.h"
+#include "scene/document/record.h"
 #include "scene/files.h"
 #include "scene/files/open.h"
 #include "scene/files/session.h"
 #include "scene/posed_cube.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/longer.h"
 #include "support/text.h"
 
@@ -90,7 +90,7 @@ std::string warnings_of(const Workspace& w) {
   return all;
 }
 
-// A session of the cube with something for "poses" and "time", opened.
+// Opens a session of the cube with the given "poses" and "time".
 Workspace opened_with(const test::CubeFiles& files, const std::string& parts) {
   test::put_file(files / "s.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" +
@@ -126,7 +126,7 @@ TEST_CASE("poses_mixes_keys_and_camera_keys_come_back_to_the_last_bit") {
   CHECK_FALSE(has_unsaved_edits(again));
   REQUIRE(save_session(again, files / "b.viete"));
   CHECK(text_of(files / "a.viete") == text_of(files / "b.viete"));
-  // The mix goes on from there.
+  // The mix continues from there.
   CHECK(clear_mix(again.document, again.playback.vectors));
   CHECK(again.document.pose.positions == test::cube(1.5).positions);
   CHECK(has_unsaved_edits(again));
@@ -147,7 +147,7 @@ TEST_CASE("weights_as_they_are_typed_come_back_to_the_last_bit") {
   }
 }
 
-TEST_CASE("what_is_damaged_of_a_pose_costs_that_pose_or_less") {
+TEST_CASE("a_damaged_pose_affects_no_other_pose") {
   const test::CubeFiles files;
   const auto count = [&](const std::string& poses, std::size_t expected, const std::string& word) {
     CAPTURE(poses);
@@ -172,7 +172,7 @@ TEST_CASE("what_is_damaged_of_a_pose_costs_that_pose_or_less") {
     CHECK(count(pose("a", weight), 1, "weight").document.library.poses[0].weight == 0);
   for (const char* part : {"\"weight\": 10, \"part\": [8],", "\"weight\": 10, \"part\": 5,",
                            "\"weight\": 10, \"part\": [-1],"}) {
-    const Workspace w = count(pose("a", part), 1, "made by hand");
+    const Workspace w = count(pose("a", part), 1, "edited directly");
     CHECK(w.document.library.poses[0].weight == 0);
     CHECK(w.document.library.poses[0].part.empty());
   }
@@ -184,7 +184,7 @@ TEST_CASE("what_is_damaged_of_a_pose_costs_that_pose_or_less") {
   CHECK(one_vertex.document.library.poses[0].pose->cage.positions[0] == mesh::Point{-1.5, -1.5, -1.5});
 }
 
-TEST_CASE("what_is_damaged_of_the_time_costs_its_own_part") {
+TEST_CASE("a_damaged_part_of_the_timeline_is_skipped") {
   const test::CubeFiles files;
   const auto timeline = [&](const std::string& time, const std::string& word) {
     CAPTURE(time);
@@ -218,7 +218,7 @@ TEST_CASE("what_is_damaged_of_the_time_costs_its_own_part") {
   CHECK(timeline(two + ", \"cameras\": {}", "cameras").keys.size() == 2);
 }
 
-TEST_CASE("poses_and_time_that_are_nothing_of_the_kind_cost_themselves_alone") {
+TEST_CASE("poses_and_time_of_a_wrong_type_are_skipped") {
   const test::CubeFiles files;
   for (const char* what : {"7", "null", "{}", "\"x\"", "[[]]"}) {
     const Workspace w = opened_with(files, "\"poses\": " + std::string(what) + ", \"time\": " + what);
@@ -228,7 +228,7 @@ TEST_CASE("poses_and_time_that_are_nothing_of_the_kind_cost_themselves_alone") {
   }
 }
 
-TEST_CASE("a_session_that_says_nothing_of_the_pose_shows_its_frame") {
+TEST_CASE("a_session_without_a_pose_shows_the_pose_of_its_frame") {
   const test::CubeFiles files;
   const Workspace w =
       opened_with(files, "\"time\": {\"frame\": 5, \"keys\": [" + key_text("2") + "," + key_text("5") + "]}");
@@ -352,7 +352,7 @@ TEST_CASE("damaged_animations_are_opened_or_refused_and_what_opens_plays_and_is_
   const int rounds = test::rounds(100, 500);
   for (int round = 0; round < rounds; ++round) {
     std::string damaged = text;
-    // Numbers and words become others; now and then a bracket or a quote does, and the file is refused.
+    // Changes numbers and words; a changed bracket or quote makes the file invalid.
     for (int change = 0; change < 4; ++change) {
       const std::size_t at = begin + random() % (damaged.size() - begin);
       const bool number = std::isdigit(static_cast<unsigned char>(damaged[at])) != 0;

@@ -88,7 +88,7 @@ TEST_CASE("a_picture_is_kept_while_its_pose_is_in_use") {
 TEST_CASE("a_view_fills_its_frame_and_keeps_shapes") {
   const PictureView view = view_of(unit_cube());
   CHECK(view.at({0, 0, 0}) == glm::vec2(100, 50));
-  CHECK(view.at({1, 1, 0}) == glm::vec2(140, 10));  // as high as there is room, and no wider
+  CHECK(view.at({1, 1, 0}) == glm::vec2(140, 10));  // limited by the height
   CHECK(view.at({1, 1, -1}) == view.at({1, 1, 1}));
 }
 

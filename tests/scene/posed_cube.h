@@ -1,4 +1,4 @@
-// Poses of the cube's cage, and a workspace that has a few keys.
+// Poses of the cube's cage, and a workspace with a few keys.
 #pragma once
 
 #include <cmath>
@@ -17,12 +17,12 @@ inline std::vector<mesh::Point> turned(std::vector<mesh::Point> positions, doubl
   return positions;
 }
 
-/// All of the cage turned about z, whole turns included.
+/// The whole cage rotated about z, with whole turns.
 inline deform::Pose turned_cube(double degrees) {
   return {turned(cube(1.5).positions, degrees), {{0, 0, degrees / 180 * std::numbers::pi}}};
 }
 
-/// Wider along x, and longer along z.
+/// Scaled along x and z.
 inline deform::Pose stretched_cube(double x, double z = 1) {
   deform::Pose pose{cube(1.5).positions, {{0, 0, 0}}};
   for (auto& p : pose.positions) p[0] *= x, p[2] *= z;

@@ -13,9 +13,9 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/picking.h"
 #include "scene/hand/placing.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/grips.h"
@@ -62,7 +62,7 @@ TEST_CASE("a_probe_is_added_where_the_model_is_drawn_and_selected") {
   CHECK(p.document().selection.kind() == ElementKind::probe);
   CHECK(p.document().selection.contains(0));
   CHECK(test::edit_count(p.document().history) == 1);
-  // On a posed model: where that is at rest.
+  // On a posed model: the corresponding rest point.
   std::vector<deform::FrameVertex> posed;
   for (const auto& x : p.document().model.surface->positions)
     posed.push_back({{float(x[0]) + 7, float(x[1]), float(x[2])}, 0, {0, 0, 1}, 0});
@@ -108,9 +108,9 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   undo(p.document());
   CHECK(p.probe().pose == ProbePose{});
   CHECK_FALSE(differs_from_rest(p.document()));
-  // Nothing of the cage has moved.
+  // The cage is unchanged.
   CHECK(p.document().pose.positions == p.document().cage->surface.positions);
-  // Carried by the cage, it turns where it is then.
+  // Rotates about its carried position.
   p.document().carried.resize(2);
   p.document().carried[0].place = {1, 5, 0}, p.document().carried[1].place = {-1, 5, 0};
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 5, 0));
@@ -133,7 +133,7 @@ TEST_CASE("whole_turns_of_a_probe_count_and_what_leaves_its_range_moves_nothing"
   CHECK(p.probe() == before);
   Transform grow;
   grow.factors = {1e12, 1, 1};
-  CHECK(transform_selection(p.document(), Tool::scale, test::plain_grip(p.document()), grow));  // bounded
+  CHECK(transform_selection(p.document(), Tool::scale, test::plain_grip(p.document()), grow));  // limited
   CHECK(is_probe_stretch(p.probe().pose.stretch));
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   CHECK(test::run_command(p.w, "remove_probe"));
   REQUIRE(p.document().probes.all.size() == 1);
   CHECK(p.probe() == locked);
-  CHECK_FALSE(test::run_command(p.w, "remove_probe"));  // nothing is selected
+  CHECK_FALSE(test::run_command(p.w, "remove_probe"));  // the selection is empty
 }
 
 TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
@@ -173,8 +173,7 @@ TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
 }
 
 TEST_CASE("the_axis_of_symmetry_is_found") {
-  // A cube whose one side is pushed in is its own mirror image across the other two axes; a second push
-  // leaves one.
+  // A cube with one side pushed in is symmetric across the other two axes; a second push leaves one.
   for (std::size_t kept = 0; kept < 3; ++kept) {
     mesh::Surface surface = test::CubeFiles::subdivided_cube();
     for (auto& p : surface.positions) {
@@ -204,7 +203,7 @@ TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_e
   CHECK(p.probe(0).turn == Influence{Falloff::smooth, 0.3});
   CHECK(p.probe(1).turn == Influence{Falloff::smooth, 0.3});
   CHECK(p.probe(2).turn == Influence{Falloff::smooth, usual});  // locked
-  // Others, and another part, are other edits; a falloff leaves every radius as it is.
+  // Other probes, or another part, are separate edits; a falloff keeps every radius.
   p.select({1});
   set_radius(p.document(), &Probe::turn, 0.5);
   set_radius(p.document(), &Probe::move, 0.6);
@@ -255,7 +254,7 @@ TEST_CASE("a_model_of_one_point_can_have_probes") {
   CHECK(back.document.probes == w.document.probes);
 }
 
-TEST_CASE("what_is_left_when_the_last_probe_is_gone_is_unsaved_still") {
+TEST_CASE("removing_the_last_probe_is_an_unsaved_edit") {
   Probed p(false);
   p.add({1, 0, 0});
   REQUIRE(save_session(p.w, p.files / "a.viete"));
@@ -267,7 +266,7 @@ TEST_CASE("what_is_left_when_the_last_probe_is_gone_is_unsaved_still") {
   CHECK_FALSE(has_unsaved_edits(p.w));
   CHECK(test::run_command(p.w, "remove_probe"));
   CHECK(has_unsaved_edits(p.w));
-  // Recovered, it is in no file of the user's.
+  // Recovered work is in none of the user's files.
   test::put_file(p.files / "kept.viete", session_text(session_of(p.w), p.files / "kept.viete", false));
   Workspace back;
   REQUIRE(open_now(back, {OpenRequest::What::recovery, {p.files / "kept.viete"}}));
@@ -298,7 +297,7 @@ TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
   CHECK(p.document().selection.size() == 2);
   CHECK(test::run_command(p.w, "select_vertices"));
   CHECK(p.document().selection.empty());
-  CHECK_FALSE(test::run_command(p.w, "select_all"));  // there is no cage
+  CHECK_FALSE(test::run_command(p.w, "select_all"));  // without a cage
 }
 
 TEST_CASE("probes_come_back_from_a_session_to_the_last_bit") {
@@ -320,7 +319,7 @@ TEST_CASE("probes_come_back_from_a_session_to_the_last_bit") {
     CHECK(back.document.selection == p.document().selection);
     CHECK_FALSE(has_unsaved_edits(back));
     CHECK(back.messages.all().empty());
-    // Another cage leaves them, unsaved; another model has none.
+    // Another cage keeps them, unsaved; another model has none.
     REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
     CHECK(back.document.probes == p.document().probes);
     CHECK(has_unsaved_edits(back));
@@ -351,7 +350,7 @@ TEST_CASE("damaged_probes_cost_themselves_alone_and_say_so") {
       {with("stretched", "[99, 0, 0, 0, 0, 0]"), "probes.all[1].stretched: a number is too large"},
       {with("moved", "[1e40, 0, 0]"), "probes.all[1].moved: a number is too large"},
       {R"({"place": [0, 0, 1], "turn": {"falloff": "magic", "radius": 1}})", "\"magic\" is not known"},
-      {R"({"place": [0, 0, 1], "turn": {"falloff": "smooth", "radius": 0}})", "a radius must be above 0"},
+      {R"({"place": [0, 0, 1], "turn": {"falloff": "smooth", "radius": 0}})", "the radius must be above 0"},
       {"7", "probes.all[1]"}};
   for (const auto& c : cases) {
     INFO(c.probe);

@@ -1,4 +1,4 @@
-// Whatever a person does can be undone: to the start and forth again, to the last bit.
+// Every action can be undone to the start and redone, bit for bit.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -24,10 +24,10 @@ using namespace viete::scene;
 
 namespace {
 
-// A person without a plan: mouse, modifiers, keys and commands, some of them in the middle of a drag.
-class RandomPerson {
+// Random input: mouse, modifiers, keys and commands, also during drags.
+class RandomUser {
 public:
-  explicit RandomPerson(unsigned seed) : random_(seed) {
+  explicit RandomUser(unsigned seed) : random_(seed) {
     select_all_now_and_then();
     w.document.history = {};
   }
@@ -104,7 +104,7 @@ private:
     input_.down = {};
     step();
   }
-  // What hands do on the keyboard meanwhile.
+  // Random keys during a gesture.
   void disturb() {
     static const std::string keys = "xyzXYZ0123456789.-";
     if (once_in(6)) input_.typed = keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))];
@@ -139,7 +139,7 @@ private:
     test::run_command(w, tools[below(3)]);
     w.view.cage = true;
   }
-  // With what is armed, on vertices and on the gizmo too; with brushes that are let go of in mid air.
+  // With armed tools, over vertices and the gizmo too; brushes are sometimes abandoned.
   void select_otherwise() {
     static const char* const shapes[] = {"select_box", "select_lasso", "select_brush"};
     test::run_command(w, shapes[below(3)]);
@@ -174,7 +174,7 @@ private:
   void use_poses() {
     Document& d = w.document;
     auto& poses = d.library.poses;
-    if (in_hand(w)) return;
+    if (is_dragging(w)) return;
     if (poses.size() < 2) return void(keep_pose(d, "pose"));
     const std::size_t pose = any_of(poses.size());
     switch (below(12)) {
@@ -194,7 +194,7 @@ private:
   }
   void use_keys() {
     Document& d = w.document;
-    if (in_hand(w)) return;
+    if (is_dragging(w)) return;
     const auto frame = [this] { return below(40) - 5; };
     const std::vector<int> some = {frame(), frame(), current_frame(d)};
     switch (below(10)) {
@@ -227,7 +227,7 @@ private:
     const auto all = commands();
     const Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
     if (command.enabled(w)) command.run(w);
-    w.requests = {};  // no program around fulfils them
+    w.requests = {};  // nobody fulfils them
   }
 
   std::mt19937 random_;
@@ -247,7 +247,7 @@ struct Everything {
   bool operator==(const Everything&) const = default;
 };
 
-// What would be selected next, while nothing is, is a mode, no part of the document.
+// The element kind of an empty selection is a mode, not part of the document.
 Everything of(const Document& document) {
   const Selection& selection = document.selection;
   return {document.pose.positions, document.pose.turns,
@@ -264,7 +264,7 @@ TEST_CASE("thousands_of_random_actions_are_undone_to_the_last_bit_and_redone_as_
   std::size_t edits = 0, poses = 0, keys = 0;
   for (unsigned seed = 1; seed <= persons; ++seed) {
     CAPTURE(seed);
-    RandomPerson person(seed);
+    RandomUser person(seed);
     Document& document = person.w.document;
     const Everything start = of(document);
     for (int i = 0; i < 1000; ++i) person.act();
@@ -278,7 +278,7 @@ TEST_CASE("thousands_of_random_actions_are_undone_to_the_last_bit_and_redone_as_
     edits += count;
     std::size_t steps = 0;
     for (; document.history.can_undo(); ++steps) undo(document);
-    document.frame = start.frame;  // going there is no edit
+    document.frame = start.frame;  // changing the frame is no edit
     CHECK(of(document) == start);
     CHECK_FALSE(differs_from_rest(document));
     for (std::size_t i = 0; i < steps; ++i) redo(document);

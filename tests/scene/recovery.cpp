@@ -11,8 +11,8 @@
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
 #include "scene/hand/transform.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/grips.h"
 #include "support/zombie.h"
 
@@ -22,22 +22,22 @@ namespace fs = std::filesystem;
 
 TEST_CASE("only_the_work_of_programs_that_have_ended_is_left_over") {
   const test::TemporaryFolder folder;
-  CHECK(find_leftovers(folder / "none").empty());
+  CHECK(find_recovery_files(folder / "none").empty());
   test::put_file(recovery_file(folder.path()), "{}");
   test::put_file(set_aside_file(folder.path()), "{}");
   test::put_file(folder / "999999999-1.viete", "{}");
   test::put_file(folder / "999999999-1_2.viete", "{}");
   test::put_file(folder / "999999999-1.viete.123-0.part", "half");
-  const auto leftovers = find_leftovers(folder.path());
-  REQUIRE(leftovers.size() == 2);
-  CHECK(leftovers[0].file.filename().string().starts_with("999999999-1"));
+  const auto recovery_files = find_recovery_files(folder.path());
+  REQUIRE(recovery_files.size() == 2);
+  CHECK(recovery_files[0].file.filename().string().starts_with("999999999-1"));
 }
 
 TEST_CASE("the_work_of_a_program_that_has_ended_and_is_still_listed_is_left_over") {
   const test::TemporaryFolder folder;
   const test::Zombie zombie;
   test::put_file(folder / (zombie.name + ".viete"), "{}");
-  CHECK(find_leftovers(folder.path()).size() == 1);
+  CHECK(find_recovery_files(folder.path()).size() == 1);
 }
 
 TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
@@ -58,13 +58,13 @@ TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
   test::put_file(folder / "999999999-3.viete", "torn");
   fs::last_write_time(folder / "999999999-3.viete",
                       fs::file_time_type::clock::now() - std::chrono::minutes(20));
-  const auto leftovers = find_leftovers(folder);
-  REQUIRE(leftovers.size() == 3);
-  CHECK(leftovers[0].name == "walk.viete");
-  CHECK(leftovers[1].name == "999999999-3.viete");
-  CHECK(leftovers[1].folder.empty());
-  CHECK(leftovers[2].name == "model.obj");
-  for (const std::size_t i : {0u, 2u}) CHECK(leftovers[i].folder == fs::canonical(files.path()));
+  const auto recovery_files = find_recovery_files(folder);
+  REQUIRE(recovery_files.size() == 3);
+  CHECK(recovery_files[0].name == "walk.viete");
+  CHECK(recovery_files[1].name == "999999999-3.viete");
+  CHECK(recovery_files[1].folder.empty());
+  CHECK(recovery_files[2].name == "model.obj");
+  for (const std::size_t i : {0u, 2u}) CHECK(recovery_files[i].folder == fs::canonical(files.path()));
 }
 
 TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
@@ -80,17 +80,17 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
   };
   const auto offered = [&] {
     test::put_file(kept, session_text(session_of(w), kept, false));
-    const bool any = !find_leftovers(folder).empty();
+    const bool any = !find_recovery_files(folder).empty();
     CHECK(fs::exists(kept) == any);
     return any;
   };
-  CHECK_FALSE(offered());  // at rest, as the cage's file
+  CHECK_FALSE(offered());  // at rest, like the cage's file
   move();
   CHECK(offered());
   REQUIRE(save_session(w, session));
   w.camera.orbit({30, 0});
   w.view.wireframe = true;
-  CHECK_FALSE(offered());  // another view of it is no edit
+  CHECK_FALSE(offered());  // changing the view is no edit
   move();
   CHECK(offered());
   undo(w.document);
@@ -125,12 +125,12 @@ namespace {
 
 std::string first_edit_kept(const Workspace& w, const fs::path& file) {
   test::put_file(file, session_text(session_of(w), file, false));
-  return describe_leftover(file).first_edit;
+  return describe_recovery_file(file).first_edit;
 }
 
 }  // namespace
 
-TEST_CASE("kept_work_tells_the_first_edit_since_it_was_saved_and_a_saved_session_tells_none") {
+TEST_CASE("recovery_files_store_the_first_unsaved_edit_and_sessions_do_not") {
   const test::CubeFiles files;
   const fs::path kept = files / "999999999-1.viete";
   Workspace w = test::opened({files.model, files.cage});

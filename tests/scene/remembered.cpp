@@ -1,4 +1,4 @@
-#include "scene/workspace/remembered.h"
+#include "scene/workspace/preferences.h"
 
 #include <doctest/doctest.h>
 
@@ -9,41 +9,41 @@ using namespace viete;
 using namespace viete::scene;
 
 TEST_CASE("a_recent_file_stands_once_at_the_front_and_twelve_are_kept") {
-  Remembered remembered;
-  for (int i = 0; i < 20; ++i) remembered.add({"/m" + std::to_string(i) + ".obj", {}});
-  CHECK(remembered.recent.size() == 12);
-  CHECK(remembered.recent.front().file == "/m19.obj");
-  remembered.add({"/m15.obj", {}});
-  CHECK(remembered.recent.size() == 12);
-  CHECK(remembered.recent.front().file == "/m15.obj");
-  CHECK(remembered.recent[1].file == "/m19.obj");
+  Preferences preferences;
+  for (int i = 0; i < 20; ++i) preferences.add({"/m" + std::to_string(i) + ".obj", {}});
+  CHECK(preferences.recent.size() == 12);
+  CHECK(preferences.recent.front().file == "/m19.obj");
+  preferences.add({"/m15.obj", {}});
+  CHECK(preferences.recent.size() == 12);
+  CHECK(preferences.recent.front().file == "/m15.obj");
+  CHECK(preferences.recent[1].file == "/m19.obj");
 }
 
-TEST_CASE("what_is_remembered_comes_back") {
+TEST_CASE("preferences_are_restored") {
   const test::TemporaryFolder folder;
-  Remembered remembered;
-  CHECK(read_remembered(folder / "r.json") == remembered);
-  remembered.add({"/a.ply", "/c.obj"});
-  remembered.add({"/b.viete", {}});
-  remembered.add({"/caf\xe9/a.ply", "/caf\xe9/c.obj"});
-  remembered.folder =
+  Preferences preferences;
+  CHECK(read_preferences(folder / "r.json") == preferences);
+  preferences.add({"/a.ply", "/c.obj"});
+  preferences.add({"/b.viete", {}});
+  preferences.add({"/caf\xe9/a.ply", "/caf\xe9/c.obj"});
+  preferences.folder =
       "/some\xff"
       "where";
-  remembered.hints = false;
-  write_remembered(folder / "r.json", remembered);
-  CHECK(read_remembered(folder / "r.json") == remembered);
+  preferences.hints = false;
+  write_preferences(folder / "r.json", preferences);
+  CHECK(read_preferences(folder / "r.json") == preferences);
 }
 
-TEST_CASE("what_another_program_added_is_kept_behind") {
+TEST_CASE("entries_of_another_program_are_appended") {
   const test::TemporaryFolder folder;
-  Remembered mine, theirs;
+  Preferences mine, theirs;
   mine.add({"/mine.ply", {}});
   theirs.add({"/both.ply", {}});
   theirs.add({"/theirs.ply", {}});
   mine.add({"/both.ply", {}});
-  write_remembered(folder / "r.json", theirs);
-  write_remembered(folder / "r.json", mine);
-  const auto all = read_remembered(folder / "r.json").recent;
+  write_preferences(folder / "r.json", theirs);
+  write_preferences(folder / "r.json", mine);
+  const auto all = read_preferences(folder / "r.json").recent;
   REQUIRE(all.size() == 3);
   CHECK(all[0].file == "/both.ply");
   CHECK(all[2].file == "/theirs.ply");
@@ -52,11 +52,11 @@ TEST_CASE("what_another_program_added_is_kept_behind") {
 TEST_CASE("a_damaged_file_is_an_error_and_is_replaced_by_the_next_write") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "r.json", R"({"recent": [3]})");
-  CHECK_THROWS_AS(read_remembered(folder / "r.json"), base::Error);
-  Remembered remembered;
-  remembered.add({"/a.ply", {}});
-  write_remembered(folder / "r.json", remembered);
-  CHECK(read_remembered(folder / "r.json") == remembered);
+  CHECK_THROWS_AS(read_preferences(folder / "r.json"), base::Error);
+  Preferences preferences;
+  preferences.add({"/a.ply", {}});
+  write_preferences(folder / "r.json", preferences);
+  CHECK(read_preferences(folder / "r.json") == preferences);
 }
 
 TEST_CASE("both_columns_are_shown_where_the_view_keeps_its_least_width") {
@@ -69,14 +69,14 @@ TEST_CASE("both_columns_are_shown_where_the_view_keeps_its_least_width") {
   CHECK(tight.methods == PanelLayout::least_width);
 }
 
-TEST_CASE("where_there_is_room_for_one_column_the_one_unfolded_last_is_shown") {
+TEST_CASE("a_narrow_window_shows_the_column_unfolded_last") {
   PanelLayout layout;
   CHECK(shown_columns(layout, 800).methods == 320);
   CHECK(shown_columns(layout, 800).tools == 0);
   toggle_column(layout, Column::tools, 800);
   CHECK(shown_columns(layout, 800).methods == 0);
   CHECK(shown_columns(layout, 800).tools == 320);
-  CHECK(shown_columns(layout, 1280).methods == 320);  // it was not folded away
+  CHECK(shown_columns(layout, 1280).methods == 320);  // not folded
   toggle_column(layout, Column::tools, 800);
   CHECK(shown_columns(layout, 800).methods == 320);
 }
@@ -112,17 +112,17 @@ TEST_CASE("a_width_stays_within_its_limits_and_leaves_room_for_the_view") {
 
 TEST_CASE("layout_theme_and_window_come_back_and_what_is_out_of_range_is_brought_into_it") {
   const test::TemporaryFolder folder;
-  Remembered remembered;
-  remembered.dark = false;
-  remembered.window = glm::ivec2(1000, 700);
-  remembered.layout.width = {300, 400};
-  remembered.layout.folded = {true, false};
-  remembered.layout.last = Column::methods;
-  remembered.layout.sections = {{"Analysis", true}, {"Model", false}};
-  write_remembered(folder / "r.json", remembered);
-  CHECK(read_remembered(folder / "r.json") == remembered);
+  Preferences preferences;
+  preferences.dark = false;
+  preferences.window = glm::ivec2(1000, 700);
+  preferences.layout.width = {300, 400};
+  preferences.layout.folded = {true, false};
+  preferences.layout.last = Column::methods;
+  preferences.layout.sections = {{"Analysis", true}, {"Model", false}};
+  write_preferences(folder / "r.json", preferences);
+  CHECK(read_preferences(folder / "r.json") == preferences);
   test::put_file(folder / "r.json",
                  R"({"window": [1, -5], "layout": {"tools": {"width": 1e9, "folded": false}}})");
-  CHECK_FALSE(read_remembered(folder / "r.json").window);
-  CHECK(read_remembered(folder / "r.json").layout.width[0] == PanelLayout::largest_width);
+  CHECK_FALSE(read_preferences(folder / "r.json").window);
+  CHECK(read_preferences(folder / "r.json").layout.width[0] == PanelLayout::largest_width);
 }

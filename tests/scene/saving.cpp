@@ -12,9 +12,9 @@
 #include "scene/hand/placing.h"
 #include "scene/hand/transform.h"
 #include "scene/posed_cube.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/command.h"
 #include "scene/workspace/file_commands.h"
-#include "scene/workspace/taking.h"
 #include "support/commands.h"
 #include "support/grips.h"
 #include "support/open.h"
@@ -148,13 +148,13 @@ TEST_CASE("a_session_changed_on_disk_is_noticed_by_its_content") {
   REQUIRE(save_session(w, session));
   CHECK_FALSE(changed_on_disk(w, session));
   const std::string bytes = test::file_bytes(session);
-  test::put_file(session, bytes);  // touched, but the same
+  test::put_file(session, bytes);  // rewritten with the same content
   CHECK_FALSE(changed_on_disk(w, session));
   test::put_file(session, bytes + " ");
   CHECK(changed_on_disk(w, session));
   CHECK_FALSE(changed_on_disk(w, files / "b.viete"));
   fs::remove(session);
-  CHECK_FALSE(changed_on_disk(w, session));  // nothing is lost by writing it again
+  CHECK_FALSE(changed_on_disk(w, session));  // overwriting it loses nothing
 }
 
 TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
@@ -185,7 +185,7 @@ TEST_CASE("the_title_names_the_session_and_else_the_model_with_a_star_while_edit
   CHECK(window_title(again) == "walk.viete - Viete");
 }
 
-TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
+TEST_CASE("saving_overwrites_no_open_file_except_its_own_source") {
   const test::CubeFiles files;
   fs::create_symlink(files.cage, files / "link.obj");
   fs::create_directory_symlink(files.path(), files / "way");
@@ -205,7 +205,7 @@ TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
     return w.messages.all().back().text;
   };
   CHECK(test::mentions(refuses(save_pose, files.cage),
-                       "(the cage), and would be replaced; choose another name"));
+                       "(the cage) and would be replaced; choose another name"));
   CHECK(test::mentions(refuses(save_pose, files / "link.obj"), "such as link-2.obj"));
   CHECK(test::mentions(refuses(save_pose, files / "way/model.obj"), "(the model)"));
   CHECK(test::mentions(refuses(save_pose, files / "key_9.obj"), "(the keys)"));
@@ -227,8 +227,8 @@ TEST_CASE("nothing_that_is_open_is_saved_over_but_what_it_was_read_as") {
 TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
-  w.document.cage_file = made_surface(*w.document.cage_file.surface, "cage.obj, edited");
-  CHECK_FALSE(save_pose(w, files.cage));  // undo leads back to it
+  w.document.cage_file = generated_surface(*w.document.cage_file.surface, "cage.obj, edited");
+  CHECK_FALSE(save_pose(w, files.cage));  // undo can restore it
   CHECK(save_cage(w, files.cage));
 }
 
@@ -257,14 +257,14 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   std::filesystem::create_directories(files / "other");
-  w.remembered.folder = files / "other";
+  w.preferences.folder = files / "other";
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()) / "other");
-  test::run_command(w, "open_pose");  // beside its cage
+  test::run_command(w, "open_pose");  // in the folder of its cage
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   test::run_command(w, "open_cage");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
-  w.remembered.folder = files / "gone";
+  w.preferences.folder = files / "gone";
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(std::filesystem::current_path()));
   CHECK(w.browser.problem.empty());
@@ -273,10 +273,10 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
 TEST_CASE("recovered_edits_are_restored_from_their_notice_and_discarded_or_put_off_all_at_once") {
   Workspace w;
   CHECK_FALSE(test::run_command(w, "restore_leftover"));
-  w.leftovers = {{"/a.viete", "a", 0}, {"/b.viete", "b", 0}};
+  w.recovery_files = {{"/a.viete", "a", 0}, {"/b.viete", "b", 0}};
   CHECK_FALSE(test::run_command(w, "discard_leftovers"));  // no notice lists them
   REQUIRE(test::run_command(w, "restore_leftover"));
-  CHECK(w.offers_leftovers);
+  CHECK(w.offers_recovery);
   CHECK_FALSE(w.requests.open);
   REQUIRE(test::run_command(w, "restore_leftover"));
   CHECK(w.requests.open->what == OpenRequest::What::recovery);
@@ -285,8 +285,8 @@ TEST_CASE("recovered_edits_are_restored_from_their_notice_and_discarded_or_put_o
   REQUIRE(w.question);
   CHECK(w.question->kind == Question::Kind::discard);
   REQUIRE(test::run_command(w, "put_off_leftovers"));
-  CHECK_FALSE(w.offers_leftovers);
-  CHECK(w.leftovers.size() == 2);
+  CHECK_FALSE(w.offers_recovery);
+  CHECK(w.recovery_files.size() == 2);
 }
 
 TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
@@ -299,9 +299,9 @@ TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
     REQUIRE(test::run_command(w, command));
     return chosen_file(w.browser).filename().string();
   };
-  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // there, but not open: it asks before it replaces
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // exists, but not open: asks before overwriting
   REQUIRE(test::load_pose(w, files / "a_cage_pose.obj"));
-  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // its own
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // its own file
   CHECK(proposed("save_cage") == "a_cage.obj");
   CHECK(proposed("save_model") == "a_deformed.obj");
   REQUIRE(test::load_model(w, files / "a.obj", files / "a_deformed.obj"));

@@ -1,5 +1,4 @@
-// Boxes, lassos and brushes in the hand, over a coarse cage and a dense one, through it or as far as one
-// sees.
+// Box, lasso and brush over a coarse and a dense cage, through it or for visible elements only.
 #include "scene/hand/picking.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +11,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/mouse.h"
-#include "scene/workspace/sight_keeper.h"
+#include "scene/workspace/sight_cache.h"
 #include "support/commands.h"
 
 using namespace viete;
@@ -23,7 +22,7 @@ namespace {
 struct Hand : test::Mouse {
   using test::Mouse::Mouse;
 
-  // The one that is nearest to the eye.
+  // The vertex nearest to the eye.
   std::uint32_t front() const {
     std::uint32_t best = 0;
     for (std::uint32_t v = 0; v < w.document.pose.positions.size(); ++v) {
@@ -38,7 +37,7 @@ constexpr glm::vec2 middle{600, 390};
 
 }  // namespace
 
-TEST_CASE("a_line_encloses_what_it_goes_round_however_it_crosses_itself") {
+TEST_CASE("a_self_intersecting_line_encloses_points_by_winding_number") {
   const std::array<glm::vec2, 4> square = {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}};
   CHECK(encloses(square, {5, 5}));
   CHECK_FALSE(encloses(square, {15, 5}));
@@ -124,7 +123,7 @@ TEST_CASE("an_armed_box_begins_on_a_vertex_and_on_the_gizmo_and_esc_puts_it_away
   CHECK_FALSE(hand.w.interaction.armed);
 }
 
-TEST_CASE("a_lasso_selects_what_it_goes_round_and_esc_takes_it_back") {
+TEST_CASE("a_lasso_selects_its_content_and_esc_cancels_it") {
   Hand hand(test::ball_workspace());
   const auto round = [&](float radius) {
     CHECK(test::run_command(hand.w, "select_lasso"));
@@ -192,7 +191,7 @@ TEST_CASE("the_brush_selects_along_its_way_ctrl_removes_the_wheel_sizes_and_esc_
   CHECK_FALSE(differs_from_rest(hand.w.document));
 }
 
-TEST_CASE("a_brush_takes_the_large_face_that_it_is_over") {
+TEST_CASE("a_brush_selects_the_face_under_its_center") {
   Hand hand(test::cube_workspace());
   hand.w.document.selection = Selection(ElementKind::face);
   CHECK(test::run_command(hand.w, "select_brush"));
@@ -211,9 +210,9 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
     hand.drag({205, 5}, {995, 775});
     const double share =
         static_cast<double>(hand.selected()) / static_cast<double>(element_count(hand.w.document, kind));
-    CHECK(share > 0.35);  // of a ball from near less than a half
+    CHECK(share > 0.35);  // a close ball shows less than half
     CHECK(share < 0.52);
-    // In front of the horizon, but for a margin at which the ball bends away.
+    // Visible, with a margin near the silhouette.
     const glm::vec3 eye = hand.w.camera.eye();
     for (std::uint32_t i = 0; i < element_count(hand.w.document, kind); ++i) {
       const glm::vec3 p = hand.w.document.space.to_view(element_middle(hand.w.document, kind, i));
@@ -228,7 +227,7 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   Hand hand(test::cube_workspace());
   auto& cage = hand.w.document.changed_pose().positions;
   for (auto& p : cage) {
-    for (double& x : p) x *= 0.2;  // within the model
+    for (double& x : p) x *= 0.2;  // inside the model
   }
   hand.w.view.select_visible = true;
   hand.drag({205, 5}, {995, 775});
@@ -238,10 +237,10 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   hand.w.view.model = false;
   hand.w.camera.set_orthographic(true);
   hand.drag({205, 5}, {995, 775});
-  CHECK(hand.selected() == 7);  // the eighth is behind the cage
+  CHECK(hand.selected() == 7);  // the eighth is hidden by the cage
 }
 
-TEST_CASE("nothing_is_hidden_where_there_is_nothing") {
+TEST_CASE("an_empty_raster_hides_nothing") {
   Workspace w;
   w.viewport = {{100, 80}, {0, 0}, {100, 80}};
   CHECK(sight_of(w).sees({50, 40, 3}));

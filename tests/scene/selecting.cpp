@@ -1,4 +1,4 @@
-// Selections made from selections, on closed cages, open ones, and such with edges of many faces.
+// Derived selections, on closed, open and non-manifold cages.
 #include "scene/document/selecting.h"
 
 #include <doctest/doctest.h>
@@ -15,7 +15,7 @@ using Indices = std::vector<std::uint32_t>;
 
 namespace {
 
-// n by n quads in a plane, and some more polygons.
+// n by n quads in a plane, and additional polygons.
 mesh::Surface plane_of_quads(std::uint32_t n, std::vector<std::vector<std::uint32_t>> more = {}) {
   mesh::Surface s;
   s.polygon_starts = {0};
@@ -59,7 +59,7 @@ Selection selection(ElementKind kind, const Indices& indices) {
   return s;
 }
 
-// Two quads that share nothing, and a vertex that no polygon uses.
+// Two separate quads and an unused vertex.
 deform::Cage two_quads() {
   mesh::Surface surface;
   for (int i = 0; i < 9; ++i)
@@ -84,11 +84,11 @@ TEST_CASE("growing_adds_what_is_next_to_it_and_shrinking_takes_it_away_again") {
     CHECK(shrunk(cage, all).empty());
     all.select_all(element_count(cage, kind));
     CHECK(grown(cage, all) == all);
-    CHECK(shrunk(cage, all) == all);  // the rim stays
+    CHECK(shrunk(cage, all) == all);  // the boundary stays
   }
 }
 
-TEST_CASE("a_loop_goes_straight_through_quads_from_rim_to_rim_and_round_the_rim") {
+TEST_CASE("a_loop_goes_straight_through_quads_between_boundaries_and_along_them") {
   const auto cage = deform::make_cage(plane_of_quads(4));
   const auto row = looped(cage, some(ElementKind::edge, {edge_of(cage, 11, 12)}));
   CHECK(selected_vertices(cage, row) == Numbers{10, 11, 12, 13, 14});
@@ -130,7 +130,7 @@ TEST_CASE("on_triangles_a_loop_goes_the_straightest_way_and_ends") {
   }
   const auto faces = looped(cage, some(ElementKind::face, {0, 1}));
   CHECK(faces.size() >= 2);
-  // A cube of triangles turns by a right angle at its edges: no loop goes round them.
+  // Edges of a triangulated cube turn by a right angle: there are no loops.
   const auto cube = deform::make_cage(test::cube(1));
   CHECK(looped(cube, some(ElementKind::edge, {edge_of(cube, 0, 1)})).size() == 1);
 }
@@ -147,7 +147,7 @@ TEST_CASE("a_ring_goes_across_quads_and_pairs_of_triangles_as_if_they_were_quads
   CHECK(ringed(cage, some(ElementKind::vertex, {11, 12})).indices() == selected_vertices(cage, ring));
   CHECK(ringed(cage, some(ElementKind::vertex, {12})).indices() == Numbers{12});
   CHECK(ringed(cage, some(ElementKind::face, {5})).indices() == Numbers{5});
-  // The same, cut into triangles.
+  // The same, triangulated.
   mesh::Surface cut;
   cut.positions = quads.positions;
   cut.polygon_starts = {0};
@@ -164,8 +164,8 @@ TEST_CASE("a_ring_goes_across_quads_and_pairs_of_triangles_as_if_they_were_quads
   for (const std::uint32_t e : {0u, 7u, 100u}) CHECK(ringed(ball, some(ElementKind::edge, {e})).contains(e));
 }
 
-TEST_CASE("where_many_faces_meet_at_an_edge_loops_end_and_nothing_else_breaks") {
-  // Two fins, back to back, stand on the edge between vertices 5 and 6 of a plane: four faces at one edge.
+TEST_CASE("loops_end_at_nonmanifold_edges") {
+  // Two fins on opposite sides of an edge between vertices 5 and 6 of a plane: four faces at one edge.
   auto s = plane_of_quads(3);
   s.positions.push_back({1, 1, 1});
   s.positions.push_back({2, 1, 1});
@@ -213,7 +213,7 @@ TEST_CASE("facing_is_the_same_way_for_faces_and_either_way_for_edges") {
   CHECK(facing(cage, p, some(ElementKind::vertex, {3})).indices() == Numbers{3});
 }
 
-TEST_CASE("a_side_has_what_does_not_reach_beyond_the_middle_and_is_not_within_it") {
+TEST_CASE("a_side_contains_elements_that_neither_cross_nor_lie_in_the_middle_plane") {
   const auto cage = deform::make_cage(plane_of_quads(4));
   CHECK(on_side(cage, ElementKind::vertex, 0, true, 2).indices() ==
         Numbers{3, 4, 8, 9, 13, 14, 18, 19, 23, 24});
@@ -223,7 +223,7 @@ TEST_CASE("a_side_has_what_does_not_reach_beyond_the_middle_and_is_not_within_it
   CHECK(on_side(cage, ElementKind::vertex, 2, false, 0).empty());
 }
 
-TEST_CASE("of_no_cage_and_of_probes_nothing_is_made") {
+TEST_CASE("without_a_cage_and_for_probes_there_are_no_elements") {
   const deform::Cage none;
   const auto probes = some(ElementKind::probe, {0, 2});
   CHECK(grown(none, probes) == probes);

@@ -1,4 +1,4 @@
-// The selection as an edit; what is hidden; sets by name, through edits of the cage and sessions.
+// Selection edits; hidden elements; selection sets, through cage edits and sessions.
 #include "scene/document/selection.h"
 #include "scene/document/selection_sets.h"
 
@@ -33,7 +33,7 @@ Selection vertices(Indices indices) {
   return selection;
 }
 
-// An open, empty history and a clean slate: nothing is unsaved.
+// An empty history without unsaved edits.
 Workspace saved_cube() {
   Workspace w = test::cube_workspace();
   mark_saved(w);
@@ -47,7 +47,7 @@ TEST_CASE("selecting_is_undone_and_redone_and_is_no_work_that_could_be_lost") {
   const unsigned long edits = w.document.history.revision();
   CHECK(test::run_command(w, "select_all"));
   set_selection(w.document, vertices({1, 2}));
-  set_selection(w.document, vertices({1, 2}));  // nothing new
+  set_selection(w.document, vertices({1, 2}));  // no change
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK(w.document.history.revision() == edits);
   CHECK(w.document.history.undo_label() == "select");
@@ -87,7 +87,7 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   redo(w.document);
   CHECK(w.document.selection == vertices({7}));
   undo(w.document);
-  // Pulled out and put back: it is selected, no more.
+  // Dragged out and back: only the selection changes.
   mouse.begin(from, from + 30.0f), mouse.move(from), mouse.release();
   CHECK(w.document.selection == vertices({7}));
   CHECK(w.document.history.undo_label() == "select");
@@ -95,7 +95,7 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   CHECK(w.document.selection == vertices({1}));
 }
 
-TEST_CASE("what_is_hidden_is_not_selected_picked_or_moved_until_all_is_shown") {
+TEST_CASE("hidden_elements_are_not_selected_picked_or_moved") {
   Workspace w = saved_cube();
   const glm::vec2 at(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[7]));
   set_selection(w.document, vertices({6, 7}));
@@ -108,7 +108,7 @@ TEST_CASE("what_is_hidden_is_not_selected_picked_or_moved_until_all_is_shown") {
   CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 6);
   CHECK(test::run_command(w, "invert_selection"));
   CHECK(w.document.selection.empty());
-  // A face with a hidden corner is there, but that corner stays.
+  // A face with a hidden corner is visible, but that corner stays.
   CHECK(test::run_command(w, "select_faces"));
   CHECK(test::run_command(w, "select_all"));
   CHECK(w.document.selection.size() == 12);
@@ -180,7 +180,7 @@ TEST_CASE("sets_go_with_their_vertices_through_edits_of_the_cage_and_lost_ones_a
   CHECK(w.document.groups.sets[0].vertices == Indices{4, 5, 6});
   REQUIRE_FALSE(w.messages.all().empty());
   CHECK(w.messages.all().back().text.find("\"Set 1\"") != std::string::npos);
-  // A vertex between two of a set is of it.
+  // A new vertex between two of a set belongs to it.
   select_set(w.document, 0, SelectMode::replace);
   CHECK(test::run_command(w, "split_edges"));
   CHECK(w.document.groups.sets[0].vertices.size() > 3);
@@ -236,7 +236,7 @@ TEST_CASE("inverting_twice_changes_nothing") {
   CHECK(s.indices() == Indices{0, 3});
 }
 
-TEST_CASE("all_of_nothing_is_nothing") {
+TEST_CASE("selecting_all_without_elements_selects_none") {
   Selection s;
   s.select_all(0);
   CHECK(s.empty());

@@ -16,9 +16,9 @@
 #include "scene/files/session_parts.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/saving.h"
 #include "scene/workspace/splitting.h"
-#include "scene/workspace/taking.h"
 #include "support/grips.h"
 #include "support/open.h"
 #include "support/text.h"
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Everything a session holds is away from its default.
+// Every setting of a session differs from its default.
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
   w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
@@ -116,7 +116,7 @@ TEST_CASE("cameras_of_views_are_kept_wherever_the_hand_is") {
   const Session session = read_session(files / "a.viete");
   REQUIRE(session.warnings.size() == 1);
   CHECK(mentions(session.warnings[0],
-                 "a.viete: cameras: there is not one of each view beside the first; all views"));
+                 "a.viete: cameras: their number differs from the number of additional views; all views"));
 }
 
 TEST_CASE("a_session_names_its_files_relative_to_itself_and_moves_with_them") {
@@ -166,7 +166,7 @@ TEST_CASE("only_a_model_is_required_and_unknown_keys_are_ignored") {
   CHECK_FALSE(differs_from_rest(w.document));
 }
 
-TEST_CASE("what_is_wrong_in_a_session_is_named_with_file_and_key") {
+TEST_CASE("session_errors_name_file_and_key") {
   const test::CubeFiles files;
   const struct {
     const char *key, *value, *said;
@@ -183,12 +183,12 @@ TEST_CASE("what_is_wrong_in_a_session_is_named_with_file_and_key") {
   }
 }
 
-TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") {
+TEST_CASE("a_damaged_part_of_a_session_is_skipped_with_a_warning") {
   const test::CubeFiles files;
   const struct {
     const char *key, *value, *said;
   } cases[] = {
-      {"method", "\"best\"", "a.viete: method: \"best\" is not known; fast instead, of diag"},
+      {"method", "\"best\"", "a.viete: method: \"best\" is not known; fast instead (choices: diag"},
       {"method", "7", "a.viete: method: found a number where a text belongs; fast instead"},
       {"radius", "0.01", "a.viete: radius: a radius must be 0.1 to 1000 percent"},
       {"turn", "201", "a.viete: turn: an amount must be 0 to 200 percent; 100 percent instead"},
@@ -208,17 +208,17 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
        "camera: the key \"yaw\""},
       {"camera", R"({"target": [0, 0, 0], "distance": 1, "yaw": 0, "pitch": 1e308})", "camera.pitch"},
       {"camera", R"({"target": [0, 1e308, 0], "distance": 1, "yaw": 0, "pitch": 0})",
-       "camera.target: this is too far"},
+       "camera.target: this coordinate is too large"},
       {"camera", R"({"target": [0, null, 0], "distance": 1, "yaw": 0, "pitch": 0})",
        "camera.target[1]: found null"},
       {"camera", R"({"target": [0, 0, "z"], "distance": 1, "yaw": 0, "pitch": 0})", "camera.target[2]"},
       {"view", R"({"grid": 1})", "a.viete: view.grid: found a number where true or false belongs; it stays"},
       {"view", "3", "a.viete: view"},
-      {"window", "[1, 1]", "a.viete: window: no window has this size; the usual size instead"},
-      {"window", "[8192, 8192]", "a.viete: window: no window has this size"},
-      {"window", "[1e999, 800]", "a.viete: window: no window has this size"},
+      {"window", "[1, 1]", "a.viete: window: this is not a valid window size; the usual size instead"},
+      {"window", "[8192, 8192]", "a.viete: window: this is not a valid window size"},
+      {"window", "[1e999, 800]", "a.viete: window: this is not a valid window size"},
       {"session", "7",
-       "a.viete: session: found a number where the name of a file belongs; saving will ask for a name"},
+       "a.viete: session: found a number where the name of a file belongs; saving asks for a name"},
       {"selecting", "\"holes\"", "a.viete: selecting: \"holes\" is not known; nothing is selected"},
       {"selection", "[1, -1]",
        "a.viete: selection[1]: found a number where a whole number from 0 on belongs"},
@@ -242,7 +242,7 @@ TEST_CASE("what_is_damaged_costs_its_own_part_with_a_word_and_not_the_session") 
   }
 }
 
-TEST_CASE("one_bad_number_of_a_pose_costs_its_vertex") {
+TEST_CASE("one_bad_number_of_a_pose_resets_its_vertex") {
   const test::CubeFiles files;
   Workspace w = worked(files);
   w.document.pose.positions[0] = {9, 9, 9};
@@ -270,13 +270,13 @@ TEST_CASE("one_bad_number_of_a_pose_costs_its_vertex") {
   const Workspace turned = opened("6.3", "1e9");
   CHECK(turned.document.pose.turns == std::vector<deform::Vec3>{{0, 0, 0}});
   CHECK(mentions(turned.messages.all()[0].text,
-                 "pose.turns[0]: a number is too large; part 0 is without whole turns"));
+                 "pose.turns[0]: a number is too large; part 0 is without full rotations"));
   const Workspace none = opened("\"turns\": [\n      [0.1,6.3,-1e-09]\n    ]", "\"turns\": 3");
   CHECK(none.document.pose.turns.empty());
   CHECK(none.document.pose.positions[5] == mesh::Point{-8, 8, 8});
 }
 
-TEST_CASE("whatever_is_typed_or_looked_at_can_be_saved_and_opened_again") {
+TEST_CASE("all_typed_values_and_views_survive_saving") {
   const test::CubeFiles files;
   for (const double amount : {1e150, -1e150, 1e99, 1e20, 1e5, 1e-300}) {
     Workspace w = worked(files);
@@ -334,7 +334,7 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
     Workspace back = test::opened({files / "a.viete"});
     CHECK(back.document.scheme.iterations == iterations);
   }
-  for (const int iterations : {0, 2}) {  // kept for when it is stitched again
+  for (const int iterations : {0, 2}) {  // stored for later stitching
     Workspace w = test::opened({files.model, files.cage});
     w.document.scheme.iterations = iterations;
     w.document.scheme.holding = {0.29, 0.07};
@@ -346,7 +346,7 @@ TEST_CASE("stitching_is_kept_and_refused_where_it_cannot_be") {
   const Session session = read_session(files / "a.viete");
   CHECK_FALSE(session.scheme.stitched());
   REQUIRE(session.warnings.size() == 1);
-  CHECK(mentions(session.warnings[0], "a.viete: stitched: points give triangles no maps"));
+  CHECK(mentions(session.warnings[0], "a.viete: stitched: cage vertices give no maps"));
 }
 
 TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
@@ -362,7 +362,7 @@ TEST_CASE("settings_of_weights_are_kept_and_those_out_of_range_are_told") {
     Workspace back = test::opened({files / "a.viete"});
     const deform::Weighting& kept = back.document.scheme.weighting;
     CHECK(kept == weighting);
-    CHECK(kept.radius == 0.29);  // also those that these weights do not use
+    CHECK(kept.radius == 0.29);  // also settings these weights do not use
   }
   const struct {
     const char *key, *value, *warning;
@@ -395,12 +395,11 @@ TEST_CASE("a_session_may_name_any_part_of_a_scheme") {
   const Session apart = scheme(R"("blend": "srl", "weights": "mean-value")");
   CHECK(word(apart) == "inverse, srl");
   REQUIRE(apart.warnings.size() == 1);
-  CHECK(mentions(apart.warnings[0], "a.viete: blend: these weights and this blend do not go together"));
+  CHECK(mentions(apart.warnings[0], "a.viete: blend: these weights and this blend cannot be combined"));
   const Session unknown = scheme(R"("blend": "magic", "weights": "mean-value")");
   CHECK(word(unknown) == "mean-value, linear");
   REQUIRE(unknown.warnings.size() == 1);
-  CHECK(
-      mentions(unknown.warnings[0], "a.viete: blend: \"magic\" is not known; what fits the others instead"));
+  CHECK(mentions(unknown.warnings[0], "a.viete: blend: \"magic\" is not known; a matching one instead"));
 }
 
 TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
@@ -408,7 +407,8 @@ TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
   test::put_file(files / "a.viete", R"({"version": 1, "model": "model.obj"})");
   CHECK(mentions(refusal(files / "a.viete"), "not a session"));
   test::put_file(files / "a.viete", R"({"format": "viete session", "version": 2, "model": "model.obj"})");
-  CHECK(mentions(refusal(files / "a.viete"), "version: the session has version 2, this program reads 1"));
+  CHECK(mentions(refusal(files / "a.viete"),
+                 "version: the session has version 2, this version of Viete reads 1"));
   for (const char* text : {"", "[]", "3", "{", "null", "\xff\xfe{}"}) {
     test::put_file(files / "a.viete", text);
     CHECK_MESSAGE(mentions(refusal(files / "a.viete"), "a.viete"), text);
@@ -417,7 +417,7 @@ TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
 
 namespace {
 
-// The same cage with its vertices in another order.
+// The same cage with reordered vertices.
 void permute(const fs::path& cage) {
   mesh::Surface surface = mesh::read(cage).surface;
   const auto n = static_cast<std::uint32_t>(surface.positions.size());
@@ -437,7 +437,7 @@ std::vector<std::string> said_on_opening(const fs::path& session) {
 
 }  // namespace
 
-TEST_CASE("a_model_or_cage_that_has_changed_since_is_said_when_the_session_is_opened") {
+TEST_CASE("opening_a_session_warns_of_a_changed_model_or_cage") {
   const test::CubeFiles files;
   Workspace w = worked(files);
   REQUIRE(save_session(w, files / "a.viete"));
@@ -448,15 +448,14 @@ TEST_CASE("a_model_or_cage_that_has_changed_since_is_said_when_the_session_is_op
   permute(files.cage);
   auto said = said_on_opening(files / "a.viete");
   REQUIRE(said.size() == 1);
-  CHECK_MESSAGE(
-      (mentions(said[0], "a.viete: cage: ") && mentions(said[0], "cage.obj is another one than when")),
-      said[0]);
-  CHECK(mentions(said[0], "bring back the older one"));
+  CHECK_MESSAGE((mentions(said[0], "a.viete: cage: ") && mentions(said[0], "cage.obj has changed since")),
+                said[0]);
+  CHECK(mentions(said[0], "restore the older file"));
 
   mesh::write(files.model, test::cube(1.25));
   said = said_on_opening(files / "a.viete");
   REQUIRE(said.size() == 2);
-  CHECK(mentions(said[0], "model.obj is another one than when"));
+  CHECK(mentions(said[0], "model.obj has changed since"));
 
   Workspace again = test::opened({files / "a.viete"});
   REQUIRE(save_session(again, files / "a.viete"));
@@ -481,7 +480,7 @@ TEST_CASE("a_pose_that_is_cut_short_is_not_blamed_on_the_cage") {
   Workspace w = worked(files);
   w.document.pose.positions.pop_back();
   REQUIRE(save_session(w, files / "a.viete"));
-  CHECK(mentions(refusal(files / "a.viete"), "take an older copy"));
+  CHECK(mentions(refusal(files / "a.viete"), "use an older copy"));
   mesh::write(files.cage, test::cube(1.25));
   CHECK(mentions(refusal(files / "a.viete"), "the cage has changed"));
 }

@@ -60,7 +60,7 @@ struct ShapeFiles : test::TemporaryFolder {
   }
 };
 
-// The vertices in another order, and the faces as they were.
+// Reordered vertices with the same faces.
 mesh::Surface shuffled(const mesh::Surface& surface) {
   std::vector<std::uint32_t> order(surface.positions.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -104,7 +104,7 @@ TEST_CASE("faces_tell_vertices_that_stand_in_another_order") {
   const ImportedShapes read = f.read("a.obj");
   CHECK(*read.shapes.at(0).shape == surface.positions);
   REQUIRE(read.warnings.size() == 1);
-  CHECK(mentions(read.warnings[0], "a.obj: its vertices stand in another order"));
+  CHECK(mentions(read.warnings[0], "a.obj: its vertices are in another order"));
 }
 
 TEST_CASE("polygons_are_told_by_the_triangles_that_they_are_cut_into") {
@@ -115,7 +115,7 @@ TEST_CASE("polygons_are_told_by_the_triangles_that_they_are_cut_into") {
   f.write("cut.stl", f.model);
   CHECK(*f.read("cut.stl").shapes.at(0).shape == f.model.positions);
   put_file(f / "other.obj", quads.substr(0, quads.find("f 2")) + "f 2 5 6\n");
-  CHECK(mentions(f.problem("other.obj"), "joins the vertices 1 4 5, and that of the model 1 4 5 2"));
+  CHECK(mentions(f.problem("other.obj"), "has the vertices 1 4 5, in the model 1 4 5 2"));
 }
 
 TEST_CASE("vertices_of_no_face_keep_their_order") {
@@ -131,15 +131,15 @@ TEST_CASE("vertices_of_no_face_keep_their_order") {
 TEST_CASE("the_first_thing_that_differs_is_named") {
   const ShapeFiles f;
   f.write("other.obj", test::cube(1));
-  CHECK(mentions(f.problem("other.obj"), "the number of vertices is 8, and of the model it is 20; choose"));
+  CHECK(mentions(f.problem("other.obj"), "the number of vertices is 8, in the model it is 20; choose"));
   mesh::Surface changed = f.model;
   changed.triangles.pop_back();
   f.write("fewer.obj", mesh::from_triangles(changed.positions, changed.triangles));
-  CHECK(mentions(f.problem("fewer.obj"), "the number of faces is 35, and of the model it is 36; choose"));
+  CHECK(mentions(f.problem("fewer.obj"), "the number of faces is 35, in the model it is 36; choose"));
   changed = f.model;
   std::swap(changed.triangles[5][0], changed.triangles[5][1]);
   f.write("turned.obj", mesh::from_triangles(changed.positions, changed.triangles));
-  CHECK(mentions(f.problem("turned.obj"), "turned.obj: face 5 (from 0) joins the vertices "));
+  CHECK(mentions(f.problem("turned.obj"), "turned.obj: face 5 (from 0) has the vertices "));
   std::ranges::reverse(changed.triangles);
   f.write("reversed.obj", mesh::from_triangles(changed.positions, changed.triangles));
   CHECK(f.problem("reversed.obj") != "");
@@ -156,7 +156,7 @@ TEST_CASE("a_numbered_name_stands_for_its_files_by_number") {
     CHECK(*read.shapes[std::size_t(at)].shape == f.moved(10 * n));
   }
   CHECK(read.files.size() == 3);
-  CHECK(mentions(f.problem("q_##.ply"), "q_##.ply: there is no file of this name, with a number"));
+  CHECK(mentions(f.problem("q_##.ply"), "q_##.ply: no file matches this name with digits"));
   f.write("p_3.ply", test::cube(1));
   CHECK(mentions(f.problem("p_#.ply"), "p_3.ply: the number of vertices is 8"));
 }
@@ -176,7 +176,7 @@ TEST_CASE("a_point_cache_is_a_shape_a_frame") {
     CHECK(mentions(f.problem(name), "it moves 8 points, and the model has 20 vertices"));
   }
   f.write_cache("many.pc2", std::vector<Points>(Timeline::most_keys + 1, f.model.positions));
-  CHECK(mentions(f.problem("many.pc2"), "there are 10001 shapes, and a timeline holds 10,000"));
+  CHECK(mentions(f.problem("many.pc2"), "there are 10001 shapes, and a timeline can have 10,000"));
 }
 
 TEST_CASE("morph_targets_are_shapes_of_their_names") {
@@ -193,7 +193,7 @@ TEST_CASE("morph_targets_are_shapes_of_their_names") {
   CHECK(distance(*read.shapes[1].shape, frown) < 1e-6);
   test::write_morphs(f / "moved.glb", {f.model, smile, {}}, nullptr,
                      test::MorphAnimation{"", {{0, "frown", frown}}});
-  CHECK(mentions(f.problem("moved.glb"), "at rest it is not the model"));
+  CHECK(mentions(f.problem("moved.glb"), "its rest shape is not the model"));
 }
 
 TEST_CASE("positions_farther_away_than_can_be_drawn_are_refused") {
@@ -201,7 +201,7 @@ TEST_CASE("positions_farther_away_than_can_be_drawn_are_refused") {
   Points points = f.model.positions;
   points[3][2] = -1e33;
   f.write("far.obj", points);
-  CHECK(mentions(f.problem("far.obj"), "far.obj: vertex 3 is farther away than can be drawn"));
+  CHECK(mentions(f.problem("far.obj"), "far.obj: vertex 3 is too far away to be drawn"));
   f.write_cache("far.pc2", {f.model.positions, points});
-  CHECK(mentions(f.problem("far.pc2"), "far.pc2: frame 2: vertex 3 is farther away"));
+  CHECK(mentions(f.problem("far.pc2"), "far.pc2: frame 2: vertex 3 is too far away"));
 }

@@ -24,7 +24,7 @@ struct Shapes {
       : rest(std::move(surface)), pool(threads), space(rest, pool) {}
 
   SharedShape shape(double degrees) const { return shared(turned(rest.positions, degrees)); }
-  // A vertex of it pulled out, so that it is no motion of the whole.
+  // One vertex is pulled out, so that it is no rigid motion.
   SharedShape pulled(double degrees) const {
     Points points = rest.positions;
     points[7][2] += 0.5;
@@ -73,7 +73,7 @@ TEST_CASE("straight_mixes_are_sums_of_ways") {
   CHECK(distance(s.mixed({{a, 1.5}, {b, -0.5}}, true), expected) < 1e-15);
 }
 
-TEST_CASE("a_part_that_rests_in_all_shapes_rests_to_the_bit") {
+TEST_CASE("a_part_at_rest_in_all_shapes_stays_exactly_at_rest") {
   mesh::Surface both = test::cube(1);
   Points points = both.positions;
   std::vector<mesh::Triangle> triangles = both.triangles;
@@ -87,7 +87,7 @@ TEST_CASE("a_part_that_rests_in_all_shapes_rests_to_the_bit") {
   for (std::size_t v = 8; v < 16; ++v) CHECK(half[v] == s.rest.positions[v]);
 }
 
-TEST_CASE("what_shapes_leave_open_is_said_once_for_all") {
+TEST_CASE("notes_about_shapes_are_shown_once") {
   Shapes s;
   const SharedShape flat = Shapes::shared(Points(20, {1, 2, 3}));
   std::vector<std::string> notes;
@@ -95,7 +95,7 @@ TEST_CASE("what_shapes_leave_open_is_said_once_for_all") {
   CHECK(notes.empty());
   s.mixed({{flat, 0.5}}, false, &notes);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "triangles fold over or collapse, and move as their neighbours do: 36");
+  CHECK(notes[0] == "triangles that fold over or collapse, which follow their neighbours: 36");
   s.mixed({{flat, 0.5}, {flat, 0.25}}, false, &notes);
   CHECK(mentions(notes.at(0), "up to 36 in each of 2 shapes"));
   notes.clear();
@@ -108,7 +108,7 @@ TEST_CASE("what_shapes_leave_open_is_said_once_for_all") {
 TEST_CASE("a_shape_of_another_model_is_refused") {
   Shapes s;
   CHECK_THROWS_AS(s.mixed({{Shapes::shared(Points(8, {0, 0, 0})), 0.5}}), base::Error);
-  Points nowhere = s.rest.positions;
-  nowhere[3][1] = std::nan("");
-  CHECK_THROWS_AS(s.mixed({{Shapes::shared(nowhere), 0.5}}), base::Error);
+  Points recovered = s.rest.positions;
+  recovered[3][1] = std::nan("");
+  CHECK_THROWS_AS(s.mixed({{Shapes::shared(recovered), 0.5}}), base::Error);
 }

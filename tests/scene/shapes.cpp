@@ -1,4 +1,4 @@
-// Shapes of the model in a document: added, mixed, kept in sessions, taken along by cages, and posed by pins.
+// Shapes of the model in a document: added, mixed, saved in sessions, combined with cages, and posed by pins.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -6,15 +6,15 @@
 
 #include "mesh/formats/write.h"
 #include "scene/document/edit.h"
-#include "scene/document/record.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
+#include "scene/document/record.h"
 #include "scene/document/time_edit.h"
 #include "scene/files.h"
 #include "scene/files/session.h"
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
-#include "scene/workspace/taking.h"
 #include "support/data.h"
 #include "support/folder.h"
 #include "support/open.h"
@@ -32,7 +32,7 @@ using What = OpenRequest::What;
 
 constexpr double quarter_turn = 1.5707963267948966;
 
-// A bar along y, of square rings; bent by an angle at its end, it keeps the lengths of its middle line.
+// A bar along y of square rings; bending its end keeps the length of its center line.
 struct BarFiles : test::TemporaryFolder {
   static constexpr int rings = 17;
   mesh::Surface bar;
@@ -57,7 +57,7 @@ struct BarFiles : test::TemporaryFolder {
     write("bar.obj", bar.positions);
   }
 
-  // About z, as along an arc.
+  // About z, along an arc.
   Points bent(double angle) const {
     Points points;
     const double length = bar.positions.back()[1], radius = length / angle;
@@ -85,7 +85,7 @@ struct BarFiles : test::TemporaryFolder {
   bool weigh(std::size_t pose, double weight) {
     return set_weight(document(), w.playback.vectors, pose, weight);
   }
-  // Of the end's middle.
+  // The center of the end.
   mesh::Point tip() const {
     mesh::Point sum{0, 0, 0};
     for (std::size_t i = shape().size() - 4; i < shape().size(); ++i) sum = sum + 0.25 * shape()[i];
@@ -97,7 +97,7 @@ struct BarFiles : test::TemporaryFolder {
     mesh::write(*this / "cage.obj", cage);
     return *this / "cage.obj";
   }
-  // As a hand does, in one edit; and what follows from it.
+  // Like a drag, as one edit, with its effects.
   void move_pin(std::size_t pin, const mesh::Vec3& way) {
     record_edit(document(), "move a pin");
     document().changed_probes().all[pin].pose.move = document().probes.all[pin].pose.move + way;
@@ -132,7 +132,7 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
   CHECK(f.document().is_movable());
   CHECK(f.document().library.poses[0].name == "left");
   REQUIRE(f.weigh(0, 1));
-  CHECK(f.document().shape == f.document().library.poses[0].pose->shape);  // the very one
+  CHECK(f.document().shape == f.document().library.poses[0].pose->shape);  // the same object
   REQUIRE(f.weigh(0, 0.5));
   CHECK(apart(f.shape(), f.bent(quarter_turn / 2)) < 0.02);  // half as far along the arc
   const Points half = f.shape();
@@ -150,14 +150,14 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
   REQUIRE(f.weigh(0, -1.5));
   REQUIRE(f.weigh(0, 0));
   REQUIRE(f.weigh(1, 0));
-  CHECK(!f.document().shape);  // at rest, and not nearly
+  CHECK(!f.document().shape);  // exactly at rest
   while (f.document().history.can_undo()) undo(f.document());
   CHECK(f.document().library.poses.empty());
   while (f.document().history.can_redo()) redo(f.document());
   CHECK(f.document().library.poses.size() == 2);
 }
 
-TEST_CASE("what_was_made_by_hand_stays_below_the_mix_of_shapes") {
+TEST_CASE("an_edited_pose_stays_below_the_mix_of_shapes") {
   BarFiles f;
   f.open();
   f.add_bends();
@@ -186,11 +186,11 @@ TEST_CASE("files_that_fit_are_shapes_when_dropped_and_the_model_itself_is_opened
   CHECK(f.document().library.poses.size() == 6);
   CHECK(f.document().library.poses[5].name == "third 2");
   CHECK(!open_now(f.w, {What::shapes, {f.cage_file()}}));
-  CHECK(mentions(f.w.messages.all().back().text, "the number of vertices is 8, and of the model it is 68"));
+  CHECK(mentions(f.w.messages.all().back().text, "the number of vertices is 8, in the model it is 68"));
   CHECK(f.document().library.poses.size() == 6);
   REQUIRE(open_now(f.w, {What::dropped, {f.model}}));
   CHECK(f.document().library.poses.empty());
-  // A folder: all that fits, but for the model itself.
+  // A folder: all fitting files, except the model itself.
   REQUIRE(open_now(f.w, {What::shapes, {f / "."}}));
   CHECK(f.document().library.poses.size() == 3);
 }
@@ -207,7 +207,7 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   set_key(f.document(), 20);
   f.add_pin_at(30);
   set_pulls(f.document(), true);
-  f.document().pose.positions[2][0] += 0.25;  // and a cage that is posed
+  f.document().pose.positions[2][0] += 0.25;  // with a posed cage
   const fs::path file = f / "all.viete";
   REQUIRE(save_session(f.w, file));
   CHECK(!has_unsaved_edits(f.w));
@@ -221,12 +221,12 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   for (std::size_t i = 0; i < 2; ++i) CHECK(*b.timeline.keys[i].pose == *a.timeline.keys[i].pose);
   CHECK(b.pose.positions == a.pose.positions);
   CHECK(!has_unsaved_edits(again));
-  // What is shared is written once: two shapes of files in single precision, and one that was mixed.
+  // Shared data is written once: two shapes from files in single precision, and a mixed one.
   const std::string text = test::file_bytes(file);
   std::size_t shapes = 0;
   for (std::size_t at = 0; (at = text.find("\"float", at)) != std::string::npos; ++at) ++shapes;
   CHECK(shapes == 3);
-  // Of another model: dropped, and said.
+  // A shape of another model: dropped with a warning.
   test::put_file(f / "bar.obj", test::file_bytes(f.cage_file()));
   Workspace other = test::opened({file});
   CHECK(other.document.library.poses.empty());
@@ -283,7 +283,7 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   f.open();
   f.add_bends();
   for (const std::uint32_t v : {0u, 2u, 66u}) f.add_pin_at(v);
-  f.add_pin_at(2);  // is there
+  f.add_pin_at(2);  // exists already
   REQUIRE(f.document().probes.all.size() == 3);
   CHECK(!f.document().shape);
   f.w.handling.freedom = 0.3;
@@ -292,7 +292,7 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   CHECK(mesh::norm(f.shape()[66] - (f.bar.positions[66] + mesh::Vec3{1, -0.3, 0})) < 1e-6);
   CHECK(mesh::norm(f.shape()[0] - f.bar.positions[0]) < 1e-6);
   CHECK(f.document().library.poses[0].weight - f.document().library.poses[1].weight >
-        0.2);  // seen in sliders
+        0.2);  // shown by the sliders
   const SharedShape first = f.document().shape;
   f.move_pin(2, {0.4, -0.3, 0});
   const SharedShape second = f.document().shape;
@@ -304,14 +304,14 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   f.settle_pins();
   CHECK(f.document().shape == second);
   CHECK(f.document().library.poses[0].weight == weight);
-  // A slider moves on from there, and takes the pins along.
+  // A slider continues from there and moves the pins.
   REQUIRE(f.weigh(0, weight + 0.1));
   CHECK(apart(f.shape(), *second) < 0.5);
   CHECK(apart(f.shape(), *second) > 0.01);
   const Probe& pin = f.document().probes.all[2];
   CHECK(pin.place + pin.pose.move == f.shape()[66]);
   f.settle_pins();
-  // From where that is: nothing jumps.
+  // Continues from there without a jump.
   const Points before = f.shape();
   f.move_pin(2, {0.001, 0, 0});
   CHECK(apart(f.shape(), before) < 0.02);
@@ -338,7 +338,7 @@ TEST_CASE("without_shapes_pins_leave_the_model_as_rigid_as_can_be_and_pulling_on
   CHECK(left < 0.5);
 }
 
-TEST_CASE("a_flat_model_stays_flat_to_the_bit_and_is_seen_from_before") {
+TEST_CASE("a_flat_model_stays_exactly_flat_and_is_seen_from_the_front") {
   BarFiles f(true);
   f.open();
   CHECK(f.w.camera.pose().orthographic);

@@ -28,7 +28,7 @@ void check_point(const mesh::Point& p, const mesh::Point& q) {
   for (std::size_t i = 0; i < 3; ++i) CHECK(p[i] == doctest::Approx(q[i]).epsilon(1e-9));
 }
 
-// What the hand does with all of the cube's vertices.
+// Shapes all of the cube's vertices.
 void shape_cube(Document& document, Shape shape, double amount) {
   document.selection.select_all(8);
   Grip grip = test::plain_grip(document);
@@ -59,7 +59,7 @@ TEST_CASE("a_bent_bar_keeps_the_length_of_its_middle_and_ends_at_its_angle") {
   // A quarter circle of length 4 has the radius 8 / pi.
   const double radius = 8 / std::acos(-1.0);
   check_point(shaped(along_x, 90, {5, 0, 0}), {1 + radius, radius, 0});
-  check_point(shaped(along_x, 90, {0, 3, 2}), {0, 3, 2});  // before the end that stays
+  check_point(shaped(along_x, 90, {0, 3, 2}), {0, 3, 2});  // before the fixed end
 }
 
 TEST_CASE("a_twisted_bar_turns_evenly_about_its_way") {
@@ -119,7 +119,7 @@ TEST_CASE("one_vertex_has_no_two_ends") {
   CHECK(shaping_of(document, Shape::push, grip, true, Camera()).shape == Shape::push);
 }
 
-TEST_CASE("a_hinge_is_across_the_way_and_near_to_what_was_asked_for") {
+TEST_CASE("a_hinge_is_perpendicular_and_nearest_to_the_requested_axis") {
   CHECK(*hinge_near(along_x, {0, 1, 0}) == glm::dvec3(0, 1, 0));
   const glm::dvec3 oblique = *hinge_near(along_x, {3, 0, -2});
   CHECK(glm::distance(oblique, glm::dvec3(0, 0, -1)) < 1e-12);

@@ -55,7 +55,7 @@ TEST_CASE("frames_out_of_range_and_too_many_keys_are_refused_and_change_nothing"
   for (int i = 0; i < int(Timeline::most_keys); ++i)
     t.timeline().keys.push_back({i, shared_pose(t.document)});
   CHECK_THROWS_AS(set_key(t.document, 20000), base::Error);
-  set_key(t.document, 5);  // one that is there
+  set_key(t.document, 5);  // an existing key
   CHECK(t.edits() == 1);
   CHECK_THROWS_AS(move_keys(t.document, t.timeline(), Frames{1}, Frames{Timeline::largest_frame + 1}),
                   base::Error);
@@ -67,13 +67,13 @@ TEST_CASE("moved_keys_take_the_place_of_others_and_one_drag_is_one_edit") {
   t.timeline() = test::three_keys();
   const Timeline start = t.timeline();
   for (int step = 1; step <= 20; ++step) move_keys(t.document, start, Frames{1}, Frames{1 + step});
-  CHECK(t.frames() == Frames{11, 21, 31});  // passing over 11 has not taken it
+  CHECK(t.frames() == Frames{11, 21, 31});  // moving across 11 has not replaced it
   CHECK(t.edits() == 1);
   CHECK(t.timeline().keys[1].pose == start.keys[0].pose);
   move_keys(t.document, start, Frames{1}, Frames{11});
   CHECK(t.frames() == Frames{11, 31});
   CHECK(t.timeline().keys[0].pose == start.keys[0].pose);
-  // Another drag, also of the same key, is another edit.
+  // Another drag, even of the same key, is another edit.
   const Timeline then = t.timeline();
   move_keys(t.document, then, Frames{11}, Frames{12});
   CHECK(t.edits() == 2);
@@ -97,7 +97,7 @@ TEST_CASE("keys_and_camera_keys_of_a_frame_move_together_and_may_change_places")
   CHECK(t.timeline().last == 31);
 }
 
-TEST_CASE("what_has_no_key_is_passed_over_and_is_no_edit") {
+TEST_CASE("frames_without_keys_are_ignored_and_give_no_edit") {
   Timed t;
   t.timeline() = test::three_keys();
   remove_keys(t.document, Frames{2, 3});
@@ -111,7 +111,7 @@ TEST_CASE("what_has_no_key_is_passed_over_and_is_no_edit") {
   CHECK(t.timeline().keys[0].easing == Easing::linear);
 }
 
-TEST_CASE("what_plays_is_brought_into_its_ranges_and_changed_in_one_edit") {
+TEST_CASE("playback_settings_are_clamped_and_changed_in_one_edit") {
   Timed t;
   set_play(t.document, play_of(t.timeline()));
   CHECK(t.edits() == 0);
@@ -130,7 +130,7 @@ TEST_CASE("what_plays_is_brought_into_its_ranges_and_changed_in_one_edit") {
   CHECK(t.timeline() == Timeline{});
 }
 
-TEST_CASE("a_key_that_is_added_to_an_edit_goes_with_it") {
+TEST_CASE("a_key_added_to_an_edit_is_undone_with_it") {
   Timed t;
   record_edit(t.document, "move");
   t.document.pose = test::turned_cube(30);

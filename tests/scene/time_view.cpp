@@ -27,7 +27,7 @@ void drag(Workspace& w, std::initializer_list<double> frames) {
 
 }  // namespace
 
-TEST_CASE("all_that_plays_and_all_keys_are_seen") {
+TEST_CASE("the_fitted_window_contains_the_playback_range_and_all_keys") {
   Workspace w = keyed_workspace({-20, 5});
   const FrameWindow seen = fitting(w.document.timeline);
   CHECK(seen.first < -20);
@@ -57,7 +57,7 @@ TEST_CASE("lines_of_the_ruler_are_1_2_or_5_times_a_power_of_ten_apart") {
   CHECK(ruler_step({0, 10}, 0) == 10);
 }
 
-TEST_CASE("a_press_selects_a_key_with_shift_one_more_and_beside_them_none") {
+TEST_CASE("a_press_selects_a_key_shift_adds_one_and_elsewhere_clears") {
   Workspace w = keyed_workspace({1, 10, 20});
   press_keys(w, 10, 10, false);
   release_time(w);
@@ -147,7 +147,7 @@ TEST_CASE("easing_is_of_the_selected_keys_or_of_the_one_before_the_frame") {
   Workspace w = keyed_workspace({1, 10, 20});
   w.document.frame = 12;
   CHECK(eased_keys(w) == std::vector{10});
-  w.time_view.selected = {1, 10, 20};  // the last one comes to none
+  w.time_view.selected = {1, 10, 20};  // the last one has no successor
   CHECK(eased_keys(w) == std::vector{1, 10});
   w.time_view.selected = {20};
   CHECK(eased_keys(w) == std::vector{10});
@@ -155,7 +155,7 @@ TEST_CASE("easing_is_of_the_selected_keys_or_of_the_one_before_the_frame") {
   CHECK(eased_keys(w).empty());
 }
 
-TEST_CASE("while_keys_are_dragged_nothing_else_is_done") {
+TEST_CASE("other_edits_are_disabled_while_keys_are_dragged") {
   Workspace w = keyed_workspace({1, 10});
   press_keys(w, 10, 10, false);
   drag_time(w, 12);
@@ -166,10 +166,10 @@ TEST_CASE("while_keys_are_dragged_nothing_else_is_done") {
   CHECK(key_frames(w.document.timeline) == std::vector{1, 10});
 }
 
-TEST_CASE("a_first_key_shows_the_timeline_and_delete_is_of_keys_over_it_only") {
+TEST_CASE("a_first_key_opens_the_timeline_and_delete_applies_to_keys_only_over_it") {
   Workspace w = test::cube_workspace();
   REQUIRE(test::run_command(w, "set_key"));
-  CHECK(w.remembered.layout.timeline);
+  CHECK(w.preferences.layout.timeline);
   CHECK(w.time_view.selected == std::vector{1});
   CHECK_FALSE(test::run_command(w, "delete_keys"));
   w.time_view.hovered = true;

@@ -13,7 +13,7 @@ using namespace viete::scene;
 
 namespace {
 
-// Keys of a single number, one a pose of its own.
+// Keys with a single number, each a pose.
 struct EasedKeys {
   Timeline timeline;
   std::vector<double> values;
@@ -82,7 +82,7 @@ TEST_CASE("a_keys_frame_is_that_key_alone_and_outside_of_all_keys_the_nearest_on
   CHECK(n.at(std::nan("")) == n.values.front());
 }
 
-TEST_CASE("what_moves_has_no_jump_but_where_a_key_holds") {
+TEST_CASE("motion_is_continuous_except_at_hold_keys") {
   const EasedKeys n = all_easings_in_turn();
   for (std::size_t i = 1; i < n.values.size(); ++i) {
     const int frame = n.timeline.keys[i].frame;
@@ -100,7 +100,7 @@ TEST_CASE("smooth_keys_flow_with_one_slope_at_uneven_times_and_rest_at_both_ends
     CHECK(n.slope(frame, -1e-5) == doctest::Approx(n.slope(frame, 1e-5)).epsilon(1e-4));
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
   CHECK(n.slope(50, -1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
-  // Uneven keys of an even motion: even between the inner ones.
+  // Uneven keys of a constant motion: constant between the inner ones.
   EasedKeys even;
   for (const int frame : {0, 1, 7, 9, 30}) even.add(frame, 2.5 * frame);
   for (double frame = 1; frame <= 9; frame += 0.25) CHECK(even.at(frame) == doctest::Approx(2.5 * frame));
@@ -132,7 +132,7 @@ TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
   CHECK(std::abs(n.slope(1, 1e-5)) > 0.1);
   n.timeline.repeat = Repeat::once;
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
-  // After a whole turn, a wheel goes on at its speed.
+  // After a whole turn a wheel continues at its speed.
   EasedKeys wheel;
   for (int i = 0; i <= 4; ++i) wheel.add(10 * i, 90 * i);
   wheel.timeline.keys.back().pose =
@@ -148,7 +148,7 @@ TEST_CASE("playing_goes_by_seconds_and_ends_loops_or_turns_round") {
   CHECK(*played(t, 11, 0.5, backward) == doctest::Approx(16));
   CHECK(*played(t, 30, 0.1, backward) == doctest::Approx(31));
   CHECK_FALSE(played(t, 30, 0.2, backward));
-  CHECK(*played(t, -50, 0.5, backward) == doctest::Approx(16));  // from the first one on
+  CHECK(*played(t, -50, 0.5, backward) == doctest::Approx(16));  // from the first frame on
   t.repeat = Repeat::loop;
   CHECK(*played(t, 30, 0.2, backward) == doctest::Approx(12));
   CHECK(*played(t, 30, 0.2 + 2e6, backward) == doctest::Approx(12));  // a million loops
@@ -201,7 +201,7 @@ TEST_CASE("cameras_go_smoothly_from_key_to_key") {
     CHECK(pose.distance > 0);
     yaw = pose.yaw;
   }
-  // Straight up and over it stays at the top.
+  // Beyond the vertical it stays at the top.
   t.cameras = {camera(1, 0), camera(11, 0), camera(21, 0), camera(31, 0)};
   t.cameras[1].camera.pitch = t.cameras[2].camera.pitch = 1.57f;
   for (double frame = 1; frame < 31; frame += 0.5) CHECK(camera_at(t, frame)->pitch <= 1.5707964f);

@@ -6,8 +6,8 @@
 
 #include "deform/cage_state.h"
 #include "scene/cube.h"
-#include "scene/document/edit.h"
 #include "scene/document/document_state.h"
+#include "scene/document/edit.h"
 #include "scene/hand/anchor.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"
@@ -43,7 +43,7 @@ constexpr double degree = 3.14159265358979323846 / 180;
 
 }  // namespace
 
-TEST_CASE("nothing_and_whole_turns_keep_every_bit") {
+TEST_CASE("identity_and_whole_turns_keep_every_bit") {
   const std::vector<mesh::Point> from{{0.1, 0.2, 0.3}, {1e-9, 7e5, -0.7}};
   const std::vector<std::uint32_t> both{0, 1};
   for (const double degrees : {0.0, 360.0, -720.0, 3600.0}) {
@@ -106,7 +106,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       for (auto& p : document.pose.positions) p[0] += 0.4 * p[1] - 0.3 * p[2], p[1] += 0.5 * p[2];
       document.pose.positions[3][2] += 0.7;
       const auto posed = document.pose.positions;
-      const auto shown = [&] {  // as the frame does
+      const auto shown = [&] {  // as a frame does
         deform::CageState state(document.cage, document.scheme.weighting.elements, document.scheme.blend);
         state.set_pose(document.pose);
         document.pose.turns = state.report().turns;
@@ -197,7 +197,7 @@ TEST_CASE("turns_add_up_to_what_a_session_can_hold_and_no_further") {
   while (times < 1000 &&
          transform_selection(document, Tool::rotate, test::plain_grip(document), turn(most_degrees)))
     ++times;
-  CHECK(times > 100);  // of about 6283 radians each
+  CHECK(times > 100);  // about 6283 radians each
   CHECK(times < 1000);
   const auto turns = document.pose.turns;
   CHECK(std::hypot(turns[0][0], turns[0][1], turns[0][2]) <= deform::largest_turn);
@@ -216,7 +216,7 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
     const DocumentState before = state_of(slowly);
     const Grip grip = test::plain_grip(slowly);
     for (double seen = 0; seen < degrees; seen += 10) {
-      place(slowly, before, grip, turn(seen + 10), seen - 30);  // a jump of 40: followed
+      place(slowly, before, grip, turn(seen + 10), seen - 30);  // a jump of 40 is followed
     }
     CHECK(at_once.pose.positions == slowly.pose.positions);
     for (int i = 0; i < 3; ++i)

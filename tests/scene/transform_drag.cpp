@@ -55,7 +55,7 @@ struct Drag {
   }
 };
 
-// On a circle about the centre as the camera sees it.
+// On a circle about the center on screen.
 void go_round(Drag& d, double degrees, float radius = 100) {
   const glm::vec2 center = d.center();
   const int steps = static_cast<int>(std::abs(degrees) / 10);
@@ -114,7 +114,7 @@ TEST_CASE("an_axis_move_goes_along_its_axis_only_and_follows_the_cursor") {
               CursorProjection(glm::dvec3(d.view_center()), d.w.camera, d.w.viewport).motion(direction));
       const glm::vec2 sideways(-on_screen.y, on_screen.x);
       const glm::vec2 expected = d.center() + glm::vec2(on_screen);
-      d.move(glm::vec2(on_screen) + 0.3f * sideways);  // what is across the axis does not count
+      d.move(glm::vec2(on_screen) + 0.3f * sideways);  // motion across the axis does not count
       CHECK(glm::distance(d.center(), expected) < 0.05f);
       for (int i = 0; i < 3; ++i) {
         if (i != axis) CHECK(d.moved(6)[i] == 0);
@@ -142,7 +142,7 @@ TEST_CASE("going_round_and_back_is_as_it_was") {
   const auto rest = d.w.document.pose.positions;
   const glm::vec2 center = d.center();
   for (int i = -72; i <= 72; ++i) {
-    const double a = (72 - std::abs(i)) * pi / 18;  // two turns, there and back
+    const double a = (72 - std::abs(i)) * pi / 18;  // two turns and back
     d.input.cursor = center + 100.0f * glm::vec2(std::cos(a), std::sin(a));
     d.update();
     if (i == 0) CHECK(std::abs(d.drag->transform().degrees) == doctest::Approx(720).epsilon(1e-4));
@@ -199,7 +199,7 @@ TEST_CASE("typed_numbers_replace_the_mouse_until_they_are_deleted") {
   d.move({-200, -100});
   CHECK(d.moved(6)[1] == 0);
   CHECK(d.moved(6)[0] != -0.5);
-  d.type("x");  // the same again: freely
+  d.type("x");  // again: unconstrained
   CHECK(std::abs(d.moved(6)[0] - by_mouse[0]) < 1e-6);
 }
 
@@ -223,7 +223,7 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   d.type("0");
   d.type("0");
   CHECK(d.w.document.pose.turns[0][1] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
-  d.drag->type('x');  // another axis: the turns begin anew
+  d.drag->type('x');  // another axis: turns start again
   d.update();
   CHECK(d.w.document.pose.turns[0][0] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
   CHECK(std::abs(d.w.document.pose.turns[0][1]) < 1e-9);

@@ -13,7 +13,7 @@
 using namespace viete;
 using namespace viete::scene;
 
-TEST_CASE("what_a_held_slider_has_done_is_called_off_to_the_last_bit") {
+TEST_CASE("cancelling_a_slider_restores_every_bit") {
   Workspace w;
   w.document = test::cube_document();
   set_radius(w.document, 0.3);
@@ -22,13 +22,13 @@ TEST_CASE("what_a_held_slider_has_done_is_called_off_to_the_last_bit") {
   REQUIRE(w.document.history.can_redo());
   const deform::Scheme scheme = w.document.scheme;
   const std::string label = w.document.history.undo_label();
-  take_hold(w);
+  begin_widget_edit(w);
   for (const double radius : {0.4, 0.2}) set_radius(w.document, radius);
   w.handling.soft.radius = 0.7;
   w.brush.radius = 99;
   w.making.wish.triangles = 444;
-  w.remembered.layout.width[1] = 400;
-  call_off_hold(w);
+  w.preferences.layout.width[1] = 400;
+  cancel_widget_edit(w);
   CHECK(w.document.scheme == scheme);
   CHECK(w.document.history.undo_label() == label);
   CHECK(w.document.history.can_redo());
@@ -36,33 +36,33 @@ TEST_CASE("what_a_held_slider_has_done_is_called_off_to_the_last_bit") {
   CHECK(w.handling == fresh.handling);
   CHECK(w.brush.radius == fresh.brush.radius);
   CHECK(w.making.wish.triangles == fresh.making.wish.triangles);
-  CHECK(w.remembered.layout == fresh.remembered.layout);
+  CHECK(w.preferences.layout == fresh.preferences.layout);
 }
 
-TEST_CASE("steps_that_go_on_an_older_edit_are_called_off_without_it") {
+TEST_CASE("cancelling_merged_steps_keeps_the_older_edit") {
   Workspace w;
   w.document = test::cube_document();
   set_radius(w.document, 0.3);
-  take_hold(w);
-  set_radius(w.document, 0.4);  // still the same entry
-  call_off_hold(w);
+  begin_widget_edit(w);
+  set_radius(w.document, 0.4);  // the same edit
+  cancel_widget_edit(w);
   CHECK(w.document.scheme.weighting.radius == 0.3);
   CHECK(w.document.history.can_undo());
   undo(w.document);
   CHECK_FALSE(w.document.history.can_undo());
 }
 
-TEST_CASE("nothing_of_another_document_is_called_off") {
+TEST_CASE("cancelling_does_not_affect_a_newly_opened_document") {
   Workspace w;
   w.document = test::cube_document();
-  take_hold(w);
+  begin_widget_edit(w);
   ++w.opened;
   w.brush.radius = 99;
-  call_off_hold(w);
+  cancel_widget_edit(w);
   CHECK(w.brush.radius == 99);
 }
 
-TEST_CASE("whether_sliders_move_only_what_is_selected_is_kept_and_off_where_nothing_is_said") {
+TEST_CASE("the_option_mix_selected_is_stored_and_off_by_default") {
   Handling handling;
   CHECK_FALSE(handling.mix_selected);
   std::vector<std::string> warnings;
@@ -80,7 +80,7 @@ TEST_CASE("the_time_left_is_right_soon_after_the_speed_has_changed") {
   };
   const std::vector<std::vector<Phase>> works = {{{1, 0.05}, {6, 0.95 / 5}},  // slow, then fast
                                                  {{1, 0.6}, {9, 0.05}},       // fast, then slow
-                                                 {{10, 0.1}}};                // even
+                                                 {{10, 0.1}}};                // constant
   for (const auto& work : works) {
     TimeLeft left;
     double began = 0, done = 0;
@@ -113,7 +113,7 @@ TEST_CASE("a_message_that_repeats_is_counted_not_listed") {
   CHECK(messages.revision() == 1002);
 }
 
-TEST_CASE("a_message_that_stands_is_not_said_twice") {
+TEST_CASE("a_visible_message_is_not_repeated") {
   Messages messages;
   messages.warn("again");
   messages.info("other");
@@ -123,22 +123,22 @@ TEST_CASE("a_message_that_stands_is_not_said_twice") {
   CHECK(messages.all().back().times == 2);
 }
 
-TEST_CASE("an_undo_takes_infos_and_warnings_out_of_sight_but_no_error") {
+TEST_CASE("undo_hides_infos_and_warnings_but_not_errors") {
   Messages messages;
   messages.info("Added 2 poses.");
   messages.warn("Poses are gone.");
   messages.error("cannot write", {"export"});
-  messages.leave_sight();
+  messages.hide_messages();
   REQUIRE(messages.all().size() == 3);
   for (const Message& message : messages.all())
-    CHECK(message.in_sight == (message.severity == Severity::error));
+    CHECK(message.visible == (message.severity == Severity::error));
 }
 
-TEST_CASE("what_is_only_logged_is_in_the_list_and_not_in_sight") {
+TEST_CASE("logged_messages_are_only_in_the_list") {
   Messages messages;
   messages.log(Severity::warning, "off by 1e-4");
   REQUIRE(messages.all().size() == 1);
-  CHECK_FALSE(messages.all().back().in_sight);
+  CHECK_FALSE(messages.all().back().visible);
 }
 
 TEST_CASE("old_messages_are_dropped") {
@@ -148,32 +148,32 @@ TEST_CASE("old_messages_are_dropped") {
   CHECK(messages.all().back().text == "999");
 }
 
-TEST_CASE("a_success_is_in_sight_for_four_seconds_and_stays_in_the_list") {
+TEST_CASE("an_info_is_visible_for_four_seconds_and_stays_in_the_list") {
   Messages messages;
   messages.info("Saved");
   const double said = messages.all().back().said;
   CHECK_FALSE(messages.due(said + 3.9));
   CHECK(messages.due(said + 4.1));
   messages.expire(said + 4.1);
-  CHECK_FALSE(messages.all().back().in_sight);
+  CHECK_FALSE(messages.all().back().visible);
   CHECK_FALSE(messages.due(said + 4.1));
   CHECK(messages.all().size() == 1);
 }
 
-TEST_CASE("an_error_stays_in_sight_until_the_same_thing_succeeds_or_it_is_dismissed") {
+TEST_CASE("an_error_is_visible_until_the_action_succeeds_or_it_is_dismissed") {
   Messages messages;
   messages.error("cannot write", {"export"});
   messages.error("cannot read", {"open"});
   messages.expire(messages.all().back().said + 1e6);
-  CHECK(messages.all()[0].in_sight);
+  CHECK(messages.all()[0].visible);
   messages.succeeded("export");
-  CHECK_FALSE(messages.all()[0].in_sight);
-  CHECK(messages.all()[1].in_sight);
+  CHECK_FALSE(messages.all()[0].visible);
+  CHECK(messages.all()[1].visible);
   messages.dismiss(1);
-  CHECK_FALSE(messages.all()[1].in_sight);
+  CHECK_FALSE(messages.all()[1].visible);
 }
 
-TEST_CASE("what_was_said_of_a_cage_goes_with_it_and_what_is_said_of_the_next_one_stays") {
+TEST_CASE("messages_about_a_cage_disappear_with_it") {
   Messages messages;
   messages.warn("open edges", {.scope = Scope::cage});
   messages.warn("no normals", {.scope = Scope::model});
@@ -189,11 +189,11 @@ TEST_CASE("what_was_said_of_a_cage_goes_with_it_and_what_is_said_of_the_next_one
   CHECK(messages.all().front().text == "Saved");
 }
 
-TEST_CASE("what_is_said_again_is_in_sight_again") {
+TEST_CASE("a_repeated_message_is_visible_again") {
   Messages messages;
   messages.info("Saved");
   messages.dismiss(0);
   messages.info("Saved");
-  CHECK(messages.all().back().in_sight);
+  CHECK(messages.all().back().visible);
   CHECK(messages.all().back().times == 2);
 }

@@ -7,7 +7,7 @@
 
 namespace viete::test {
 
-/// Runs it if it is enabled; says whether it was.
+/// Runs the command if it is enabled; returns whether it was.
 inline bool run_command(scene::Workspace& workspace, std::string_view name) {
   const scene::Command* command = scene::find_command(name);
   REQUIRE_MESSAGE(command, name);

@@ -1,4 +1,4 @@
-// Real meshes beside the checkout (../shared/data), used where they are present; a clone alone has none.
+// Real meshes beside the checkout (../shared/data), used if present; a plain clone has none.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace viete::test {
 
-/// Of this checkout, and of the build that the test belongs to.
+/// Folders of this checkout and of the current build.
 std::filesystem::path source_dir();
 std::filesystem::path build_dir();
 
@@ -16,7 +16,7 @@ inline std::filesystem::path assets_dir() {
   return source_dir() / "assets";
 }
 
-/// The folder of real meshes, or an empty path: then the case is skipped.
+/// The folder of real meshes, or an empty path; tests then skip the case.
 inline std::filesystem::path shared_data(const std::string& below = "") {
   for (auto base : {source_dir().parent_path() / "shared" / "data", source_dir() / "shared" / "data"}) {
     if (std::filesystem::exists(base / below)) return base / below;

@@ -1,4 +1,4 @@
-// How many edits a person could take back, changes of the selection apart.
+// Number of edits that can be undone, without selection changes.
 #pragma once
 
 #include "scene/document/history.h"

@@ -11,7 +11,7 @@
 
 namespace viete::test {
 
-/// A folder of its own that goes away with the test.
+/// A private folder, removed at the end of the test.
 class TemporaryFolder {
 public:
   TemporaryFolder() {

@@ -1,4 +1,4 @@
-// The only source that knows the folders by name: all others compile the same wherever the checkout lies.
+// The only source with absolute folders, so that all others compile the same in any checkout.
 #include "support/data.h"
 
 namespace viete::test {

@@ -1,4 +1,4 @@
-// A limit on the size of files stands in for a full disk, as long as it lives.
+// Simulates a full disk by a limit on file sizes, for the current scope.
 #pragma once
 
 #include <doctest/doctest.h>

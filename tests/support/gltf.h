@@ -1,4 +1,4 @@
-// glTF files made for tests: a textured patch whose seam splits vertices, and what can be done to it.
+// glTF test files: a textured patch whose seam splits vertices, and edits of it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace viete::test {
 
 using GltfJson = nlohmann::ordered_json;
 
-/// A JSON document and its one buffer, before they are put together.
+/// A JSON document and its buffer, before they are combined.
 struct GltfParts {
   GltfJson json;
   std::string bytes;

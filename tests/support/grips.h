@@ -1,4 +1,4 @@
-// What a hand holds in a new window, without a mirror.
+// Selected cage vertices of a new window, without a mirror.
 #pragma once
 
 #include "scene/hand/grip.h"

@@ -1,11 +1,11 @@
-// Cases that prove the same by more of the same, where there is time: `ctest -L long`.
+// Cases that repeat the same checks with more data: `ctest -L long`.
 #pragma once
 
 #include <cstdlib>
 
 namespace viete::test {
 
-/// TEST_CASE("name" * doctest::test_suite(longer)): such cases have another entry in ctest, too, with more
+/// TEST_CASE("name" * doctest::test_suite(longer)): such cases get an additional ctest entry with more
 /// rounds.
 inline constexpr const char* longer = "longer";
 

@@ -1,5 +1,5 @@
-// The one main() of every test. What the program remembers between runs goes to a folder of the test's own:
-// no test, and no program that a test starts, touches the user's.
+// The main() of every test. Settings are stored in a folder of the test, so that tests and programs started
+// by them never touch the user's.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -12,10 +12,10 @@
 
 namespace {
 
-constexpr int skipped_code = 77;  // as Automake's
+constexpr int skipped_code = 77;  // as in Automake
 bool skipped = false, none_chosen = false;
 
-// A filter that fits no case tests nothing: that is no success.
+// A filter without matching cases is an error.
 struct CountsCases : doctest::IReporter {
   explicit CountsCases(const doctest::ContextOptions&) {}
   void report_query(const doctest::QueryData&) override {}

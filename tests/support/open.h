@@ -1,8 +1,8 @@
-// Files opened at once.
+// Opens files synchronously.
 #pragma once
 
+#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/workspace.h"
-#include "scene/workspace/taking.h"
 
 namespace viete::test {
 

@@ -7,7 +7,7 @@
 
 namespace viete::test {
 
-/// Fails the case if the file is no picture.
+/// Fails the case if the file is not a picture.
 render::Image read_png(const std::filesystem::path& path);
 
 /// The share of pixels (0 to 1) with a channel (r, g, b or a) that differs by more than `tolerance` levels.

@@ -1,5 +1,5 @@
-// How sanitizer builds see graphics drivers, which keep a few bytes per context: libraries stay loaded, so
-// that reports can name them, and what they keep is no leak of ours.
+// Sanitizer settings for graphics drivers, which keep a few bytes per context: libraries stay loaded, so that
+// reports can name them, and their allocations are not reported as leaks.
 extern "C" int dlclose(void*) {
   return 0;
 }
@@ -19,11 +19,11 @@ extern "C" const char* __lsan_default_suppressions() {
 }
 
 extern "C" const char* __tsan_default_options() {
-  return "detect_deadlocks=0";  // LLVM holds more locks at a time than the detector has room for
+  return "detect_deadlocks=0";  // LLVM holds more locks at a time than the detector supports
 }
 
-// Their threads are not compiled with the sanitizer, which therefore cannot see how they wait for each other;
-// of locks that the libraries of the window system share with them it sees one half.
+// Their threads are not compiled with the sanitizer, which cannot see their synchronisation; of locks shared
+// with window-system libraries it sees only one side.
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libOSMesa.so\n"
          "called_from_lib:libEGL_mesa.so\n"

@@ -1,4 +1,4 @@
-// An offscreen context with a framebuffer and simple shapes, made afresh for each test.
+// An offscreen context with a framebuffer and simple shapes, created for each test.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ namespace viete::test {
 
 using render::Point;
 
-/// Whether there is such a context; if not, the case is skipped.
+/// True if such a context is available; otherwise skips the case.
 inline bool available(platform::OffscreenContext::Kind kind) {
   try {
     platform::OffscreenContext::create(kind);
@@ -52,7 +52,7 @@ struct Stage {
     return framebuffer.read();
   }
 
-  /// The pixel (from the top left) where a point of the world is seen.
+  /// The pixel (from the top left) of a world point.
   glm::ivec2 pixel_of(const Point& point) const {
     const glm::dvec4 clip = view.projection * view.view * glm::dvec4(point[0], point[1], point[2], 1);
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
@@ -99,8 +99,7 @@ inline int brightness(const render::Rgba8& c) {
   return c[0] + c[1] + c[2];
 }
 
-/// Sum over all pixels of the share (0 to 1) by which the brightest channel is lit: an area in pixels for
-/// white on black.
+/// Sum over all pixels of the brightest channel, 0 to 1 each: an area in pixels for white on black.
 inline double lit_area(const render::Image& image) {
   double area = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) area += image.rgba[i] / 255.0;

@@ -1,4 +1,4 @@
-// What tests ask of messages.
+// Checks of messages.
 #pragma once
 
 #include <string>

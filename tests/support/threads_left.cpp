@@ -14,7 +14,7 @@ std::atomic<int> left{no_limit};
 
 }  // namespace
 
-// In place of the system's, also for the standard library.
+// Replaces the system's function, also for the standard library.
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
                               void* argument) noexcept {
   using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);

@@ -1,4 +1,4 @@
-// A system that allows only so many more threads, as long as it lives.
+// Limits the number of additional threads for the current scope.
 #pragma once
 
 namespace viete::test {

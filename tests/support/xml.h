@@ -1,4 +1,4 @@
-// What tests ask of a page: that it is well-formed, and that it needs nothing from elsewhere.
+// Checks that a page is well-formed and self-contained.
 #pragma once
 
 #include <regex>
@@ -7,8 +7,7 @@
 
 namespace viete::test {
 
-/// What is wrong with the text as XML (elements that are not closed, marks that are not written out); empty:
-/// nothing.
+/// The first XML error in the text (unclosed elements, unescaped characters); empty without errors.
 inline std::string xml_problem(const std::string& text) {
   static const std::regex tag(R"(^<(/?)([a-zA-Z][\w:-]*)((\s+[\w:-]+="[^"<]*")*)\s*(/?)>)");
   static const std::regex entity(R"(^&(amp|lt|gt|quot);)");
@@ -32,7 +31,7 @@ inline std::string xml_problem(const std::string& text) {
   return open.empty() ? "" : "not closed: " + open.back();
 }
 
-/// What of the page leads elsewhere or runs; empty: nothing.
+/// Links to other sites and scripts in the page; empty if there are none.
 inline std::string outside_of(const std::string& page) {
   static const std::regex outside(
       R"((\s(src|href|srcset|action|data)="(?!#|data:,)[^"]*")|url\(|@import|<(script|iframe|object|embed|form)\b)");

@@ -1,4 +1,4 @@
-// A process that has ended and that nobody has asked how: it is still listed.
+// A terminated child process that has not been waited for and is still listed.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -38,7 +38,7 @@ public:
     process_ = 0;
   }
 
-  std::string name;  ///< as base::process_name() says it
+  std::string name;  ///< as base::process_name() returns it
 
 private:
   pid_t process_ = 0;

@@ -19,7 +19,7 @@ double difference(const Affine& a, const Affine& b) {
                   sym3::norm(sym3::plus(a.translation, -1, b.translation)));
 }
 
-// Less than half a turn, stretches up to so many times, and a shift.
+// A rotation of less than half a turn, stretches up to `most`, and a shift.
 Affine any_map(Random& random, double angle = 2.5, double stretch = 3) {
   const auto some = [&] { return uniform(random, -1, 1); };
   const sym3::Vec3<double> w{some(), some(), some()};
@@ -79,7 +79,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
     const Affine half = sym3::combine(std::vector{whole}, std::vector{0.5});
     CHECK(difference(half, about_z(turn / 4 * angle)) < 1e-15);
   }
-  // About a point, by a screw: the quarter goes about the same point.
+  // A screw motion: the quarter turns about the same axis.
   const Affine to{about_z(0).linear, {3, 1, 0}},
       screw = to * Affine{half_turn.linear, {0, 0, 2}} * sym3::inverse(to);
   const Affine quarter = to * about_z(turn / 4, {0, 0, 1}) * sym3::inverse(to);
@@ -144,7 +144,7 @@ TEST_CASE("linear_maps_stay_linear") {
   CHECK(sym3::mean(maps, weights).map.translation == zero);
 }
 
-TEST_CASE("the_mean_goes_along_with_what_is_done_before_and_after_and_with_inverses") {
+TEST_CASE("the_mean_commutes_with_composition_and_inversion") {
   Random random(25);
   for (int i = 0; i < 60; ++i) {
     const auto maps = some_maps(random, 4, 1);
@@ -166,7 +166,7 @@ TEST_CASE("the_mean_goes_along_with_what_is_done_before_and_after_and_with_inver
   }
 }
 
-TEST_CASE("a_mean_of_two_is_between_them_and_one_that_does_not_end_says_so") {
+TEST_CASE("a_mean_of_two_is_between_them_and_divergence_is_reported") {
   Random random(26);
   for (int i = 0; i < 60; ++i) {
     const Affine a = any_map(random, 1, 2), b = any_map(random, 1, 2);
@@ -179,7 +179,7 @@ TEST_CASE("a_mean_of_two_is_between_them_and_one_that_does_not_end_says_so") {
   CHECK(!sym3::mean(std::vector{Affine{}}, std::vector{0.0}).converged);
 }
 
-TEST_CASE("a_mean_takes_weights_of_any_size_by_their_share") {
+TEST_CASE("a_mean_normalises_weights_of_any_size") {
   Random random(27);
   const auto maps = some_maps(random, 4, 1);
   const Affine expected = sym3::mean(maps, weights).map;

@@ -1,4 +1,4 @@
-// Polynomial approximation in 113 bits: interpolation at Chebyshev's points, and minimax by Remez' exchange.
+// Polynomial approximation in 113 bits: interpolation at Chebyshev points, and minimax by Remez exchange.
 #pragma once
 
 #include <quadmath.h>
@@ -20,9 +20,9 @@ inline Quad at(const Polynomial& p, Quad x) {
   return sum;
 }
 
-/// The polynomial of `count` coefficients through f at the Chebyshev points of [0, end]. (Through its
-/// Chebyshev series, whose coefficients fall off as fast as those of the Chebyshev polynomials grow: nothing
-/// cancels.)
+/// The polynomial of `count` coefficients through f at the Chebyshev points of [0, end]. (By its Chebyshev
+/// series, whose coefficients decrease as fast as those of the Chebyshev polynomials grow, which avoids
+/// cancellation.)
 inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   const auto angle = [=](int j) { return M_PIq * (2 * j + 1) / (2 * count); };
   std::vector<Quad> values;
@@ -45,8 +45,8 @@ inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   return sum;
 }
 
-/// What is approximated: values at points of [low, high], denser towards the ends; errors are multiplied by
-/// weights.
+/// The function to be approximated: values at points of [low, high], denser towards the ends; errors are
+/// multiplied by weights.
 struct Target {
   std::vector<Quad> points, values, weights;
 
@@ -92,7 +92,7 @@ inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   return x;
 }
 
-/// Of each run of values of one sign the position of the largest, as many as alternate, at most `count`.
+/// The position of the largest value of each run of equal sign, as many as alternate, at most `count`.
 inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std::size_t count) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -108,13 +108,13 @@ inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std
   return found;
 }
 
-/// `p` with its coefficients from x^first on replaced so that the largest error is smallest, by Remez'
-/// exchange on the points of the target. Where errors no longer alternate, which is when they come from the
-/// coefficients that are kept, the best found so far.
+/// `p` with its coefficients from x^first on replaced to minimise the largest error, by Remez exchange on the
+/// points of the target. If errors stop alternating, because fixed coefficients dominate them, returns the
+/// best so far.
 inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   const int count = static_cast<int>(p.size()), unknown = count - first;
   const Polynomial kept(p.begin(), p.begin() + first);
-  // A multiple of x^first: for odd powers errors alternate but for a change of sign at 0.
+  // A multiple of x^first: for odd powers errors alternate except for a change of sign at 0.
   const auto sign = [&](std::size_t i) { return first % 2 && t.points[i] < 0 ? -1 : 1; };
   const auto extremes_of = [&](std::vector<Quad> errors) {
     for (std::size_t i = 0; i < errors.size(); ++i) errors[i] *= sign(i);
@@ -123,7 +123,7 @@ inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   Polynomial best = p;
   Quad best_error = largest(t.errors(p));
   auto extremes = extremes_of(t.errors(p));
-  if (extremes.size() <= static_cast<std::size_t>(unknown)) {  // nothing to begin with
+  if (extremes.size() <= static_cast<std::size_t>(unknown)) {  // too few to start
     extremes.clear();
     for (int i = 0; i <= unknown; ++i) extremes.push_back((2 * i + 1) * t.points.size() / (2 * unknown + 2));
   }
@@ -157,9 +157,9 @@ Quad rounded(Quad x, Quad unit) {
   return static_cast<T>(x / unit) * unit;
 }
 
-/// The minimax polynomial with coefficients in T times `unit`: `kept` as they are, those up to `one_by_one`
-/// rounded one after the other with a new fit of the rest, which takes up the error of rounding, the rest
-/// plainly.
+/// The minimax polynomial with coefficients in T times `unit`: `kept` ones are fixed, those up to
+/// `one_by_one` are rounded one after the other with a new fit of the rest, which absorbs the rounding error,
+/// and the rest are rounded directly.
 template <class T>
 Polynomial rounded_minimax(const Target& t, const Polynomial& kept, int count, int one_by_one,
                            Quad unit = 1) {

@@ -58,7 +58,7 @@ inline constexpr sym3::Layout layouts[] = {sym3::Layout::planes, sym3::Layout::b
                                            sym3::Layout::full};
 inline constexpr int in_full[6] = {0, 1, 2, 4, 5, 8};
 
-/// Matrices in one layout, `offset` numbers off 64 bytes, with a guard behind that nothing may touch.
+/// Matrices in one layout, `offset` numbers off a 64-byte boundary, followed by a guard that must not change.
 template <class T>
 class Arranged {
 public:

@@ -1,5 +1,5 @@
-// Derivatives: their bounds over gap, spread, condition and scale for every kernel, the laws that they obey,
-// and that one matrix and many, one direction and several, in any layout, get the same bits.
+// Derivatives: bounds over gap, spread, condition and scale for every kernel, algebraic identities, and equal
+// bits for single and batched matrices, single and several directions, and all layouts.
 #include "sym3/derivative.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void derive(Of f, const sym3::SymView<const T>& s, sym3::Directions<T> direction
   sym3::pow_derivative(s, p, directions, out, count, batch);
 }
 
-/// What a single call does under that kernel.
+/// The result of a single call under this kernel.
 template <class T>
 Sym3<T> derived(Of f, const sym3::Kernel& kernel, const Sym3<T>& s, const Sym3<T>& direction,
                 double p = exponent) {
@@ -68,7 +68,7 @@ double frobenius(const Sym3<T>& a) {
   return std::sqrt(inner_product(a, a));
 }
 
-/// A direction for each matrix: any, of one entry, along S itself, or the identity.
+/// A direction per matrix: random, with a single entry, along S, or the identity.
 template <class T>
 Sym3<T> some_direction(Random& random, const Sym3<T>& s, std::size_t i) {
   if (i % 8 == 6 && frobenius(s) > 0) return s;
@@ -78,7 +78,7 @@ Sym3<T> some_direction(Random& random, const Sym3<T>& s, std::size_t i) {
   return e;
 }
 
-/// What a bound may depend on: condition and norm of the logarithm of S.
+/// The quantities that bounds depend on: condition, and norm of the logarithm of S.
 struct OfMatrix {
   const sym3::Kernel& kernel;
   double condition, log_norm;
@@ -91,7 +91,7 @@ OfMatrix of_matrix(const sym3::Kernel& kernel, const std::array<Quad, 3>& values
   return {kernel, static_cast<double>(high / low), std::sqrt(squares)};
 }
 
-/// The largest error of each kernel over what is allowed for a matrix; NaN counts as infinite.
+/// The largest error of each kernel relative to the bound of the matrix; NaN counts as infinite.
 template <class T, class Allowed>
 void check_derivatives(Of f, const std::string& what, const std::vector<Sym3<T>>& matrices,
                        const Allowed& allowed, double p = exponent) {
@@ -124,7 +124,7 @@ void check_spread_of_derivatives(double spread, double lowest) {
                     [=](const OfMatrix& s) { return s.kernel.fused ? 6 + 2 * spread : 8 + 2.5 * spread; });
 }
 
-/// The promises of derivative.h for log and the root, p = 0, and for powers.
+/// The bounds of derivative.h for log and the root (p = 0), and for powers.
 double allowed_for_power(double p, const OfMatrix& s) {
   if (p == 0) return 16 + 2 * s.condition;
   return 16 + 4 * ((1 + std::fabs(p)) * s.condition + std::fabs(p) * s.log_norm);
@@ -135,7 +135,7 @@ bool same_or_nan(const Sym3<T>& a, const Sym3<T>& b) {
   return a == b || (all_nan(a) && all_nan(b));
 }
 
-/// Ordinary ones, wide ones, and some that no formula in registers serves.
+/// Ordinary matrices, some with large spread, and some that require the fallback.
 template <class T>
 std::vector<Sym3<T>> matrices_of_all_kinds(std::size_t count) {
   auto all = with_condition<T>(6, static_cast<int>(count));
@@ -205,8 +205,7 @@ TEST_CASE_TEMPLATE("derivatives_of_log_sqrt_and_pow_keep_their_bounds_at_every_c
                         [](const OfMatrix& s) { return allowed_for_power(0, s); });
     }
     for (const double p : {-100.0, -20.0, -1.7, -0.5, 0.3, 1.0, 2.0, 7.0, 33.0, 80.0}) {
-      if (std::fabs(p) * std::log(1e3 * k) > (sizeof(T) == 4 ? 50 : 500))
-        continue;  // nearly past all numbers
+      if (std::fabs(p) * std::log(1e3 * k) > (sizeof(T) == 4 ? 50 : 500)) continue;  // results near overflow
       check_derivatives(
           Of::pow, what + ", power " + std::to_string(p), with_condition<T>(k, 60),
           [=](const OfMatrix& s) { return allowed_for_power(p, s); }, p);
@@ -344,7 +343,7 @@ TEST_CASE_TEMPLATE("derivatives_of_exp_of_finite_numbers_are_never_nan", T, doub
 
 namespace {
 
-/// Three directions at once, between these layouts; everything behind the answers untouched.
+/// Three directions at once, between these layouts; memory after the results must be unchanged.
 template <class T>
 struct DerivativeCase {
   Of f;

@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("zero_gives_the_identity_by_every_guarded_method", T, double,
 
 namespace {
 
-/// The worst error in u of each kernel; NaN counts as infinite.
+/// The largest error of each kernel in u; NaN counts as infinite.
 template <class T>
 std::vector<double> worst_errors(const std::vector<Sym3<T>>& matrices) {
   std::vector<double> worst(sym3::kernels().size(), 0);
@@ -242,7 +242,7 @@ T& entry(Sym3<T>& s, int i) {
   return *all[i];
 }
 
-/// As exp rounds each entry on its own: infinite above the largest number, with the sign of the exact one.
+/// exp with each entry rounded separately: infinite above the largest number, with the sign of the exact one.
 template <class T>
 void check_overflow(const sym3::Kernel& kernel, const Sym3<T>& s) {
   const auto computed = entries_of(exp_with(kernel, s));
@@ -325,7 +325,7 @@ TEST_CASE("overflow_gives_signed_infinities_and_never_nan") {
   }
 }
 
-TEST_CASE("entries_near_the_largest_number_overflow_no_step_on_the_way") {
+TEST_CASE("entries_near_the_largest_number_overflow_no_intermediate_step") {
   const double d = std::numeric_limits<double>::max();
   const float f = std::numeric_limits<float>::max();
   for (const auto& kernel : sym3::kernels()) {

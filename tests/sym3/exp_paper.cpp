@@ -1,4 +1,4 @@
-// The paper's methods: how exact they are, and where they are not.
+// Accuracy of the paper's methods, and their failures.
 #include "sym3/exp_paper.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace {
 
 struct Errors {
-  double worst = 0;  ///< in u, of those that are not NaN
+  double worst = 0;  ///< in u, without NaN
   int nan = 0;
 };
 

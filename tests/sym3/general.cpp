@@ -54,7 +54,7 @@ Mat3<double> any_matrix(double size, Random& random) {
   return m;
 }
 
-// Turns by half a turn less a little, in a plane that is stretched.
+// Rotations by slightly less than half a turn, in a plane that is stretched.
 Mat3<double> nearly_half_turn(double less, Random& random) {
   const Mat3<double> turn = sym3::cross_matrix({0, 0, half_turn - less});
   const Mat3<double> s = sym3::plus(diagonal_matrix(1, 1, 1), 0.3, any_matrix(1, random));
@@ -65,13 +65,13 @@ Mat3<double> nearly_half_turn(double less, Random& random) {
   return rounded;
 }
 
-// Upper triangular with eigenvalues so close, turned.
+// Upper triangular with eigenvalues at this gap, then rotated.
 Mat3<double> nearly_defective(double gap, Random& random) {
   const double a = power_of_ten(random, -1, 1), b = uniform(random, -1, 1), c = uniform(random, -1, 1);
   return in_axes_of({a, 1, b, 0, a * (1 + gap), c, 0, 0, a * (1 + gap * uniform(random, -2, 2))}, random);
 }
 
-// In u (1 + k) of its size.
+// Error in u (1 + k), relative to its size.
 template <class F>
 double error_by_condition(const Mat3<double>& computed, const F& f, const QuadMat& m) {
   const QuadMat exact = f(m);
@@ -84,7 +84,7 @@ double worst_log(const std::vector<Mat3<double>>& matrices) {
   for (const auto& m : matrices) {
     if (!has_log(m)) continue;
     const double error = error_by_condition(log_general(m), quad_log_general, to_quad(m));
-    worst = error <= worst ? worst : error;  // NaN counts
+    worst = error <= worst ? worst : error;  // keeps NaN
   }
   return worst;
 }
@@ -164,7 +164,7 @@ double largest_of(const Mat3<double>& m) {
   return entry_difference(m, {});
 }
 
-// The rotation as a branch of so many whole turns more.
+// The rotation vector of the branch with `turns` more whole turns.
 sym3::PolarLog parts_of(const Mat3<double>& m, int turns = 0) {
   sym3::PolarLog parts = sym3::log_polar(m);
   const double angle = sym3::norm(parts.turn);
@@ -211,8 +211,8 @@ TEST_CASE("exp_of_a_long_log_is_as_exact_too") {
   CHECK(entry_difference(m, diagonal_matrix(0, 1, 1)) < 1e-15);
 }
 
-// One in 20,000 once had none: of what rounding leaves below the eigenvalue, a step more may leave more.
-TEST_CASE("what_is_an_exponential_has_a_logarithm") {
+// A regression test: one in 20,000 had no logarithm, as a further step could increase the residual.
+TEST_CASE("every_exponential_has_a_logarithm") {
   CHECK(has_log({1.0686076570091338, 1.4855289131697111, -0.8290871979372267, 0.3883423827946375,
                  1.6512376532597528, -0.9656765334150027, -0.5479660687323898, -1.1674576718875822,
                  1.3975545537482001}));
@@ -268,15 +268,15 @@ TEST_CASE("logs_of_similarities_are_sums_also_at_180_degrees_and_at_rest") {
   CHECK(exp_general({}) == one);
 }
 
-TEST_CASE("where_there_is_no_logarithm_it_is_bounded_and_continuous") {
-  // Turned about z by an angle around 180 degrees, stretched along x: two negative eigenvalues in the middle.
+TEST_CASE("logs_are_bounded_and_continuous_at_matrices_without_logarithm") {
+  // Rotated about z by about 180 degrees, stretched along x: two negative eigenvalues in the middle.
   Mat3<double> before{};
   int without = 0;
   for (int i = 0; i <= 4000; ++i) {
     const double angle = (150 + 60.0 * i / 4000) * degree, c = std::cos(angle), s = std::sin(angle);
     const Mat3<double> m{1.5 * c, -s, 0, 1.5 * s, c, 0, 0, 0, 1};
     auto parts = parts_of(m);
-    if (parts.turn[2] < 0) parts = parts_of(m, -1);  // on through 180 degrees
+    if (parts.turn[2] < 0) parts = parts_of(m, -1);  // continues through 180 degrees
     const auto l = sym3::bounded_log(m, parts);
     CHECK(largest_of(l) < 4 * (sym3::norm(parts.turn) + 1));
     if (i > 0) CHECK(entry_difference(l, before) < 0.15);
@@ -288,7 +288,7 @@ TEST_CASE("where_there_is_no_logarithm_it_is_bounded_and_continuous") {
   CHECK(without > 1000);
 }
 
-TEST_CASE("of_mirrored_and_flat_matrices_it_is_the_sum_of_the_logs_of_the_nearest_rotation_and_stretch") {
+TEST_CASE("logs_of_mirrored_and_flat_matrices_are_sums_of_logs_of_rotation_and_stretch") {
   const Mat3<double> mirrored{-1, 0.1, 0, 0.2, 1, 0.3, 0, 0.1, 1.2}, spun{0, -1, 0.1, 1, 0, 0, 0.2, 0, -1.5},
       flat{1, 0, 0, 0, 1, 0, 0, 0, 0};
   for (const auto& m : {mirrored, spun, flat}) {
@@ -298,18 +298,18 @@ TEST_CASE("of_mirrored_and_flat_matrices_it_is_the_sum_of_the_logs_of_the_neares
     CHECK(log_general(m) == sum_of_logs(sym3::log_polar(m)));
     CHECK(largest_of(log_general(m)) < 30);
   }
-  // Eigenvalues of 0, which rounding may make positive, or turn.
+  // Eigenvalues of 0, which rounding may make positive or complex.
   for (const auto& m : {Mat3<double>{0, 1, 0, 0, 0, 0, 0, 0, 1}, Mat3<double>{1, -1, -1, -1, 1, -1, -1, 1, 0},
                         Mat3<double>{0, 0, -1, 1, 1, -1, 0, 0, 0}}) {
     CHECK(!has_log(m));
     CHECK(largest_of(log_general(m)) < 30);
   }
-  const auto about = sym3::log_polar(diagonal_matrix(2, 3, -4));  // the least is the one that is mirrored
+  const auto about = sym3::log_polar(diagonal_matrix(2, 3, -4));  // the smallest one is mirrored
   CHECK(about.turn != Vector{0, 0, 0});
   CHECK(about.stretch.xx + about.stretch.yy + about.stretch.zz == doctest::Approx(std::log(24.0)));
 }
 
-TEST_CASE("what_is_no_number_and_no_map_has_no_log_and_nan_for_it") {
+TEST_CASE("logs_and_exponentials_of_nan_and_infinity_are_nan") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = HUGE_VAL;
   for (const double bad : {nan, infinite, -infinite}) {
     for (int i = 0; i < 9; ++i) {
@@ -358,7 +358,7 @@ TEST_CASE("every_finite_matrix_has_a_bounded_log_which_is_finite_on_every_branch
   CHECK(largest_of(exp_general(log_general({}))) < 1e-300);
 }
 
-TEST_CASE("the_angle_of_a_log_is_what_it_turns_by") {
+TEST_CASE("the_angle_of_a_log_is_its_rotation_angle") {
   Random random(14);
   for (int i = 0; i < 100; ++i) {
     const double angle = uniform(random, 0.1, 20);

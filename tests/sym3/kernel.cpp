@@ -15,7 +15,7 @@
 #include "sym3/reference.h"
 #include "sym3/route.h"
 
-TEST_CASE("kernels_have_names_and_the_last_is_what_all_machines_have") {
+TEST_CASE("kernels_have_names_and_the_last_runs_everywhere") {
   std::set<std::string_view> names;
   for (const auto& kernel : sym3::kernels()) {
     names.insert(kernel.name);
@@ -78,7 +78,7 @@ TEST_CASE("kernels_differ_by_rounding_only") {
 
 using namespace viete::sym3;
 
-TEST_CASE("a_route_says_which_case_of_the_paper_and_how_often_fast_squares") {
+TEST_CASE("a_route_reports_the_case_of_the_paper_and_the_squarings_of_fast") {
   const Sym3<double> apart{0.5, 0.1, 0, -0.2, 0.05, 0.9}, pair{1, 0, 0, 1, 0, 3}, all{2, 0, 0, 2, 0, 2};
   for (const Method method : {Method::sd, Method::improved_sd}) {
     CHECK(route(apart, method).distinct == 3);

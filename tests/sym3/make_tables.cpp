@@ -1,6 +1,6 @@
-// Makes the coefficients of sym3's *_tables.h anew in 113 bits, prints them, and fails where the headers hold
-// others. Interpolated ones must be the same to the last bit. Those of smallest largest error are as free as
-// rounding is: the header's must err by no more than it says.
+// Recomputes the coefficients of sym3's *_tables.h in 113 bits, prints them, and fails if the headers differ.
+// Interpolated ones must agree to the last bit. Minimax ones may differ by rounding: those of the header must
+// satisfy the stated error.
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -47,12 +47,12 @@ void check_interpolated(const std::string& name, const T (&table)[N], const Quad
   int different = 0;
   for (std::size_t k = 0; k < N; ++k) {
     const Quad ulp = std::nextafter(std::fabs(table[k]), T(2)) - std::fabs(table[k]);
-    different += fabsq(p[k] - table[k]) > 0.6Q * ulp;  // what 113 bits leave of rounding to nearest
+    different += fabsq(p[k] - table[k]) > 0.6Q * ulp;  // rounding to nearest, with the error of 113 bits
   }
   report(different == 0, std::to_string(different) + " of " + std::to_string(N) + " differ");
 }
 
-/// `error`: what the header says, in u.
+/// `error`: the stated error of the header, in u.
 template <class T>
 void check_minimax(const std::string& name, const Target& t, const Polynomial& made, const Polynomial& table,
                    double error, Quad unit = 1) {
@@ -83,7 +83,7 @@ void spectral() {
   check_interpolated("atanh x / x", C::atanh, of_root([](Quad x) { return atanhq(x) / x; }, 1), 0.0445Q);
 }
 
-/// The errors are those that rotation_tables.h tells.
+/// The errors are stated in rotation_tables.h.
 template <class T>
 void rotations(double cosine_error, double sine_error, double arc_error) {
   using C = RotationTables<T>;
@@ -103,8 +103,7 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// Of the numbers near x the one of which 1 is most nearly a multiple by a number of T: f(0) = 1 is to be
-/// exact.
+/// The number near x of which 1 is most nearly a multiple by a number of T, so that f(0) = 1 is exact.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;
@@ -115,7 +114,7 @@ T divisor_of_one(T x) {
   return best;
 }
 
-/// f for polynomials in a traceless matrix, relative to the norm that exp_tables.h has.
+/// f for polynomials in a traceless matrix, relative to the norm bound of exp_tables.h.
 template <class T>
 Target matrix_target(const QuadFunction& f) {
   const Quad reach = 2 * sqrtq(Quad(ExpTables<T>::p_limit) / 3);
@@ -145,13 +144,13 @@ Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// What a minimax polynomial is the derivative of, rounded plainly; the errors: exp_tables.h.
+/// The integral of a minimax polynomial, rounded directly; the errors: exp_tables.h.
 template <class T>
 void exponential_with_derivative(double error, double derivative_error) {
   using C = ExpDerivativeTables<T>;
   constexpr int count = std::size(C::matrix_exp);
   const Target matrix = matrix_target<T>(expq);
-  Polynomial slope = {1}, made = {1};  // exactly: of the zero matrix
+  Polynomial slope = {1}, made = {1};  // exact for the zero matrix
   slope.resize(count - 1, 0);
   slope = minimax(matrix, slope, 1);
   for (int k = 1; k < count; ++k) made.push_back(slope[k - 1] / k);

@@ -220,7 +220,7 @@ TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_an
   }
 }
 
-TEST_CASE_TEMPLATE("entries_near_the_largest_number_overflow_no_step_on_the_way", T, double, float) {
+TEST_CASE_TEMPLATE("entries_near_the_largest_number_overflow_no_intermediate_step", T, double, float) {
   const T x = std::numeric_limits<T>::max() / T(1.06), small = std::exp2(T(-12));
   for (const auto& kernel : sym3::kernels()) {
     for (const Mat3<T>& m :

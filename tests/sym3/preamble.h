@@ -1,4 +1,4 @@
-// What nearly every test here begins with: the matrices that functions are tried on, and short names.
+// Matrices and short names used by most tests here.
 #pragma once
 
 #include <doctest/doctest.h>

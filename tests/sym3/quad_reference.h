@@ -31,7 +31,7 @@ inline Quad to_quad(const sym3::DoubleDouble& x) {
   return Quad(x.hi) + Quad(x.lo);
 }
 
-/// 1 / sqrt x to 112 bits: one step of Newton's method from 64 (sqrtq takes ten times as long).
+/// 1 / sqrt x to 112 bits: one Newton step from 64 (sqrtq takes ten times as long).
 inline Quad quad_inverse_root(Quad x) {
   const Quad y = 1 / std::sqrt(static_cast<long double>(x));
   return y + y * (1 - x * y * y) / 2;
@@ -105,7 +105,7 @@ inline std::array<Quad, 9> quad_rotation(const std::array<Quad, 3>& w) {
           b * y * z - a * x, b * x * z - a * y, b * y * z + a * x, c + b * z * z};
 }
 
-/// To 64 bits, which is plenty for a norm and takes a tenth of the time.
+/// To 64 bits, enough for a norm, in a tenth of the time.
 inline Quad quad_frobenius(const QuadSym& s) {
   const auto square = [](Quad x) { return static_cast<long double>(x) * static_cast<long double>(x); };
   return std::sqrt(square(s.xx) + square(s.yy) + square(s.zz) +
@@ -184,7 +184,7 @@ inline QuadMat quad_root(const QuadMat& m) {
   return y;
 }
 
-/// 2^n times that of the root that is so near to I that some terms do, of entries about 1.
+/// 2^n times the log of the root that is near I, by a few terms of the series, for entries about 1.
 inline QuadMat quad_log_general(QuadMat m) {
   int roots = 0;
   const int exponent = ilogbq(quad_norm(m));
@@ -217,8 +217,8 @@ inline double distance(const sym3::Mat3<double>& computed, const QuadMat& exact)
   return static_cast<double>(quad_norm(quad_combined(to_quad(computed), exact, 1, -1)));
 }
 
-/// The largest change of f per relative change of the matrix, Frobenius norms: of differences the largest
-/// singular value, by power iteration.
+/// Largest relative change of f per relative change of the matrix, Frobenius norms: the largest singular
+/// value of the difference quotient, by power iteration.
 template <class F>
 double sensitivity(const F& f, const QuadMat& m) {
   const QuadMat at = f(m);
@@ -262,7 +262,7 @@ inline Quad quad_slope(sym3::Of f, double p, Quad x, Quad y) {
 
 struct QuadDerivative {
   QuadSym value;
-  Quad norm;  ///< of the derivative as a map: its largest value for a direction of norm 1
+  Quad norm;  ///< operator norm of the derivative: its largest value for a direction of norm 1
 };
 
 inline QuadDerivative quad_derivative(sym3::Of f, double p, const QuadSym& s, const QuadSym& direction) {
@@ -291,7 +291,7 @@ inline QuadDerivative quad_derivative(sym3::Of f, double p, const QuadSym& s, co
   return {{entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)}, norm};
 }
 
-/// In u of T, relative to the norm of the map times that of the direction.
+/// Error in u of T, relative to the operator norm times the norm of the direction.
 template <class T>
 double derivative_error(const sym3::Sym3<T>& computed, const QuadDerivative& exact,
                         const QuadSym& direction) {

@@ -26,7 +26,7 @@ QuadVec vector_to_quad(const Vec3<T>& v) {
   return {v[0], v[1], v[2]};
 }
 
-/// A direction: along an axis, in a plane of two, or anywhere; scaled to the angle.
+/// A random vector of this length: along an axis, in a coordinate plane, or in general position.
 template <class T>
 Vec3<T> vector_of_angle(double angle, int i, Random& random) {
   const auto f = random_rotation(random);
@@ -65,7 +65,7 @@ Mat3<T> rounded_rotation(const Vec3<T>& w) {
   return rounded;
 }
 
-/// Distance to w or, for half a turn as near as rounding lets one see, to its other name w - 2 pi w / |w|.
+/// Distance to w or, near half a turn within rounding, to the equivalent w - 2 pi w / |w|.
 template <class T>
 double log_error(const Vec3<T>& computed, const Vec3<T>& w) {
   const QuadVec x = vector_to_quad(computed), y = vector_to_quad(w);
@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("exp_rotation_keeps_its_bound_at_every_angle", T, double, flo
   }
 }
 
-TEST_CASE_TEMPLATE("zero_vector_and_identity_belong_together_exactly", T, double, float) {
+TEST_CASE_TEMPLATE("zero_vector_and_identity_map_to_each_other_exactly", T, double, float) {
   CHECK(sym3::exp_rotation(Vec3<T>{}) == Mat3<T>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   CHECK(sym3::log_rotation(Mat3<T>{1, 0, 0, 0, 1, 0, 0, 0, 1}) == Vec3<T>{});
 }
@@ -136,7 +136,7 @@ TEST_CASE_TEMPLATE("at_exactly_half_a_turn_the_first_component_is_positive", T, 
   }
 }
 
-TEST_CASE_TEMPLATE("a_little_to_either_side_of_half_a_turn_the_axis_turns_round", T, double, float) {
+TEST_CASE_TEMPLATE("the_axis_flips_across_half_a_turn", T, double, float) {
   const T less = 64 * std::numeric_limits<T>::epsilon();
   for (const auto& kernel : sym3::kernels()) {
     const auto below = log_with(kernel, sym3::exp_rotation(Vec3<T>{0, -(T(pi) - less), 0}));
@@ -146,11 +146,11 @@ TEST_CASE_TEMPLATE("a_little_to_either_side_of_half_a_turn_the_axis_turns_round"
   }
 }
 
-TEST_CASE_TEMPLATE("nearly_a_rotation_has_nearly_its_logarithm", T, double, float) {
+TEST_CASE_TEMPLATE("near_rotations_have_near_logarithms", T, double, float) {
   Random random(66);
   for (const double size : {0.03, 1e-3, 1e-5}) {
     for (int i = 0; i < 1000; ++i) {
-      const auto w = vector_of_angle<T>(uniform(random, 0, 3), i, random);  // not over half a turn
+      const auto w = vector_of_angle<T>(uniform(random, 0, 3), i, random);  // less than half a turn
       Mat3<T> r = rounded_rotation(w);
       double moved = 0;
       for (T& x : r) {

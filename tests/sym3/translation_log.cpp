@@ -15,7 +15,7 @@ Vector random_vector(Random& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
-// The first 120 terms, in long double.
+// The first 120 terms of the series, in long double.
 Vector series(const Mat3<double>& m, const Vector& x) {
   std::array<long double, 3> term{x[0], x[1], x[2]}, sum = term;
   for (int n = 2; n <= 120; ++n) {
@@ -58,7 +58,7 @@ TEST_CASE("the_even_part_less_half_the_log_undoes_phi_up_to_300_degrees") {
     auto m = random_matrix(random, 0.4);
     const auto t = sym3::cross_matrix(w);
     for (int i = 0; i < 9; ++i) m[i] += t[i];
-    if (norm(w) > 4) continue;  // the angle that m turns by is not that of w
+    if (norm(w) > 4) continue;  // the rotation angle of m differs from that of w
     const Vector z = phi_times(m, x);
     const Vector back = plus(sym3::product(even_part(m, w), z), -0.5, sym3::product(m, z));
     CHECK(norm(plus(back, -1, x)) < 1e-11);
@@ -89,7 +89,7 @@ TEST_CASE("the_even_part_is_bounded_and_continuous_through_two_whole_turns") {
   }
 }
 
-TEST_CASE("of_no_log_the_even_part_is_the_identity_and_near_none_it_is_next_to_it") {
+TEST_CASE("the_even_part_is_the_identity_at_zero_and_close_to_it_nearby") {
   CHECK(full(even_part(Vector{0, 0, 0})) == Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   CHECK(even_part(Mat3<double>{}, Vector{0, 0, 0}) == Mat3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   for (const double tiny : {1e-300, 1e-160, 1e-20, 1e-8}) {

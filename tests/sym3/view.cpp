@@ -1,4 +1,4 @@
-// Layouts, lengths, positions, neighbours, threads: the answer of a batch depends on none of them.
+// Results of batches do not depend on layouts, lengths, positions, neighbours or threads.
 #include "sym3/view.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using sym3::SymView;
 
 namespace {
 
-/// Ordinary ones, and every so often one that leaves the fast path.
+/// Ordinary matrices, and some that leave the fast path.
 template <class T>
 std::vector<Sym3<T>> mixture(std::size_t count) {
   auto all = paper_ensemble<T>(count, 5);

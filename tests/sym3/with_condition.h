@@ -8,7 +8,7 @@
 
 namespace viete::test {
 
-/// Clustered at either end, spread, and anything between; half of them of norm about `size`, the others a
+/// Clustered at either end, spread, or random in between; half of them with norm about `size`, the others a
 /// thousandth to a thousand times that.
 template <class T>
 std::vector<sym3::Sym3<T>> with_condition(double condition, int count, double size = 1) {

@@ -1,4 +1,4 @@
-# One name per dependency, dep::*. Everything comes from the distribution's packages: nothing is fetched or vendored.
+# Defines a target dep::* for each dependency. All come from the distribution's packages; nothing is fetched or vendored.
 set(DEP_HINT "run third_party/setup.sh deps")
 
 function(dep name)
@@ -6,10 +6,10 @@ function(dep name)
   target_link_libraries(dep::${name} INTERFACE ${ARGN})
 endfunction()
 
-# Eigen: asked for without a version, because Eigen 5 refuses a request for 3.x.
+# Eigen: no version is requested, because Eigen 5 rejects requests for 3.x.
 find_package(Eigen3 REQUIRED NO_MODULE)
 dep(eigen Eigen3::Eigen)
-# Highway: its headers only; which instruction set runs is decided in sym3/kernel.cpp.
+# Highway: headers only; sym3/kernel.cpp selects the instruction set.
 find_path(HWY_HEADER_DIR hwy/highway.h)
 if(NOT HWY_HEADER_DIR)
   message(FATAL_ERROR "Highway (hwy/highway.h) not found: ${DEP_HINT}")
@@ -22,7 +22,7 @@ dep(threads Threads::Threads)
 if(VIETE_BUILD_VIEWER)
   find_package(PkgConfig REQUIRED)
 
-  # Types only: no OpenGL library is ever linked, entry points are looked up at run time (render/gl.h).
+  # Types only: OpenGL is not linked; render/gl.h looks up entry points at run time.
   find_path(GL_HEADER_DIR GL/glcorearb.h)
   find_path(EGL_HEADER_DIR EGL/eglext.h)
   if(NOT GL_HEADER_DIR OR NOT EGL_HEADER_DIR)
@@ -54,7 +54,7 @@ if(VIETE_BUILD_TESTS)
   dep(doctest doctest::doctest)
 endif()
 if(VIETE_BUILD_TESTS AND VIETE_BUILD_VIEWER)
-  # Another reader of glTF, beside ours.
+  # An independent glTF reader, for tests.
   find_package(TinyGLTF QUIET)
   if(NOT TARGET TinyGLTF::TinyGLTF)
     message(FATAL_ERROR "TinyGLTF (libtinygltf-dev) not found: ${DEP_HINT}")

@@ -1,4 +1,4 @@
-# How every target of the project is compiled, and how a room becomes a library.
+# Compile settings of all targets, and functions that make a library of a room.
 
 # Contraction is off everywhere: a*b+c means two roundings unless fma is written out, so that results
 # are the same at every optimisation level, in every kernel and on every machine.
@@ -13,11 +13,11 @@ if(VIETE_WERROR)
     target_compile_options(viete_compile INTERFACE -Wno-error=array-bounds -Wno-error=maybe-uninitialized -Wno-error=stringop-overflow)
   endif()
 endif()
-# Inside a project that chose neither a build type nor a level, nothing would be optimised but the kernels.
+# Optimises if the enclosing project sets neither a build type nor an optimisation level; otherwise only kernels would be.
 if(NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
   target_compile_options(viete_compile INTERFACE $<$<STREQUAL:$<CONFIG>,>:-O2>)
 endif()
-# GCC 12 warns of std::string's own + (its bug 105651).
+# GCC 12 warns about std::string's operator+ (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(viete_compile INTERFACE -Wno-restrict)
 endif()
@@ -26,24 +26,24 @@ if(VIETE_SANITIZE)
   target_link_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE})
 endif()
 
-# Kernels are vectorised at -O3 only (GCC 12); their bits are the same at every level. Under a sanitizer that takes
-# minutes a file and finds no more.
+# GCC 12 vectorises kernels only at -O3; results are the same at every level. With sanitizers, -O3 takes minutes per file
+# and finds nothing more.
 set(VIETE_KERNEL_OPTIONS "")
 if(NOT VIETE_SANITIZE)
   set(VIETE_KERNEL_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O3>)
 elseif(VIETE_SANITIZE MATCHES address)
-  # Following the lifetime of every register of an unrolled kernel takes GCC a quarter of an hour a file.
+  # Use-after-scope checks take GCC fifteen minutes per unrolled kernel.
   set(VIETE_KERNEL_OPTIONS -fno-sanitize-address-use-after-scope)
 endif()
 
-# Highway's NEON asks for AES, and GCC makes the constructors that a structure of its vectors has without being told: outside of the part of a
-# file that is compiled with it.
+# Highway's NEON needs AES, but GCC generates implicit constructors of structures of its vectors outside of the part of a file
+# that is compiled with it.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   list(APPEND VIETE_KERNEL_OPTIONS -march=armv8-a+crypto)
 endif()
 
-# All instruction sets are compiled and the best one is chosen at run time. `native` leaves out those that this machine
-# would not choose, which takes half the time and makes a program for machines like this one.
+# All instruction sets are compiled; the best one is selected at run time. `native` compiles only those that this machine
+# would select: half the build time, but the program only runs on similar machines.
 set(VIETE_KERNELS all CACHE STRING "Instruction sets of the kernels: all or native")
 set_property(CACHE VIETE_KERNELS PROPERTY STRINGS all native)
 if(NOT VIETE_KERNELS MATCHES "^(all|native)$")
@@ -54,7 +54,7 @@ if(VIETE_KERNELS STREQUAL native AND NOT CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_P
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
     OUTPUT_VARIABLE macros RESULT_VARIABLE failed ERROR_QUIET)
   if(failed)
-    message(STATUS "VIETE_KERNELS: this compiler does not know the machine; all kernels are compiled")
+    message(STATUS "VIETE_KERNELS: the compiler does not know this processor; compiling all kernels")
   elseif(macros MATCHES "__AVX512VL__" AND macros MATCHES "__AVX512DQ__" AND macros MATCHES "__AVX512BW__")
     set(VIETE_KERNELS_LEFT_OUT "HWY_AVX2|HWY_SSE4")
   elseif(macros MATCHES "__AVX2__" AND macros MATCHES "__FMA__" AND macros MATCHES "__BMI2__")
@@ -62,7 +62,7 @@ if(VIETE_KERNELS STREQUAL native AND NOT CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_P
   endif()
 endif()
 
-# Sources of this folder that Highway compiles once per instruction set, each on its own.
+# Sources that Highway compiles once per instruction set, in separate translation units.
 function(viete_kernels)
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS "${VIETE_KERNEL_OPTIONS}")
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_DEFINITIONS "VIETE_KERNELS_LEFT_OUT=${VIETE_KERNELS_LEFT_OUT}")
@@ -70,16 +70,16 @@ function(viete_kernels)
   set_property(GLOBAL APPEND PROPERTY VIETE_KERNEL_SOURCES ${ARGN})  # for tests/rules
 endfunction()
 
-# Several sources of a room are compiled as one: headers are read once, which halves the time of the whole build.
-option(VIETE_UNITY "Compile the sources of the rooms that allow it in batches" ON)
-set(VIETE_BATCH 24 CACHE STRING "So many sources make a batch")
+# Compiles several sources of a room as one unit: reading headers once halves the build time.
+option(VIETE_UNITY "Compile sources in batches, in rooms that allow it" ON)
+set(VIETE_BATCH 24 CACHE STRING "Number of sources per batch")
 
-# For targets where nothing is computed that takes time: compiles in two thirds of the time.
+# Lower optimisation for targets without heavy computation: compiles in two thirds of the time.
 function(viete_quickly_compiled target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Those two ways of compiling, of the sources of a target.
+# Applies both settings to the sources of a target.
 function(viete_compiled target unity quick)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   if(unity AND VIETE_UNITY)
@@ -91,11 +91,11 @@ function(viete_compiled target unity quick)
 endfunction()
 
 # viete_room(deform [UNITY] [QUICK] SOURCES a.cpp ... QUICK_SOURCES b.cpp ... USES viete::mesh ... PRIVATE_USES dep::eigen ...)
-# makes target viete::deform with include prefix "deform/". UNITY: no two of its sources use a name for two things.
-# QUICK: it is quickly compiled, or those of its sources are.
+# makes target viete::deform with include prefix "deform/". UNITY: compiles sources as one unit; their internal
+# names must not collide. QUICK, QUICK_SOURCES: lower optimisation for the room or for some of its sources.
 function(viete_room room)
   cmake_parse_arguments(ARG "UNITY;QUICK" "" "SOURCES;QUICK_SOURCES;USES;PRIVATE_USES" ${ARGN})
-  # What a library uses inside is no business of who finds it installed.
+  # Private dependencies are not exported.
   list(TRANSFORM ARG_PRIVATE_USES REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
   add_library(viete_${room} STATIC ${ARG_SOURCES})
   add_library(viete::${room} ALIAS viete_${room})
@@ -113,8 +113,8 @@ function(viete_room room)
   endif()
 endfunction()
 
-# viete_public_headers(sym3 exp.h ...): those of the room's headers that others may use, as <viete/sym3/exp.h>, where it is installed and
-# where it is built. There they include each other by that name too.
+# viete_public_headers(sym3 exp.h ...): public headers of a room, included as <viete/sym3/exp.h> in an install and in the build.
+# They include each other by that name too.
 function(viete_public_headers room)
   set(include_dir ${PROJECT_BINARY_DIR}/include)
   foreach(header IN LISTS ARGN)

@@ -1,10 +1,10 @@
-# Run by cpack before it packs: what would make a package that does not run elsewhere.
+# Run by cpack before packing: rejects builds whose packages would not run on other machines.
 foreach(tool dpkg-shlibdeps file)
   find_program(found_${tool} ${tool})
   if(NOT found_${tool})
-    message(FATAL_ERROR "${tool} is missing, which finds the libraries that the program needs: apt-get install dpkg-dev file")
+    message(FATAL_ERROR "${tool} is missing, but needed to find library dependencies: apt-get install dpkg-dev file")
   endif()
 endforeach()
 if(NOT CPACK_VIETE_KERNELS STREQUAL all)
-  message(FATAL_ERROR "This build is for machines like this one alone: configure it with -DVIETE_KERNELS=all and build it again")
+  message(FATAL_ERROR "This build only runs on machines like this one: configure with -DVIETE_KERNELS=all and build again")
 endif()

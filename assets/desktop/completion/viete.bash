@@ -11,6 +11,7 @@ _viete() {
   [[ $command != help ]] || command=
   words=$(_viete_words $command)
   [[ -n $command ]] || words+=" $(_viete_words view) help"
+  [[ ${COMP_WORDS[1]} != help ]] || words+=" deformers"
   COMPREPLY=($(compgen -W "$words" -- "$word"))
 }
 complete -o default -F _viete viete

@@ -14,6 +14,7 @@ function __viete_complete
     __viete_words $command
     set -q command[1]; or begin
         echo help
+        set -q words[1]; and test $words[1] = help; and echo deformers
         __viete_words view
     end
 end

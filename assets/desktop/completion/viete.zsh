@@ -11,6 +11,7 @@ _viete() {
   [[ $words[2] == bench ]] && ((CURRENT > 3)) && command=(bench $words[3])
   compadd -- ${(f)"$(_viete_words $command)"}
   (($#command)) || compadd -- help ${(f)"$(_viete_words view)"}
+  [[ $words[2] != help ]] || compadd -- deformers
   _files
 }
 _viete "$@"

@@ -1,8 +1,8 @@
-"""An object follows a cage object: deformation in log space, by the module `viete`."""
+"""Deforms objects by cage objects in log space, with the module `viete`."""
 
 bl_info = {
     "name": "Viete cages",
-    "description": "An object follows a cage, smoothly and without artefacts, by Viete",
+    "description": "Deforms objects by cages, smoothly and without artefacts",
     "version": (0, 2, 0),
     "blender": (3, 4, 0),
     "location": "3D View, sidebar, Viete",

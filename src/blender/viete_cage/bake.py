@@ -1,4 +1,4 @@
-"""What the cage makes of an object, without the cage: shape keys, a point cache, a mesh."""
+"""Bakes the deformation of an object to shape keys, a point cache or a mesh."""
 import os
 import struct
 
@@ -10,7 +10,7 @@ from .operators import OnMesh
 
 
 def frames_of(context, obj):
-    """(frame, vertices) of every frame of the scene, which is then where it was."""
+    """Yields (frame, vertices) for every frame of the scene, then restores the current frame."""
     if not obj.viete.bound:
         raise engine.Error("Bind the object first")
     scene, now = context.scene, context.scene.frame_current
@@ -23,7 +23,7 @@ def frames_of(context, obj):
 
 
 def chosen(frames, tolerance):
-    """Which frames to keep so that straight lines between them are nowhere farther off: by halves, at the worst one."""
+    """Indices of frames whose linear interpolation keeps the tolerance; splits recursively at the worst frame."""
     def between(a, b):
         if b - a < 2:
             return []
@@ -38,9 +38,9 @@ def chosen(frames, tolerance):
 
 
 class VIETE_OT_bake_keys(OnMesh):
-    """Shape keys over the frames of the scene, as many as keep the tolerance; the cage is let go"""
+    """Bake the scene's frames to animated shape keys, as few as the tolerance allows, and unbind"""
 
-    bl_idname, bl_label = "viete.bake_keys", "To shape keys"
+    bl_idname, bl_label = "viete.bake_keys", "Bake to shape keys"
 
     def act(self, context, obj):
         first = context.scene.frame_start
@@ -64,9 +64,9 @@ class VIETE_OT_bake_keys(OnMesh):
 
 
 class VIETE_OT_bake_mdd(OnMesh):
-    """A point cache over the frames of the scene (MDD), for the Mesh Cache modifier and other programs"""
+    """Bake the scene's frames to an MDD point cache for the Mesh Cache modifier and other programs"""
 
-    bl_idname, bl_label = "viete.bake_mdd", "To a cache (MDD)"
+    bl_idname, bl_label = "viete.bake_mdd", "Bake to point cache (MDD)"
     filepath: bpy.props.StringProperty(subtype="FILE_PATH")
     filter_glob: bpy.props.StringProperty(default="*.mdd", options={"HIDDEN"})
 
@@ -81,7 +81,7 @@ class VIETE_OT_bake_mdd(OnMesh):
         frames = [vertices for _, vertices in frames_of(context, obj)]
         times = np.arange(len(frames)) / rate
         whole = bpy.path.abspath(self.filepath)
-        part = whole + ".part"  # what is there stays until the new one is whole
+        part = whole + ".part"  # an existing file stays until the new one is complete
         try:
             with open(part, "wb") as file:
                 file.write(struct.pack(">ii", len(frames), len(obj.data.vertices)))
@@ -92,14 +92,14 @@ class VIETE_OT_bake_mdd(OnMesh):
         except OSError as error:
             if os.path.exists(part):
                 os.remove(part)
-            raise engine.Error("%s: %s; choose another place" % (self.filepath, error.strerror)) from error
-        self.report({"INFO"}, "%d frames in %s" % (len(frames), self.filepath))
+            raise engine.Error("%s: %s; choose another file" % (self.filepath, error.strerror)) from error
+        self.report({"INFO"}, "Saved %d frames to %s" % (len(frames), self.filepath))
 
 
 class VIETE_OT_bake_mesh(OnMesh):
-    """Another object with the mesh as it is now"""
+    """Create a new object from the current deformed mesh"""
 
-    bl_idname, bl_label = "viete.bake_mesh", "To a mesh"
+    bl_idname, bl_label = "viete.bake_mesh", "Bake to mesh"
 
     def act(self, context, obj):
         if not obj.viete.bound:

@@ -1,4 +1,4 @@
-"""Deformers for Blender's meshes: by the module `viete`, or, where this Python cannot import it, by the program."""
+"""Deformers for Blender's meshes, using the module `viete` or, if Python cannot import it, the program."""
 import pathlib
 import shutil
 import subprocess
@@ -8,26 +8,26 @@ import numpy as np
 
 try:
     import viete
-except ImportError:  # another Python than the one that the module was built for
+except ImportError:  # built for another Python version, or not installed
     viete = None
 
 
 class Error(Exception):
-    """One sentence: what is wrong, and what to do."""
+    """The message says what is wrong and what to do."""
 
 
 def how():
-    """What works here, for the panel; raises Error where nothing does."""
+    """The available engine, for the panel. Raises Error if there is none."""
     if viete:
         return "Viete " + viete.__version__
     if shutil.which("viete"):
-        return "by the program viete, somewhat slower: this Python has no module viete"
-    raise Error("Neither the module viete nor the program is here: install python3-viete, or viete, or "
-                "pip install it for Blender's Python")
+        return "Program viete (slower; Python module not found)"
+    raise Error("Viete was not found; install python3-viete or viete, or "
+                "install the module for Blender's Python with pip")
 
 
 def corners_of(mesh):
-    """The polygons of a mesh, as lists of their corners."""
+    """The polygons of a mesh as lists of vertex indices."""
     starts, totals = np.empty(len(mesh.polygons), np.int32), np.empty(len(mesh.polygons), np.int32)
     corners = np.empty(len(mesh.loops), np.int32)
     mesh.polygons.foreach_get("loop_start", starts)
@@ -56,14 +56,14 @@ class ByModule:
 
 
 class ByProgram:
-    """`viete deform --stream`, which goes on as long as this does: poses and models through pipes."""
+    """Runs `viete deform --stream` as a child process: poses and vertices pass through pipes."""
 
     def __init__(self, vertices, faces, cage, cage_faces, way, stitched, mask):
         self.folder = tempfile.TemporaryDirectory(prefix="viete-")
         place = pathlib.Path(self.folder.name)
         write_obj(place / "model.obj", vertices, faces)
         write_obj(place / "cage.obj", cage, cage_faces)
-        words = ["viete", "deform", "model.obj", "cage.obj", "--stream", "--way", way]
+        words = ["viete", "deform", "model.obj", "cage.obj", "--stream", "--deformer", way]
         if stitched:
             words += ["--stitched", "--iterations", "3"]
         if mask is not None:
@@ -71,7 +71,7 @@ class ByProgram:
             words += ["--mask", "mask.txt"]
         self.errors = open(place / "errors.txt", "w+")
         self.program = subprocess.Popen(words, cwd=place, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.errors)
-        self.deform(cage, np.empty((len(vertices), 3), np.float32))  # what is wrong shows now
+        self.deform(cage, np.empty((len(vertices), 3), np.float32))  # reports errors now
 
     def deform(self, pose, out):
         made = b""
@@ -79,13 +79,13 @@ class ByProgram:
             self.program.stdin.write(np.ascontiguousarray(pose, np.float64).tobytes())
             self.program.stdin.flush()
             made = self.program.stdout.read(12 * len(out))
-        except (BrokenPipeError, ValueError):  # it has ended
+        except (BrokenPipeError, ValueError):  # the program has ended
             pass
         if len(made) < 12 * len(out):
             self.close()
             self.errors.seek(0)
             said = [line for line in self.errors.read().splitlines() if not line.startswith("viete: note: ")]
-            raise Error((said[-1] if said else "The program viete has ended; bind again").removeprefix("viete: "))
+            raise Error((said[-1] if said else "The program viete has stopped; bind again").removeprefix("viete: "))
         out[:] = np.frombuffer(made, np.float32).reshape(-1, 3)
 
     def close(self):
@@ -113,7 +113,7 @@ def make(*arguments):
 
 
 def make_cage(vertices, faces, triangles):
-    """Vertices and faces of a cage around these."""
+    """Vertices and faces of a cage around the mesh."""
     how()
     if viete:
         try:

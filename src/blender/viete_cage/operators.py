@@ -1,11 +1,11 @@
-"""Make a cage, bind, unbind."""
+"""Operators: make a cage, bind, unbind."""
 import bpy
 
 from . import engine, follow
 
 
 class OnMesh(bpy.types.Operator):
-    """An operator on the active mesh, whose errors are told."""
+    """Base of operators on the active mesh; reports errors."""
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -23,9 +23,9 @@ class OnMesh(bpy.types.Operator):
 
 
 class VIETE_OT_make_cage(OnMesh):
-    """A closed mesh around this one, to be its cage"""
+    """Create a closed cage mesh around this object"""
 
-    bl_idname, bl_label = "viete.make_cage", "Make a cage"
+    bl_idname, bl_label = "viete.make_cage", "Make cage"
 
     def act(self, context, obj):
         vertices, faces = engine.make_cage(follow.rest_of(obj), engine.corners_of(obj.data), obj.viete.triangles)
@@ -41,7 +41,7 @@ class VIETE_OT_make_cage(OnMesh):
 
 
 class VIETE_OT_bind(OnMesh):
-    """Bind this object to its cage, as both are now"""
+    """Bind this object to its cage in their current state"""
 
     bl_idname, bl_label = "viete.bind", "Bind"
 
@@ -50,7 +50,7 @@ class VIETE_OT_bind(OnMesh):
 
 
 class VIETE_OT_unbind(OnMesh):
-    """Let go of the cage: the object is as it was"""
+    """Unbind from the cage and restore the object's shape"""
 
     bl_idname, bl_label = "viete.unbind", "Unbind"
 

@@ -1,4 +1,4 @@
-"""The panel in the sidebar of the 3D view."""
+"""The sidebar panel of the 3D view."""
 import bpy
 
 from . import engine
@@ -35,7 +35,7 @@ class VIETE_PT_cage(bpy.types.Panel):
         if not settings.bound:
             return
         if context.object.modifiers:
-            layout.label(text="Modifiers act after the cage", icon="INFO")
+            layout.label(text="Modifiers are applied after the cage", icon="INFO")
         box = layout.box()
         box.label(text="Bake")
         box.prop(settings, "tolerance")

@@ -1,13 +1,13 @@
-"""What an object keeps of its cage, in the .blend."""
+"""Settings of a deformed object, stored in the .blend file."""
 import bpy
 
 WAYS = [
-    ("smooth", "Smooth", "Spreads along the surface, keeps shapes and holds parts together: for most models"),
-    ("paper", "Paper", "As published: each triangle turns and stretches all of the model, by distance"),
-    ("mean-value", "Mean value", "The cage's vertices only move: follows affine poses exactly, caves in where parts turn"),
-    ("rigid", "Rigid", "Turns without stretching: keeps details and sizes"),
-    ("arap", "As rigid as possible", "Solved for all at once: details keep their shape best, frames take longer"),
-    ("local", "Local", "Ends at a radius: what no triangle of the cage reaches stays at rest"),
+    ("smooth", "Smooth", "Weights follow the surface and keep shapes; suits most models"),
+    ("paper", "As published", "Each cage triangle rotates and stretches the whole model, weighted by distance"),
+    ("mean-value", "Mean value", "Interpolates vertex positions: exact for affine poses, shrinks where parts rotate"),
+    ("rigid", "Rigid", "Rotates without stretching: keeps details and sizes"),
+    ("arap", "As rigid as possible", "Optimises all vertices together: keeps details best, but is slower"),
+    ("local", "Local", "Weights end at a radius: vertices beyond it stay at rest"),
 ]
 
 
@@ -16,15 +16,15 @@ def is_mesh(_settings, candidate):
 
 
 class VieteSettings(bpy.types.PropertyGroup):
-    cage: bpy.props.PointerProperty(name="Cage", type=bpy.types.Object, poll=is_mesh, description="The mesh that moves this one")
-    way: bpy.props.EnumProperty(name="Way", items=WAYS, default="smooth", description="How parts of the cage share a vertex")
-    stitched: bpy.props.BoolProperty(name="Stitched", description="Solve for the model so that its triangles keep their shape")
-    mask: bpy.props.StringProperty(name="Mask", description="A vertex group: how much of its motion each vertex makes; empty: all")
-    triangles: bpy.props.IntProperty(name="Triangles", default=200, min=12, max=20000, description="Of a cage that is made, about")
+    cage: bpy.props.PointerProperty(name="Cage", type=bpy.types.Object, poll=is_mesh, description="Mesh that deforms this object")
+    way: bpy.props.EnumProperty(name="Deformer", items=WAYS, default="smooth", description="How the cage deforms the object")
+    stitched: bpy.props.BoolProperty(name="Stitched", description="Solve for vertices so that triangles keep their shape")
+    mask: bpy.props.StringProperty(name="Mask", description="Vertex group that scales each vertex's motion; empty: full motion")
+    triangles: bpy.props.IntProperty(name="Triangles", default=200, min=12, max=20000, description="Approximate number of triangles of a new cage")
     bound: bpy.props.BoolProperty(name="Bound")
     problem: bpy.props.StringProperty(name="Problem")
     tolerance: bpy.props.FloatProperty(name="Tolerance", default=0.1, min=0.001, max=10, subtype="PERCENTAGE",
-                                       description="How far shape keys may be off, of the model's diagonal")
+                                       description="Maximum error of the shape keys, in percent of the model's diagonal")
 
 
 classes = (VieteSettings,)

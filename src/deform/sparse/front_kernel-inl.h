@@ -19,7 +19,7 @@ using FrontTag = hn::CappedTag<double, front_lanes>;
 using FrontV = hn::Vec<FrontTag>;
 inline constexpr std::size_t most_eliminated = 64;  // columns at once
 
-// One column, from those before it in the same call, by rows that are in registers meanwhile.
+// Eliminates one column by the earlier columns of the same call, keeping its rows in registers.
 static HWY_INLINE void eliminate_column(const Front& front, std::size_t begin, std::size_t c,
                                         double* pivots) {
   const FrontTag d;
@@ -47,7 +47,7 @@ static void eliminate(const Front& front, std::size_t begin, std::size_t end, do
   for (std::size_t c = begin; c < end; ++c) eliminate_column(front, begin, c, pivots);
 }
 
-// Vectors x column_group entries at `into`, in registers.
+// Updates Vectors x column_group entries at `into`, in registers.
 template <std::size_t Vectors>
 static HWY_INLINE void subtract_tile(const ProductJob& job, const double* right, std::size_t row,
                                      double* into) {

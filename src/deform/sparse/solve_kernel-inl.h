@@ -55,7 +55,7 @@ static HWY_INLINE void subtract_known(const double* values, const SolvedRow<N>* 
   sum.store(row);
 }
 
-// K columns from column c of a supernode on; values: theirs. Returns the end of these.
+// Forward step of K columns from column c of a supernode on; returns the end of their values.
 template <std::size_t N, std::size_t K>
 static HWY_INLINE const double* solve_forward(const Supernode& node, const std::uint32_t* rows, std::size_t c,
                                               const double* values, double* block) {
@@ -82,9 +82,8 @@ static HWY_INLINE void subtract_row(const double* values, const double* row, Sol
   for (std::size_t k = 0; k < K; ++k) sums[k].subtract(values[k], known);
 }
 
-// The same from the last row to the first, so that memory is read in one direction and fetched ahead; end:
-// that of their values. Returns their begin. Rows go to several sums in turn where a single one would wait
-// for itself.
+// The same backwards, from the last row to the first, so that memory is read in one direction and prefetched;
+// end: end of the columns' values. Returns their begin. Rows alternate between several sums to hide latency.
 template <std::size_t N, std::size_t K>
 static HWY_INLINE const double* solve_backward(const Supernode& node, const std::uint32_t* rows,
                                                std::size_t c, const double* inverse, const double* end,

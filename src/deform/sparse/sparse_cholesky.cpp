@@ -17,10 +17,10 @@ namespace viete::deform {
 namespace {
 
 constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
-constexpr double step = 4e6;    // multiplications between two reports, about
-constexpr double small = 2e7;   // multiplications that are not shared among threads
-constexpr double tasks = 64;    // subtrees have at most one part in so many of the work
-constexpr double before = 0.2;  // the order, of the time
+constexpr double step = 4e6;    // approximate multiplications between two reports
+constexpr double small = 2e7;   // factorisations with fewer multiplications run on one thread
+constexpr double tasks = 64;    // a subtree has at most this fraction of the work
+constexpr double before = 0.2;  // share of the time before factoring, for the order
 
 std::size_t padded(std::size_t rows) {
   return (rows + front_lanes - 1) / front_lanes * front_lanes;
@@ -30,20 +30,20 @@ std::size_t groups(std::size_t columns) {
   return (columns + column_group - 1) / column_group;
 }
 
-// Multiplications, and what else a node takes, as if it were some.
+// Multiplications, plus overhead of a node in the same unit.
 double work_of(const Supernode& node) {
   const double b = node.below, m = node.columns + b;
   return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
 }
 
-/// What one thread needs for one front at a time.
+/// Scratch of one thread for one front at a time.
 struct Scratch {
   explicit Scratch(std::size_t n) : position(n) {}
 
-  std::vector<std::uint32_t> position;  // of the rows of a front, in it
-  std::vector<std::uint32_t> rows;      // of a child
+  std::vector<std::uint32_t> position;  // position of each row in its front
+  std::vector<std::uint32_t> rows;      // rows of a child
   base::AlignedVector<double> panel, right;
-  double work = 0;  // that was not told yet
+  double work = 0;  // not yet reported
 };
 
 class Elimination {
@@ -85,7 +85,7 @@ public:
 private:
   double largest_task() const { return total_ / tasks; }
 
-  // The largest first.
+  // Sorted by size, largest first.
   std::vector<std::uint32_t> task_roots() const {
     std::vector<std::uint32_t> roots;
     for (std::uint32_t s = 0; s < work_.size(); ++s) {
@@ -97,7 +97,7 @@ private:
     return roots;
   }
 
-  // Parents come after their children, and nothing in between.
+  // Parents follow their children contiguously.
   void eliminate_subtree(std::uint32_t root, Scratch& scratch) {
     auto first = root;
     while (!factor_.children.of(first).empty()) first = factor_.children.of(first).front();
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  // into -= left D left^T, of which it has so many columns.
+  // into -= left D left^T, for this many columns.
   void subtract(const Front& left, std::size_t rows, std::size_t columns, std::size_t depth,
                 const double* pivots, const Front& into, Scratch& scratch) {
     const std::size_t count = groups(columns);
@@ -231,10 +231,9 @@ private:
   base::WorkerPool& pool_;
   const FactorReport& report_;
   const SparseKernel& kernel_;
-  // What a supernode's front takes from those below it it leaves behind for its parent: the lower triangle of
-  // its rows.
+  // The update matrix that each supernode passes to its parent: the lower triangle of its rows.
   std::vector<base::AlignedVector<double>> updates_;
-  std::vector<double> work_;  // of what is below each node, itself included
+  std::vector<double> work_;  // per subtree
   double total_ = 0;
   std::atomic<double> done_{0};
   bool shared_ = false;
@@ -269,12 +268,12 @@ SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbour
 namespace {
 
 // The pivots of a positive definite matrix are positive; rounding leaves those of a singular one anywhere
-// near 0, so that they are compared with the diagonal that they began as.
+// near 0, so they are compared with the original diagonal.
 constexpr double least_pivot = 1e-14;
 
 [[noreturn]] void refuse_row(std::size_t row) {
-  throw base::Error("row " + std::to_string(row), "the system to be solved does not determine it",
-                    "hold the part of the model that it belongs to");
+  throw base::Error("row " + std::to_string(row), "the system does not determine this unknown",
+                    "fix the part of the model that it belongs to");
 }
 
 double diagonal(const SparseMatrix& matrix, std::uint32_t row) {
@@ -322,7 +321,7 @@ void SparseCholesky::solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> 
   write(work, x);
 }
 
-// The supernodes of some unknowns and all above these.
+// The supernodes of some unknowns and all their ancestors.
 void SparseCholesky::find_part(std::span<const std::uint32_t> some, Workspace& work) const {
   work.seen.assign(factor_.supernodes.size(), 0), work.nodes.clear();
   for (const auto u : some)
@@ -331,7 +330,7 @@ void SparseCholesky::find_part(std::span<const std::uint32_t> some, Workspace& w
     if (work.seen[s]) work.nodes.push_back(factor_.supernodes[s]);
 }
 
-// L^-1 (b + c) = L^-1 b + L^-1 c, and the last of these is 0 but in the part.
+// L^-1 (b + c) = L^-1 b + L^-1 c, and the last term is 0 outside the part.
 void SparseCholesky::solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x,
                                      std::span<const std::uint32_t> some,
                                      const std::function<void()>& correct, Workspace& work) const {

@@ -18,55 +18,55 @@
 
 namespace viete::deform {
 
-/// P A P^T = L D L^T, L with ones on its diagonal: what is eliminated i-th is unknown order[i].
+/// P A P^T = L D L^T, L with a unit diagonal; the i-th eliminated unknown is order[i].
 struct SparseFactor : SymbolicFactor {
-  base::AlignedVector<double> values;   // of L
+  base::AlignedVector<double> values;   // entries of L
   std::vector<double> pivots, inverse;  // D, and 1 / D
 
   std::size_t size() const { return order.size(); }
-  /// How the kernels take it.
+  /// The factor in the form that the kernels take.
   TriangularFactor view() const {
     return {supernodes.data(), supernodes.size(), rows.data(), values.data(), inverse.data()};
   }
 };
 
-/// Tells `progress`, which may be null, what part of [from, to] is done.
+/// Maps progress of a factorisation to [from, to] of `progress`, which may be null.
 FactorReport told(base::Progress* progress, double from, double to);
 
-/// The multifrontal method (I. S. Duff and J. K. Reid, ACM Trans. Math. Softw. 9, 1983) by the supernodes
-/// of analyse(), in the given order or that of elimination_order(). Nothing is pivoted, and
-/// nothing refused: where the matrix is not positive definite in double precision, a pivot is not above 0, or
-/// no number. Only the lower triangle is read. report is called at least once in some millions of operations.
-/// The same bits for any number of threads. Throws what report throws; std::bad_alloc.
+/// The multifrontal method (I. S. Duff and J. K. Reid, ACM Trans. Math. Softw. 9, 1983) with the supernodes
+/// of analyse(), in the given order or that of elimination_order(). No pivoting, and no errors: if the matrix
+/// is not positive definite in double precision, some pivot is not positive, or NaN. Reads only the lower
+/// triangle. Calls report at least once per few million operations. The same bits for any number of threads.
+/// Throws exceptions of report; std::bad_alloc.
 SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report = {});
 SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,
                     std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report = {},
                     const SparseKernel& kernel = sparse_kernel(sym3::kernel()));
 
-/// A SparseFactor that all columns of a right-hand side go through at once. Constant once it is made; solve()
-/// is thread-safe as long as each thread has a workspace of its own.
+/// A SparseFactor that solves all columns of a right-hand side at once. Constant after construction; solve()
+/// is thread-safe with one workspace per thread.
 class SparseCholesky {
 public:
   struct Workspace {
-    base::AlignedVector<double> rows, part;  // four numbers an unknown
-    std::vector<Supernode> nodes;            // of the part
-    std::vector<std::uint8_t> seen;          // supernodes
+    base::AlignedVector<double> rows, part;  // four numbers per unknown
+    std::vector<Supernode> nodes;            // supernodes of the part
+    std::vector<std::uint8_t> seen;          // per supernode
   };
 
-  /// Of a symmetric matrix, of which the lower half counts. Throws base::Error, saying which row, where it is
-  /// not positive definite up to rounding or not finite; what report throws.
+  /// Reads only the lower triangle of a symmetric matrix. Throws base::Error with the row if the matrix is
+  /// not finite or not positive definite up to rounding; exceptions of report.
   explicit SparseCholesky(const SparseMatrix& matrix, base::WorkerPool& pool,
                           const FactorReport& report = {});
 
   std::size_t size() const { return factor_.size(); }
-  /// Off the diagonal, with the zeros that are kept among them.
+  /// Entries off the diagonal, including stored zeros.
   std::size_t entries() const { return factor_.values.size(); }
 
   /// A x = b for three columns at once; b and x may be the same. Sizes: size().
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
-  /// A x = b + c for a c that is 0 but at some unknowns and made of x there as it is without c: correct()
-  /// finds that in x and leaves c in b, where it finds 0. What is eliminated before those unknowns is solved
-  /// for once.
+  /// Solves A x = b + c, where c is 0 except at `some` unknowns and depends on their values in the solution
+  /// of A x = b: correct() reads these from x and writes c to b, which is 0 there. Unknowns eliminated before
+  /// `some` are forward-solved only once.
   void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
                        const std::function<void()>& correct, Workspace& work) const;
 
@@ -76,24 +76,24 @@ private:
   void find_part(std::span<const std::uint32_t> some, Workspace& work) const;
 
   SparseFactor factor_;
-  std::vector<std::uint32_t> places_, nodes_;  // of unknowns: in the order, and their supernodes
+  std::vector<std::uint32_t> places_, nodes_;  // per unknown: position in the order, and supernode
 };
 
-/// Throws base::Error: that the equations have no solution in double precision.
+/// Throws base::Error: the equations have no solution in double precision.
 [[noreturn]] void refuse_system();
 
-/// A factor is read once for sixteen right-hand sides, which lie side by side.
+/// Solves sixteen adjacent right-hand sides per pass over the factor.
 class BlockSolver {
 public:
-  /// Only the lower triangle is read. Throws base::Error if the matrix is not positive definite in double
-  /// precision; what report throws.
+  /// Reads only the lower triangle. Throws base::Error if the matrix is not positive definite in double
+  /// precision; exceptions of report.
   explicit BlockSolver(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report = {});
 
   std::size_t unknowns() const { return factor_.size(); }
-  /// Where the numbers of an unknown are in a block.
+  /// Offset of an unknown's numbers in a block.
   std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
-  /// Right-hand sides become solutions: block has solved_columns numbers for each unknown, from place() on,
-  /// and begins at a cache line. Thread-safe.
+  /// Replaces right-hand sides by solutions: block has solved_columns numbers per unknown, from place() on,
+  /// aligned to a cache line. Thread-safe.
   void solve(std::span<double> block, const SparseKernel& kernel) const;
 
 private:

@@ -7,7 +7,7 @@
 #include "sym3/highway_targets.h"
 #include "sym3/kernel.h"
 
-// Not where another one is what all machines have.
+// Null if all machines of the build have a better instruction set.
 #if HWY_TARGETS & HWY_SCALAR
 #define VIETE_CHOOSE_SCALAR(name) &N_SCALAR::name
 #else
@@ -28,13 +28,13 @@ inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides at once
 
 inline constexpr std::size_t column_group = 4;  ///< columns at once
 
-/// Columns [first, first + columns) of L, whose entries below lie in the same rows. Values: of one column
-/// group after the other, of these row by row, first those of its own columns, of which the first has 0
-/// entries, the second 1, and so on (the diagonal of ones is not kept), then of the supernode's other columns
-/// and of the rows below it.
+/// Columns [first, first + columns) of L, whose entries below these columns lie in the same rows. Values are
+/// stored by column group, row by row: first the rows of the group's own columns, with 0 entries in the
+/// first, 1 in the second, and so on (the unit diagonal is not stored), then those of the supernode's later
+/// columns and of the rows below it.
 struct Supernode {
   std::uint32_t first, columns, below;
-  std::size_t rows, values;  ///< where they begin
+  std::size_t rows, values;  ///< offsets of its rows and values
 
   std::size_t entries() const {
     return std::size_t{columns} * (columns - 1) / 2 + std::size_t{columns} * below;
@@ -47,13 +47,13 @@ struct TriangularFactor {
   std::size_t count;
   const std::uint32_t* rows;
   const double* values;
-  const double* inverse;  ///< of D
+  const double* inverse;  ///< 1 / D
 };
 
-inline constexpr std::size_t front_lanes = 8;  ///< what fronts are padded to a multiple of
+inline constexpr std::size_t front_lanes = 8;  ///< rows of fronts are padded to a multiple of this
 
-/// Columns of a front, the dense matrix that unknowns are eliminated in, by columns; what is above the
-/// diagonal is of no use.
+/// Columns of a front, the dense matrix in which unknowns are eliminated, column-major; entries above the
+/// diagonal are undefined.
 struct Front {
   double* values;      ///< aligned
   std::size_t stride;  ///< rows: a multiple of front_lanes
@@ -61,27 +61,28 @@ struct Front {
 
 /// into[i, j] -= sum over p of left[i, p] right[j, p], i >= j.
 struct ProductJob {
-  Front into, left;     ///< all of their rows; the first row of both is that of column 0
+  Front into, left;     ///< with all of their rows; the first row of both is that of column 0
   std::size_t rows;     ///< a multiple of front_lanes
   const double* right;  ///< [j / column_group][p][column_group], padded with 0
-  std::size_t depth;    ///< p
+  std::size_t depth;    ///< range of p
 };
 
 struct SparseKernel {
-  /// block [row][solved_columns], aligned, in place: right-hand sides become solutions.
+  /// block [row][solved_columns], aligned; replaces right-hand sides by solutions.
   void (*solve_columns)(const TriangularFactor& factor, double* block);
-  /// The two halves of that, of [row][4]: by L from the left, then by D and L^T. Of a part of the supernodes
-  /// that contains the parents of all, they solve for the rows of these.
+  /// The two halves of a solve, for [row][4]: forward by L, then backward by D and L^T. For a subset of the
+  /// supernodes that is closed under parents, they solve for the rows of the subset.
   void (*forward_four)(const TriangularFactor& factor, double* block);
   void (*backward_four)(const TriangularFactor& factor, double* block);
-  /// Columns [begin, end) become those of L, and their pivots D: what earlier columns before `begin` take
-  /// from them is taken. Few columns: their number is that of operations for each entry.
+  /// Turns columns [begin, end) into those of L, and writes their pivots D. The updates by columns before
+  /// `begin` must already be subtracted. Meant for few columns: the cost per entry is proportional to their
+  /// number.
   void (*eliminate)(const Front& front, std::size_t begin, std::size_t end, double* pivots);
-  /// Of column groups [begin, end).
+  /// Processes column groups [begin, end).
   void (*subtract_product)(const ProductJob& job, std::size_t begin, std::size_t end);
 };
 
-/// That of the same instruction set.
+/// The kernel for the same instruction set.
 const SparseKernel& sparse_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

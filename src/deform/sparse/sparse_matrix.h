@@ -9,9 +9,8 @@
 
 namespace viete::deform {
 
-/// A square matrix by compressed columns, as sparse solvers take it: column j has values[i] in row rows[i],
-/// starts[j] <= i < starts[j + 1], ascending by row. (Eigen::Map<const Eigen::SparseMatrix<double>> views
-/// it.)
+/// A square matrix in compressed columns: column j has values[i] in row rows[i], starts[j] <= i < starts[j +
+/// 1], ascending by row. (Eigen::Map<const Eigen::SparseMatrix<double>> can view it.)
 struct SparseMatrix {
   std::vector<std::int32_t> starts{0}, rows;
   std::vector<double> values;
@@ -23,25 +22,25 @@ struct MatrixEntry {
   std::uint32_t row, column;
   double value;
 };
-/// n rows and columns of these; entries of the same place are added.
+/// n x n matrix of these entries; entries at the same position are added.
 SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries);
 
-/// The lower triangle of a symmetric matrix, of which the lower triangle counts, with unknown i at places[i].
-/// Columns are not sorted.
+/// The lower triangle of a symmetric matrix (only its lower triangle is read) with unknown i moved to
+/// places[i]. Columns are not sorted.
 SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& places);
 
-/// visit(row, value) of each entry of a column.
+/// Calls visit(row, value) for each entry of a column.
 template <class Visit>
 void for_column(const SparseMatrix& matrix, std::uint32_t column, const Visit& visit) {
   for (auto i = matrix.starts[column]; i < matrix.starts[column + 1]; ++i)
     visit(static_cast<std::uint32_t>(matrix.rows[i]), matrix.values[i]);
 }
 
-/// The unknowns that hang together by entries.
+/// Unknowns connected by entries.
 mesh::UnionFind connected(const SparseMatrix& matrix);
 
-/// The lower triangle of a symmetric matrix in which the equations of all but the free unknowns say what they
-/// are.
+/// The lower triangle of a symmetric matrix with the rows and columns of all unknowns that are not free
+/// replaced by those of the identity.
 SparseMatrix grounded(const SparseMatrix& matrix, const std::vector<bool>& free);
 
 }  // namespace viete::deform

@@ -9,8 +9,8 @@ namespace viete::deform {
 
 namespace {
 
-/// Which columns have entries in which rows: their number, and parents in the elimination tree, a column's
-/// first row below its diagonal.
+/// The structure of the factor: the number of entries per column, and parents in the elimination tree, the
+/// first row of a column below its diagonal.
 class Structure {
 public:
   Structure(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
@@ -22,17 +22,17 @@ public:
   std::size_t size() const { return order_.size(); }
   std::vector<std::uint32_t> take_order() { return std::move(order_); }
   std::uint32_t parent(std::size_t column) const { return parents_[column]; }
-  /// Of a column, below its diagonal.
+  /// Number of entries of a column below its diagonal.
   std::uint32_t count(std::size_t column) const { return counts_[column]; }
 
-  /// visit(place) of the neighbours of what is in this place.
+  /// Calls visit(place) for the neighbours of the unknown at this place.
   template <class Visit>
   void for_neighbours(std::uint32_t at, const Visit& visit) const {
     for (const auto u : neighbours_.of(order_[at])) visit(place_[u]);
   }
 
 private:
-  // A row has entries in what is between its neighbours and itself in the tree.
+  // Row entries are the tree paths from its neighbours to itself.
   void grow_tree(const FactorReport& report) {
     parents_.assign(size(), no_parent), counts_.assign(size(), 0);
     std::vector<std::uint32_t> seen(size());
@@ -48,11 +48,11 @@ private:
     }
   }
 
-  // Places in which each subtree is without gaps. Parents come after their children, so that the last child
-  // can take the places before its parent's, and what is below it those before.
+  // Positions in which each subtree is contiguous. Parents follow their children: the last child takes the
+  // positions before its parent's, preceded by its own subtree.
   std::vector<std::uint32_t> postorder() const {
     const auto n = static_cast<std::uint32_t>(size());
-    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // of subtrees, and of all trees
+    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // per subtree, last the whole
     const auto above = [&](std::uint32_t v) { return std::min(parents_[v], n); };
     for (std::uint32_t v = 0; v < n; ++v) sizes[above(v)] += sizes[v];
     for (auto v = n; v-- > 0;) {
@@ -76,7 +76,7 @@ private:
   std::vector<std::uint32_t> order_, place_, parents_, counts_;
 };
 
-// Columns one after the other that are worth a dense block together: the zeros that this adds are few.
+// Groups consecutive columns that are worth a dense block, adding few zeros.
 class SupernodeFinder {
 public:
   explicit SupernodeFinder(const Structure& structure) : structure_(structure) {}
@@ -113,7 +113,7 @@ private:
 
   const Structure& structure_;
   std::vector<Supernode> nodes_;
-  std::vector<double> entries_;  // of each that are not 0
+  std::vector<double> entries_;  // nonzero entries of each
 };
 
 void place(SymbolicFactor& f) {

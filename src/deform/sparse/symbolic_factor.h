@@ -1,5 +1,5 @@
-// In which order the unknowns of a sparse symmetric system are eliminated, and where its factor has entries
-// then, before any of them is known.
+// Symbolic factorisation of a sparse symmetric matrix: the elimination order of its unknowns and the
+// positions of the factor's entries.
 #pragma once
 
 #include <cstddef>
@@ -13,36 +13,36 @@
 
 namespace viete::deform {
 
-/// Called often, from any thread of the pool, with how much is done, in [0, 1]; what it throws ends the work.
+/// Called often, from any thread of the pool, with progress in [0, 1]; an exception from it ends the work.
 using FactorReport = std::function<void(double)>;
 
-/// The unknowns that each one shares an entry of the lower triangle with, itself excluded.
+/// For each unknown the others that share an entry of the lower triangle with it.
 mesh::Adjacency neighbours_of_unknowns(const SparseMatrix& matrix);
 
-/// A permutation of the unknowns, the first to be eliminated first, so that little fills in: approximate
-/// minimum degree (P. R. Amestoy, T. A. Davis, I. S. Duff, 1996; Eigen's), which nothing can interrupt: 0.04
-/// seconds for 100,000.
+/// A permutation of the unknowns in elimination order with little fill-in: approximate minimum degree (P. R.
+/// Amestoy, T. A. Davis, I. S. Duff, 1996; Eigen's implementation). Cannot be interrupted: 0.04 seconds for
+/// 100,000 unknowns.
 std::vector<std::uint32_t> elimination_order(const mesh::Adjacency& neighbours);
 
 inline constexpr std::uint32_t no_parent = 0xffffffff;
 
-/// Neighbouring columns with (nearly) the same rows are one supernode, a few zeros among its entries. A
-/// supernode comes after its children, and its subtree is without gaps.
+/// A supernode is a run of columns with (nearly) the same rows, stored with a few zeros. Supernodes follow
+/// their children, and each subtree is contiguous.
 struct SymbolicFactor {
-  std::vector<std::uint32_t> order;  // the unknowns, the first to be eliminated first
+  std::vector<std::uint32_t> order;  // unknowns in elimination order
   std::vector<Supernode> supernodes;
-  std::vector<std::uint32_t> rows;     // of the supernodes, below their own columns, ascending
-  std::vector<std::uint32_t> parents;  // of the supernodes, or no_parent
+  std::vector<std::uint32_t> rows;     // per supernode: rows below its own columns, ascending
+  std::vector<std::uint32_t> parents;  // parent of each supernode, or no_parent
   mesh::Adjacency children;
-  std::size_t entries = 0;  // of all supernodes
+  std::size_t entries = 0;  // total number
 };
 
-/// Where each unknown is in an order.
+/// The position of each unknown in an order.
 std::vector<std::uint32_t> inverted(const std::vector<std::uint32_t>& order);
 
-/// By the elimination tree (J. W. H. Liu, SIAM J. Matrix Anal. Appl. 11, 1990) and supernodes of it (C.
-/// Ashcraft and R. Grimes, ACM Trans. Math. Softw. 15, 1989); the order becomes a postorder of the tree,
-/// which fills in as little. Throws what report throws; std::bad_alloc.
+/// Uses the elimination tree (J. W. H. Liu, SIAM J. Matrix Anal. Appl. 11, 1990) and its supernodes (C.
+/// Ashcraft and R. Grimes, ACM Trans. Math. Softw. 15, 1989); the order becomes a postorder of the tree, with
+/// equal fill-in. Throws exceptions of report; std::bad_alloc.
 SymbolicFactor analyse(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order,
                        const FactorReport& report);
 

@@ -1,5 +1,5 @@
-// What a file says of a surface besides positions and polygons: texture coordinates, normals, colours,
-// groups, materials and their images.
+// Surface attributes of a file besides positions and polygons: texture coordinates, normals, colours, groups,
+// materials and their images.
 #pragma once
 
 #include <array>
@@ -16,43 +16,42 @@
 namespace viete::mesh {
 
 using Vec2 = std::array<double, 2>;
-using Color = std::array<float, 4>;  ///< red, green, blue, opacity in [0, 1], as the file has them (sRGB)
+using Color = std::array<float, 4>;  ///< red, green, blue, opacity in [0, 1], sRGB as stored
 
-/// Larger files are no images of a model, whatever it says.
+/// Size limit of model images; larger files are rejected.
 inline constexpr std::size_t most_image_bytes = std::size_t{1} << 29;
 
-/// A picture as it is stored: beside the model, or within its file. Decoded only by who shows it.
+/// An encoded image, in a file of its own or embedded in the model's file. Decoded only for display.
 struct ImageFile {
-  std::filesystem::path path;  ///< where it lies, as the model names it made absolute; empty: within
-  std::shared_ptr<const std::string>
-      bytes;         ///< encoded (PNG, JPEG ...) when it lies within the file; or null
-  std::string name;  ///< how messages call it
+  std::filesystem::path path;                ///< absolute path; empty if embedded
+  std::shared_ptr<const std::string> bytes;  ///< encoded bytes (PNG, JPEG ...) if embedded; otherwise null
+  std::string name;                          ///< for messages
 };
 
 struct Material {
   std::string name;
   Color base_color{0.8F, 0.8F, 0.8F, 1};
-  std::uint32_t base_color_image = none;  ///< of Attributes::images; its colour is multiplied by base_color
-  bool repeats = true;                    ///< the image, beyond [0, 1]; otherwise its border goes on
+  std::uint32_t base_color_image = none;  ///< index into Attributes::images; multiplied by base_color
+  bool repeats = true;                    ///< outside [0, 1] the image repeats; false: clamps to its border
 };
 
-/// Consecutive polygons that the file holds together; those of a file without groups are one.
+/// Consecutive polygons grouped by the file. A file without groups has one.
 struct Group {
-  std::uint32_t first_polygon = 0;  ///< up to the first of the next group
+  std::uint32_t first_polygon = 0;  ///< the group ends at the first polygon of the next one
   std::string object, name;         ///< either may be empty
-  std::uint32_t material = none;    ///< of Attributes::materials
-  bool smooth = true;               ///< false: the file asks for flat faces there
+  std::uint32_t material = none;    ///< index into Attributes::materials
+  bool smooth = true;               ///< false: flat shading
 };
 
-/// Each array is empty where the file has none of it. A corner is an index into Surface::corners.
+/// Arrays are empty if the file does not have the attribute. Corners are indexed as Surface::corners.
 struct Attributes {
   std::vector<Vec2> texture_points;           ///< (u, v), v upward
-  std::vector<std::uint32_t> corner_texture;  ///< of each corner: a texture point, or none
-  std::vector<Vec3> normals;                  ///< as the file has them: not all need be unit vectors
-  std::vector<std::uint32_t> corner_normal;   ///< of each corner: a normal, or none
-  std::vector<Color> colors;                  ///< one a vertex
-  std::vector<Color> polygon_colors;          ///< one a polygon
-  std::vector<Group> groups;                  ///< by first_polygon, the first at 0
+  std::vector<std::uint32_t> corner_texture;  ///< a texture point per corner, or none
+  std::vector<Vec3> normals;                  ///< as stored: not necessarily unit vectors
+  std::vector<std::uint32_t> corner_normal;   ///< a normal per corner, or none
+  std::vector<Color> colors;                  ///< one per vertex
+  std::vector<Color> polygon_colors;          ///< one per polygon
+  std::vector<Group> groups;                  ///< sorted by first_polygon; the first starts at 0
   std::vector<Material> materials;
   std::vector<ImageFile> images;
 

@@ -1,4 +1,4 @@
-// Numbers as the bytes of files, in either order.
+// Conversion of numbers to and from bytes in either byte order.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace viete::mesh {
 
-/// The first bytes as a number of this type.
+/// Reads the first bytes as a number of type T.
 template <class T>
 T number_of_bytes(const char* bytes, std::endian order = std::endian::little) {
   std::array<char, sizeof(T)> raw;

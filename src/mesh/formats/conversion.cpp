@@ -10,8 +10,7 @@ namespace viete::mesh {
 
 namespace {
 
-// Corners that share a normal must have this in common: their polygon where faces are flat, else their
-// vertex.
+// Corners that share a normal must also share this: the polygon for flat shading, otherwise the vertex.
 std::vector<std::uint64_t> common_to_corners(const Surface& surface, const Attributes& attributes) {
   std::vector<std::uint64_t> common(surface.corners.begin(), surface.corners.end());
   constexpr std::uint64_t polygons = std::uint64_t{1} << 32;
@@ -27,7 +26,7 @@ std::vector<std::uint64_t> common_to_corners(const Surface& surface, const Attri
   return common;
 }
 
-// Names of all that the format cannot hold, in the order in which they are told.
+// Names of content that the format cannot store, in the order of messages.
 std::vector<std::string> names_of_left_out(const Format& format, const Surface& surface, const Attributes& a,
                                            const Attributes& deformed) {
   const bool is_named =
@@ -53,7 +52,7 @@ std::vector<std::string> names_of_left_out(const Format& format, const Surface& 
   return names;
 }
 
-// For a format that holds triangles alone: what became of all else.
+// Notes for formats that store only triangles.
 void tell_triangles(const Surface& surface, std::vector<std::string>& notes) {
   const auto& starts = surface.polygon_starts;
   std::size_t larger = 0;
@@ -64,7 +63,7 @@ void tell_triangles(const Surface& surface, std::vector<std::string>& notes) {
   if (larger > 0)
     notes.push_back(base::counted(larger, "face") + " of more than three corners became triangles");
   if (loose > 0)
-    notes.push_back(base::counted(loose, "point") + " of no face " + (loose == 1 ? "is" : "are") +
+    notes.push_back(base::counted(loose, "point") + " without a face " + (loose == 1 ? "was" : "were") +
                     " left out");
 }
 
@@ -136,7 +135,7 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : ", ") + names[i];
   if (!names.empty())
-    notes.push_back(std::string(format.name) + " does not get what else was in the file: " +
+    notes.push_back(std::string(format.name) + " cannot store other content of the file: " +
                     TextWriter::one_line(list) + (names.size() > most ? " ..." : ""));
   if (!format.holds(held::polygons) && !content.surface.triangles.empty())
     tell_triangles(content.surface, notes);

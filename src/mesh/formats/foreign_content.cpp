@@ -20,11 +20,11 @@ constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"s
                export_it = "export it as OBJ, PLY, OFF, STL or glTF from a program that opens it"sv,
                download = "download the file itself, not the page that shows it"sv;
 
-// Capitals and small letters are the same.
+// Compared without case.
 constexpr Signature signatures[] = {
-    {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer, which stands for the file"sv,
+    {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer, not the file itself"sv,
      "fetch the file itself with `git lfs pull`"sv},
-    {"/annex/objects/"sv, "a git-annex pointer, which stands for the file"sv,
+    {"/annex/objects/"sv, "a git-annex pointer, not the file itself"sv,
      "fetch the file itself with `git annex get`"sv},
     {"\x1F\x8B"sv, "a compressed file (gzip)"sv, "unpack it first, with gunzip"sv},
     {"PK\3\4"sv, "a compressed file (zip, as 3MF and USDZ are)"sv, "unpack it first, with unzip"sv},
@@ -65,18 +65,18 @@ constexpr Signature signatures[] = {
     {"MeshVersionFormatted"sv, "a Medit file"sv, export_it},
     {"\x7F"
      "ELF"sv,
-     "a program (ELF)"sv, "name a model"sv},
+     "a program (ELF)"sv, "open a model file"sv},
     {"DRACO"sv, "a Draco file"sv, export_it},
     {"OCTM"sv, "an OpenCTM file"sv, export_it},
-    {"POINTCACHE2"sv, "a point cache (PC2), positions of a model frame after frame"sv,
-     "open the model that it is of, and take the cache as keys"sv},
+    {"POINTCACHE2"sv, "a point cache (PC2), animated positions of a model"sv,
+     "open its model first, then import the cache as keys"sv},
     {"%PDF-"sv, "a PDF document"sv, export_it},
-    {"\x89PNG"sv, "a picture (PNG)"sv, "name the model that it belongs to"sv},
-    {"\xFF\xD8\xFF"sv, "a picture (JPEG)"sv, "name the model that it belongs to"sv},
-    {"GIF8"sv, "a picture (GIF)"sv, "name the model that it belongs to"sv},
+    {"\x89PNG"sv, "a picture (PNG)"sv, "open the model instead"sv},
+    {"\xFF\xD8\xFF"sv, "a picture (JPEG)"sv, "open the model instead"sv},
+    {"GIF8"sv, "a picture (GIF)"sv, "open the model instead"sv},
 };
 
-// Of XML, by the name of its outermost element.
+// XML, recognised by the name of its root element.
 constexpr Signature elements[] = {{"<COLLADA"sv, "a COLLADA file"sv, export_it},
                                   {"<X3D"sv, "an X3D file"sv, export_it},
                                   {"<VTKFile"sv, "a VTK file"sv, export_it},
@@ -100,7 +100,7 @@ bool holds(std::string_view bytes, std::string_view signature) {
   return !std::ranges::search(bytes, signature, same_letter).empty();
 }
 
-// Every other byte of the beginning is 0, and the others are of text.
+// True if every other byte is 0 and the rest is text.
 bool is_utf16_without_mark(std::string_view bytes) {
   bytes = bytes.substr(0, 64);
   std::size_t zeros[2] = {0, 0}, text = 0;
@@ -113,7 +113,7 @@ bool is_utf16_without_mark(std::string_view bytes) {
          zeros[0] * zeros[1] == 0;
 }
 
-// Null: nothing that is known.
+// Null if unknown.
 const Signature* signature_of(std::string_view bytes) {
   static constexpr Signature utf16{"", "UTF-16 text"sv, utf8}, xml{"", "text in XML or HTML"sv, export_it};
   const auto find = [&](std::span<const Signature> all, const auto& is) -> const Signature* {
@@ -135,7 +135,7 @@ const Signature* signature_of(std::string_view bytes) {
 void refuse_foreign(const std::string& name, std::string_view bytes) {
   if (bytes.empty()) throw base::Error(name, "the file is empty", "export or copy it again");
   if (bytes.find_first_not_of('\0') == std::string_view::npos)
-    throw base::Error(name, "the file holds nothing but zeros: it was never written to its end",
+    throw base::Error(name, "the file contains nothing but zeros: writing it was interrupted",
                       "export or copy it again");
   if (const Signature* is = signature_of(bytes))
     throw base::Error(name, "this is " + std::string(is->what), std::string(is->advice));
@@ -157,7 +157,7 @@ std::string_view name_of_content(std::string_view beginning) {
 std::string text_in_json(std::string_view beginning, std::initializer_list<std::string_view> keys) {
   using Json = nlohmann::json;
   std::string found;
-  std::size_t known = 0;  // of the keys that lead to where the parser is
+  std::size_t known = 0;  // number of keys on the path to the parser's position that match
   const auto visit = [&](int depth, Json::parse_event_t event, const Json& parsed) {
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::key) {

@@ -1,4 +1,4 @@
-// Content of files that is often met where a model, an animation or a session is looked for.
+// Detection of foreign file content that users often open by mistake.
 #pragma once
 
 #include <initializer_list>
@@ -7,17 +7,17 @@
 
 namespace viete::mesh {
 
-/// Throws base::Error that says what it is and what to do, where the bytes at the beginning of a file are
-/// those of something else that is known: a Git LFS pointer, a compressed file, a web page, another format.
+/// Throws base::Error with an explanation and advice if the beginning of a file is that of a known foreign
+/// kind: a Git LFS pointer, a compressed file, a web page, another format.
 void refuse_foreign(const std::string& name, std::string_view bytes);
 
-/// True if the beginning has control characters that no text has.
+/// True if the bytes contain control characters that do not occur in text.
 bool looks_binary(std::string_view bytes);
 
 /// "a picture (PNG)", "a web page", "JSON", "text", "binary data".
 std::string_view name_of_content(std::string_view beginning);
 
-/// The text at the end of these keys, of JSON that may be cut off; empty if there is none.
+/// The string at this path of keys in JSON, which may be truncated; empty if there is none.
 std::string text_in_json(std::string_view beginning, std::initializer_list<std::string_view> keys);
 
 }  // namespace viete::mesh

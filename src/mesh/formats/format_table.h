@@ -1,5 +1,4 @@
-// The table of file formats: whoever asks what there is, or what a format can hold, asks here. A new one is
-// its reader, its writer and its row.
+// The table of file formats and their capabilities. A new format needs a reader, a writer and a row here.
 #pragma once
 
 #include <filesystem>
@@ -12,30 +11,30 @@
 
 namespace viete::mesh {
 
-/// In the order in which people are shown them.
+/// In display order.
 std::span<const Format> all_formats();
 
-/// Null if it is not in the table.
+/// Null if the format is unknown.
 const Format* format_by_extension(std::string_view extension);
 const Format* find_format(const std::filesystem::path& file);
 
-/// Of a surface. Throws base::Error naming those that there are.
+/// The format of a surface file. Throws base::Error that lists the known formats.
 const Format& surface_format(const std::filesystem::path& file);
 
-/// True if the original (or null) can write itself under this name.
+/// True if the original (may be null) can be written again under this name.
 bool writes_itself(const Original* original, const std::filesystem::path& file);
 
-/// The format that the content certainly is of, whatever the file is called; null: no known one.
+/// The format that the content proves, regardless of the extension; null if unknown.
 const Format* format_of_content(const std::filesystem::path& file, const Beginning& beginning);
 
-/// The row of what a ReadResult says that a file is: "glTF binary".
+/// The row for a ReadResult::format such as "glTF binary".
 const Format* format_of_description(std::string_view description);
 
-/// "OBJ, PLY or OFF": the names of all that this is true of, each once.
+/// Names of the formats that satisfy `is`, each once: "OBJ, PLY or OFF".
 std::string format_names(bool (*is)(const Format&), std::string_view last = " or ");
-/// ".obj, .ply or .off"
+/// The same with extensions: ".obj, .ply or .off".
 std::string format_extensions(bool (*is)(const Format&), std::string_view last = " or ");
-/// "Mesh (OBJ, PLY, OFF, STL, glTF)", in the help of commands.
+/// For command-line help: "Mesh (OBJ, PLY, OFF, STL, glTF)".
 std::string a_mesh();
 
 constexpr bool holds_surface(const Format& f) {
@@ -54,7 +53,7 @@ constexpr bool is_sequence(const Format& f) {
   return f.is_sequence;
 }
 
-/// The same of a file by its name; false for formats that are not known.
+/// Applies `is` to the format of the file's extension; false for unknown formats.
 bool is_a(bool (*is)(const Format&), const std::filesystem::path& file);
 
 }  // namespace viete::mesh

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t instanced_vertices = std::size_t{1} << 22;
 
-// Of light in [0, 1] as it is computed with, to that which is stored in pictures.
+// Converts linear light in [0, 1] to sRGB.
 float srgb_of_linear(double x) {
   x = std::clamp(x, 0.0, 1.0);
   return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
@@ -35,7 +35,7 @@ Color srgb_of_linear(std::span<const double> c) {
   return {srgb_of_linear(c[0]), srgb_of_linear(c[1]), srgb_of_linear(c[2]), static_cast<float>(opacity)};
 }
 
-// KHR_texture_transform.
+// The extension KHR_texture_transform.
 struct TextureTransform {
   Vec2 offset{0, 0}, scale{1, 1};
   double rotation = 0;
@@ -111,7 +111,7 @@ private:
     name_images();
   }
 
-  // Those without a name by what they colour.
+  // Names unnamed images after the materials that use them.
   void name_images() {
     auto& images = attributes_->images;
     for (const Material& m : attributes_->materials) {
@@ -123,7 +123,7 @@ private:
     }
   }
 
-  // The image, or that of an extension where there is no other.
+  // The image, or that of an extension if there is no other.
   static int source_of(const GltfJson& texture) {
     int source = index_of(texture, "source");
     for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
@@ -141,7 +141,7 @@ private:
     material.repeats = index_of(sampler, "wrapS") != gltf_clamp_to_edge;
   }
 
-  // All primitives of a mesh, and then what of their vertices lies at the same place.
+  // Adds all primitives of a mesh, then merges coincident vertices.
   void place_mesh(std::size_t placement) {
     const GltfPlacement& p = map_.placements[placement];
     const GltfJson& mesh = element_of(file_.document, "meshes", p.mesh);
@@ -149,14 +149,14 @@ private:
     const std::size_t first = points_.size(), first_corner = map_.corner_vertex.size();
     take_weights(p, mesh);
     for (const GltfJson& primitive : list_of(mesh, "primitives")) {
-      if (accessor_of(primitive, "POSITION") < 0) continue;  // nothing to be seen, as the format says
+      if (accessor_of(primitive, "POSITION") < 0) continue;  // invisible, by the specification
       add_group(p, mesh, primitive);
       add_polygons(primitive, piece_of(placement, primitive), p.map.determinant() < 0);
     }
     weld(first, first_corner);
   }
 
-  // Empty where they leave the mesh as it is.
+  // Leaves the weights empty if they have no effect.
   void take_weights(const GltfPlacement& p, const GltfJson& mesh) {
     std::size_t count = 0;
     for (const GltfJson& primitive : list_of(mesh, "primitives"))
@@ -169,7 +169,7 @@ private:
     shaped_.clear();
   }
 
-  // Many nodes may place the mesh.
+  // Cached, because many nodes may place the same mesh.
   std::shared_ptr<const std::vector<GltfTarget>> targets_of(const GltfJson& primitive) {
     auto& targets = targets_[&primitive];
     if (targets) return targets;
@@ -179,7 +179,7 @@ private:
     return targets = std::make_shared<const std::vector<GltfTarget>>(std::move(all));
   }
 
-  // Offsets of positions or normals at the default weights; empty if they change nothing.
+  // Offsets of positions or normals at the default weights; empty if all are 0.
   std::vector<double> differences(int GltfTarget::*of) {
     const GltfPiece& piece = map_.pieces.back();
     for (const double weight : weights_) spend(weight == 0 ? 0 : piece.count);
@@ -196,7 +196,8 @@ private:
       group.material = static_cast<std::uint32_t>(material);
     group.smooth = accessor_of(primitive, "NORMAL") >= 0;
     auto& groups = attributes_->groups;
-    if (!groups.empty() && groups.back().first_polygon == polygons_) groups.pop_back();  // it has no polygons
+    if (!groups.empty() && groups.back().first_polygon == polygons_)
+      groups.pop_back();  // the group has no polygons
     groups.push_back(group);
   }
 
@@ -205,7 +206,7 @@ private:
     return transform_of(member_of(member_of(material, "pbrMetallicRoughness"), "baseColorTexture"));
   }
 
-  // The material, if it moves the texture: another one has texture points of its own.
+  // The material, if it transforms the texture: it then needs separate texture points.
   static int mover_of(const GltfJson& primitive, const TextureTransform& transform) {
     return transform == TextureTransform{.set = transform.set} ? -1 : index_of(primitive, "material");
   }
@@ -235,14 +236,14 @@ private:
     return pieces_[key] = piece;
   }
 
-  // Vertices and corners that the file's bytes cannot hold one by one are bounded.
+  // Limits vertices and corners that are not backed by bytes of the file.
   void spend(std::size_t elements) {
     spent_ += elements;
     if (spent_ > budget_ + instanced_vertices)
       throw base::Error(
           file_.name,
-          "its nodes place meshes, or morph them, so often that more than 4 million vertices arise",
-          "open fewer of them");
+          "its nodes place meshes, or morph them, so often that more than 4 million vertices result",
+          "export fewer instances");
   }
 
   void add_points(int accessor, const AffineMap& map) {
@@ -261,7 +262,7 @@ private:
       Point p{numbers[i], numbers[i + 1], numbers[i + 2]};
       if (moves) p = map.of_point(p);
       if (!is_place(p))
-        accessors_.fail("accessor", accessor, "position " + std::to_string(i / 3) + " is no place");
+        accessors_.fail("accessor", accessor, "position " + std::to_string(i / 3) + " is invalid");
       points.push_back(p);
     }
   }
@@ -274,7 +275,7 @@ private:
     return accessors_.numbers(accessor, components);
   }
 
-  // The first row of a picture is its upper one here, where v = 0.
+  // glTF has v = 0 at the top row of the image.
   void add_texture(const Piece& piece, int accessor, const TextureTransform& transform) {
     attributes_->texture_points.resize(piece.first + piece.count, Vec2{0, 0});
     if (accessor < 0) return;
@@ -347,7 +348,7 @@ private:
     ++polygons_;
   }
 
-  // At the same place, with the default weights and without them.
+  // Merges vertices that coincide both with the default weights and without.
   std::vector<std::uint32_t> lowest_vertices(std::size_t first) const {
     auto lowest = lowest_in_place(std::span(points_).subspan(first));
     if (shaped_.empty()) return lowest;
@@ -382,10 +383,11 @@ private:
   void tell_what_is_not_seen() {
     if (unseen_primitives_ > 0)
       builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
-                    " of points or lines: moved along, but not drawn");
+                    " of points or lines: deformed, but not drawn");
     if (morphs_ && !source_.played)
-      builder_.warn(file_.name + (is_shaped_ ? ": morph targets have their default weights and are not played"
-                                             : ": morph targets are not played here"));
+      builder_.warn(file_.name +
+                    (is_shaped_ ? ": morph targets keep their default weights; their animation is ignored"
+                                : ": the animation of morph targets is ignored"));
   }
 
   void drop_what_is_not_there() {
@@ -402,12 +404,12 @@ private:
   SurfaceBuilder builder_;
   std::shared_ptr<Attributes> attributes_;
   GltfMap map_;
-  std::vector<Point> points_;  // of the file's vertices, where their nodes put them
-  std::vector<Color> colors_;  // the same
+  std::vector<Point> points_;  // vertices of the file, in the scene
+  std::vector<Color> colors_;  // vertices of the file
   std::map<PieceKey, Piece> pieces_;
-  std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // of primitives
-  std::vector<double> weights_;  // of the placement's targets; empty: none acts
-  std::vector<Point> shaped_;    // as points_ of the placement, with these weights; empty without
+  std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // per primitive
+  std::vector<double> weights_;  // weights of the placement's targets; empty if all are 0
+  std::vector<Point> shaped_;    // as points_, with these weights; empty without
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
   std::uint32_t polygons_ = 0;
   bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false, is_shaped_ = false;

@@ -1,4 +1,4 @@
-// glTF 2.0: text with its buffers, and GLB.
+// Reads glTF 2.0: JSON with buffers (.gltf) and binary (.glb).
 #pragma once
 
 #include "mesh/formats/original.h"
@@ -7,18 +7,17 @@
 
 namespace viete::mesh {
 
-/// Source: The Khronos Group, glTF 2.0 Specification, 2021. All meshes of the default scene where their nodes
-/// put them, at rest: morph targets have their default weights, bones and animations are not played. Vertices
-/// of a node that lie at the same place are one vertex of the surface, though their normals or texture points
-/// differ. Points and lines give vertices that follow, and no polygons. Buffers beside are read within the
-/// folder of source.name alone. Nodes that place a mesh many times may make 4 million vertices more than the
-/// file has bytes. Throws base::Error, base::Cancelled.
+/// Source: The Khronos Group, glTF 2.0 Specification, 2021. Reads all meshes of the default scene, placed by
+/// their nodes, at rest: morph targets have default weights; skins and animations are not applied. Coincident
+/// vertices of a node are merged even if their normals or texture points differ. Points and lines give
+/// trailing vertices without polygons. External buffers must lie within the folder of source.name. Instancing
+/// may add at most 4 million vertices beyond the file's size in bytes. Throws base::Error, base::Cancelled.
 ReadResult read_gltf(const Source& source);
 
-/// True if it is a GLB or JSON with an asset.
+/// True for a GLB, or JSON with an asset.
 bool looks_like_gltf(const Source& source);
 
-/// True if it is a GLB of version 2, or JSON whose asset has such a version.
+/// True for a GLB of version 2, or JSON whose asset has that version.
 bool is_certainly_gltf(const Beginning& file);
 
 }  // namespace viete::mesh

@@ -26,7 +26,7 @@ bool is_unsigned(int type) {
   return type == gltf_unsigned_byte || type == gltf_unsigned_short || type == gltf_unsigned_int;
 }
 
-// Matrices are nothing that a surface is made of.
+// Not for matrices, which surfaces do not use.
 std::size_t component_count(const std::string& type) {
   if (type == "SCALAR") return 1;
   const bool vector = type == "VEC2" || type == "VEC3" || type == "VEC4";
@@ -70,7 +70,7 @@ GltfAccessors::Accessor GltfAccessors::at(int accessor) const {
   const GltfJson& json = element_of(file_.document, "accessors", accessor);
   if (json.is_null())
     fail("accessor", accessor,
-         "is not there, the file has " + std::to_string(list_of(file_.document, "accessors").size()));
+         "does not exist, the file has " + std::to_string(list_of(file_.document, "accessors").size()));
   const GltfJson& normalized = member_of(json, "normalized");
   return {index_of(json, "componentType"),
           component_count(text_of(json, "type")),
@@ -85,11 +85,11 @@ GltfPlace GltfAccessors::of_view(int accessor, const GltfJson& data, std::size_t
   const int view = index_of(data, "bufferView");
   const GltfJson& v = element_of(file_.document, "bufferViews", view);
   if (v.is_null())
-    fail("accessor", accessor, "refers to buffer view " + std::to_string(view) + ", which is not there");
+    fail("accessor", accessor, "refers to buffer view " + std::to_string(view) + ", which does not exist");
   const auto number = [](const GltfJson& json, const char* key) { return count_of(json, key).value_or(0); };
   const std::size_t buffer = count_of(v, "buffer").value_or(file_.buffers.size());
   if (buffer >= file_.buffers.size())
-    fail("buffer view", view, "refers to buffer " + std::to_string(buffer) + ", which is not there");
+    fail("buffer view", view, "refers to buffer " + std::to_string(buffer) + ", which does not exist");
   const std::size_t all = file_.buffers[buffer].bytes.size(), begin = number(v, "byteOffset"),
                     length = number(v, "byteLength"), offset = number(data, "byteOffset");
   if (begin > all || length > all - begin)
@@ -117,7 +117,7 @@ bool GltfAccessors::holds_floats(int accessor, std::size_t components) const {
 GltfPlace GltfAccessors::place(int accessor) const {
   const Accessor a = at(accessor);
   const std::size_t size = a.size();
-  if (size == 0) fail("accessor", accessor, "has a type that is not one of glTF");
+  if (size == 0) fail("accessor", accessor, "has a type unknown to glTF");
   if (a.count == 0) fail("accessor", accessor, "has no elements");
   if (a.json.contains("bufferView")) return of_view(accessor, a.json, a.count, size);
   std::size_t bytes = 0;
@@ -149,7 +149,7 @@ void GltfAccessors::put_sparse(int index, const Accessor& a, std::size_t compone
     fail("accessor", index, "has a sparse count of " + std::to_string(count));
   const GltfJson& indices = member_of(a.sparse, "indices");
   const int type = index_of(indices, "componentType");
-  if (!is_unsigned(type)) fail("accessor", index, "has sparse indices that are no integers");
+  if (!is_unsigned(type)) fail("accessor", index, "has sparse indices that are not integers");
   const GltfPlace where = of_view(index, indices, count, component_size(type));
   const GltfPlace what = of_view(index, member_of(a.sparse, "values"), count, a.size());
   const std::size_t step = component_size(a.component);
@@ -166,7 +166,7 @@ void GltfAccessors::put_sparse(int index, const Accessor& a, std::size_t compone
 
 std::vector<std::uint32_t> GltfAccessors::indices(int accessor, std::size_t limit) const {
   const Accessor a = at(accessor);
-  if (!is_unsigned(a.component) || a.components != 1) fail("accessor", accessor, "holds no indices");
+  if (!is_unsigned(a.component) || a.components != 1) fail("accessor", accessor, "does not contain indices");
   const std::vector<double> numbers = this->numbers(accessor, 1);
   std::vector<std::uint32_t> indices(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -208,7 +208,7 @@ void GltfSharing::count_uses(const GltfJson& document) {
   for (const GltfJson& skin : list_of(document, "skins")) use(member_of(skin, "inverseBindMatrices"));
 }
 
-// Which bytes somebody reads, by where they begin.
+// Collects the byte ranges in use, sorted by start.
 void GltfSharing::list_bytes(const GltfJson& document) {
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     const auto place = uses_[i] > 0 ? place_if_sound(static_cast<int>(i)) : std::nullopt;
@@ -234,7 +234,7 @@ GltfSharing::Bytes GltfSharing::bytes_of(const GltfPlace& p, std::size_t accesso
   return {p.buffer, p.offset, p.offset + (p.count - 1) * p.stride + p.size, p.stride, accessor};
 }
 
-// Neighbours in an interleaved view lie between each other's elements, not over them.
+// True if the elements of an interleaved view lie between each other's, without overlap.
 bool GltfSharing::interleaved(const GltfPlace& a, const Bytes& other) const {
   if (a.stride != other.stride) return false;
   const GltfPlace b = accessors_.place(static_cast<int>(other.accessor));
@@ -249,7 +249,7 @@ bool GltfSharing::is_alone(int accessor, std::size_t components) {
   const Bytes mine = bytes_of(place, index);
   auto at = std::lower_bound(bytes_.begin(), bytes_.end(), Bytes{mine.buffer, mine.end, 0, 0, 0});
   while (at != bytes_.begin() && (--at)->buffer == mine.buffer && at->furthest > mine.begin) {
-    if (++comparisons_ > 100'000'000) return false;  // a file made to take long
+    if (++comparisons_ > 100'000'000) return false;  // protects against files made to take long
     if (at->accessor != index && at->end > mine.begin && !interleaved(place, *at)) return false;
   }
   return true;
@@ -259,7 +259,7 @@ std::optional<GltfPlace> GltfSharing::place_if_sound(int accessor) const {
   try {
     const GltfPlace place = accessors_.place(accessor);
     if (place.has_bytes) return place;
-  } catch (const base::Error&) {  // what nobody reads need not be sound
+  } catch (const base::Error&) {  // unused accessors may be invalid
   }
   return std::nullopt;
 }

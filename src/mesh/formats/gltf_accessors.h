@@ -1,4 +1,4 @@
-// The numbers in a glTF file's buffers, every offset and index checked before it is followed.
+// Access to the numbers in a glTF file's buffers, with bounds checks.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@
 
 namespace viete::mesh {
 
-/// Where the elements of an accessor lie. All of them are within the buffer.
+/// Location of an accessor's elements, entirely within the buffer.
 struct GltfPlace {
-  std::size_t buffer = 0, offset = 0, stride = 0, count = 0, size = 0;  ///< size: bytes of an element
-  bool has_bytes = false;  ///< false: they are zeros, where no sparse value stands
+  std::size_t buffer = 0, offset = 0, stride = 0, count = 0, size = 0;  ///< size: bytes per element
+  bool has_bytes = false;  ///< false: all zeros, except for sparse values
 };
 
 /// Borrows the file.
@@ -24,29 +24,28 @@ class GltfAccessors {
 public:
   explicit GltfAccessors(const GltfFile& file) : file_(file) {}
 
-  /// The number of its elements. Throws base::Error naming the accessor if it does not fit its buffer.
+  /// The number of elements. Throws base::Error naming the accessor if it exceeds its buffer.
   std::size_t count(int accessor) const { return place(accessor).count; }
 
-  /// Of one element; 0 for a matrix.
+  /// Components per element; 0 for a matrix.
   std::size_t components(int accessor) const;
 
   GltfPlace place(int accessor) const;
 
-  /// `components` numbers of each element one after the other: floats, or integers as the accessor says they
-  /// are meant (normalized: [0, 1] or [-1, 1]). An accessor of four components may be asked for three. Throws
-  /// base::Error.
+  /// `components` numbers per element: floats, or integers (normalized ones scaled to [0, 1] or [-1, 1]).
+  /// Three components of a four-component accessor may be read. Throws base::Error.
   std::vector<double> numbers(int accessor, std::size_t components) const;
 
-  /// Unsigned integers. Throws base::Error, also for one that is not below `limit`.
+  /// Unsigned integers. Throws base::Error also if one is not below `limit`.
   std::vector<std::uint32_t> indices(int accessor, std::size_t limit) const;
 
-  /// Floats, so many of each element, that no sparse values replace.
+  /// True for float elements of that many components without sparse values.
   bool holds_floats(int accessor, std::size_t components) const;
 
   [[noreturn]] void fail(const std::string& what, int index, const std::string& problem) const;
 
 private:
-  // What the JSON says of one.
+  // An accessor as described by the JSON.
   struct Accessor {
     int component = 0;
     std::size_t components = 0, count = 0;
@@ -68,23 +67,23 @@ private:
   const GltfFile& file_;
 };
 
-/// Which accessors have their bytes for themselves, so that these can be replaced where they lie. For the
-/// document as it is when this is made; its accessors and views are those of the file. Borrows these.
+/// Finds accessors that share no bytes with others, so that their values can be replaced in place. Reflects
+/// the document at construction; borrows the document and accessors.
 class GltfSharing {
 public:
   GltfSharing(const GltfJson& document, const GltfAccessors& accessors);
 
-  /// How often the accessor is named, wherever that is.
+  /// The number of references to the accessor in the document.
   std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
 
-  /// Floats that no other accessor or image shares a byte with.
+  /// True for float elements that share no byte with another accessor or image.
   bool is_alone(int accessor, std::size_t components);
 
 private:
   struct Bytes {
     std::size_t buffer, begin, end, stride;
-    std::size_t accessor;      // that of an image: npos
-    std::size_t furthest = 0;  // end of those of the buffer up to this one
+    std::size_t accessor;      // npos for an image
+    std::size_t furthest = 0;  // largest end of the buffer's ranges up to this one
 
     friend bool operator<(const Bytes& a, const Bytes& b) {
       return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);

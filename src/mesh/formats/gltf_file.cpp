@@ -34,19 +34,19 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
 struct Chunks {
   std::string_view json;
   std::optional<std::string_view> binary;
-  std::string others = {};  // of other kinds, which are passed over, as the format asks, but kept
+  std::string others = {};  // unknown chunks, ignored as specified, but kept
 };
 
 Chunks chunks_of(const Source& source) {
   constexpr std::uint32_t json_kind = 0x4E4F534A, binary_kind = 0x004E4942;
-  if (source.bytes.size() < 20) refuse_gltf(source, "the file ends within its head");
+  if (source.bytes.size() < 20) refuse_gltf(source, "the file ends within its header");
   if (word_at(source.bytes, 4) != 2)
-    refuse_gltf(source, "version " + std::to_string(word_at(source.bytes, 4)) + " of GLB is not read",
+    refuse_gltf(source, "version " + std::to_string(word_at(source.bytes, 4)) + " of GLB is not supported",
                 "export as glTF 2.0");
   const std::size_t length = word_at(source.bytes, 8);
   if (length > source.bytes.size())
     refuse_gltf(source,
-                "the head promises " + std::to_string(length) + " bytes, the file has " +
+                "the header announces " + std::to_string(length) + " bytes, the file has " +
                     std::to_string(source.bytes.size()),
                 "the file seems to be cut short: export or copy it again");
   Chunks chunks;
@@ -65,8 +65,8 @@ Chunks chunks_of(const Source& source) {
   return chunks;
 }
 
-// What would take more than its share of stack or time: nesting, and the members of one object, which are
-// searched one after the other.
+// Rejects JSON that could exhaust stack or time: deep nesting, and objects with many members, which are
+// searched linearly.
 void check_shape(const Source& source, std::string_view text) {
   constexpr std::size_t deepest = 64, most_members = 4096;
   std::array<std::size_t, deepest + 1> members{};
@@ -97,12 +97,12 @@ GltfJson parsed(const Source& source, std::string_view text) {
   check_shape(source, text);
   try {
     GltfJson document = GltfJson::parse(text.begin(), text.end());
-    if (!document.is_object()) refuse_gltf(source, "the JSON is no object");
+    if (!document.is_object()) refuse_gltf(source, "the JSON is not an object");
     return document;
   } catch (const GltfJson::parse_error& error) {
     refuse_gltf(source, "not JSON at byte " + std::to_string(error.byte));
   } catch (const GltfJson::exception&) {
-    refuse_gltf(source, "the JSON holds a number that is none");
+    refuse_gltf(source, "the JSON contains an invalid number");
   }
 }
 
@@ -115,7 +115,7 @@ std::string embedded(const Source& source, const std::string& place, std::string
   return *std::move(bytes);
 }
 
-// A file that the model names by the way to it; nothing for other addresses.
+// The file of a relative URI; empty for other URIs.
 std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) {
   const fs::path relative = base::percent_decoded(uri);
   const std::string text = relative.string();
@@ -125,8 +125,8 @@ std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) 
   return fs::path(source.name).parent_path() / relative;
 }
 
-// What a buffer holds becomes part of what is written: nothing outside of the folder of the model is taken
-// because a model says so. Images, which are only decoded, often lie beside that folder.
+// Buffers become part of the output, so only files within the model's folder are read. Images are only
+// decoded, and often lie elsewhere.
 std::optional<fs::path> path_within(const Source& source, std::string_view uri) {
   const auto path = path_of_uri(source, uri);
   const fs::path relative = base::percent_decoded(uri);
@@ -135,9 +135,9 @@ std::optional<fs::path> path_within(const Source& source, std::string_view uri) 
   return leads_out ? std::nullopt : path;
 }
 
-// Whether the JSON has the form that the format asks for, as far as a surface is made of it: scenes, nodes,
-// meshes, accessors and buffer views, with the types of their members; other lists hold objects. Throws
-// base::Error naming the file, the place and the member.
+// Checks the JSON structure needed for surfaces: scenes, nodes, meshes, accessors and buffer views, with the
+// types of their members; other lists must contain objects. Throws base::Error naming the file, place and
+// member.
 class GltfShape {
 public:
   GltfShape(const std::string& name, const GltfJson& document) : name_(name), document_(document) {}
@@ -148,7 +148,7 @@ public:
          [&](auto& at, auto& scene) { whole_numbers(at, scene, "nodes"); });
     each("", document_, "nodes", "node ", [&](auto& at, auto& node) { check_node(at, node); });
     each("", document_, "meshes", "mesh ", [&](auto& at, auto& mesh) {
-      require(at, mesh, "primitives", !member_of(mesh, "primitives").is_null(), "there");
+      require(at, mesh, "primitives", !member_of(mesh, "primitives").is_null(), "present");
       each(at, mesh, "primitives", ", primitive ", [&](auto& in, auto& p) { check_primitive(in, p); });
     });
     each("", document_, "accessors", "accessor ", [&](auto& at, auto& a) { check_accessor(at, a); });
@@ -198,7 +198,7 @@ private:
   void check_view(const std::string& at, const GltfJson& of) const {
     const auto view = count_of(of, "bufferView");
     if (view && *view >= list_of(document_, "bufferViews").size())
-      fail(at, "refers to buffer view " + std::to_string(*view) + ", which is not there");
+      fail(at, "refers to buffer view " + std::to_string(*view) + ", which does not exist");
   }
 
   void accessor(const std::string& at, const std::string& key, const GltfJson& value) const {
@@ -286,7 +286,7 @@ private:
     const std::string version = text_of(member_of(document_, "asset"), "version");
     if (version.empty()) refuse_gltf(source_, "the JSON has no asset version: this is not glTF");
     if (!version.starts_with("2."))
-      refuse_gltf(source_, "glTF " + version.substr(0, 16) + " is not read", "export as glTF 2.0");
+      refuse_gltf(source_, "glTF " + version.substr(0, 16) + " is not supported", "export as glTF 2.0");
   }
 
   void check_extensions() {
@@ -304,10 +304,10 @@ private:
                                                 "KHR_lights_punctual",   "KHR_texture_basisu",
                                                 "EXT_texture_webp",      "KHR_animation_pointer"};
     if (shapes.count(name))
-      refuse_gltf(source_, "its shapes are compressed (" + name + "), which is not read",
+      refuse_gltf(source_, "its shapes are compressed (" + name + "), which is not supported",
                   "export without compression");
     if (!required || known.count(name) || name.starts_with("KHR_materials_")) return;
-    refuse_gltf(source_, "it needs the extension " + name.substr(0, 64) + ", which is not known here",
+    refuse_gltf(source_, "it needs the extension " + name.substr(0, 64) + ", which is not supported",
                 "export without it");
   }
 
@@ -333,11 +333,11 @@ private:
       const bool again = !beside_.insert(buffer.path).second;
       buffer.bytes = FileBytes(*path, nullptr).view();
       if (again && (repeated_ += buffer.bytes.size()) > most_repeated_bytes)
-        fail("is a file of other buffers, which together are too large");
+        fail("is shared by other buffers that are too large together");
     } else if (i == 0 && chunks_.binary) {
       buffer.bytes = *chunks_.binary;
     } else {
-      fail("has neither bytes nor an address");
+      fail("has neither data nor a URI");
     }
     if (buffer.bytes.size() < *length && !buffer.path.empty())
       refuse_foreign(buffer.path.string(), buffer.bytes);
@@ -370,11 +370,11 @@ private:
     if (const auto path = path_of_uri(source_, uri)) {
       image.file.path = fs::absolute(*path);
     } else {
-      warn("image " + uri.substr(0, 200) + " is not named by the way to a file, and is not opened");
+      warn("image " + uri.substr(0, 200) + " has no file path and is not opened");
     }
   }
 
-  // Once for each view, and no more of all views than there are bytes: others lie over each other.
+  // Shares one copy per view, and limits the total to the file's size, as views may overlap.
   std::shared_ptr<const std::string> bytes_of_view(std::optional<std::uint64_t> view) {
     const GltfJson& views = list_of(document_, "bufferViews");
     if (!view || *view >= views.size()) return nullptr;
@@ -398,10 +398,10 @@ private:
       if (source_.played && key == std::string_view("animations")) continue;
       if (!list_of(document_, key).empty()) list += (list.empty() ? "" : ", ") + std::string(key);
     }
-    if (!list.empty()) warn(list + " are not played here");
+    if (!list.empty()) warn(list + " are ignored");
     for (const GltfJson& node : list_of(document_, "nodes")) {
       if (member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing").is_null()) continue;
-      return warn("EXT_mesh_gpu_instancing is not known here: each instanced mesh is shown once");
+      return warn("EXT_mesh_gpu_instancing is not supported: each instanced mesh is shown once");
     }
   }
 

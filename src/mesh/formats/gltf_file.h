@@ -1,4 +1,4 @@
-// A glTF file taken apart: its JSON, and the bytes that this leads to.
+// A parsed glTF file: its JSON, buffers and images.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace viete::mesh {
 
 using GltfJson = nlohmann::ordered_json;
 
-/// Numbers that stand for words, as the specification has them. Integers of indices are unsigned.
+/// Constants of the specification. Index types are unsigned.
 enum GltfComponent {
   gltf_byte = 5120,
   gltf_unsigned_byte,
@@ -31,7 +31,7 @@ enum GltfComponent {
 enum GltfMode { gltf_points = 0, gltf_triangles = 4, gltf_strip, gltf_fan };
 inline constexpr int gltf_array_buffer = 34962, gltf_element_buffer = 34963, gltf_clamp_to_edge = 33071;
 
-/// Null where there is none.
+/// Null if missing.
 inline const GltfJson& member_of(const GltfJson& object, const char* key) {
   static const GltfJson nothing;
   if (!object.is_object()) return nothing;
@@ -39,7 +39,7 @@ inline const GltfJson& member_of(const GltfJson& object, const char* key) {
   return found == object.end() ? nothing : *found;
 }
 
-/// Empty where there is none.
+/// Empty if missing.
 inline const GltfJson& list_of(const GltfJson& object, const char* key) {
   static const GltfJson no_list = GltfJson::array();
   const GltfJson& value = member_of(object, key);
@@ -51,7 +51,7 @@ inline std::string text_of(const GltfJson& object, const char* key) {
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-/// A whole number that is not negative.
+/// A non-negative integer.
 inline std::optional<std::uint64_t> count_of(const GltfJson& value) {
   const bool counts =
       value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
@@ -62,19 +62,19 @@ inline std::optional<std::uint64_t> count_of(const GltfJson& object, const char*
   return count_of(member_of(object, key));
 }
 
-/// The number of something in a list of the file; -1 where there is none.
+/// An index into a list of the file; -1 if missing.
 inline int index_of(const GltfJson& object, const char* key) {
   constexpr std::uint64_t largest = std::numeric_limits<int>::max();
   const auto count = count_of(object, key);
   return count ? static_cast<int>(std::min(*count, largest)) : -1;
 }
 
-/// The accessor of a primitive's attribute; -1 where it has none.
+/// The accessor of a primitive's attribute; -1 if missing.
 inline int accessor_of(const GltfJson& primitive, const char* attribute) {
   return index_of(member_of(primitive, "attributes"), attribute);
 }
 
-/// Null where there is none.
+/// Null if missing.
 inline const GltfJson& element_of(const GltfJson& document, const char* list, int index) {
   static const GltfJson nothing;
   const GltfJson& all = list_of(document, list);
@@ -83,33 +83,33 @@ inline const GltfJson& element_of(const GltfJson& document, const char* list, in
 }
 
 struct GltfBuffer {
-  enum class Home { chunk, text, beside };  ///< the GLB's binary chunk; base64 in the JSON; a file beside
+  enum class Home { chunk, text, beside };  ///< binary chunk of a GLB; base64 in the JSON; external file
   Home home = Home::chunk;
-  std::filesystem::path path;  ///< of the file beside
-  std::string bytes;           ///< as many as the JSON says there are
+  std::filesystem::path path;  ///< path of an external file
+  std::string bytes;           ///< as many as the JSON declares
 };
 
-/// Where an image of the JSON leads.
+/// An image reference of the JSON.
 struct GltfImage {
-  ImageFile file;   ///< its name is empty where the JSON gives none
-  std::string uri;  ///< of a file beside, as it is written; otherwise empty
+  ImageFile file;   ///< name empty if the JSON has none
+  std::string uri;  ///< URI of an external file, as written; otherwise empty
 };
 
 struct GltfFile {
-  std::string name;  ///< how messages call it
+  std::string name;  ///< for messages
   bool binary = false;
-  GltfJson document;  ///< checked, see take_apart(); without the bytes of buffers that lie in it
+  GltfJson document;  ///< checked, see take_apart(); without embedded buffer data
   std::vector<GltfBuffer> buffers;
   std::vector<GltfImage> images;
   std::vector<std::string> warnings;  ///< one line each
-  std::string other_chunks;           ///< of a GLB: those of kinds that are not known here, with their heads
+  std::string other_chunks;           ///< unknown chunks of a GLB, including their headers
 };
 
-/// glTF 2.0, as text or as GLB. Buffers beside are read within its folder only, images are not opened. Throws
-/// base::Error if anything that the surface needs is missing, compressed, or not as it claims to be.
+/// Parses glTF 2.0, JSON or GLB. External buffers must lie in the file's folder; images are not opened.
+/// Throws base::Error if data needed for the surface is missing, compressed or invalid.
 GltfFile take_apart(const Source& source);
 
-/// "a b" is "a%20b", as paths of files beside are written.
+/// Percent-encodes a relative path: "a b" becomes "a%20b".
 std::string encoded_uri(std::string_view path);
 
 }  // namespace viete::mesh

@@ -21,11 +21,11 @@ namespace {
 using Numbers = std::vector<double>;
 using SharedNumbers = std::shared_ptr<const Numbers>;
 
-// How the weights of one node go.
+// The animated weights of one node.
 struct WeightTrack {
   enum class Way { linear, step, cubic };
   SharedNumbers times,
-      values;  // values: of every time as many as there are targets, three times that in cubic
+      values;  // per time one value per target, three times as many for cubic
   Way way = Way::linear;
 
   Numbers at(double t, std::size_t count) const;
@@ -53,7 +53,8 @@ Numbers WeightTrack::at(double t, std::size_t count) const {
       weights[i] = from + u * (to - from);
       continue;
     }
-    const double out = span * value(a, 2, i, count), in = span * value(b, 0, i, count);  // Hermite's cubic
+    const double out = span * value(a, 2, i, count),
+                 in = span * value(b, 0, i, count);  // cubic Hermite interpolation
     const double u2 = u * u, u3 = u2 * u;
     weights[i] =
         (2 * u3 - 3 * u2 + 1) * from + (u3 - 2 * u2 + u) * out + (3 * u2 - 2 * u3) * to + (u3 - u2) * in;
@@ -95,7 +96,7 @@ public:
   }
 
 private:
-  // The names of its targets, and its weights where nothing plays.
+  // The names of its targets, and its default weights.
   void take_placement(std::size_t p) {
     const GltfPlacement& placement = map_->placements[p];
     resting_[p] = default_weights(document_, placement, counts_[p]);
@@ -107,7 +108,7 @@ private:
     }
   }
 
-  // Accessors that many channels share are read once.
+  // Reads accessors shared by many channels once.
   SharedNumbers numbers(int accessor) {
     SharedNumbers& known = times_of_[accessor];
     if (!known) known = std::make_shared<const Numbers>(accessors_.numbers(accessor, 1));
@@ -135,9 +136,9 @@ private:
       played |= has_weights;
     }
     if (other > 0)
-      notes_.push_back("of " + base::counted(other + 1, "animation") + " of weights the first one is taken");
-    if (moves_nodes) notes_.emplace_back("what its animations do to nodes (bones, places) is not played");
-    if (is_curved_) notes_.emplace_back("weights that jump or follow curves go straight from key to key");
+      notes_.push_back("using the first of " + base::counted(other + 1, "animation") + " of weights");
+    if (moves_nodes) notes_.emplace_back("animations of nodes (bones, transforms) are ignored");
+    if (is_curved_) notes_.emplace_back("stepped and curved weights are interpolated linearly between keys");
   }
 
   bool take_channel(std::size_t animation, const GltfJson& channel) {
@@ -148,11 +149,11 @@ private:
       throw base::Error(file_->name + ": animation " + std::to_string(animation), problem,
                         "export the model again");
     };
-    if (!sampler || *sampler >= samplers.size()) fail("has a channel of a sampler that is not there");
+    if (!sampler || *sampler >= samplers.size()) fail("has a channel whose sampler does not exist");
     const auto input = count_of(samplers[*sampler], "input"), output = count_of(samplers[*sampler], "output");
     const std::size_t all = list_of(document_, "accessors").size();
     if (!input || !output || *input >= all || *output >= all)
-      fail("has a sampler of accessors that are not there");
+      fail("has a sampler whose accessors do not exist");
     const std::string way = text_of(samplers[*sampler], "interpolation");
     WeightTrack track;
     track.way = way == "STEP"          ? WeightTrack::Way::step
@@ -166,7 +167,7 @@ private:
       if (!std::isfinite(t) || (i > 0 && t <= (*track.times)[i - 1])) fail("has times that do not ascend");
     }
     for (const double value : *track.values) {
-      if (!std::isfinite(value)) fail("has a weight that is no number");
+      if (!std::isfinite(value)) fail("has a weight that is not finite");
     }
     bool used = false;
     for (std::size_t p = 0; p < counts_.size(); ++p) {
@@ -207,7 +208,7 @@ private:
             {numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]});
         if (!is_place(p))
           accessors_.fail("accessor", piece.positions,
-                          "morphs position " + std::to_string(k) + " to no place");
+                          "morphs position " + std::to_string(k) + " to an invalid position");
         result[v] = p;
       }
     }
@@ -218,9 +219,9 @@ private:
   std::shared_ptr<const GltfMap> map_;
   GltfAccessors accessors_;
   const GltfJson& document_;
-  std::vector<std::size_t> counts_;                 // targets of each placement
-  std::vector<Numbers> resting_;                    // their weights where nothing plays
-  std::vector<std::optional<WeightTrack>> tracks_;  // and where the animation does
+  std::vector<std::size_t> counts_;                 // number of targets of each placement
+  std::vector<Numbers> resting_;                    // their default weights
+  std::vector<std::optional<WeightTrack>> tracks_;  // their animation, if any
   std::map<int, SharedNumbers> times_of_;
   std::set<int> seen_times_;
   bool is_curved_ = false;
@@ -267,7 +268,7 @@ std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> fil
 
 namespace {
 
-// Zeros for as many more targets as there are now.
+// Appends zeros for the added targets.
 void widen_list(GltfJson& of, std::size_t count) {
   GltfJson& weights = of["weights"];
   if (!weights.is_array()) weights = GltfJson::array();
@@ -324,7 +325,7 @@ std::size_t GltfMorphs::add_deltas(std::span<const float> base, std::span<const 
   return add_floats(deltas, 3);
 }
 
-// Of zeros but for a few these alone: a sparse accessor has one value at least.
+// Stores only values other than 0; a sparse accessor needs at least one.
 std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t parts) {
   const std::size_t count = values.size() / parts;
   std::vector<float> some;
@@ -339,7 +340,7 @@ std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t pa
   GltfJson accessor = {{"componentType", gltf_float}, {"count", count}};
   accessor["type"] = parts == 3 ? "VEC3" : "SCALAR";
   const std::size_t index_size = count <= std::size_t{1} << 16 ? 2 : 4;
-  constexpr std::size_t cost = 128;  // in the text
+  constexpr std::size_t cost = 128;  // in bytes of JSON
   if (where.size() * (index_size + 4 * parts) + cost < 4 * values.size()) {
     accessor["sparse"] = sparse(where, some, index_size);
   } else {
@@ -383,7 +384,7 @@ std::vector<GltfMorphs::Output> GltfMorphs::weights_of(std::size_t node) const {
   return found;
 }
 
-// Its sampler may be that of another node too, which stays as it is.
+// Copies the sampler, because another node may use it too.
 void GltfMorphs::widen(const Output& output, std::span<const double> numbers, std::size_t before,
                        std::size_t added) {
   if (before == 0 || numbers.size() % before != 0) return;
@@ -408,7 +409,7 @@ void GltfMorphs::name_targets(const MorphMotion& motion, std::size_t node, std::
   if (placed.contains("weights")) widen_list(placed, before + motion.targets.size());
   GltfJson& extras = mesh["extras"];
   if (extras.is_null()) extras = GltfJson::object();
-  if (!extras.is_object()) return;  // somebody's own
+  if (!extras.is_object()) return;  // custom data of another program
   GltfJson& names = extras["targetNames"];
   if (!names.is_array()) names = GltfJson::array();
   while (names.size() < before) names.push_back("target " + std::to_string(names.size() + 1));
@@ -422,7 +423,8 @@ void GltfMorphs::animate(const MorphMotion& motion, std::span<const std::size_t>
   const std::vector<float> times(motion.seconds.begin(), motion.seconds.end());
   const std::size_t input = add_floats(times, 1), count = motion.targets.size();
   GltfJson made = {{"name", motion.name}, {"channels", GltfJson::array()}, {"samplers", GltfJson::array()}};
-  std::map<std::vector<double>, std::size_t> samplers;  // by the weights of targets before ours
+  std::map<std::vector<double>, std::size_t>
+      samplers;  // keyed by the default weights of the previous targets
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const GltfPlacement placement{
         static_cast<int>(nodes[i]), index_of(document_["nodes"][nodes[i]], "mesh"), {}};

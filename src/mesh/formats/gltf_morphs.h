@@ -1,4 +1,4 @@
-// Morph targets of a glTF file and the animation of their weights: read, and added to a file.
+// Morph targets of a glTF file and the animation of their weights: reading and adding.
 #pragma once
 
 #include <cstddef>
@@ -16,50 +16,48 @@
 
 namespace viete::mesh {
 
-/// The weights of so many targets where nothing plays: the node's, or those of its mesh where it has none.
+/// The default weights of `count` targets: the node's, otherwise the mesh's.
 std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
                                     std::size_t count);
 
-/// Weighted sum of the offsets of positions, normals or tangents of a piece by its targets: three
-/// numbers a vertex; empty where no weight but 0 counts. Throws base::Error.
+/// Weighted sum of a piece's target offsets (positions, normals or tangents): three numbers a vertex; empty
+/// if all weights are 0. Throws base::Error.
 std::vector<double> morph_differences(const GltfAccessors& accessors, const GltfPiece& piece,
                                       int GltfTarget::*of, std::span<const double> weights);
 
-/// Null where no primitive has targets. Of several animations the first one that plays weights; what moves
-/// nodes is not played. Of vertices that are one of the surface (seams) the first one counts. Memory is taken
-/// for one moment at a time, whatever the file says. Throws base::Error.
+/// Null if no primitive has targets. Uses the first animation of weights; node animations are ignored. Of
+/// merged vertices (seams) the first one counts. Holds one moment in memory at a time. Throws base::Error.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 
-/// Appends bytes at a multiple of four to those of a buffer; the number of the view that is added for them.
+/// Appends bytes to a buffer, aligned to four, and adds a buffer view. Returns the view's index.
 std::size_t add_gltf_view(GltfJson& document, std::string& bytes, const void* data, std::size_t size,
                           std::size_t buffer = 0);
 
-/// Lowest and highest of each of the components.
+/// Sets the minimum and maximum of each component.
 void set_gltf_bounds(GltfJson& accessor, std::span<const float> values, std::size_t components);
 
-/// Vertices that primitives of one mesh share, as they are written: three numbers each.
+/// Vertices shared by primitives of one mesh, as written: three numbers each.
 struct MorphedVertices {
-  std::size_t node = 0;  ///< that places the mesh, alone
+  std::size_t node = 0;  ///< the only node that places the mesh
   std::vector<std::size_t> primitives;
   std::vector<float> positions, normals, tangents;  ///< the last two may be empty
 };
 
-/// Borrows both until the animation is there.
+/// Borrows both arguments.
 class GltfMorphs {
 public:
-  /// bytes: of the document's first buffer.
+  /// bytes: the document's first buffer.
   GltfMorphs(GltfJson& document, std::string& bytes) : document_(document), bytes_(bytes) {}
 
-  /// One more target for all its primitives, three numbers for each of what the vertices have; no normals or
-  /// tangents: these do not follow.
+  /// Adds a target to all primitives, three numbers per vertex. Empty normals or tangents are not animated.
   void add_target(const MorphedVertices& vertices, std::span<const double> positions,
                   std::span<const double> normals, std::span<const double> tangents);
 
-  /// The targets of the motion behind those that the nodes' meshes have, and its animation. add_target(now)
-  /// calls the one above for all vertices, which are so many floats. Tells progress, which may be null. Of
-  /// the file's own animations of these nodes' weights `numbers_of(accessor)` gives the numbers: they get
-  /// zeros for the new targets.
+  /// Appends the motion's targets to those of the nodes' meshes, and adds its animation. add_target(now) must
+  /// call the function above for all vertices, which consist of `floats` floats. numbers_of(accessor) gives
+  /// the values of the file's own weight animations of these nodes, which are padded with zeros for the new
+  /// targets. progress may be null.
   template <class AddTarget, class NumbersOf>
   void add(const MorphMotion& motion, std::span<const std::size_t> nodes, std::size_t floats,
            base::Progress* progress, const AddTarget& add_target, const NumbersOf& numbers_of) {

@@ -61,7 +61,7 @@ public:
     return files;
   }
 
-  // In one piece.
+  // Writes a single file with embedded data.
   std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                  TextWriter& out) const override {
     if (is_at_rest(rest, positions)) return out.text(bytes_), std::vector<std::string>();
@@ -97,7 +97,7 @@ private:
     const bool binary = extension_of(path) == "glb";
     lead_images(path, result);
     if (!binary && !file_.other_chunks.empty())
-      result.notes.push_back("chunks of kinds that are not known here are left out: glTF as text has none");
+      result.notes.push_back("unknown chunks are left out: .gltf files cannot contain them");
     base::FilesTogether files;
     put_buffers(path, binary, result, files);
     files.put(path, [&](const base::ByteSink& sink) {
@@ -113,7 +113,7 @@ private:
     return !bytes_.empty() && std::ranges::equal(rest.positions, positions);
   }
 
-  // Neither to buffers nor to images beside.
+  // True without external buffers or images.
   bool leads_nowhere() const {
     return std::ranges::none_of(file_.buffers,
                                 [](const GltfBuffer& b) { return b.home == GltfBuffer::Home::beside; }) &&
@@ -125,7 +125,7 @@ private:
         "data:application/octet-stream;base64," + base::base64(result.buffers[buffer]);
   }
 
-  // The first of its buffers is the chunk of a GLB; the others have their addresses.
+  // In a GLB the first buffer is the binary chunk; the others keep their URIs.
   void put(GltfRewritten& result, bool binary, TextWriter& out) const {
     const auto& buffers = result.buffers;
     for (std::size_t i = 0; i < buffers.size(); ++i)
@@ -136,7 +136,7 @@ private:
                      file_.other_chunks, out);
   }
 
-  // Into a GLB, or as they were: in the text, or beside it.
+  // Puts buffers into the GLB, or as in the original: embedded, or in external files.
   void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
                    base::FilesTogether& files) const {
     std::set<fs::path> beside;
@@ -156,7 +156,7 @@ private:
     result.notes.push_back((beside.size() == 1 ? "the buffer is in " : "the buffers are in ") + names);
   }
 
-  // Images beside stay where they are: from another folder they are named by the way to it.
+  // Images stay in place; from another folder they get relative URIs.
   void lead_images(const fs::path& path, GltfRewritten& result) const {
     const fs::path to = folder_of(path);
     if (folder_of(file_.name) == to) return;
@@ -169,11 +169,11 @@ private:
       ++led;
     }
     if (led > 0)
-      result.notes.push_back(base::counted(led, "image") + " stayed where the model was read from, and " +
-                             path.filename().string() + " leads there: move them together");
+      result.notes.push_back(base::counted(led, "image") + " stayed in the model's old folder, and " +
+                             path.filename().string() + " refers to it: move them together");
   }
 
-  // "out.bin", or with a number where this is taken: also by another buffer of the same file.
+  // A free name: "out.bin", otherwise with a number. Also avoids other buffers of the same file.
   fs::path name_beside(const fs::path& path, const std::set<fs::path>& taken) const {
     for (int i = 1;; ++i) {
       const std::string number = i == 1 ? "" : "-" + std::to_string(i);
@@ -184,7 +184,7 @@ private:
     }
   }
 
-  // A file that is replaced takes its buffer with it, but for one that the model itself was read from.
+  // True if the buffer belongs to the replaced file and may be overwritten; false for the model's own source.
   bool is_of_older_result(const fs::path& path, const fs::path& buffer) const {
     std::error_code failed;
     for (const GltfBuffer& own : file_.buffers) {

@@ -25,7 +25,7 @@ double linear_of_srgb(double x) {
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-// A vertex of the file: one of the surface with a texture point, a normal and the colour of a face.
+// A vertex of the file: a surface vertex with a texture point, a normal and a face colour.
 struct OutputVertex {
   std::uint32_t vertex, texture, normal, color;
   friend bool operator==(const OutputVertex&, const OutputVertex&) = default;
@@ -56,7 +56,7 @@ public:
   GltfJson document;
   std::string bytes;
 
-  // After all else.
+  // Call last.
   void animate(const MorphMotion& motion, base::Progress* progress) {
     if (motion.targets.empty()) return;
     Surface base = surface_;
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  // Normals of the file, and behind them computed ones of all vertices for corners without.
+  // Normals of the file, followed by computed vertex normals for corners without one.
   void list_normals() {
     normals_ = given_.normals;
     corner_normal_ = given_.corner_normal;
@@ -90,7 +90,7 @@ private:
 
   void list_vertices() {
     std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
-    std::map<Color, std::uint32_t> first_with_color;  // of faces: the first one stands for all
+    std::map<Color, std::uint32_t> first_with_color;  // per face colour: the first face represents all
     const bool faces_colored = !given_.polygon_colors.empty() && given_.colors.empty();
     std::size_t t = 0;
     for_each_triangle(surface_, [&](const Triangle& triangle, const Triangle& corners) {
@@ -111,7 +111,7 @@ private:
     for (std::uint32_t v = 0; v < positions_.size(); ++v) vertices_.push_back({v, none, none, none});
   }
 
-  // A vertex that is where it is at rest has no difference, not even of rounding.
+  // Offsets of unmoved vertices are exactly 0.
   void add_target(GltfMorphs& out, const Surface& base, std::span<const Point> now, bool with_normals) const {
     const bool turns = with_normals && !written_.normals.empty();
     std::vector<Vec3> normals;
@@ -169,7 +169,7 @@ private:
     return made;
   }
 
-  // Values of all vertices; the attribute becomes the number of their accessor.
+  // Adds an accessor with values of all vertices; stores its index in the attribute.
   template <class Fill>
   std::vector<float> add_vectors(GltfJson& attribute, std::size_t components, const Fill& fill) {
     std::vector<float> values(vertices_.size() * components);
@@ -195,13 +195,13 @@ private:
   std::span<const Point> positions_;
   const Attributes& given_;
   std::vector<Vec3> normals_;
-  std::vector<std::uint32_t> corner_normal_;  // of `normals_`
+  std::vector<std::uint32_t> corner_normal_;  // indices into normals_
   std::vector<OutputVertex> vertices_;
   std::vector<std::uint32_t> indices_;
   MorphedVertices written_;
 };
 
-// Names of other files may hold bytes that are not UTF-8.
+// Replaces bytes that are not UTF-8, which names from other files may contain.
 std::string json_text(const GltfJson& document, int indent = -1) {
   return document.dump(indent, ' ', false, GltfJson::error_handler_t::replace);
 }
@@ -210,7 +210,7 @@ std::size_t padded_to_four(std::size_t size) {
   return (size + 3) / 4 * 4;
 }
 
-// Chunks end at multiples of four bytes, JSON with blanks.
+// Pads chunks to multiples of four bytes; JSON with blanks.
 void put_chunk(std::string_view bytes, std::string_view kind, char padding, TextWriter& out) {
   constexpr std::size_t portion = 1 << 20;
   out.little_endian(static_cast<std::uint32_t>(padded_to_four(bytes.size()))).text(kind);

@@ -1,4 +1,4 @@
-// Writes GLB and glTF: the container, and a file made of any surface.
+// Writes GLB and glTF: the container, and any surface as a new file.
 #pragma once
 
 #include <string_view>
@@ -9,21 +9,21 @@
 
 namespace viete::mesh {
 
-/// One node with a mesh of one primitive, positions in float; texture points, normals, colours. A surface
-/// without normals gets computed ones, one that is_flat() none, which is how glTF says so. Polygons become
-/// triangles. Throws base::Error past 4 GB, which GLB cannot hold.
+/// Writes one node with one mesh of one primitive: positions in float, texture points, normals, colours.
+/// Surfaces without normals get computed ones; is_flat() surfaces get none, which means flat shading in glTF.
+/// Polygons become triangles. Throws base::Error beyond 4 GB, the limit of GLB.
 void write_glb(const Content& content, TextWriter& out);
 
-/// The same as text with all bytes in it.
+/// The same as JSON with embedded buffers.
 void write_gltf(const Content& content, TextWriter& out);
 
-/// Either of these with an animation of the content's vertices, see check_motion(). Tells progress (which
-/// may be null) of its targets. Throws base::Cancelled too.
+/// GLB or glTF with an animation of the content's vertices, see check_motion(). progress (may be null) counts
+/// targets. Throws base::Cancelled too.
 void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
                          base::Progress* progress);
 
-/// The JSON, the bytes of its first buffer (there may be none), and further chunks with their heads. Throws
-/// base::Error past 4 GB.
+/// Writes the JSON chunk, the binary chunk (may be empty) and further chunks including headers. Throws
+/// base::Error beyond 4 GB.
 void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
                       TextWriter& out);
 

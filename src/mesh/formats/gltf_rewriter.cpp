@@ -23,7 +23,7 @@ namespace {
 
 using Json = GltfJson;
 
-// The file with other positions, before it is put into one form or the other.
+// Builds the file with other positions, before it is stored as JSON or GLB.
 class GltfRewriter {
 public:
   GltfRewriter(const GltfFile& file, const GltfMap& map, const Surface& rest,
@@ -53,7 +53,7 @@ private:
     return false;
   }
 
-  // Placements of which a target moves a vertex.
+  // Finds placements with vertices moved by a target.
   void find_morphing(const MorphMotion& motion) {
     morphing_.assign(map_.placements.size(), false);
     for (const GltfPiece& piece : map_.pieces) {
@@ -83,12 +83,12 @@ private:
     const auto inverse = placement.map.inverse();
     if (!inverse)
       throw base::Error(file_.name + ": node " + std::to_string(placement.node),
-                        "flattens its mesh, so that no deformation can be put back into it",
+                        "flattens its mesh, so that a deformation cannot be inverted",
                         "apply the node's scale in a modelling program first, or write another format");
     return *inverse;
   }
 
-  // Each node that has moved a mesh of several gets its own.
+  // Gives each moved node of a shared mesh its own copy.
   void part_instances() {
     std::map<int, std::size_t> users;
     for (const Json& node : list_of(document_, "nodes")) ++users[index_of(node, "mesh")];
@@ -104,12 +104,11 @@ private:
       ++parted;
     }
     if (parted > 0)
-      notes_.push_back(
-          std::string(parted == 1 ? "1 copy" : std::to_string(parted) + " copies") +
-          " of meshes that several nodes share are meshes of their own now, for each deforms differently");
+      notes_.push_back(std::string(parted == 1 ? "1 copy" : std::to_string(parted) + " copies") +
+                       " of shared meshes became separate meshes, because each deforms differently");
   }
 
-  // Normals and tangents of all vertices of the file, in the scene.
+  // Transforms normals and tangents of all vertices into the scene.
   void carry_vectors() {
     std::vector<Vec3> normals(map_.surface_vertex.size(), Vec3{0, 0, 0}), tangents = normals;
     bool has_normals = false, has_tangents = false;
@@ -136,7 +135,7 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  // Offsets by the targets of the file at their default weights, added to the written values.
+  // Offsets of the file's targets at default weights, which are added to the written values.
   std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
     const GltfPlacement& placement = map_.placements[piece.placement];
     return morph_differences(accessors_, piece, of,
@@ -147,7 +146,7 @@ private:
     return numbers.empty() ? Vec3{0, 0, 0} : Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   }
 
-  // Unit vectors that point this way after the targets have added their offsets.
+  // The base vector whose sum with the targets' offsets has this direction.
   static Vec3 before_targets(const Vec3& unit, const Vec3& added) {
     const double along = dot(unit, added), rest = along * along - dot(added, added) + 1;
     const double length = rest < 0 ? 1 : along + std::sqrt(rest);
@@ -178,7 +177,7 @@ private:
     return values;
   }
 
-  // Of a piece without normals it need not be at a right angle to anything.
+  // Without normals the tangent need not be orthogonal to anything.
   static Vec3 local_tangent(const AffineMap& inverse, const Vec3& tangent, const Vec3& normal) {
     const Vec3 n = unit_or_zero(inverse.of_normal(normal)), t = inverse.of_vector(tangent);
     return unit_or_zero(t - dot(t, n) * n);
@@ -207,7 +206,7 @@ private:
     MorphedVertices vertices;
   };
 
-  // Pieces that differ in nothing but texture points have their primitives in common.
+  // Pieces that differ only in texture points share their primitives.
   std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
     std::vector<MorphedPiece> found;
     std::set<std::array<int, 4>> seen;
@@ -234,7 +233,7 @@ private:
 
   void put_morphs(const MorphMotion& motion, base::Progress* progress) {
     const std::vector<MorphedPiece> pieces = morphed_pieces(motion.normals);
-    if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation is written"));
+    if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation was written"));
     const std::size_t own = list_of(document_, "animations").size();
     GltfMorphs out(document_, buffers_.front());
     std::vector<std::size_t> nodes;
@@ -249,10 +248,10 @@ private:
         [&](int output) { return accessors_.numbers(output, 1); });
     if (own > 0)
       notes_.push_back(base::counted(own, "animation") + " of the file " + (own == 1 ? "stays" : "stay") +
-                       " beside that which is new");
+                       " in addition to the new one");
   }
 
-  // What is where it is at rest has no difference, not even of rounding.
+  // Offsets of unmoved vertices are exactly 0.
   void add_target(GltfMorphs& out, const std::vector<MorphedPiece>& pieces, std::span<const Point> now,
                   bool with_normals) const {
     std::vector<Vec3> normals, tangents;
@@ -305,7 +304,7 @@ private:
     return {numbers.begin(), numbers.end()};
   }
 
-  // Into the place of the old ones, if that is theirs alone.
+  // Replaces the values in place if no other part of the file uses them.
   void put(const GltfPiece& piece, const char* attribute, int accessor, std::size_t components,
            const std::vector<float>& values) {
     const std::vector<Json*> primitives = primitives_of(piece);
@@ -320,7 +319,7 @@ private:
                     components * sizeof(float));
     }
     for (Json* primitive : primitives) (*primitive)["attributes"][attribute] = to;
-    Json& json = document_["accessors"][to];  // positions must have bounds, of others they are only corrected
+    Json& json = document_["accessors"][to];  // bounds are required for positions, and only updated otherwise
     if (*attribute == 'P' || json.contains("min") || json.contains("max"))
       set_gltf_bounds(json, values, components);
   }
@@ -338,7 +337,7 @@ private:
     }
   }
 
-  // Those of its mesh that have the piece's vertices, as the file names them.
+  // Primitives of the mesh that use the piece's vertices, by their indices in the file.
   const std::vector<std::size_t>& primitive_numbers(const GltfPiece& piece) {
     return primitives_[{map_.placements[piece.placement].mesh, piece.positions, piece.normals,
                         piece.tangents}];
@@ -353,7 +352,7 @@ private:
     return found;
   }
 
-  // A new accessor like the old one, over new bytes at the end of its buffer.
+  // Adds an accessor like the old one, with new data at the end of its buffer.
   std::size_t appended(std::size_t old, std::size_t components, const std::vector<float>& values) {
     const GltfPlace place = accessors_.place(static_cast<int>(old));
     const std::size_t view = add_gltf_view(document_, buffers_[place.buffer], values.data(),
@@ -380,7 +379,7 @@ private:
   std::optional<GltfSharing> sharing_;
   std::map<Vertices, std::vector<std::size_t>> primitives_;
   std::vector<Vec3> normals_, tangents_, unmoved_normals_, unmoved_tangents_;
-  std::vector<bool> morphing_;  // of each placement; empty without an animation
+  std::vector<bool> morphing_;  // per placement; empty without an animation
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ AffineMap map_of_node(const GltfFile& file, int index, const GltfJson& node) {
     Numbers numbers;
     for (const GltfJson& number : list_of(node, key)) numbers.push_back(number.get<double>());
     if (!numbers.empty() && numbers.size() != count)
-      refuse_node(file, index, "its place has not as many numbers as it should");
+      refuse_node(file, index, "its transform has the wrong number of components");
     return numbers;
   };
   if (const Numbers matrix = numbers("matrix", 16); !matrix.empty()) return from_matrix(matrix);
@@ -78,7 +78,7 @@ private:
     if (!scenes.empty()) {
       const std::size_t scene = count_of(file_.document, "scene").value_or(0);
       if (scene >= scenes.size())
-        throw base::Error(file_.name, "scene " + std::to_string(scene) + " is not there",
+        throw base::Error(file_.name, "scene " + std::to_string(scene) + " does not exist",
                           "export the model again");
       return listed(scenes[scene], "nodes");
     }
@@ -104,7 +104,7 @@ private:
     open_.pop_back();
     const int number = static_cast<int>(index);
     if (index >= nodes_.size())
-      refuse_node(file_, number, "is not there, the file has " + std::to_string(nodes_.size()));
+      refuse_node(file_, number, "does not exist, the file has " + std::to_string(nodes_.size()));
     if (seen_[index]) refuse_node(file_, number, "is placed twice: nodes must form trees");
     seen_[index] = 1;
     const GltfJson& node = nodes_[index];
@@ -115,8 +115,8 @@ private:
 
   void place(int index, int mesh, const GltfJson& node, const AffineMap& map) {
     if (element_of(file_.document, "meshes", mesh).is_null())
-      refuse_node(file_, index, "refers to mesh " + std::to_string(mesh) + ", which is not there");
-    // The place of a mesh that hangs on bones is that of the bones: at rest as it was modelled.
+      refuse_node(file_, index, "refers to mesh " + std::to_string(mesh) + ", which does not exist");
+    // A skinned mesh is placed by its bones: at rest as modelled.
     placements_.push_back({index, mesh, index_of(node, "skin") >= 0 ? AffineMap{} : map});
   }
 

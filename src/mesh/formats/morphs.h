@@ -1,5 +1,4 @@
-// Morph targets of glTF: positions that a model's vertices take one after another, as an animation of
-// weights.
+// Morph targets of glTF and the animation of their weights.
 #pragma once
 
 #include <cstddef>
@@ -12,36 +11,33 @@
 
 namespace viete::mesh {
 
-/// Morph targets and how they are mixed: at each moment the differences of all targets from the model at rest
-/// are added, each times its weight. Between moments weights go straight.
+/// Morph targets and their weights over time. Each moment adds the weighted offsets of all targets to the
+/// rest model. Weights are interpolated linearly between moments.
 struct MorphMotion {
   std::string name;
-  std::vector<double> seconds;       ///< of the moments; they ascend
-  std::vector<std::string> targets;  ///< their names, which may be empty
-  std::vector<float> weights;        ///< of each moment as many as there are targets
-  std::vector<char> moves;           ///< of each vertex, whether a target has it elsewhere than at rest
-  std::function<std::vector<Point>(std::size_t target)> positions;  ///< asked for once each, in order
+  std::vector<double> seconds;       ///< times of the moments, ascending
+  std::vector<std::string> targets;  ///< names, may be empty
+  std::vector<float> weights;        ///< targets.size() weights per moment
+  std::vector<char> moves;           ///< for each vertex, whether a target moves it
+  std::function<std::vector<Point>(std::size_t target)> positions;  ///< called once per target, in order
   bool normals = true;
 };
 
-/// Throws base::Error where there is no moment, times do not ascend, or numbers do not go together.
+/// Throws base::Error without moments, for times that do not ascend, or if sizes do not match.
 void check_motion(const MorphMotion& motion, std::size_t vertices);
 
-/// What a glTF file says of how its meshes morph. Positions are made when they are asked for. Immutable and
-/// thread-safe.
+/// Morph animation of a glTF file. Positions are computed on demand. Immutable and thread-safe.
 class MorphClip {
 public:
   virtual ~MorphClip() = default;
 
-  const std::string& name() const { return name_; }                     ///< of the animation; or empty
-  const std::vector<double>& seconds() const { return seconds_; }       ///< of its keys, ascending; or none
-  const std::vector<std::string>& targets() const { return targets_; }  ///< their names, none empty
-  const std::vector<std::string>& notes() const {
-    return notes_;
-  }  ///< what is taken otherwise than the file has it
+  const std::string& name() const { return name_; }                ///< animation name; may be empty
+  const std::vector<double>& seconds() const { return seconds_; }  ///< key times, ascending; may be empty
+  const std::vector<std::string>& targets() const { return targets_; }  ///< names, not empty
+  const std::vector<std::string>& notes() const { return notes_; }      ///< deviations from the file
 
-  /// Positions of the surface that was read, at a key, or with one target alone at full weight. Between keys
-  /// they go straight. Throws base::Error where the file's numbers are not sound.
+  /// Positions of the surface at a key, or with one target at full weight. Between keys, interpolate
+  /// linearly. Throws base::Error if the file's data are invalid.
   virtual std::vector<Point> at_key(std::size_t key) const = 0;
   virtual std::vector<Point> at_target(std::size_t target) const = 0;
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr TextRules mtl_rules{.comment = '#', .continued_lines = true};
 constexpr std::size_t most_library_bytes = 64 << 20;
 
-// Options of a map and how many words follow each; -o, -s and -t have one to three numbers.
+// The number of arguments of a map option; -o, -s and -t have one to three.
 std::size_t option_words(std::string_view option) {
   constexpr auto one =
       std::to_array<std::string_view>({"-blendu", "-blendv", "-bm", "-boost", "-cc", "-clamp", "-colorspace",
@@ -65,7 +65,7 @@ private:
 
   std::optional<double> next_number() { return number_in(text_.word()); }
 
-  // Red, green and blue, or one number for all; not the curves and CIE forms.
+  // Reads three components, or one for all; not curves and CIE colours.
   void diffuse(Color& color) {
     const auto red = next_number();
     if (!red) return;
@@ -112,7 +112,7 @@ std::vector<MtlMaterial> materials_in(const fs::path& path) {
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
-// One name with blanks, if there is such a file; or one for each word.
+// A single name with blanks if that file exists; otherwise one name per word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
   const fs::path whole = path_beside(folder, names);
@@ -125,7 +125,7 @@ std::vector<fs::path> library_paths(const fs::path& folder, std::string_view nam
   return paths;
 }
 
-// False if one of the libraries could not be read.
+// False if a library could not be read.
 bool read_libraries(const Source& source, const std::vector<std::string>& libraries, Library& library,
                     SurfaceBuilder& builder) {
   std::set<fs::path> seen;
@@ -157,7 +157,7 @@ std::vector<fs::path> files_of_libraries(const fs::path& folder, const std::vect
       if (files.size() >= 4096 || !files.insert(path).second) continue;
       try {
         for (const MtlMaterial& m : materials_in(path)) files.insert(m.maps.begin(), m.maps.end());
-      } catch (const base::Error&) {  // reading the model has said so
+      } catch (const base::Error&) {  // already reported when reading the model
       }
     }
   }

@@ -10,24 +10,23 @@
 
 namespace viete::mesh {
 
-/// One `newmtl` of a library. Of its lines Kd, d, Tr and map_Kd are looked at; of other maps the names.
+/// A `newmtl` section. Reads Kd, d, Tr and map_Kd, and the file names of other maps.
 struct MtlMaterial {
-  Material material;            ///< without its image
-  std::filesystem::path image;  ///< absolute; empty: none. Whether it is there, who shows it will see
-  std::vector<std::filesystem::path> maps;  ///< all images that it names, that one too
+  Material material;                        ///< without its image
+  std::filesystem::path image;              ///< absolute, not checked for existence; empty: none
+  std::vector<std::filesystem::path> maps;  ///< all images it names, including `image`
 };
 
-/// Never fails: lines that cannot be read are as if they were not there. source.folder is that of the
-/// library.
+/// Never fails: skips unreadable lines. source.folder must be the folder of the library.
 std::vector<MtlMaterial> read_mtl(const Source& source);
 
-/// The libraries and the images that these name, as far as they can be read. See read_materials().
+/// The libraries and the images that they name, as far as readable. See read_materials().
 std::vector<std::filesystem::path> files_of_libraries(const std::filesystem::path& folder,
                                                       const std::vector<std::string>& libraries);
 
-/// Fills colours and images of the materials that the model uses, by their names. Each of the libraries is
-/// what stood behind `mtllib`: a name, with blanks, or several names, looked for beside the model. One that
-/// is missing or cannot be read is a warning. Without source.folder nothing is looked for.
+/// Fills in colours and images of the model's materials by name. Each library is the text after `mtllib`: one
+/// name with blanks, or several names, in the model's folder. A missing or unreadable library is a warning.
+/// Does nothing if source.folder is empty.
 void read_materials(const Source& source, const std::vector<std::string>& libraries, Attributes& attributes,
                     SurfaceBuilder& builder);
 

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
 constexpr Color white{1, 1, 1, 1};
 
-// Up to `most` numbers of this line; what is no number ends them.
+// Reads up to `most` numbers of this line; stops at the first non-number.
 template <std::size_t most>
 std::size_t numbers(TextCursor& text, std::array<double, most>& values) {
   std::size_t count = 0;
@@ -33,13 +33,12 @@ std::size_t numbers(TextCursor& text, std::array<double, most>& values) {
   return count;
 }
 
-// Collects what the file says besides vertices and faces. What cannot be read here is told as a warning and
-// taken as if it were not there: it never makes a file unreadable.
+// Collects attributes. Unreadable ones cause a warning and are ignored; they never make a file unreadable.
 class ObjAttributes {
 public:
   explicit ObjAttributes(const Source& source) : source_(source) {}
 
-  // What stands behind x y z: a weight, a colour, or nothing.
+  // Reads an optional weight or colour after x y z.
   void behind_position(TextCursor& text, std::size_t vertex) {
     std::array<double, 4> values{};
     const std::size_t count = numbers(text, values);
@@ -68,7 +67,7 @@ public:
     found_.normals.push_back(values);
   }
 
-  // Behind the vertex index of a corner that the builder is about to be given as its number `corner`.
+  // Call before the builder receives corner number `corner`, with the text after its vertex index.
   void corner(std::size_t corner, std::string_view behind_vertex) {
     const ObjIndices indices = obj_indices(behind_vertex);
     bad_indices_ += !indices.readable;
@@ -76,7 +75,7 @@ public:
     put(found_.corner_normal, corner, indices.normal, found_.normals.size());
   }
 
-  // Behind the builder's end_polygon().
+  // Call after the builder's end_polygon().
   void end_polygon(const Surface& surface) {
     const std::size_t corners = surface.corners.size();
     for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
@@ -119,7 +118,7 @@ public:
     if (!names.empty() && libraries_.size() < most_libraries) libraries_.emplace_back(names);
   }
 
-  // Null where the file has nothing of all this. Reads the material libraries.
+  // Null without attributes. Reads the material libraries.
   std::shared_ptr<const Attributes> finish(SurfaceBuilder& builder) {
     check(found_.corner_texture, found_.texture_points.size());
     check(found_.corner_normal, found_.normals.size());
@@ -136,7 +135,7 @@ public:
   }
 
 private:
-  // Relative ones count from here. One that runs ahead is looked at in the end.
+  // Relative indices refer to this point of the file. Forward references are checked at the end.
   void put(std::vector<std::uint32_t>& indices, std::size_t corner, std::int64_t index, std::size_t count) {
     if (index == 0 && indices.empty()) return;
     indices.resize(corner, none);
@@ -155,7 +154,7 @@ private:
     }
   }
 
-  // In [0, 1], or from 0 to 255 where one is larger than 1.
+  // Scales to [0, 1] if a value is larger than 1, which means 0 to 255.
   void finish_colors(std::size_t vertices) {
     auto& colors = found_.colors;
     if (colors.empty()) return;
@@ -168,7 +167,7 @@ private:
     colors.resize(vertices, white);
   }
 
-  // A file without any is one group, and needs none.
+  // A file without groups keeps none.
   void finish_groups() {
     const auto plain = [](const Group& g) {
       return g.object.empty() && g.name.empty() && g.material == none && g.smooth;
@@ -180,19 +179,19 @@ private:
     const std::string name = source_.name + ": ";
     if (bad_indices_ > 0) {
       builder.warn(name + base::counted(bad_indices_, "reference") +
-                   " to texture coordinates or normals that the file does not have: passed over");
+                   " to missing texture coordinates or normals ignored");
     }
     if (bad_numbers_ > 0) {
       builder.warn(name + base::counted(bad_numbers_, "line") +
-                   " of texture coordinates or normals cannot be read and count as 0");
+                   " of texture coordinates or normals are unreadable and set to 0");
     }
     if (groups_left_out_ > 0)
-      builder.warn(name + "shows " + base::counted(most_groups, "group") + " apart, those behind as one");
+      builder.warn(name + "keeps " + base::counted(most_groups, "group") + ", further groups are merged");
   }
 
   const Source& source_;
   Attributes found_;
-  Group state_;  // of the faces that follow
+  Group state_;  // state of the following faces
   bool changed_ = true;
   std::size_t polygons_ = 0;
   std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
@@ -277,7 +276,7 @@ private:
 
   std::uint32_t vertex(std::int64_t index) {
     const auto count = static_cast<std::int64_t>(builder_.vertex_count());
-    if (index == 0) text_.fail("face refers to vertex 0, OBJ counts from 1", "export the model again");
+    if (index == 0) text_.fail("face refers to vertex 0, OBJ indices start at 1", "export the model again");
     if (index < -count) refuse(text_.line(), index);
     if (index < 0) return static_cast<std::uint32_t>(count + index);
     if (index > std::numeric_limits<std::uint32_t>::max()) refuse(text_.line(), index);
@@ -318,7 +317,7 @@ private:
   void refuse_other_content() const {
     if (builder_.vertex_count() > 0 || unknown_ == 0) return;
     throw base::Error(text_.place(first_unknown_line_),
-                      "OBJ has no lines that start with " + first_unknown_ + ", and no vertices were found",
+                      "unknown OBJ keyword " + first_unknown_ + ", and no vertices were found",
                       "export the model again");
   }
 
@@ -328,8 +327,8 @@ private:
                     " cannot be shown");
     }
     if (unknown_ > 0) {
-      builder_.warn(text_.place(first_unknown_line_) + ": passed over " + base::counted(unknown_, "line") +
-                    " that OBJ does not know, the first starts with " + first_unknown_);
+      builder_.warn(text_.place(first_unknown_line_) + ": ignored " + base::counted(unknown_, "line") +
+                    " with unknown keywords, the first is " + first_unknown_);
     }
   }
 
@@ -337,9 +336,9 @@ private:
   TextCursor text_;
   SurfaceBuilder builder_;
   ObjAttributes attributes_;
-  std::vector<std::uint32_t> normal_blocks_;  // lines vn up to the end of each block of them
+  std::vector<std::uint32_t> normal_blocks_;  // number of vn lines up to the end of each block
   std::size_t lines_ = 0;
-  std::int64_t highest_ = 0;  // of the indices that ran ahead of the vertices read so far
+  std::int64_t highest_ = 0;  // largest forward reference
   std::size_t highest_line_ = 0;
   std::size_t free_forms_ = 0, unknown_ = 0, first_unknown_line_ = 0;
   std::string first_unknown_;

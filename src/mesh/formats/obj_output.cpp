@@ -25,12 +25,12 @@ std::string words_of(const Vec3& normal, const Printed& printed) {
   return words;
 }
 
-// A line `vn` serves any number of corners. Once the surface is deformed, it stands for one normal at each
-// vertex that uses it, and at each polygon where the file asks for flat faces. Those that are printed
-// differently get lines of their own, behind the block of lines that theirs stands in.
+// A `vn` line serves any number of corners. After a deformation it splits into one normal per vertex that
+// uses it, or per polygon with flat shading. Normals that print differently get lines of their own after the
+// block of the original line.
 class ObjNormals {
 public:
-  // blocks: see obj_original(). attributes has normals.
+  // blocks: see obj_original(). attributes must have normals.
   ObjNormals(const Surface& rest, const Attributes& attributes, std::span<const std::uint32_t> blocks,
              std::span<const Point> positions, const Printed& printed) {
     const SpreadNormals spread(rest, attributes);
@@ -40,7 +40,7 @@ public:
     for (std::size_t n = 0; n < attributes.normals.size(); ++n) {
       const auto begin = spread.first[n], end = spread.first[n + 1];
       first_.push_back(static_cast<std::uint32_t>(values_.size()));
-      // The line keeps its words if some corners do.
+      // The original line stays if some corner still uses it.
       const auto kept = std::find(moved.begin() + begin, moved.begin() + end, attributes.normals[n]);
       values_.push_back(kept == moved.begin() + end ? moved[begin] : *kept);
       value_of[begin] = first_[n];
@@ -59,15 +59,15 @@ public:
     number(blocks, attributes, value_of_corner);
   }
 
-  // What the file's line says now; its bits are those it had if nothing moved there.
+  // The normal on the original line; same bits if unmoved.
   const Vec3& of_line(std::size_t line) const { return values_[first_[line]]; }
-  // What the lines say that are added for it.
+  // The normals on lines added for it.
   std::span<const Vec3> added(std::size_t line) const {
     return std::span(values_).subspan(first_[line] + 1, first_[line + 1] - first_[line] - 1);
   }
   bool adds_lines() const { return values_.size() + 1 > first_.size(); }
 
-  // Indices from 0 among all lines `vn` of the new file.
+  // Zero-based index among the `vn` lines of the new file.
   std::uint32_t index_of_line(std::size_t line) const { return index_[line]; }
   std::uint32_t index_of_corner(std::size_t corner) const { return corner_index_[corner]; }
 
@@ -93,13 +93,13 @@ private:
     }
   }
 
-  std::vector<Vec3> values_;          // of each line, and of those added for it
-  std::vector<std::uint32_t> first_;  // of the values of each line
+  std::vector<Vec3> values_;          // per original line, followed by its added lines
+  std::vector<std::uint32_t> first_;  // first value of each line
   std::vector<std::uint32_t> index_;
-  std::vector<std::uint32_t> corner_index_;  // where lines are added
+  std::vector<std::uint32_t> corner_index_;  // only if lines are added
 };
 
-// Like the first lines of this kind.
+// Learns the format of the first lines with this keyword.
 Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
   constexpr std::size_t enough = 10'000;
   Printed printed(digits);
@@ -112,7 +112,7 @@ Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
   return printed;
 }
 
-// The end of the line that ends before this place.
+// The line end before this position.
 std::string_view line_end_before(std::string_view bytes, std::size_t place) {
   if (place > 0 && bytes[place - 1] == '\r') return "\r";
   return place > 1 && bytes[place - 2] == '\r' ? "\r\n" : "\n";
@@ -164,7 +164,7 @@ private:
     }
   }
 
-  // For the lines of the block that ends here.
+  // Adds the lines of the block that ends here.
   void add_normals() {
     if (!normals_ || added_ == lines_) return;
     const std::string_view line_end = line_end_before(source_.bytes, block_end_);
@@ -180,7 +180,7 @@ private:
     }
   }
 
-  // False only at the end of a file whose last line lacks it.
+  // False only if the last line of the file has no line end.
   bool ends_line(std::size_t place) const {
     return place > 0 && (source_.bytes[place - 1] == '\n' || source_.bytes[place - 1] == '\r');
   }
@@ -191,7 +191,7 @@ private:
       text_.leading_integer("vertex index");
       indices_.push_back(obj_indices(text_.rest_of_word()));
     }
-    const bool is_polygon = indices_.size() >= 3;  // others are none of the surface's
+    const bool is_polygon = indices_.size() >= 3;  // shorter ones are not polygons of the surface
     for (const ObjIndices& corner : indices_) {
       const std::uint32_t index =
           is_polygon ? normals_->index_of_corner(corner_++) : index_of_line(corner.normal);
@@ -219,8 +219,8 @@ private:
   const Attributes* attributes_ = nullptr;
   std::optional<ObjNormals> normals_;
   std::size_t vertices_ = 0, corner_ = 0;
-  std::size_t lines_ = 0, added_ = 0;  // vn of the file so far, and up to which lines were added for them
-  std::int64_t written_ = 0;           // vn of the new file so far
+  std::size_t lines_ = 0, added_ = 0;  // vn lines read so far; those with added lines written
+  std::int64_t written_ = 0;           // vn lines written so far
   std::size_t block_end_ = 0;
   std::vector<ObjIndices> indices_;
   std::array<char, 400> room_;

@@ -20,16 +20,16 @@ constexpr std::pair<std::string_view, ObjWord> rarer_words[] = {
     {"mtllib", material_library},
     {"curv", free_form},
     {"surf", free_form},
-    {"fo", face}};  // how faces were called before version 3.0
+    {"fo", face}};  // name of faces before version 3.0
 
-// Words of statements that say nothing of a surface.
+// Keywords of statements that do not describe a surface.
 constexpr std::string_view other_words[] = {
     "bevel", "bmat",   "bsp",       "bzp",   "c_interp", "call", "cdc",  "cdp",        "con",
     "csh",   "cstype", "ctech",     "curv2", "d_interp", "deg",  "end",  "hole",       "l",
     "lod",   "maplib", "mg",        "p",     "parm",     "res",  "scrv", "shadow_obj", "sp",
     "stech", "step",   "trace_obj", "trim",  "usemap",   "vp"};
 
-// Behind a slash; an empty one is 0.
+// Reads an index after a slash; empty means 0.
 bool take_index(std::string_view& rest, std::int64_t& index) {
   if (rest.empty() || rest.front() == '/') return true;
   const char* const from = rest.data() + (rest.front() == '+' ? 1 : 0);

@@ -1,4 +1,4 @@
-// The words that lines of an OBJ file start with, and the indices of a face's corner.
+// Keywords of OBJ lines, and the indices of a face's corner.
 #pragma once
 
 #include <cstdint>
@@ -21,25 +21,25 @@ enum class ObjWord : std::uint8_t {
   use_material,
   material_library,
   free_form,
-  other,   ///< of OBJ, but nothing that a surface has
-  unknown  ///< not of OBJ
+  other,   ///< valid OBJ, but not part of a surface
+  unknown  ///< not OBJ
 };
 
-/// In small letters or, as some programs write them, in capitals.
+/// Accepts lower case and, as some programs write, upper case.
 ObjWord obj_word(std::string_view word);
-/// In small letters only.
+/// Accepts lower case only.
 ObjWord small_obj_word(std::string_view word);
 
-/// True for what stands behind a block of vertices and normals: lines added to the block come before it.
+/// True for statements that follow a block of vertices and normals; lines are added before them.
 inline bool ends_block(ObjWord word) {
   return word >= ObjWord::face && word <= ObjWord::use_material;
 }
 
-/// What stands behind a corner's vertex index: "", "/2", "//3", "/2/3".
+/// Parses the text after a corner's vertex index: "", "/2", "//3", "/2/3".
 struct ObjIndices {
-  std::int64_t texture_point = 0, normal = 0;  ///< as the file has them: from 1, or relative; 0: none
-  std::string_view normal_word;                ///< where the normal's index stands
-  bool readable = true;                        ///< false: no such form; both are 0
+  std::int64_t texture_point = 0, normal = 0;  ///< as in the file: from 1, or relative; 0: none
+  std::string_view normal_word;                ///< the text of the normal's index
+  bool readable = true;                        ///< false: invalid syntax; both are 0
 };
 
 ObjIndices obj_indices(std::string_view behind_vertex);

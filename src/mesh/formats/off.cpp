@@ -23,17 +23,17 @@ namespace {
 
 constexpr TextRules off_rules{.comment = '#'};
 
-// What the rows of vertices hold behind positions, and where.
+// Layout of vertex rows after the positions.
 struct OffForm {
   bool normals = false, colors = false, texture = false;
   bool more_axes = false;     //< 4OFF, nOFF
-  bool colors_first = false;  //< of four numbers before the normals, as MeshLab writes them
-  bool wrapped = false;       //< rows end with their last number, not with the line
+  bool colors_first = false;  //< four components before normals, as written by MeshLab
+  bool wrapped = false;       //< rows end with their last number instead of the line
 
   std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
 };
 
-// OFF, behind ST (texture), C (colours), N (normals), 4, n (dimension): in this order by the manual.
+// The keyword OFF after the prefixes ST (texture), C (colours), N (normals), 4, n (dimension), in this order.
 std::optional<OffForm> off_form(std::string_view word) {
   OffForm form;
   if (word == "off") return form;
@@ -54,17 +54,17 @@ std::optional<OffForm> off_form(std::string_view word) {
   return form;
 }
 
-// A number behind a position or a face.
+// A number after a position or a face.
 struct OffNumber {
   double value = 0;
-  bool whole = false;  // written without a point
+  bool whole = false;  // written without a decimal point
 };
 
 struct OffColor {
   Color color{0, 0, 0, 1};
-  bool whole = true;  // written in whole numbers, but for the opacity
+  bool whole = true;  // integers, except for the opacity
 
-  // Of three numbers or four.
+  // From three or four numbers.
   explicit OffColor(std::span<const OffNumber> numbers) {
     for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i) {
       color[i] = static_cast<float>(std::clamp(numbers[i].value, 0.0, 255.0));
@@ -73,7 +73,7 @@ struct OffColor {
   }
 };
 
-// In [0, 1]. Whole numbers go to 255 where one of them is larger than 1, and likewise those with a point.
+// Scales colours to [0, 1]: integers by 255 if one is larger than 1, and likewise decimals.
 void to_unit_range(std::span<OffColor> colors) {
   for (const bool whole : {false, true}) {
     const std::size_t channels = whole ? 4 : 3;
@@ -87,11 +87,11 @@ void to_unit_range(std::span<OffColor> colors) {
   for (OffColor& c : colors) c.color[3] /= c.color[3] > 1 ? 255.0F : 1.0F;
 }
 
-// Everything stays but coordinates that moved and the normals of NOFF that follow; they are printed with as
-// many decimals as the file has, and no fewer than six digits of the model's diagonal need.
+// Changes only moved coordinates and the dependent normals of NOFF. Prints as many decimals as in the file,
+// and at least six significant digits of the model's diagonal.
 class OffOriginal final : public Original {
 public:
-  // body: where the first vertex is looked for.
+  // body: where to look for the first vertex.
   OffOriginal(const Source& source, std::size_t body, const OffForm& form)
       : Original("OFF", source), body_(body), form_(form) {}
 
@@ -133,7 +133,7 @@ private:
 
 class OffReader {
 public:
-  // Where line ends are blanks.
+  // Context in which line ends count as blanks.
   enum class Wrapped { nowhere, in_faces, everywhere };
 
   OffReader(const Source& source, Wrapped wrapped)
@@ -154,12 +154,12 @@ public:
     }
     for (std::size_t i = 0; i < faces; ++i) {
       if (form_.wrapped && !text_.at_line_end() && i == 0)
-        text_.fail("the faces begin within a line", "export the model again");
+        text_.fail("the faces start in the middle of a line", "export the model again");
       row("the last face", i);
       face();
     }
     if (wrapped_ != Wrapped::nowhere && text_.next_filled_line())
-      text_.fail("the file goes on behind its last face", "export the model again");
+      text_.fail("the file continues after its last face", "export the model again");
     auto attributes = finished_attributes();
     ReadResult result = builder_.finish("OFF");
     if (source_.owner) result.original = std::make_shared<const OffOriginal>(source_, body, form_);
@@ -174,11 +174,11 @@ private:
     const std::string_view word = ahead.word();
     if (const auto form = off_form(word)) {
       if (form->more_axes)
-        text_.fail(in_quotes(word) + " has positions of four or n numbers, which are no points in space",
+        text_.fail(in_quotes(word) + " has positions with four or n coordinates instead of three",
                    "export as OFF");
       text_ = ahead;
       form_ = *form;
-      if (ahead.word() == "BINARY") text_.fail("binary OFF is not read", "export as text or as PLY");
+      if (ahead.word() == "BINARY") text_.fail("binary OFF is not supported", "export as OFF text or as PLY");
     }
     form_.wrapped = wrapped_ == Wrapped::everywhere;
     while (!text_.at_end() && text_.at_line_end()) comment_line();
@@ -198,7 +198,7 @@ private:
     return static_cast<std::size_t>(value);
   }
 
-  // A vertex takes six bytes at least, a face two.
+  // A vertex needs at least six bytes, a face two.
   void check_room(std::size_t vertices, std::size_t faces) const {
     const std::size_t left = text_.bytes_left() + 1;
     if (vertices <= left / 6 && faces <= (left - 6 * vertices) / 2) return;
@@ -207,7 +207,7 @@ private:
                "the file seems to be cut short: export or copy it again");
   }
 
-  // A normal has no whole numbers beyond 1, and not many others are whole.
+  // Normals contain no integers beyond 1 and few integers at all.
   bool colors_come_first(std::size_t vertices) const {
     TextCursor ahead = text_;
     for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
@@ -242,7 +242,7 @@ private:
     return OffNumber{*value, word.find_first_of(".eE") == std::string_view::npos};
   }
 
-  // Up to so many; what is no number ends them.
+  // Reads up to `most` numbers; stops at the first non-number.
   std::span<const OffNumber> numbers(std::size_t most, bool wrapped) {
     numbers_.clear();
     while (numbers_.size() < most && (wrapped || !text_.at_line_end())) {
@@ -254,7 +254,7 @@ private:
     return numbers_;
   }
 
-  // A normal, a colour of three or four numbers, and a texture point, as far as they are there.
+  // Reads the optional normal, colour (three or four numbers) and texture point.
   void behind_position() {
     if (form_.numbers() == 0) return unnamed();
     std::span<const OffNumber> left = numbers(form_.numbers(), form_.wrapped);
@@ -280,7 +280,7 @@ private:
     }
   }
 
-  // What the head does not name: three numbers or four that are not negative are a colour.
+  // Undeclared values: three or four non-negative numbers are a colour.
   void unnamed() {
     if (form_.wrapped || text_.at_line_end()) return;
     const auto behind = numbers(5, false);
@@ -290,7 +290,7 @@ private:
     if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, behind);
   }
 
-  // Of those that have one; the others have the usual one.
+  // Elements without a colour get the default.
   static std::vector<Color> spread(const std::vector<std::pair<std::size_t, OffColor>>& given,
                                    std::size_t count) {
     std::vector<OffColor> colors;
@@ -305,8 +305,8 @@ private:
     to_unit_range(colors_);
     for (const OffColor& c : colors_) found_.colors.push_back(c.color);
     if (unknown_rows_ > 0) {
-      builder_.warn(source_.name + ": passed over what stands behind the positions of " +
-                    base::counted(unknown_rows_, "row") + " and is not named at its head");
+      builder_.warn(source_.name + ": ignored extra values after the positions of " +
+                    base::counted(unknown_rows_, "row") + " that the header does not declare");
     } else if (!unnamed_colors_.empty()) {
       found_.colors = spread(unnamed_colors_, builder_.vertex_count());
     }
@@ -334,7 +334,7 @@ private:
     text_.next_line();
   }
 
-  // Three or four numbers behind the corners; a single one is the index of a list that is in no file.
+  // Reads three or four numbers after the corners; a single one is an index into an external colour map.
   void face_color(std::size_t polygon) {
     const auto behind = numbers(4, false);
     if (behind.size() >= 3) face_colors_.emplace_back(polygon, OffColor(behind));
@@ -345,9 +345,9 @@ private:
   SurfaceBuilder builder_;
   Wrapped wrapped_;
   OffForm form_;
-  std::vector<OffNumber> numbers_;                                              // of a row
-  std::vector<OffColor> colors_;                                                // one a vertex
-  std::vector<std::pair<std::size_t, OffColor>> unnamed_colors_, face_colors_;  // of vertices, of polygons
+  std::vector<OffNumber> numbers_;                                              // numbers of the current row
+  std::vector<OffColor> colors_;                                                // one per vertex
+  std::vector<std::pair<std::size_t, OffColor>> unnamed_colors_, face_colors_;  // for vertices, for polygons
   std::size_t unknown_rows_ = 0;
   Attributes found_;
 };
@@ -362,7 +362,7 @@ ReadResult read_off(const Source& source) {
     for (const OffReader::Wrapped wrapped : {in_faces, everywhere}) {
       try {
         return OffReader(source, wrapped).read();
-      } catch (const base::Error&) {  // the first one says what is wrong
+      } catch (const base::Error&) {  // reports the first error
       }
     }
     throw;

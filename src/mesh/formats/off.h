@@ -11,17 +11,17 @@
 
 namespace viete::mesh {
 
-/// Source: Geomview manual, "OFF Files". Read: OFF and its forms with colours, normals or texture coordinates
-/// behind the positions, named in any order; comments; the word OFF itself may be missing, and colours stand
-/// in files that do not name them. White space is all alike but for the line end behind a face, which ends
-/// its colour: files are read row by row, and where that fails with line ends as blanks among the numbers of
-/// faces, then of vertices. Not read: 4OFF, nOFF, BINARY. Throws base::Error, base::Cancelled.
+/// Source: Geomview manual, "OFF Files". Reads OFF and its variants with colours, normals or texture
+/// coordinates after positions, in any order; comments; files without the keyword OFF; undeclared colours.
+/// Only the line end after a face is significant, as it ends the face's colour: reading is row by row; if
+/// that fails, line ends among face numbers, then among vertex numbers, count as blanks. Not supported: 4OFF,
+/// nOFF, BINARY. Throws base::Error, base::Cancelled.
 ReadResult read_off(const Source& source);
 
-/// True if the first word is OFF or one of its forms.
+/// True if the first word is OFF or a variant.
 bool looks_like_off(const Source& source);
 
-/// True if numbers alone follow, and enough of them for the counts that they begin with.
+/// True if only numbers follow, and enough of them for the declared counts.
 bool is_certainly_off(const Beginning& file);
 
 void write_off(const Content& content, TextWriter& out);

@@ -1,5 +1,4 @@
-// The file that a surface was read from, kept as it was, so that it can be written again with other
-// positions.
+// A file kept as read, so that it can be written again with other positions.
 #pragma once
 
 #include <filesystem>
@@ -18,16 +17,16 @@
 
 namespace viete::mesh {
 
-/// Files that another one names by the way from its folder: material libraries and images.
+/// External files referenced by relative paths: material libraries and images.
 struct Companions {
   std::filesystem::path folder;
-  std::vector<std::filesystem::path> files;  ///< absolute; they need not be there
+  std::vector<std::filesystem::path> files;  ///< absolute; they may not exist
 };
 
-/// Immutable; one for each format. Thread-safe.
+/// Immutable; one implementation per format. Thread-safe.
 class Original {
 public:
-  /// format: the name in the table. The bytes, which were read without an error, live as long as their owner.
+  /// format: its name in the table. Keeps the owner of the bytes, which must have been read without error.
   Original(std::string_view format, const Source& source)
       : name_(source.name),
         bytes_(source.owner ? source.bytes : std::string_view()),
@@ -37,41 +36,41 @@ public:
 
   std::string_view format() const { return format_; }
 
-  /// What it holds that a surface and its attributes do not, so that another format does not get it:
+  /// Content that a surface and its attributes do not represent, and that other formats therefore lose:
   /// "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
-  /// What the file leads to, so that it must lie beside it to be whole. write_file() leaves it alone.
+  /// External files that must accompany the file. write_file() does not write them.
   virtual Companions companions() const { return {}; }
 
-  /// All other files that it was read from or leads to; they need not be there.
+  /// All external files that it uses; they may not exist.
   virtual std::vector<std::filesystem::path> files_beside() const { return companions().files; }
 
-  /// Everything that was read, in its order, but for positions that differ from those of `rest` (the surface
-  /// that was read from it) and for normals and tangents that follow them. Returns what a person should know
-  /// of the result, one line each. Throws base::Error and base::Cancelled.
+  /// Writes the whole file in its order, with new values for positions that differ from `rest` (the surface
+  /// read from it) and for the normals and tangents that depend on them. Returns messages for the user, one
+  /// line each. Throws base::Error and base::Cancelled.
   virtual std::vector<std::string> write(const Surface& rest, std::span<const Point> positions,
                                          TextWriter& out) const = 0;
 
-  /// The same as a file, which is replaced as a whole or left as it was, with what stands beside it in a
-  /// format of several files. progress may be null.
+  /// Writes to a file, which is replaced atomically, together with external buffers of formats with several
+  /// files. progress may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const Surface& rest,
                                               std::span<const Point> positions, Digits digits,
                                               base::Progress* progress) const;
 
-  /// The same with morph targets, see check_motion(). Of formats that have them: others throw base::Error.
+  /// Writes morph targets as well, see check_motion(). Throws base::Error for formats without them.
   virtual std::vector<std::string> write_animated(const std::filesystem::path& path, const Surface& rest,
                                                   std::span<const Point> positions, const MorphMotion& motion,
                                                   base::Progress* progress) const;
 
-  /// How its meshes morph; null where they do not. Throws base::Error where that is not sound.
+  /// The morph animation; null if there is none. Throws base::Error if it is invalid.
   virtual std::shared_ptr<const MorphClip> morphs() const { return nullptr; }
 
 protected:
   Source source() const { return {name_, "", bytes_}; }
 
   std::string name_;
-  std::string_view bytes_;  // of the file; empty without an owner
+  std::string_view bytes_;  // the file's bytes; empty without an owner
 
 private:
   std::shared_ptr<const void> owner_;
@@ -82,10 +81,10 @@ private:
 struct ReadResult {
   Surface surface;
   std::string format;                 ///< "OBJ", "PLY ascii", "PLY binary little-endian", "STL binary", ...
-  std::vector<std::string> warnings;  ///< one line each, harmless oddities worth a word, with their place
-  std::shared_ptr<const Attributes> attributes;  ///< null: nothing but positions and polygons
-  std::shared_ptr<const Original> original;      ///< null: it cannot be written again as it was
-  std::vector<std::string> comments;  ///< of the file's head, without their mark: at most 64, of 200 bytes
+  std::vector<std::string> warnings;  ///< harmless oddities with their place, one line each
+  std::shared_ptr<const Attributes> attributes;  ///< null: only positions and polygons
+  std::shared_ptr<const Original> original;      ///< null: cannot be written again as it was
+  std::vector<std::string> comments;  ///< header comments without marks: at most 64, 200 bytes each
 };
 
 }  // namespace viete::mesh

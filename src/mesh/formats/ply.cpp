@@ -19,8 +19,8 @@ namespace viete::mesh {
 
 namespace {
 
-// The factor of colours of this type. Integers of more than two bytes hold bytes, as some programs
-// declare them in text.
+// The colour scale of a type. Integers wider than two bytes contain bytes, as some programs declare them in
+// text.
 double part_of_largest(PlyType type) {
   return with_type(type, [](auto number) {
     using Number = decltype(number);
@@ -29,18 +29,17 @@ double part_of_largest(PlyType type) {
   });
 }
 
-// Single values of a row that somebody wants, by their names. Colours in whole numbers are parts of their
-// type's largest.
+// Selected scalar values of a row, by name. Integer colours are scaled by the maximum of their type.
 class PlyRow {
 public:
-  // The properties of the rows that follow.
+  // The properties of the following rows.
   void begin(const PlyElement& element) {
     element_ = &element;
     places_.assign(element.properties.size(), most);
     factors_.assign(element.properties.size(), 1);
   }
 
-  // True if there are values of all these names: they go to the places from this one on.
+  // True if all these properties exist; they are stored from `place` on.
   bool find(std::size_t place, std::initializer_list<const char*> names, bool colors = false) {
     const auto& properties = element_->properties;
     for (const char* name : names) {
@@ -69,12 +68,12 @@ public:
 
 private:
   const PlyElement* element_ = nullptr;
-  std::vector<std::size_t> places_;  // of each property
+  std::vector<std::size_t> places_;  // storage index of each property
   std::vector<double> factors_;
 };
 
-// Collects normals, colours and texture coordinates of vertices. Known are nx ny nz; red green blue alpha,
-// with diffuse_ before them too; s t, u v, and texture_ before these.
+// Collects vertex normals, colours and texture coordinates: nx ny nz; red green blue alpha, also with the
+// prefix diffuse_; s t, u v, also with the prefix texture_.
 class PlyAttributes {
 public:
   PlyRow& begin(const PlyElement& vertices) {
@@ -112,11 +111,11 @@ private:
   Attributes found_;
 };
 
-// Collects colours and texture coordinates of faces. Known are red green blue alpha, a list texcoord (u v of
-// each corner) and texnumber, as MeshLab writes them.
+// Collects face colours and texture coordinates: red green blue alpha, a list texcoord (u v per corner) and
+// texnumber, as written by MeshLab.
 class PlyFaceAttributes {
 public:
-  // The rows that follow become polygons of this surface.
+  // The following rows become polygons of this surface.
   PlyRow& begin(const PlyElement& faces, const Surface& surface) {
     surface_ = &surface;
     row_.begin(faces);
@@ -133,7 +132,7 @@ public:
   bool wants_list(std::size_t property) const { return property == texture_list_; }
   void take_texture(double value) { row_texture_.push_back(value); }
 
-  // The polygons that the surface has got since the last row have what was taken.
+  // Assigns the collected values to the polygons added since the last row.
   void end_row() {
     const std::size_t polygons = surface_->polygon_count();
     if (has_colors_ && polygons > polygons_) {
@@ -147,7 +146,7 @@ public:
     row_texture_.clear();
   }
 
-  // Puts all that was found to what the vertices have. Images, by number, lie in this folder.
+  // Adds the collected values to the vertex attributes. Images, by index, are in this folder.
   void finish(const Surface& surface, const std::vector<std::string>& images,
               const std::filesystem::path& folder, Attributes& attributes) {
     if (!colors_.empty()) {
@@ -174,7 +173,7 @@ public:
 private:
   static constexpr std::size_t color = 0, number = 4;
 
-  // A list of another length than the polygon's says nothing.
+  // Ignores lists whose length does not match the polygon's.
   void end_texture() {
     const std::size_t corners = surface_->corners.size() - corners_;
     if (corners == 0 || row_texture_.size() != 2 * corners) return;
@@ -209,12 +208,12 @@ private:
   std::size_t texture_list_ = 0;
   std::vector<double> row_texture_;
   bool has_colors_ = false, has_number_ = false;
-  std::size_t polygons_ = 0, corners_ = 0;  // up to the row before
+  std::size_t polygons_ = 0, corners_ = 0;  // up to the previous row
   std::vector<Color> colors_;
   std::vector<Point> texture_points_;  // (u, v, 0)
   PointIndex texture_index_;
   std::vector<std::uint32_t> corner_texture_;
-  std::vector<Group> groups_;  // of one texnumber each, which stands for the material
+  std::vector<Group> groups_;  // one per texnumber, which becomes the material
 };
 
 template <class Values>
@@ -239,8 +238,7 @@ public:
       }
     }
     if (values_.longer_rows() > 0)
-      builder_.warn(values_.place_of_longer() +
-                    ": passed over what stands behind the header's properties in " +
+      builder_.warn(values_.place_of_longer() + ": ignored extra values after the header's properties in " +
                     base::counted(values_.longer_rows(), "row"));
     Attributes found = attributes_.finish(builder_.surface());
     face_attributes_.finish(builder_.surface(), header_.texture_files, source_.folder, found);
@@ -307,7 +305,7 @@ private:
     });
   }
 
-  // 0 for what is no number.
+  // 0 for non-numbers.
   double value(const PlyProperty& property) {
     const double value = values_.value_of(property.type, values_.skip(property.type));
     return std::isfinite(value) ? value : 0;
@@ -342,7 +340,7 @@ private:
     builder_.end_polygon();
   }
 
-  // Strips of triangles, ended by -1; every second triangle runs the other way round. Repeated corners only
+  // Triangle strips separated by -1; every second triangle is reversed. Triangles with repeated corners only
   // join strips.
   void strips(std::size_t length) {
     std::uint32_t a = 0, b = 0;

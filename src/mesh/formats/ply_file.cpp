@@ -58,7 +58,7 @@ PlyProperty property(TextCursor& text) {
 }
 
 std::size_t least_row_bytes(const PlyElement& element, bool ascii) {
-  if (ascii) return 2 * element.properties.size();  // a digit and a separator each
+  if (ascii) return 2 * element.properties.size();  // at least a digit and a separator each
   return std::accumulate(
       element.properties.begin(), element.properties.end(), std::size_t{0},
       [](std::size_t sum, const PlyProperty& p) { return sum + size_of(p.list_size.value_or(p.type)); });
@@ -74,7 +74,7 @@ void check_room(const PlyHeader& header, const TextCursor& text, const Source& s
       throw base::Error(source.name,
                         "the header announces " + std::to_string(e.count) + " elements " + in_quotes(e.name) +
                             ", the file has room for " + std::to_string(left / row),
-                        "it seems to be cut short: export or copy it again");
+                        "it seems to be truncated: export or copy it again");
     }
     left -= e.count * row;
   }
@@ -98,11 +98,11 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
       text.fail("a property stands before the first element", "export the model again");
     header.elements.back().properties.push_back(property(text));
   } else {
-    constexpr std::size_t most = 64;  // of a header that does not end, there are many
+    constexpr std::size_t most = 64;  // limits warnings about an endless header
     if (++header.unknown_lines > most)
       text.fail("a PLY header cannot hold " + in_quotes(word), "export the model again");
     if (header.unknown_lines == 1)
-      builder.warn(text.place() + ": passed over a line of the header that starts with " + in_quotes(word));
+      builder.warn(text.place() + ": ignored a header line that starts with " + in_quotes(word));
   }
   return true;
 }

@@ -1,4 +1,4 @@
-// A PLY file taken apart: its header, and behind it the values, from text or from bytes.
+// A parsed PLY file: its header and a reader of its values, text or binary.
 #pragma once
 
 #include <bit>
@@ -31,7 +31,7 @@ enum class PlyType : std::uint8_t {
   float64
 };
 
-/// use(number) with a number of this type.
+/// Calls use(number) with a number of this type.
 template <class Use>
 auto with_type(PlyType type, const Use& use) {
   switch (type) {
@@ -56,8 +56,8 @@ inline std::size_t size_of(PlyType type) {
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::float32;   ///< of the value, or of each item of a list
-  std::optional<PlyType> list_size;  ///< the type of the list's length; empty for a single value
+  PlyType type = PlyType::float32;   ///< type of the value or of list items
+  std::optional<PlyType> list_size;  ///< type of the list's length; empty for a single value
 };
 
 struct PlyElement {
@@ -65,7 +65,7 @@ struct PlyElement {
   std::size_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Index of the first property with one of these names, properties.size() if there is none.
+  /// Index of the first property with one of these names, or properties.size().
   std::size_t find(const std::string& name, const std::string& other = "") const;
 };
 
@@ -74,18 +74,17 @@ struct PlyHeader {
 
   Format format = Format::ascii;
   std::vector<PlyElement> elements;
-  std::vector<std::string> texture_files;  ///< of `comment TextureFile`, as MeshLab writes them
-  std::size_t unknown_lines = 0;           ///< that were passed over
+  std::vector<std::string> texture_files;  ///< from `comment TextureFile` lines, as MeshLab writes them
+  std::size_t unknown_lines = 0;           ///< skipped lines
 
   const PlyElement* find(const std::string& name) const;
 };
 
-/// Leaves the cursor behind the header. Comments go to the builder; lines that start with no word of a header
-/// are passed over, with a warning. Throws base::Error also when the elements
-/// announced cannot fit into what is left of the file.
+/// Moves the cursor past the header. Comments go to the builder; lines without a header keyword are skipped
+/// with a warning. Throws base::Error also if the declared elements exceed the rest of the file.
 PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder);
 
-/// Values of the body one after the other: words, and a row ends with its line.
+/// Sequential values of a text body: words; a row ends with its line.
 class PlyTextValues {
 public:
   explicit PlyTextValues(const TextCursor& text) : text_(text) {}
@@ -93,7 +92,7 @@ public:
   void start_row(std::string_view element, std::size_t) {
     text_.need_word("the last " + std::string(element));
   }
-  /// What a line holds beyond that is passed over, and counted.
+  /// Skips and counts extra values of the line.
   void end_row() {
     if (text_.at_line_end()) return;
     if (longer_rows_++ == 0) first_longer_ = text_.line();
@@ -103,9 +102,9 @@ public:
   std::size_t longer_rows() const { return longer_rows_; }
   double coordinate(PlyType) { return next().coordinate(); }
   std::int64_t integer(PlyType) { return next().integer("whole number"); }
-  /// Where the value stands.
+  /// The text of the value.
   std::string_view skip(PlyType) { return next().word(); }
-  /// Of a value that stands there; NaN or an infinity where that is no finite number.
+  /// The value of that text; NaN or infinity if it is not a finite number.
   double value_of(PlyType, std::string_view place) const { return number_in(place).value_or(std::nan("")); }
   std::size_t most_values(PlyType) const { return text_.bytes_left() / 2 + 1; }
   double done() const { return text_.done(); }
@@ -123,7 +122,7 @@ private:
   std::size_t longer_rows_ = 0, first_longer_ = 0;
 };
 
-/// The same interface over bytes; a place is the element's name and number.
+/// The same interface for binary bodies; places are element names and numbers.
 class PlyBinaryValues {
 public:
   PlyBinaryValues(const Source& source, std::size_t start, std::endian order)
@@ -163,7 +162,7 @@ public:
 
 private:
   const char* bytes(std::size_t size) {
-    if (at_.size() < size) fail("the file ends here", "it seems to be cut short: export or copy it again");
+    if (at_.size() < size) fail("the file ends here", "it seems to be truncated: export or copy it again");
     const char* const from = at_.data();
     at_.remove_prefix(size);
     return from;

@@ -19,8 +19,8 @@ namespace viete::mesh {
 
 namespace {
 
-// Positions in double; normals where there is one a vertex, colours, and texture points of vertices or, where
-// these have several, of faces.
+// Positions in double; vertex normals, colours, and texture points of vertices or, if these have several, of
+// faces.
 class PlyOutput {
 public:
   PlyOutput(const Content& content, TextWriter& out)
@@ -28,7 +28,7 @@ public:
     if (!a_.corner_normal.empty()) normals_ = one_a_vertex(s_, a_.corner_normal);
     if (!a_.corner_texture.empty()) texture_ = one_a_vertex(s_, a_.corner_texture);
     faces_textured_ = !a_.corner_texture.empty() && !texture_;
-    const std::uint32_t most = faces_textured_ ? 127 : 255;  // whose lists have lengths of one byte
+    const std::uint32_t most = faces_textured_ ? 127 : 255;  // for list lengths of one byte
     for (std::size_t p = 0; p < s_.polygon_count(); ++p)
       large_ |= s_.polygon_starts[p + 1] - s_.polygon_starts[p] > most;
   }
@@ -94,13 +94,13 @@ private:
   bool faces_textured_ = false, large_ = false;
 };
 
-// Three properties of an element that are one vector, as the file has it and as it is now.
+// Three properties of an element that form a vector: original and new values.
 struct PlyVectors {
-  std::array<std::size_t, 3> at;  // among the properties
-  std::vector<Vec3> before, now;  // one a row
+  std::array<std::size_t, 3> at;  // property indices
+  std::vector<Vec3> before, now;  // one per row
   Printed printed;
 
-  // 0, 1 or 2; 3 if the property is none of these.
+  // 0, 1 or 2; 3 for other properties.
   std::size_t axis(std::size_t property) const {
     return static_cast<std::size_t>(std::find(at.begin(), at.end(), property) - at.begin());
   }
@@ -115,7 +115,7 @@ std::optional<PlyVectors> vectors_named(const PlyElement& element, const char* x
   return vectors;
 }
 
-// A value as the file has it; nothing where it is beyond the type's range.
+// A value in the file's format; empty if out of the type's range.
 std::optional<std::string_view> ply_form(PlyHeader::Format format, PlyType type, double value,
                                          const Printed& printed, std::span<char> room) {
   return with_type(type, [&](auto number) -> std::optional<std::string_view> {
@@ -139,14 +139,14 @@ std::optional<std::string_view> ply_form(PlyHeader::Format format, PlyType type,
   });
 }
 
-// A face element with normals of its rows, and which polygon each row is, or none.
+// A face element with normals, and the polygon of each row (or none).
 struct PlyFaceNormals {
   const PlyElement* element;
   PlyVectors vectors;
   std::vector<std::uint32_t> polygon_of_row;
 };
 
-// Walks the body twice: to learn what follows the positions, and to write it.
+// Walks the body twice: to read the dependent vectors, and to write it.
 template <class Values>
 class PlyRewriter {
 public:
@@ -177,7 +177,7 @@ private:
 
   void find_elements() {
     const Digits digits = out_.digits();
-    bool behind_strips = false;  // how many polygons these are is not known here
+    bool behind_strips = false;  // the number of polygons made by strips is not known here
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex" && !vertices_ && element.count > 0) {
         vertices_ = &element;
@@ -208,7 +208,7 @@ private:
     return all;
   }
 
-  // use(element, row, property, place) for the single values of what may change.
+  // Calls use(element, row, property, place) for the scalar values that may change.
   template <class Use>
   void walk(const Use& use) {
     const PlyElement* const last = face_normals_.empty() ? vertices_ : face_normals_.back().element;

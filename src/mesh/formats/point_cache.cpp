@@ -54,16 +54,16 @@ std::string bytes_of(const PointCacheHead& head) {
 
 const PointCacheHead& writable(const fs::path& path, const PointCacheHead& head) {
   if (head.points == 0 || head.frames == 0)
-    throw base::Error(path.string(), "a point cache without points or frames is none",
+    throw base::Error(path.string(), "a point cache needs points and frames",
                       "export at least one frame of a model with vertices");
   if (head.points > most_of_cache || head.frames > most_of_cache)
-    throw base::Error(path.string(), "a point cache holds 2,147,483,647 points and frames at most",
+    throw base::Error(path.string(), "a point cache can store at most 2,147,483,647 points and frames",
                       "export fewer frames");
   if (head.format == PointCacheFormat::mdd && head.seconds.size() != head.frames)
     throw base::Error(
         path.string(),
         base::counted(head.seconds.size(), "time") + " for " + base::counted(head.frames, "frame"),
-        "give each frame its time");
+        "pass one time per frame");
   return head;
 }
 
@@ -94,7 +94,7 @@ void write_point_cache(const fs::path& path, const PointCacheHead& wished,
         throw base::Error(place,
                           "there are " + std::to_string(positions.size() / 3) + " points for " +
                               std::to_string(head.points),
-                          "give each frame a position of every vertex");
+                          "pass the positions of all vertices for each frame");
       for (std::size_t i = 0; i < positions.size(); i += 3)
         check_written(place, i / 3, {positions[i], positions[i + 1], positions[i + 2]}, largest_float);
       std::ranges::transform(positions, ordered.begin(),
@@ -111,12 +111,12 @@ PointCache::PointCache(const fs::path& path) : name_(path.string()) {
   const auto file = std::make_shared<const CloseCache>(handle);
   struct stat status {};
   if (fstat(handle, &status) != 0 || !S_ISREG(status.st_mode))
-    throw base::Error(name_, "this is not a regular file", "name a point cache");
+    throw base::Error(name_, "this is not a regular file", "choose a point cache");
   read_ = [file, name = name_](std::uint64_t offset, std::span<char> to) {
     while (!to.empty()) {
       const ssize_t got = pread(file->handle, to.data(), to.size(), static_cast<off_t>(offset));
       if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw base::Error(name, "cannot be read to its end", "check the disk");
+      if (got <= 0) throw base::Error(name, "cannot be read completely", "check the disk");
       offset += static_cast<std::uint64_t>(got);
       to = to.subspan(static_cast<std::size_t>(got));
     }
@@ -161,7 +161,7 @@ std::string cache_size_text(std::int64_t points, std::int64_t frames) {
 void PointCache::read_pc2_head(std::uint64_t size) {
   constexpr auto format = PointCacheFormat::pc2;
   if (size < pc2_head_size)
-    throw base::Error(name_, "ends within the head of a PC2 file", "export the point cache again");
+    throw base::Error(name_, "ends within the header of a PC2 file", "export the point cache again");
   std::vector<char> head(pc2_head_size);
   read_(0, head);
   const std::int32_t points = count_at(head, 16, format), samples = count_at(head, 28, format);
@@ -174,17 +174,17 @@ void PointCache::read_pc2_head(std::uint64_t size) {
   const std::uint64_t whole = (size - first_frame_) / (12 * head_.points);
   if (whole < head_.frames)
     throw base::Error(name_,
-                      "is shorter than its head says: " + std::to_string(whole) + " whole of " +
+                      "is shorter than its header says: " + std::to_string(whole) + " whole of " +
                           cache_size_text(points, samples),
                       "export the point cache again");
   if (size > first_frame_ + head_.frames * 12 * head_.points)
-    warnings_.push_back(name_ + ": goes on behind its last frame");
+    warnings_.push_back(name_ + ": continues after its last frame");
   if (std::isfinite(head_.start) && std::isfinite(head_.rate) && head_.rate > 0) return;
-  warnings_.push_back(name_ + ": its first frame and sample rate are no numbers; taken as 0 and 1");
+  warnings_.push_back(name_ + ": its first frame and sample rate are not finite; using 0 and 1");
   head_.start = 0, head_.rate = 1;
 }
 
-// Nothing but its sizes tells it from other files.
+// MDD has no signature and is recognised by its size.
 void PointCache::read_mdd_head(std::uint64_t size) {
   constexpr auto format = PointCacheFormat::mdd;
   std::vector<char> head(std::min<std::uint64_t>(size, mdd_head_size));
@@ -198,8 +198,8 @@ void PointCache::read_mdd_head(std::uint64_t size) {
   const std::uint64_t frame_size = 4 + 12 * std::uint64_t{head_.points}, room = size - mdd_head_size;
   if (room / frame_size < head_.frames || room != frame_size * head_.frames)
     throw base::Error(name_,
-                      "as an MDD point cache it would be of " + cache_size_text(points, frames) +
-                          ", which its " + std::to_string(size) + " bytes do not fit",
+                      "as an MDD point cache it would contain " + cache_size_text(points, frames) +
+                          ", which its " + std::to_string(size) + " bytes do not match",
                       "check that it is the right file, or export it again");
   std::vector<char> times(4 * head_.frames);
   read_(mdd_head_size, times);
@@ -207,7 +207,7 @@ void PointCache::read_mdd_head(std::uint64_t size) {
   for (std::size_t i = 0; i < head_.frames; ++i) {
     head_.seconds[i] = float_at(times, 4 * i, format);
     if (!std::isfinite(head_.seconds[i]))
-      throw base::Error(name_ + ": frame " + std::to_string(i), "its time is no number",
+      throw base::Error(name_ + ": frame " + std::to_string(i), "its time is not finite",
                         "export the point cache again");
   }
   first_frame_ = mdd_head_size + times.size();
@@ -221,7 +221,7 @@ std::vector<Point> PointCache::frame(std::size_t number) const {
     for (std::size_t k = 0; k < 3; ++k) points[v][k] = float_at(bytes, 12 * v + 4 * k, head_.format);
     if (!is_place(points[v]))
       throw base::Error(name_ + ": frame " + std::to_string(number),
-                        "the position of point " + std::to_string(v) + " is no place",
+                        "the position of point " + std::to_string(v) + " is invalid",
                         "export the point cache again");
   }
   return points;

@@ -12,7 +12,7 @@ namespace viete::mesh {
 
 namespace {
 
-constexpr int most_decimals = 330;  // of 1e-300, which is small enough for a model
+constexpr int most_decimals = 330;  // enough for 1e-300
 
 constexpr auto powers_of_ten = [] {
   std::array<double, 16> powers{};
@@ -21,11 +21,11 @@ constexpr auto powers_of_ten = [] {
   return powers;
 }();
 
-// Whole numbers up to here are exact in double.
+// Integers up to this limit are exact in double.
 constexpr double largest_whole = 9007199254740992.0;
 
-// By one multiplication and whole digits: ten times as fast as std::to_chars. The last digit may be the other
-// of the two nearest where the value lies in the middle between them.
+// One multiplication and integer digits: ten times as fast as std::to_chars. On ties the last digit may round
+// the other way.
 char* print_whole(double value, int decimals, char* to) {
   if (std::signbit(value)) *to++ = '-';
   auto whole = static_cast<std::uint64_t>(std::abs(value) * powers_of_ten[decimals] + 0.5);
@@ -125,13 +125,13 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& place, std::size_t vertex, const Point& p, double largest) {
   std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(), "the position of vertex %zu is no place (%.3g %.3g %.3g)", vertex,
+  std::snprintf(text.data(), text.size(), "the position of vertex %zu is invalid (%.3g %.3g %.3g)", vertex,
                 p[0], p[1], p[2]);
   if (!is_place(p))
-    throw base::Error(place, text.data(), "use other weights or another blend, or a pose nearer to rest");
+    throw base::Error(place, text.data(), "choose other weights, another blend, or a pose nearer to rest");
   std::snprintf(text.data(), text.size(), "the position of vertex %zu is beyond %.3g (%.3g %.3g %.3g)",
                 vertex, largest, p[0], p[1], p[2]);
-  throw base::Error(place, text.data(), "scale the model, or write .obj or .ply, which hold larger numbers");
+  throw base::Error(place, text.data(), "scale the model, or write .obj or .ply, which store larger numbers");
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ void check_written(const std::string& place, std::size_t vertex, const Point& p,
 
 void check_written(const std::string& place, std::span<const Point> positions, double largest) {
   if (positions.empty())
-    throw base::Error(place, "there are no vertices to write", "name a mesh that has some");
+    throw base::Error(place, "there are no vertices to write", "choose a mesh with vertices");
   for (std::size_t v = 0; v < positions.size(); ++v) check_written(place, v, positions[v], largest);
 }
 

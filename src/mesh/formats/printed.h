@@ -1,4 +1,4 @@
-// Numbers as files have them: printed like those of a text, and within what a format can hold.
+// Number formatting that imitates a text file, and range checks before writing.
 #pragma once
 
 #include <cmath>
@@ -13,22 +13,22 @@
 
 namespace viete::mesh {
 
-/// How the numbers of a text file are printed: learned from them, or asked for.
+/// Format of a text file's numbers, learned from examples or specified.
 class Printed {
 public:
   explicit Printed(Digits digits = {}) : digits_(digits) {}
 
-  /// A number of the file. Any text may be given.
+  /// Learns from a number of the file. Accepts any text.
   void learn(std::string_view word);
 
-  /// At least so many significant digits of a number of this size, whatever was learned.
+  /// Requires at least that many significant digits for numbers of this size.
   void keep(int significant, double size);
 
-  /// Like the numbers learned: decimals or exponents, with the most digits found in one of them; with zeros
-  /// at the end where all had the same number of digits. Room for 400 bytes.
+  /// Prints in the learned style: decimals or exponents, with the largest number of digits seen; padded with
+  /// zeros if all numbers had equally many digits. room: at least 400 bytes.
   std::string_view print(double value, std::span<char> room) const;
 
-  /// True if both would be printed alike, so that the file's own word may stay.
+  /// True if both print alike, so that the file's text can stay.
   bool same(double a, double b) const;
 
 private:
@@ -37,27 +37,27 @@ private:
 
   Digits digits_;
   int most_ = 0, least_ = 400;  // decimals of numbers without exponent
-  int most_mantissa_ = 0;       // decimals of numbers with one
+  int most_mantissa_ = 0;       // decimals of numbers with exponent
   int needed_ = 0, needed_mantissa_ = 0;
   std::size_t plain_ = 0, with_exponent_ = 0;
-  bool capital_ = false;  // E
+  bool capital_ = false;  // capital E
 };
 
-/// With the writer's digits: so many decimals, or the shortest that read back as the same numbers.
+/// Prints with the writer's digits: fixed decimals, or the shortest that read back exactly.
 void print_point(const Point& p, TextWriter& out);
 
 inline constexpr double largest_float = std::numeric_limits<float>::max();
 
-/// False also where a coordinate is not a number.
+/// False if a coordinate is NaN or beyond `largest`.
 inline bool is_place(const Point& p, double largest = largest_coordinate) {
   return std::abs(p[0]) <= largest && std::abs(p[1]) <= largest && std::abs(p[2]) <= largest;
 }
 
-/// Throws base::Error where such a position is none that a reader would take again. largest: of the numbers
-/// that the file holds. place: the file, its frame.
+/// Throws base::Error if readers would reject the position. largest: limit of the file's number type. place:
+/// the file and frame, for the message.
 void check_written(const std::string& place, std::size_t vertex, const Point& p,
                    double largest = largest_coordinate);
-/// The same of all vertices, the first one first.
+/// Checks all vertices in order.
 void check_written(const std::string& place, std::span<const Point> positions,
                    double largest = largest_coordinate);
 

@@ -28,7 +28,7 @@ ReadResult by_extension(const Source& source) {
 
 ReadResult read(const Source& source) {
   try {
-    // From the last one: what a binary file begins with may read as any word.
+    // In reverse order: the beginning of a binary file may look like any keyword.
     for (const Format& format : std::views::reverse(all_formats())) {
       if (format.recognised && format.recognised(source)) return format.read(source);
     }

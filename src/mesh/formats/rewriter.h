@@ -1,4 +1,4 @@
-// Copies the bytes of a file with some words replaced.
+// Copies the bytes of a file and replaces some words.
 #pragma once
 
 #include <algorithm>
@@ -21,19 +21,19 @@ namespace viete::mesh {
 
 using ThreeWords = std::array<std::string_view, 3>;
 
-/// The next three of this line; those that are missing are empty.
+/// The next three words of the line; missing ones are empty.
 inline ThreeWords three_words(TextCursor& text) {
   return {text.word(), text.word(), text.word()};  // from left to right
 }
 
-/// Of words that are no number, NaN.
+/// NaN for words that are not numbers.
 inline Vec3 vector_in(const ThreeWords& words) {
   Vec3 v{};
   for (std::size_t i = 0; i < 3; ++i) v[i] = number_in(words[i]).value_or(std::nan(""));
   return v;
 }
 
-/// A direction, whose words are learned. One that is missing is taken as 0 0 0, and stays so.
+/// A direction whose format is learned. Missing words give 0 0 0, which is kept.
 inline Vec3 learned_direction(const ThreeWords& words, Printed& printed) {
   if (words[2].empty()) return {0, 0, 0};
   const Vec3 direction = vector_in(words);
@@ -43,19 +43,19 @@ inline Vec3 learned_direction(const ThreeWords& words, Printed& printed) {
   return direction;
 }
 
-/// Replacements come in the order of the file; what lies between them is copied as it is.
+/// Replacements must be in file order; everything between them is copied.
 class Rewriter {
 public:
   Rewriter(std::string_view bytes, TextWriter& out) : bytes_(bytes), out_(out) {}
 
-  /// word lies within the bytes.
+  /// word must point into the bytes.
   void replace(std::string_view word, std::string_view by) {
     copy_until(offset_of(word));
     out_.text(by);
     copied_ += word.size();
   }
 
-  /// The words of a vector that was `before` and is `now`: those that would be printed as before stay.
+  /// Replaces the words of a vector that changed. Components that print alike stay.
   void replace(const ThreeWords& words, const Vec3& before, const Vec3& now, const Printed& printed) {
     if (!changed(before, now)) return;
     std::array<char, 400> room;
@@ -64,7 +64,7 @@ public:
     }
   }
 
-  /// Copies up to a place in the bytes, for what is inserted there.
+  /// Copies up to an offset, for insertions there.
   void copy_until(std::size_t offset) {
     constexpr std::size_t portion = 1 << 18;
     while (copied_ < offset) {
@@ -87,10 +87,9 @@ private:
   std::size_t copied_ = 0;
 };
 
-/// Text with rows of positions and of normals (or none of these): what moved is printed anew.
-/// walk(position, normal) calls position(row, words), which says whether to go on, and normal(row, words) in
-/// the order of the file; vertex_of(row): the vertex of a position. The first `enough` of these are learned
-/// from.
+/// Rewrites a text with rows of positions and optional normals; prints changed values. walk(position, normal)
+/// calls position(row, words), which returns whether to continue, and normal(row, words) in file order.
+/// vertex_of(row): the vertex of a position. Learns the number format from the first `enough` positions.
 template <class Walk, class VertexOf>
 void rewrite_vectors(std::string_view bytes, TextWriter& out, const Surface& rest,
                      std::span<const Point> positions, std::size_t enough, const VertexOf& vertex_of,

@@ -20,19 +20,19 @@ struct CloseFile {
 };
 
 std::size_t regular_file_size(const fs::path& path) {
-  if (path.empty()) throw base::Error("file name", "is empty", "name a file");
+  if (path.empty()) throw base::Error("file name", "is empty", "choose a file");
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
   if (status.type() == fs::file_type::not_found) {
     throw base::Error(path.string(), "there is no such file", "check the path");
   }
   if (status.type() == fs::file_type::directory) {
-    throw base::Error(path.string(), "this is a folder", "name a file in it");
+    throw base::Error(path.string(), "this is a folder", "choose a file in it");
   }
   if (code) {
     const bool circle = code == std::errc::too_many_symbolic_link_levels;
     throw base::Error(path.string(), "cannot be opened: " + code.message(),
-                      circle ? "the link leads to itself: name the file" : "check the permissions");
+                      circle ? "the link refers to itself: choose the file" : "check the permissions");
   }
   if (status.type() != fs::file_type::regular) {
     throw base::Error(path.string(), "this is not a regular file", "copy the data into a file first");
@@ -69,7 +69,7 @@ FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t
   while (size_ < size) {
     const std::size_t got = std::fread(bytes_.get() + size_, 1, std::min(step, size - size_), file.get());
     if (std::ferror(file.get()))
-      throw base::Error(path.string(), "cannot be read to its end", "check the disk");
+      throw base::Error(path.string(), "cannot be read completely", "check the disk");
     if (got == 0) break;
     size_ += got;
     if (progress) progress->report(0.2 * static_cast<double>(size_) / static_cast<double>(size));

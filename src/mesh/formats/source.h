@@ -1,4 +1,4 @@
-// The bytes of a file to be read: what they are called, and who is told how far reading has come.
+// The bytes of a file to be read, its name and progress.
 #pragma once
 
 #include <cstddef>
@@ -13,31 +13,31 @@
 
 namespace viete::mesh {
 
-/// What every reader is given. The bytes outlive the reading.
+/// Input of every reader. The bytes must outlive the reading.
 struct Source {
-  std::string name;        ///< how messages call it: the path as it was given
+  std::string name;        ///< path as given, for messages
   std::string extension;   ///< lower case, without the dot; may be empty
-  std::string_view bytes;  ///< may hold anything
+  std::string_view bytes;  ///< arbitrary, not trusted
   base::Progress* progress = nullptr;
-  /// Keeps the bytes for who writes the file again; null: they are there for reading alone.
+  /// Keeps the bytes alive for writing the file again; null: available only during reading.
   std::shared_ptr<const void> owner = nullptr;
-  std::filesystem::path folder = {};  ///< of files that this one names; empty: they are not looked for
-  bool played = false;  ///< who reads it plays its morph targets: the surface is that without them
+  std::filesystem::path folder = {};  ///< folder of external files; empty: do not look for them
+  bool played = false;                ///< the caller plays morph targets: the surface excludes them
 
-  /// Reading from disk is the first fifth, this is the rest: done in [0, 1]. Throws base::Cancelled.
+  /// Reading from disk is the first fifth of progress; done in [0, 1] is the rest. Throws base::Cancelled.
   void report(double done) const {
     if (progress) progress->report(0.2 + 0.8 * done);
   }
 
-  /// `name: element 12`, the place of an error in a binary file. Counted from 0.
+  /// The place of an error in a binary file: `name: element 12`, counted from 0.
   std::string place(std::string_view element, std::size_t index) const;
 };
 
 /// A whole file in memory.
 class FileBytes {
 public:
-  /// Throws base::Error if there is no such file, if it is not a regular file (a pipe might never end), if it
-  /// has more than `most` bytes, cannot be read or does not fit into memory; throws base::Cancelled.
+  /// Throws base::Error if the file is missing, not a regular file (a pipe might never end), larger than
+  /// `most` bytes, unreadable or larger than memory; throws base::Cancelled.
   FileBytes(const std::filesystem::path& path, base::Progress* progress,
             std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -48,7 +48,7 @@ private:
   std::size_t size_ = 0;
 };
 
-/// The beginning of a file, from which its format is judged without reading all of it.
+/// The beginning of a file, enough to detect its format.
 class Beginning {
 public:
   /// Empty if the file cannot be read.
@@ -57,7 +57,7 @@ public:
   std::string_view bytes() const { return bytes_; }
   std::uint64_t file_size() const { return file_size_; }
   bool is_whole_file() const { return bytes_.size() == file_size_; }
-  /// Without a last line that is cut off.
+  /// Without a truncated last line.
   Source whole_lines() const;
 
 private:
@@ -65,13 +65,13 @@ private:
   std::uint64_t file_size_ = 0;
 };
 
-/// The extension of a path in lower case, without the dot.
+/// The extension in lower case, without the dot.
 std::string extension_of(const std::filesystem::path& path);
 
-/// A folder as the system knows it, without links and dots; of a file, the one that it lies in.
+/// The canonical folder of a file, or the canonical form of a folder.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
-/// A file as one in this folder names it: programs on Windows write backslashes.
+/// Resolves a name relative to the folder; accepts backslashes, which programs on Windows write.
 std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name);
 
 }  // namespace viete::mesh

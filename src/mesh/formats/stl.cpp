@@ -16,10 +16,10 @@ namespace viete::mesh {
 namespace {
 
 [[noreturn]] void refuse_length(const Source& source, const std::string& problem) {
-  throw base::Error(source.name, problem, "it seems to be cut short or damaged: export or copy it again");
+  throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
 }
 
-// Read from a wrong place, bytes give numbers of no size that a model, or a normal, has.
+// Bytes read at a wrong offset give implausible coordinates and normals.
 bool makes_sense(const char* triangle) {
   for (std::size_t i = 0; i < 12; ++i) {
     const double size = std::abs(number_of_bytes<float>(triangle + 4 * i));
@@ -33,7 +33,8 @@ bool makes_sense(const char* triangle) {
 StlTriangles::StlTriangles(const Source& source) {
   const std::string_view bytes = source.bytes;
   if (bytes.size() < stl_head_bytes)
-    refuse_length(source, "a binary STL has 84 bytes at least, this file " + std::to_string(bytes.size()));
+    refuse_length(source,
+                  "a binary STL has at least 84 bytes, this file has " + std::to_string(bytes.size()));
   count_ = number_of_bytes<std::uint32_t>(bytes.data() + 80);
   const std::size_t room = bytes.size() - stl_head_bytes;
   const std::string announced = "the header announces " + std::to_string(count_) + " triangles";
@@ -43,11 +44,12 @@ StlTriangles::StlTriangles(const Source& source) {
     refuse_length(source, announced + ", and " + std::to_string(room) + " bytes follow");
   end_ = stl_head_bytes + count_ * stl_triangle_bytes;
   if (end_ == bytes.size() || follow_attributes(bytes) || make_sense(bytes)) return;
-  refuse_length(source, announced + ", and neither they alone nor they and the attributes that they count " +
-                            "behind them are what follows");
+  refuse_length(source, announced +
+                            ", but the file size matches them neither without nor with the attributes that " +
+                            "they count");
 }
 
-// True where there are any and they lie within the file.
+// True if there are attributes and they lie within the file.
 bool StlTriangles::follow_attributes(std::string_view bytes) {
   std::vector<std::size_t> starts;
   std::size_t at = stl_head_bytes;
@@ -97,8 +99,7 @@ bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-// True if the size of the file is what the count asks for, or if the first triangles make sense with the
-// attributes that they count.
+// True if the file size matches the count, or if the first triangles are plausible with their attributes.
 bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   if (beginning.size() < stl_head_bytes) return false;
   const std::uint32_t count = number_of_bytes<std::uint32_t>(beginning.data() + 80);
@@ -113,7 +114,7 @@ bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   return true;
 }
 
-// Joins equal corners.
+// Merges equal corners.
 class CornerJoiner {
 public:
   explicit CornerJoiner(SurfaceBuilder& builder) : builder_(builder) {}
@@ -131,9 +132,9 @@ private:
   PointIndex index_;
 };
 
-// The two bytes behind each facet as a colour, five bits a channel. VisCAM and SolidView set the highest bit
-// where there is one, red in the upper bits. Magics says in the head that there are colours, and one for all;
-// it sets the bit where a facet has none of its own, red in the lower bits.
+// The two attribute bytes of each facet as a colour, five bits per channel. VisCAM and SolidView set the
+// highest bit if there is a colour, with red in the upper bits. Magics declares colours and a default colour
+// in the header, and sets the bit if a facet has no colour of its own, with red in the lower bits.
 class StlColors {
 public:
   explicit StlColors(std::string_view head) {
@@ -147,7 +148,7 @@ public:
 
   void take(const char* bytes) { words_.push_back(number_of_bytes<std::uint16_t>(bytes)); }
 
-  /// Null where the file has none.
+  /// Null without colours.
   std::shared_ptr<const Attributes> finish() const {
     const bool any =
         std::ranges::any_of(words_, [&](auto w) { return by_magics_ ? w != 0 : (w & own_) != 0; });
@@ -197,10 +198,10 @@ ReadResult read_binary(const Source& source) {
     if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles.count()));
   }
   if (triangles.have_attributes()) {
-    builder.warn(source.name + ": passed over the attributes behind triangles");
+    builder.warn(source.name + ": ignored the attributes of triangles");
   }
   if (const std::size_t behind = source.bytes.size() - triangles.end(); behind > 0) {
-    builder.warn(source.name + ": passed over " + std::to_string(behind) + " bytes behind the " +
+    builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
                  std::to_string(triangles.count()) + " triangles that the header announces");
   }
   ReadResult result = builder.finish("STL binary");
@@ -221,7 +222,7 @@ public:
       if (++lines_ % 16384 == 0) source_.report(text_.done());
     }
     if (in_facet_)
-      text_.fail("the file ends within a facet", "it seems to be cut short: export or copy it again");
+      text_.fail("the file ends within a facet", "it seems to be truncated: export or copy it again");
     if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
     ReadResult result = builder_.finish("STL ascii");
     if (source_.owner) result.original = stl_original(source_, false);

@@ -1,4 +1,4 @@
-// STL, text and binary: loose triangles, joined where their corners are equal.
+// STL, text and binary: separate triangles, joined at equal corners.
 #pragma once
 
 #include <cstddef>
@@ -15,44 +15,39 @@
 namespace viete::mesh {
 
 /// Source: 3D Systems, StereoLithography Interface Specification, 1989. Corners with equal coordinates become
-/// one vertex (0 and -0 are equal); vertices stand in the order of their first occurrence. The two
-/// attribute bytes of binary files are read as colours of facets, as VisCAM, SolidView and Magics have them;
-/// where the file is as long as it must be if they count attributes that follow, those are passed over.
-/// Normals are kept for writing alone. Throws base::Error, base::Cancelled.
+/// one vertex (0 and -0 are equal), in order of first occurrence. The two attribute bytes of binary files are
+/// read as facet colours of VisCAM, SolidView and Magics; if the file size shows that they count following
+/// attributes, these are skipped. Normals are only kept for writing. Throws base::Error, base::Cancelled.
 ReadResult read_stl(const Source& source);
 
-/// True if the size is exactly what the triangle count of a binary STL asks for, or if the text starts with
-/// solid.
+/// True if the size matches the triangle count of a binary STL exactly, or if the text starts with "solid".
 bool looks_like_stl(const Source& source);
 
-/// True if the words of a text are those of STL, or if the numbers of the first triangles of a binary file
-/// make sense.
+/// True if the words of a text are STL keywords, or if the first triangles of a binary file are plausible.
 bool is_certainly_stl(const Beginning& file);
 
-/// Text, because binary STL would round the positions to float. Keeps triangles only: unused vertices are
-/// lost.
+/// Writes text, because binary STL rounds positions to float. Writes triangles only: drops unused vertices.
 void write_stl(const Content& content, TextWriter& out);
 
-/// The file as it was, to be written again. Binary: header, attributes and what stands behind the triangles
-/// stay. Text: solids and their names stay, numbers are printed as in the file. Normals of facets that moved
-/// follow; those that are 0 0 0 stay so. It throws base::Error too where a position does not fit into the
-/// float of a binary file.
+/// The file kept as read, to be written again. Binary: header, attributes and trailing bytes stay. Text:
+/// solids and names stay, numbers keep their format. Normals of moved facets are updated, except 0 0 0.
+/// Writing throws base::Error also if a position exceeds the float range of a binary file.
 std::shared_ptr<const Original> stl_original(const Source& source, bool binary);
 
-/// Of a binary STL: what stands before the triangles, and each of these without attributes behind it.
+/// Binary STL: size of the header with the count, and of a triangle without extra attributes.
 inline constexpr std::size_t stl_head_bytes = 84, stl_triangle_bytes = 50;
 
-/// Where the triangles of a binary STL stand.
+/// Offsets of the triangles in a binary STL.
 class StlTriangles {
 public:
-  /// Throws base::Error where the length of the file does not fit what it says of itself.
+  /// Throws base::Error if the file length contradicts the triangle count.
   explicit StlTriangles(const Source& source);
 
   std::size_t count() const { return count_; }
   std::size_t offset(std::size_t triangle) const {
     return starts_.empty() ? stl_head_bytes + stl_triangle_bytes * triangle : starts_[triangle];
   }
-  /// Behind the last one and its attributes.
+  /// Offset after the last triangle and its attributes.
   std::size_t end() const { return end_; }
   bool have_attributes() const { return !starts_.empty(); }
 
@@ -61,10 +56,10 @@ private:
   bool make_sense(std::string_view bytes) const;
 
   std::size_t count_ = 0, end_ = 0;
-  std::vector<std::size_t> starts_;  // where attributes follow
+  std::vector<std::size_t> starts_;  // only if attributes follow
 };
 
-/// A word of a text STL in small letters, at most 16 of them.
+/// A keyword of a text STL in lower case, at most 16 letters.
 std::string lower_stl_word(std::string_view word);
 
 }  // namespace viete::mesh

@@ -14,7 +14,7 @@ namespace viete::mesh {
 
 namespace {
 
-// For the normal that STL wants; zero if there is no area.
+// The facet normal; zero without area.
 Point unit_normal(const Point& a, const Point& b, const Point& c) {
   Point u = b - a, v = c - a;
   const double scale = std::max(largest_abs(u), largest_abs(v));
@@ -30,7 +30,7 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
   return n;
 }
 
-// Each corner has the normal of its facet.
+// Each corner uses the normal of its facet.
 std::vector<std::uint32_t> facet_of_corner(const Surface& rest) {
   std::vector<std::uint32_t> facets(rest.corners.size());
   for (std::size_t c = 0; c < facets.size(); ++c) facets[c] = static_cast<std::uint32_t>(c / 3);
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // Of the i-th of a triangle's numbers: the normal's, then the corners'.
+  // The text of a triangle's i-th number: normal first, then corners.
   std::string_view place(std::size_t triangle, int i) const {
     return source_.bytes.substr(layout_.offset(triangle) + 4 * i, 4);
   }

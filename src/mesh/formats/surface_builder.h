@@ -1,4 +1,4 @@
-// Collects what a reader finds and keeps the invariants of Surface.
+// Collects a reader's data and ensures the invariants of Surface.
 #pragma once
 
 #include <cstddef>
@@ -23,19 +23,18 @@ public:
   /// Throws base::Error past 2^32 - 1 vertices.
   void position(const Point& p);
 
-  /// The caller has checked the index, or will before finish().
+  /// The index must be checked before finish().
   void corner(std::uint32_t vertex) { result_.surface.corners.push_back(vertex); }
 
-  /// Corners since the last polygon make one. Fewer than three make none: that is counted and told at the
-  /// end.
+  /// Ends a polygon of the corners added since the last one. Drops and counts those with fewer than three
+  /// corners; finish() warns about them.
   void end_polygon();
 
-  /// Keeps the comment if it is among the first 64 of the file's head.
+  /// Keeps the comment if it is among the first 64 of the header.
   void comment(std::string_view text);
   void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
 
-  /// Cuts the polygons into triangles. Throws base::Error if the file holds no vertex; warns if it holds no
-  /// polygon.
+  /// Triangulates the polygons. Throws base::Error without vertices; warns without polygons.
   ReadResult finish(std::string format);
 
 private:

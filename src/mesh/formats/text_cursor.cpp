@@ -10,10 +10,10 @@ namespace viete::mesh {
 
 namespace {
 
-// Of a decimal number that double cannot hold: is it too small, rather than too large? (std::from_chars does
-// not say.)
+// True if a decimal number beyond the range of double is too small rather than too large, which
+// std::from_chars does not tell.
 bool is_tiny(std::string_view number) {
-  long magnitude = 0;  // decimal exponent of the first digit that is not 0
+  long magnitude = 0;  // decimal exponent of the first nonzero digit
   bool past_point = false, past_zeros = false;
   std::size_t i = 0;
   for (; i < number.size() && number[i] != 'e' && number[i] != 'E'; ++i) {
@@ -29,22 +29,22 @@ bool is_tiny(std::string_view number) {
   return code == std::errc() ? magnitude + value < 0 : exponent.front() == '-';
 }
 
-// What often stands where a number should.
+// Advice for common malformed numbers.
 std::string advice_on(std::string_view word) {
   const auto holds = [&](std::string_view part) { return word.find(part) != std::string_view::npos; };
-  if (holds(",")) return "write decimals with a point";
+  if (holds(",")) return "use a decimal point";
   if (holds("\xE2\x88\x92") || holds("\xE2\x80\x93"))
-    return "its sign is a dash of typography: write the minus sign of ASCII, -";
+    return "its sign is a typographic dash: use the ASCII minus sign -";
   if (holds("#") || holds("ind") || holds("IND"))
-    return "a program wrote it for a result that is no number: repair it, or export again";
+    return "it stands for an invalid number: repair it, or export again";
   if (word.starts_with("0x") || word.starts_with("-0x")) return "it is hexadecimal: write it in decimals";
   const std::string_view signs = "+-";
   for (std::size_t i = 1; i < word.size(); ++i) {
     if (signs.find(word[i]) == std::string_view::npos) continue;
     if (signs.find(word[i - 1]) != std::string_view::npos) return "it has two signs: keep one";
-    if (word[i - 1] == 'd' || word[i - 1] == 'D') return "its exponent is that of Fortran: write e for d";
+    if (word[i - 1] == 'd' || word[i - 1] == 'D') return "it has a Fortran exponent: write e for d";
     if (word[i - 1] != 'e' && word[i - 1] != 'E')
-      return "it has a sign in its middle: put a blank between numbers, or e before an exponent";
+      return "it contains a sign: separate numbers by a blank or write e before the exponent";
   }
   return "repair or export the file again";
 }
@@ -60,7 +60,7 @@ TextCursor::TextCursor(const Source& source, TextRules rules)
   if (source.bytes.starts_with("\xEF\xBB\xBF")) at_ += 3;
 }
 
-// Blanks behind the backslash are not seen in an editor.
+// Accepts blanks after the backslash, which editors do not show.
 std::size_t TextCursor::continuation_length() const {
   const char* to = at_ + 1;
   while (to != end_ && is_blank(*to)) ++to;
@@ -93,7 +93,7 @@ bool TextCursor::next_filled_line() {
 
 void TextCursor::need_word(std::string_view what) {
   if (!next_filled_line()) {
-    fail("the file ends before " + std::string(what), "it seems to be cut short: export or copy it again");
+    fail("the file ends before " + std::string(what), "it seems to be truncated: export or copy it again");
   }
 }
 
@@ -138,7 +138,7 @@ double TextCursor::coordinate() {
   return value;
 }
 
-// A plus sign, which from_chars does not take; a number too small for double, which is 0; or not a number.
+// Handles a plus sign, which from_chars rejects, and underflow to 0; otherwise reports a non-number.
 double TextCursor::unusual_number(const char* from) {
   const bool plus = *from == '+' && end_ - from > 1 && from[1] != '-';
   double value = 0;
@@ -217,7 +217,7 @@ std::string clipped(std::string_view comment) {
   if (comment.size() <= 200) return std::string(comment);
   std::size_t size = 200;
   while (size > 0 && (static_cast<unsigned char>(comment[size]) & 0xC0) == 0x80)
-    --size;  // not inside a character
+    --size;  // keeps UTF-8 characters whole
   return std::string(comment.substr(0, size));
 }
 

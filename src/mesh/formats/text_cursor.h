@@ -1,4 +1,4 @@
-// Walks through a text file word by word, knows its line, and says clearly what it met instead of a number.
+// Reads a text file word by word, with line numbers and precise errors.
 #pragma once
 
 #include <charconv>
@@ -12,9 +12,9 @@
 
 namespace viete::mesh {
 
-/// What differs between text formats.
+/// Differences between text formats.
 struct TextRules {
-  char comment = '\0';           ///< starts a comment that ends with the line; none if zero
+  char comment = '\0';           ///< starts a comment up to the line end; '\0': no comments
   bool continued_lines = false;  ///< a backslash at the line end joins the next line (OBJ)
 };
 
@@ -27,43 +27,40 @@ public:
   std::size_t line() const { return line_; }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
-  /// The part of the text that lies behind, in [0, 1].
+  /// The part already read, in [0, 1].
   double done() const { return static_cast<double>(at_ - begin_) / static_cast<double>(end_ - begin_ + 1); }
 
-  /// Skips blanks. True where the line, its uncommented part or the text ends.
+  /// Skips blanks. True at the end of the line, of its uncommented part or of the text.
   bool at_line_end() {
     skip_blanks();
     return at_ == end_ || *at_ == '\n' || *at_ == '\r' || (*at_ == rules_.comment && rules_.comment);
   }
 
-  /// Goes behind the end of this line and of those that continue it.
+  /// Moves past the end of this line and its continuation lines.
   void next_line();
 
-  /// Goes to the next line that holds a word, starting with this one; false at the end of the text.
+  /// Moves to the next non-empty line, starting with the current one; false at the end of the text.
   bool next_filled_line();
 
-  /// Like next_filled_line, for text where a line end is a blank like any other. Throws at the end of the
-  /// text.
+  /// As next_filled_line(), for text where line ends are ordinary blanks. Throws at the end of the text.
   void need_word(std::string_view what);
 
   /// The next word of this line, empty if there is none.
   std::string_view word();
 
-  /// What is left of this line, comment included, without blanks at either end and what continues it. Stays
-  /// in the line.
+  /// The rest of this line, including comments, trimmed, without continuation lines. Stays in the line.
   std::string_view rest_of_line();
 
-  /// The next word as a position coordinate: finite, at most 1e100 in size (so that volumes are finite as
-  /// well).
+  /// The next word as a coordinate: finite, at most 1e100 in size so that volumes stay finite.
   double coordinate();
 
-  /// The next word as a whole number. what: for the message, "face index".
+  /// The next word as an integer. what: its name in messages, "face index".
   std::int64_t integer(std::string_view what);
 
-  /// The whole number at the start of the next word; the rest of the word stays.
+  /// The integer at the start of the next word; leaves the rest of the word.
   std::int64_t leading_integer(std::string_view what);
 
-  /// What follows here up to the next blank. Does not skip blanks first.
+  /// The characters up to the next blank. Does not skip blanks first.
   std::string_view rest_of_word();
 
   /// `name:line`.
@@ -100,13 +97,13 @@ private:
   std::size_t line_ = 1;
 };
 
-/// A word as a finite number, or nothing.
+/// A word as a finite number; empty if it is none.
 std::optional<double> number_in(std::string_view word);
 
-/// A word as it may stand in a message: quoted, cut after 32 bytes, what cannot be printed replaced by '?'.
+/// A word for messages: quoted, cut after 32 bytes, unprintable characters replaced by '?'.
 std::string in_quotes(std::string_view word);
 
-/// A comment as it is kept: without blanks and marks at its start, at most 200 bytes.
+/// A comment to keep: trimmed, without leading marks, at most 200 bytes.
 std::string clipped(std::string_view comment);
 
 }  // namespace viete::mesh

@@ -1,4 +1,4 @@
-// Puts numbers into text so that reading them gives the same bits; independent of the locale.
+// Writes numbers as text that reads back exactly; independent of the locale.
 #pragma once
 
 #include <charconv>
@@ -18,33 +18,32 @@
 
 namespace viete::mesh {
 
-/// How many digits coordinates get where they are written as text.
+/// Digits of coordinates in text files.
 struct Digits {
   enum class Kind {
-    as_printed,  ///< as many decimals as the file has that is written again; all of them without such a file
+    as_printed,  ///< as many decimals as the original file has; without one, as `all`
     all,         ///< the shortest that read back as the same double
-    decimals     ///< so many behind the point
+    decimals     ///< a fixed number of decimals
   };
   Kind kind = Kind::as_printed;
-  int decimals = 0;  ///< of Kind::decimals
+  int decimals = 0;  ///< for Kind::decimals
 };
 
-/// What a file is written of.
+/// Content of a file to write.
 struct Content {
   const Surface& surface;
-  std::span<const Point> positions;  ///< of its vertices, instead of its own
+  std::span<const Point> positions;  ///< replace those of the surface
   const std::vector<std::string>& comments;
-  const Attributes* attributes = nullptr;  ///< of the surface; null: none
+  const Attributes* attributes = nullptr;  ///< belong to the surface; may be null
 
-  /// The attributes, empty ones where there are none.
+  /// The attributes; empty ones if null.
   const Attributes& given() const {
     static const Attributes nothing;
     return attributes ? *attributes : nothing;
   }
 };
 
-/// Hands bytes on whenever a portion of them has come together, so that large files are never in memory as a
-/// whole.
+/// Passes bytes on in portions, so that a large file is never entirely in memory.
 class TextWriter {
 public:
   explicit TextWriter(base::ByteSink sink, base::Progress* progress = nullptr, Digits digits = {})
@@ -57,7 +56,7 @@ public:
     return *this;
   }
 
-  /// The shortest digits (17 at most) that read back as the same number.
+  /// The shortest digits (17 at most) that read back exactly.
   TextWriter& number(double value) { return shortest(value); }
   TextWriter& number(float value) { return shortest(value); }
   TextWriter& number(std::uint64_t value) { return shortest(value); }
@@ -70,7 +69,7 @@ public:
 
   TextWriter& point(const Point& p) { return number(p[0]).text(" ").number(p[1]).text(" ").number(p[2]); }
 
-  /// One line each, behind the mark; line ends and control characters in a comment become blanks.
+  /// Writes each line after the mark; line ends and control characters become blanks.
   void comments(std::string_view mark, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) text(mark).text(one_line(line)).text("\n");
   }
@@ -83,7 +82,7 @@ public:
     return text;
   }
 
-  /// After each element: so many elements of so many are written. Throws base::Cancelled.
+  /// Call after each element with the number written and the total. Throws base::Cancelled.
   void element_done(std::size_t count, std::size_t of) {
     constexpr std::size_t portion = 1 << 18;
     if (out_.size() < portion) return;
@@ -91,7 +90,7 @@ public:
     if (progress_) progress_->report(static_cast<double>(count) / static_cast<double>(of));
   }
 
-  /// Hands on what is left.
+  /// Passes on the remaining bytes.
   void finish() {
     sink_(out_);
     out_.clear();

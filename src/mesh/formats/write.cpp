@@ -27,7 +27,7 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
   });
 }
 
-// The attributes as they are now; all that the result lacks is told.
+// The attributes after deformation; adds notes about lost content.
 Attributes converted(const Format& format, const Content& content, const Original* original,
                      std::vector<std::string>& notes) {
   Attributes now;
@@ -46,9 +46,8 @@ std::string list_of_names(const std::set<std::string>& names) {
   return list;
 }
 
-// Copies what a file leads to beside the one that is being written again, so that this finds it too. Files
-// outside of the old folder stay, and none takes the place of another. Without keep() those that are new go
-// again.
+// Copies external files beside the new file, so that it finds them. Files outside of the old folder are not
+// copied, and no other file is overwritten. Without keep() the destructor removes new copies.
 class CompanionCopies {
 public:
   explicit CompanionCopies(const fs::path& model) : model_(model) {}
@@ -65,19 +64,19 @@ public:
     for (const fs::path& file : companions.files) {
       const fs::path name = file.lexically_relative(companions.folder);
       std::error_code code;
-      if (!fs::is_regular_file(file, code)) continue;  // who shows it has said so
+      if (!fs::is_regular_file(file, code)) continue;  // reported where it is used
       if (name.empty() || *name.begin() == "..") {
         stayed.insert(file.string());
       } else {
         (copy(file, name) ? copied : others).insert(name.string());
       }
     }
-    tell("copied beside it, where it looks for them: ", copied);
-    tell("other files of these names are beside it already, and stayed: ", others);
-    tell("stayed where they are, and it may not find them: ", stayed);
+    tell("copied files it refers to: ", copied);
+    tell("kept existing files of the same name that differ: ", others);
+    tell("not copied, and possibly not found by it: ", stayed);
   }
 
-  // With what a person should know of them and of the result.
+  // Keeps the copies; adds notes about them.
   std::vector<std::string> keep(std::vector<std::string> notes) {
     written_.clear();
     std::ranges::move(notes, std::back_inserter(notes_));
@@ -85,7 +84,7 @@ public:
   }
 
 private:
-  // False where another file has that name.
+  // False if a different file has that name.
   bool copy(const fs::path& file, const fs::path& name) {
     const FileBytes bytes(file, nullptr);
     const fs::path path = model_.parent_path() / name;
@@ -93,7 +92,7 @@ private:
     if (fs::exists(fs::symlink_status(path, code)))
       return fs::file_size(path, code) == bytes.view().size() && !code &&
              FileBytes(path, nullptr).view() == bytes.view();
-    fs::create_directories(path.parent_path(), code);  // or writing says what is wrong
+    fs::create_directories(path.parent_path(), code);  // writing reports errors
     base::replace_file(path, bytes.view());
     written_.push_back(path);
     return true;
@@ -130,7 +129,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
   }
   const Format& format = surface_format(path);
   if (!format.holds(held::points) && content.surface.triangles.empty())
-    throw base::Error(path.string(), std::string(format.name) + " holds triangles alone, and there are none",
+    throw base::Error(path.string(), std::string(format.name) + " stores only triangles, and there are none",
                       "write " + format_extensions([](const Format& f) { return f.holds(held::points); }));
   std::vector<std::string> notes;
   const Attributes now = converted(format, content, original, notes);
@@ -184,20 +183,21 @@ std::vector<std::string> Original::write_file(const std::filesystem::path& path,
 std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const Surface&,
                                                   std::span<const Point>, const MorphMotion&,
                                                   base::Progress*) const {
-  throw base::Error(path.string(), "this format has no morph targets", "write one that has them");
+  throw base::Error(path.string(), "this format has no morph targets", "use a format with morph targets");
 }
 
 void check_motion(const MorphMotion& motion, std::size_t vertices) {
   const auto& seconds = motion.seconds;
-  if (seconds.empty()) throw base::Error("", "an animation without keys", "give it at least one");
+  if (seconds.empty()) throw base::Error("", "an animation without keys", "add at least one");
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     const bool ascends = i == 0 || static_cast<float>(seconds[i]) > static_cast<float>(seconds[i - 1]);
     if (!std::isfinite(seconds[i]) || !ascends)
       throw base::Error("key " + std::to_string(i), "its time does not come after that of the key before it",
-                        "give each key its own time");
+                        "use ascending times");
   }
   if (motion.moves.size() != vertices || motion.weights.size() != seconds.size() * motion.targets.size())
-    throw base::Error("", "an animation of another model, or of other targets", "make it of this model");
+    throw base::Error("", "the animation belongs to another model or other targets",
+                      "create it for this model");
 }
 
 }  // namespace viete::mesh

@@ -1,4 +1,4 @@
-"""Halfway between rest and a shape: edges keep their lengths in log space, not on straight lines."""
+"""Interpolates halfway between rest and a shape: log space keeps edge lengths, straight lines do not."""
 import numpy as np
 import viete
 

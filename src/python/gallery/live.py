@@ -1,4 +1,4 @@
-"""Frames in float, into one array: what an animation in another program would ask for."""
+"""Computes frames in float32 into one array, as an animation in another program would."""
 import time
 
 import numpy as np

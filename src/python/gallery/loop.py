@@ -1,4 +1,4 @@
-"""The frames of a session, as `viete animate` writes them."""
+"""Computes the frames of a session, as `viete animate` writes them."""
 import numpy as np
 import viete
 

@@ -1,4 +1,4 @@
-"""A posed cage moves the dragon; alert.ply is what `viete deform` writes."""
+"""Poses the dragon by its cage; alert.ply equals the result of `viete deform`."""
 import numpy as np
 import viete
 

@@ -1,4 +1,4 @@
-"""The dragon's snout is pulled, and the rest of it follows as its shapes say."""
+"""Pulls the dragon's snout; the rest follows its example shapes."""
 import numpy as np
 import viete
 

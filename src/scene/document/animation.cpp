@@ -20,7 +20,7 @@ void add_share(deform::ProbePose& sum, const deform::ProbePose& pose, double fac
 
 }  // namespace
 
-void KnownVectors::follow(const std::shared_ptr<const deform::Cage>& cage) {
+void VectorCache::follow(const std::shared_ptr<const deform::Cage>& cage) {
   if (cage == cage_) {
     std::erase_if(known_, [](const auto& entry) { return entry.second.pose.use_count() == 1; });
     return;
@@ -30,8 +30,8 @@ void KnownVectors::follow(const std::shared_ptr<const deform::Cage>& cage) {
   space_ = cage ? std::make_shared<const deform::PoseSpace>(cage) : nullptr;
 }
 
-std::shared_ptr<const deform::LogVector> KnownVectors::of(const SharedPose& pose,
-                                                          std::span<const mesh::Vec3> turns_before) {
+std::shared_ptr<const deform::LogVector> VectorCache::of(const SharedPose& pose,
+                                                         std::span<const mesh::Vec3> turns_before) {
   if (!space_) return nullptr;
   const bool depends = pose->cage.turns.empty();
   const auto found = known_.find(pose.get());
@@ -42,7 +42,7 @@ std::shared_ptr<const deform::LogVector> KnownVectors::of(const SharedPose& pose
   return vector;
 }
 
-void KnownVectors::follow_model(const std::shared_ptr<const mesh::Surface>& model) {
+void VectorCache::follow_model(const std::shared_ptr<const mesh::Surface>& model) {
   if (model == model_) {
     std::erase_if(known_shapes_, [](const auto& entry) { return entry.second.shape.use_count() == 1; });
     return;
@@ -52,36 +52,36 @@ void KnownVectors::follow_model(const std::shared_ptr<const mesh::Surface>& mode
   shapes_ = nullptr;
 }
 
-const std::shared_ptr<const deform::ShapeSpace>& KnownVectors::shapes(base::WorkerPool& pool) {
+const std::shared_ptr<const deform::ShapeSpace>& VectorCache::shapes(base::WorkerPool& pool) {
   if (!shapes_) shapes_ = std::make_shared<const deform::ShapeSpace>(*model_, pool);
   return shapes_;
 }
 
-std::shared_ptr<const deform::LogVector> KnownVectors::of(
+std::shared_ptr<const deform::LogVector> VectorCache::of(
     const SharedShape& shape, const std::shared_ptr<const deform::LogVector>& before, base::WorkerPool& pool,
     deform::ShapeReport& report) {
   KnownShape& known = known_shapes_[shape.get()];
-  const auto found = std::ranges::find(known.told, before, &Told::before);
-  if (found != known.told.end()) {
+  const auto found = std::ranges::find(known.after, before, &VectorAfter::before);
+  if (found != known.after.end()) {
     report = found->report;
     return found->vector;
   }
   const auto& space = *shapes(pool);
-  const auto& positions = shape ? *shape : space.logs().rest();  // to which whole turns may lead back
+  const auto& positions = shape ? *shape : space.logs().rest();  // base positions for restoring whole turns
   const auto vector = std::make_shared<const deform::LogVector>(
       shape || before ? space.vector(positions, pool, before.get(), &report) : space.logs().at_rest());
   known.shape = shape;
-  known.told.push_back({before, vector, report});
+  known.after.push_back({before, vector, report});
   return vector;
 }
 
-void KnownVectors::take(KnownVectors&& others) {
+void VectorCache::take(VectorCache&& others) {
   if (others.model_ != model_) return;
   if (!shapes_) shapes_ = others.shapes_;
   for (auto& [key, known] : others.known_shapes_) {
     KnownShape& own = known_shapes_[key];
     own.shape = known.shape;
-    own.told.insert(own.told.end(), known.told.begin(), known.told.end());
+    own.after.insert(own.after.end(), known.after.begin(), known.after.end());
   }
 }
 
@@ -107,8 +107,8 @@ bool in_range(const WholePose& pose, double farthest) {
          });
 }
 
-// Turns that were missing are filled in at the first frame, by half a turn at most; another branch of the
-// same rotation is a whole turn away.
+// Missing turns are filled in at the first frame, by at most half a turn; another branch of the same rotation
+// differs by a whole turn.
 bool same_pose(const deform::Pose& a, const deform::Pose& b) {
   if (a.positions != b.positions) return false;
   const auto turn = [](const deform::Pose& pose, std::size_t part) {
@@ -128,7 +128,7 @@ bool same_pose(const WholePose& a, const WholePose& b) {
   return same_pose(a.cage, b.cage) && same_shape(a.shape, b.shape);
 }
 
-Animation::Animation(const Timeline& timeline, KnownVectors& vectors)
+Animation::Animation(const Timeline& timeline, VectorCache& vectors)
     : timeline_(timeline), space_(vectors.space()) {
   if (std::ranges::any_of(timeline_.keys, [](const PoseKey& key) { return key.pose->shape != nullptr; }))
     add_shapes(vectors);
@@ -151,7 +151,7 @@ void Animation::take_farthest(std::span<const mesh::Point> positions) {
     for (const double x : p) farthest_ = std::max(farthest_, std::abs(x));
 }
 
-void Animation::add_shapes(KnownVectors& vectors) {
+void Animation::add_shapes(VectorCache& vectors) {
   base::WorkerPool pool;
   shapes_ = vectors.shapes(pool);
   std::shared_ptr<const deform::LogVector> before;
@@ -202,7 +202,7 @@ SharedShape Animation::blended_shape(const Moment& moment, bool straight) const 
   return blended(shapes_->logs(), terms, straight ? nullptr : &held_shapes_[moment.from], pool);
 }
 
-// As numbers in which a blend is a weighted sum.
+// Coordinates in which a blend is a weighted sum.
 std::vector<double> Animation::place(std::size_t key, bool logs) const {
   std::vector<double> all;
   const auto add = [&](const auto& row) { all.insert(all.end(), row.begin(), row.end()); };

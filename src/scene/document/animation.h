@@ -1,4 +1,4 @@
-// What moves at any moment of a timeline: keys blended in log space.
+// The pose at any frame of a timeline: keys blended in log space.
 #pragma once
 
 #include <map>
@@ -12,28 +12,28 @@
 
 namespace viete::scene {
 
-/// Poses of one cage, and shapes of one model, as vectors, each taken once. Not thread-safe.
-class KnownVectors {
+/// Caches the log vectors of poses of one cage and of shapes of one model. Not thread-safe.
+class VectorCache {
 public:
-  /// Of another cage, or none (null), all are forgotten.
+  /// A different cage, or null, clears the cached poses.
   void follow(const std::shared_ptr<const deform::Cage>& cage);
-  /// Likewise of another model and its shapes.
+  /// A different model clears its cached shapes.
   void follow_model(const std::shared_ptr<const mesh::Surface>& model);
-  /// Null where there is no cage.
+  /// Null without a cage.
   const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
-  /// See PoseSpace::vector(). Null where there is no cage. Kept as long as the pose is in use elsewhere.
+  /// See PoseSpace::vector(). Null without a cage. Cached as long as the pose is in use elsewhere.
   std::shared_ptr<const deform::LogVector> of(const SharedPose& pose,
                                               std::span<const mesh::Vec3> turns_before = {});
 
-  /// Made when it is asked for. Requires a model. Throws base::Error: see ShapeSpace.
+  /// Created on the first call. Requires a model. Throws base::Error: see ShapeSpace.
   const std::shared_ptr<const deform::ShapeSpace>& shapes(base::WorkerPool& pool);
-  /// Branches continue those of the shape before; null: at rest. Kept as long as the shape is in use
-  /// elsewhere. Throws base::Error: see ShapeSpace::vector().
+  /// Branches continue those of the previous shape; null: the rest shape. Cached as long as the shape is in
+  /// use elsewhere. Throws base::Error: see ShapeSpace::vector().
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
-  /// What others know of shapes of the same model is known from now on.
-  void take(KnownVectors&& others);
+  /// Merges the shapes that another cache of the same model has.
+  void take(VectorCache&& others);
 
 private:
   struct Known {
@@ -45,37 +45,37 @@ private:
   std::shared_ptr<const deform::PoseSpace> space_;
   std::map<const WholePose*, Known> known_;
 
-  struct Told {
+  struct VectorAfter {
     std::shared_ptr<const deform::LogVector> before, vector;
     deform::ShapeReport report;
   };
   struct KnownShape {
     SharedShape shape;
-    std::vector<Told> told;  // a shape may come after several others
+    std::vector<VectorAfter> after;  // one for each previous shape
   };
   std::shared_ptr<const mesh::Surface> model_;
   std::shared_ptr<const deform::ShapeSpace> shapes_;
   std::map<const void*, KnownShape> known_shapes_;
 };
 
-/// The poses of a timeline at any frame. Constant: thread-safe, and the same bits whatever frame came before.
-/// At a key's frame it is that key's pose, bit for bit. A pose that says nothing of whole turns has those
-/// nearest to the key before.
+/// The poses of a timeline at any frame. Immutable and thread-safe; the result does not depend on the frames
+/// evaluated before. At a key's frame it is that key's pose, bit for bit. A pose without whole turns takes
+/// those nearest to the previous key.
 ///
-/// What is shown between keys is the cage that follows the blended logs, see PoseSpace; a timeline that is
-/// straight moves its vertices on straight lines. Probes are blended by their logs in either case. Where that
-/// leaves what can be drawn, as `smooth` may where it overshoots, the key before stays.
+/// Between keys the cage follows the blended logs, see PoseSpace; in a linear timeline its vertices move on
+/// straight lines. Probes are always blended by their logs. If the result leaves the drawable range, as
+/// `smooth` may when it overshoots, the previous key's pose is used.
 class Animation {
 public:
-  /// Requires keys, of this cage; where keys have shapes, of this model. Throws base::Error where a shape is
-  /// none of it.
-  Animation(const Timeline& timeline, KnownVectors& vectors);
+  /// The timeline must have keys of this cage, and shapes of this model if keys have shapes. Throws
+  /// base::Error if a shape does not fit the model.
+  Animation(const Timeline& timeline, VectorCache& vectors);
 
-  /// What a person should know of the keys' shapes, one line each.
+  /// Messages about the keys' shapes for the user, one line each.
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const;
-  /// As if the timeline was straight, or was not.
+  /// As above, with the timeline taken as linear or not.
   WholePose at(double frame, bool straight) const;
 
 private:
@@ -83,14 +83,14 @@ private:
   std::vector<double> place(std::size_t key, bool logs) const;
   WholePose blend(const Moment& moment, bool straight) const;
   SharedShape blended_shape(const Moment& moment, bool straight) const;
-  void add_shapes(KnownVectors& vectors);
+  void add_shapes(VectorCache& vectors);
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ = most_drawn;  // coordinate; or that of a key, of models that are deformed and not drawn
+  double farthest_ = most_drawn;  // largest coordinate allowed; raised if a key exceeds it
   std::shared_ptr<const deform::PoseSpace> space_;
-  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // of the keys; null without a cage
-  std::vector<deform::Held> held_;                                 // from each key to the next
+  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
+  std::vector<deform::Held> held_;                                 // one per interval between keys
 
   std::shared_ptr<const deform::ShapeSpace> shapes_;  // null: no key has a shape
   std::vector<std::shared_ptr<const deform::LogVector>> shape_vectors_;

@@ -21,13 +21,13 @@ std::vector<float> shares_of(const Document& document) {
   return std::vector<float>(document.model.surface->positions.size(), 1.0f);
 }
 
-// Null where every vertex follows.
+// Null if every share is 1.
 deform::Mask mask_of(const std::vector<float>& shares) {
   const bool whole = std::ranges::all_of(shares, [](float s) { return s == 1; });
   return whole ? nullptr : std::make_shared<const std::vector<float>>(shares);
 }
 
-// Full up to half of the radius, then smoothly down to none: d is in radii.
+// 1 up to half the radius, then a smooth falloff to 0; d in radii.
 float coverage(double d) {
   const double t = std::clamp(2 * (1 - d), 0.0, 1.0);
   return static_cast<float>(t * t * (3 - 2 * t));
@@ -48,7 +48,7 @@ struct Hit {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-// After T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997); both sides count.
+// After T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997); two-sided.
 Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray) {
   const mesh::Surface& model = *document.model.surface;
   const auto& [center, scale] = document.space;

@@ -1,4 +1,4 @@
-// Painting on the model how much of it follows the cage.
+// Painting the model's mask: how much each vertex follows the cage.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,51 +12,50 @@
 
 namespace viete::scene {
 
-/// What a stroke paints, and how wide.
+/// Settings of the mask brush.
 struct Brush {
   static constexpr float least_radius = 4, largest_radius = 400;
 
   float radius = 40;  ///< logical pixels
-  float share = 0;    ///< of its motion that a vertex keeps where it is painted in full, 0 to 1
+  float share = 0;    ///< mask value at full strength, 0 to 1: the share of its motion a vertex keeps
 };
 
-/// The model as it was deformed last, as a graphics card takes it; no vertices: it is at rest.
+/// The last deformed model, in the layout for the GPU; no vertices: the model is at rest.
 struct PosedModel {
   std::span<const deform::FrameVertex> vertices{};
   mesh::Point origin{0, 0, 0};
-  unsigned long frame = 0;  ///< another number where the vertices may be others
+  unsigned long frame = 0;  ///< changes whenever the vertices may have changed
 
   mesh::Point at(const mesh::Surface& model, std::size_t vertex) const;
 };
 
-/// Where the ray meets the posed model first, in the file's coordinates; nothing where it does not. O(n).
+/// The first intersection of the ray with the posed model, in file coordinates; nullopt: no hit. O(n).
 std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray);
 
-/// A point of the model that goes with it: of a triangle, by the shares of its corners.
+/// A point attached to the model: a triangle and barycentric coordinates.
 struct SurfacePoint {
   std::uint32_t triangle = 0;
   std::array<double, 3> shares{};
 };
 
-/// The same, as a point of the surface.
+/// As pick_model(), as a point attached to the surface.
 std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray);
 
-/// Shares are kept in steps of one 255th, as a session has them.
+/// Masks are quantized to steps of 1/255, as in session files.
 inline constexpr int mask_steps = 255;
 
-/// From the press of the button to its release: where the brush goes over a vertex again it paints no more
-/// than once.
+/// One stroke, from button press to release; painting a vertex twice within a stroke has no further effect.
 class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Vertices nearer than half of the radius to the center take this share, those up to the radius the less
-  /// of it the farther they are. The document shows it at once.
+  /// Vertices nearer than half the radius to the center get this share; the effect falls off to 0 at the
+  /// radius. The document shows it at once.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
-  /// One undoable edit; none if nothing was painted.
+  /// One undoable edit; no edit if nothing was painted.
   void commit(Document& document);
-  /// All is as it was before.
+  /// Restores the mask from before the stroke.
   void cancel(Document& document) const;
 
 private:
@@ -65,9 +64,9 @@ private:
 };
 
 bool same_mask(const deform::Mask& a, const deform::Mask& b);
-/// A mask as an edit; null where all of it is 1. Requires a share for each vertex of the model, or none.
+/// Sets the mask as an edit; null if every share is 1. The mask has one share per model vertex, or is empty.
 void set_mask(Document& document, deform::Mask mask, const char* label);
-/// What followed stays, and the reverse.
+/// Each share s becomes 1 - s.
 deform::Mask inverted(const Document& document);
 
 }  // namespace viete::scene

@@ -27,12 +27,12 @@ std::string edited_name(const OpenedSurface& cage) {
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 
-// The image across a plane has the mirrored way from its rest.
+// The mirror image of a displacement from rest to pose.
 mesh::Vec3 across(const mesh::Vec3& way, const cages::Plane& plane) {
   return way - (2 * mesh::dot(way, plane.normal)) * plane.normal;
 }
 
-// What ways from rest to pose follow by: those of images are mirrored first.
+// The transform of displacements from rest to pose; those of mirrored vertices are mirrored first.
 struct Follow {
   cages::Plane plane{};
   std::array<mesh::Vec3, 3> linear = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // rows
@@ -40,7 +40,7 @@ struct Follow {
   mesh::Vec3 operator()(const mesh::Vec3& way) const {
     return {mesh::dot(linear[0], way), mesh::dot(linear[1], way), mesh::dot(linear[2], way)};
   }
-  // Of an axis with an angle for its length, which is not scaled.
+  // A rotation vector: its axis is transformed, its length, the angle, is kept.
   mesh::Vec3 turn(const mesh::Vec3& rotation) const {
     const mesh::Vec3 now = (*this)(rotation);
     const double length = mesh::norm(now);
@@ -48,7 +48,7 @@ struct Follow {
   }
 };
 
-// Whole turns go with the parts, as long as there are as many.
+// Keeps whole turns of the parts if their number is unchanged.
 deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
                      const deform::Cage& after, const Follow& follow) {
   deform::Pose now;
@@ -71,7 +71,7 @@ CageGroups groups_of(const Document& document, const cages::Edited& edited) {
   return carried(document.groups, document.cage->surface.positions.size(), origins);
 }
 
-// In the mode its pose is at rest; outside of it, as far as vertices remained.
+// In cage editing the new pose is the rest shape; otherwise remaining vertices keep their pose.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
@@ -82,7 +82,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   const bool editing = is_editing_cage(document);
   CageGroups groups = groups_of(document, edited);
   const ElementKind kind = document.selection.kind();
-  OpenedSurface file = made_surface(std::move(edited.surface), edited_name(document.cage_file));
+  OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file));
   if (editing) document.kept_pose = real;
   document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
   document.groups = std::move(groups);
@@ -91,7 +91,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   document.selection = without_hidden(document, converted(*document.cage, made, kind));
 }
 
-// The same polygons with other places.
+// The same polygons with other positions.
 cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
   cages::Edited edited{cage, {}, {}};
   edited.surface.positions = std::move(positions);
@@ -128,7 +128,7 @@ void end_cage_editing(Document& document) {
   document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
 }
 
-bool settle_cage_edit(Document& document) {
+bool commit_cage_edit(Document& document) {
   if (!is_editing_cage(document) || document.pose.positions == document.cage->surface.positions) return false;
   try {
     cages::Edited edited = with_positions(document.cage->surface, document.pose.positions);
@@ -139,36 +139,36 @@ bool settle_cage_edit(Document& document) {
     carry_poses(document,
                 [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, {}); });
     document.kept_pose = std::move(real);
-    document.replace_cage(made_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
+    document.replace_cage(generated_surface(std::move(edited.surface), edited_name(document.cage_file)), cage,
                           deform::rest_pose(*cage));
     document.selection = selection;
     document.groups = groups;
-    document.history.go_on();
+    document.history.extend_last();
     return true;
   } catch (const base::Error& error) {
-    // The edit that moved it, and what was selected since.
+    // Undoes the edit that moved it, and later selection changes.
     while (document.history.can_undo() && is_editing_cage(document) &&
            document.pose.positions != document.cage->surface.positions)
       undo(document);
-    throw base::Error("", "this would be no cage: " + error.problem(), "it is as it was before");
+    throw base::Error("", "the result is not a valid cage: " + error.problem(), "the cage was not changed");
   }
 }
 
 void split_selected(Document& document) {
   const auto edges = selected_edges(document);
-  require(!edges.empty(), "no edge of the cage is selected", "select edges, or both ends of some");
+  require(!edges.empty(), "no edge of the cage is selected", "select edges, or both end vertices of an edge");
   put_edited(document, cages::split_edges(document.cage->surface, edges), "split edges");
 }
 
 void cut_selected(Document& document) {
   const auto polygons = selected_polygons(document);
-  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
   put_edited(document, cages::cut_polygons(document.cage->surface, polygons), "cut faces");
 }
 
 void merge_selected(Document& document) {
   const auto vertices = selected_vertices(*document.cage, document.selection);
-  require(vertices.size() > 1, "fewer than two vertices are selected", "select those that are to be one");
+  require(vertices.size() > 1, "fewer than two vertices are selected", "select the vertices to merge");
   put_edited(document, cages::merge_vertices(document.cage->surface, vertices), "merge vertices");
 }
 
@@ -176,8 +176,8 @@ void remove_selected(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   const Selection& selection = document.selection;
   const auto put = [&](cages::Edited edited, const char* label) {
-    require(edited.surface.corners != cage.corners, "what is selected cannot be removed",
-            "there is no single loop around it; remove faces instead");
+    require(edited.surface.corners != cage.corners, "the selection cannot be removed",
+            "it is not enclosed by a single loop; remove faces instead");
     put_edited(document, std::move(edited), label);
   };
   if (selection.kind() == ElementKind::vertex)
@@ -188,9 +188,9 @@ void remove_selected(Document& document) {
 }
 
 void extrude_selected(Document& document) {
-  constexpr double distance = 0.05;  // of the cage's diagonal
+  constexpr double distance = 0.05;  // relative to the cage's diagonal
   const auto polygons = selected_polygons(document);
-  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all corners of some");
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
   put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
              "extrude");
 }
@@ -198,7 +198,7 @@ void extrude_selected(Document& document) {
 void subdivide_cage(Document& document) {
   constexpr std::size_t most_vertices = 20000;
   require(document.cage->surface.positions.size() < most_vertices / 4, "the cage would be too fine to pose",
-          "it can have 20,000 vertices");
+          "a cage has at most 20,000 vertices");
   put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
 }
 
@@ -206,7 +206,7 @@ void mirror_cage(Document& document) {
   const auto axis = static_cast<std::size_t>(symmetry_axis(document));
   cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
   plane.normal[axis] = 1;
-  // The side whose vertices are selected, else the positive one.
+  // The side with the selected vertices, else the positive one.
   const auto& rest = document.cage->surface.positions;
   double sum = 0;
   for (const auto v : selected_vertices(*document.cage, document.selection))
@@ -218,8 +218,8 @@ void mirror_cage(Document& document) {
 namespace {
 
 const mesh::Surface& model_to_fit(const Document& document) {
-  require(document.model.bounds.diagonal() > 0, "all of the model is at one place, and a cage fits no point",
-          "move the cage by hand");
+  require(document.model.bounds.diagonal() > 0, "the model is a single point, so no cage can be fitted",
+          "move the cage yourself");
   return *document.model.surface;
 }
 
@@ -238,15 +238,15 @@ void fit_cage(Document& document) {
 double fit_cage_turned(Document& document) {
   cages::Fitted fitted = cages::best_fit(document.cage->surface, model_to_fit(document), fit_margin);
   const double degrees = fitted.degrees;
-  put_fitted(document, std::move(fitted), degrees > 0 ? "fit the cage, turned" : "fit the cage");
+  put_fitted(document, std::move(fitted), degrees > 0 ? "fit the cage with rotation" : "fit the cage");
   return degrees;
 }
 
 SnapResult snap_selected(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   const auto vertices = selected_vertices(*document.cage, document.selection);
-  require(!document.model.surface->triangles.empty(), "the model has no faces, so that nothing is within it",
-          "move the cage by hand");
+  require(!document.model.surface->triangles.empty(), "the model has no faces and therefore no inside",
+          "move the cage yourself");
   auto snapped = cages::snap_outside(cage, vertices, *document.model.surface, snug_margin);
   const Selection selection = document.selection;
   if (snapped.moved > 0) {
@@ -258,7 +258,7 @@ SnapResult snap_selected(Document& document) {
 
 std::size_t enclose_model(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
-  require(document.cage->closed, "the cage is open, so that nothing is within it", "close it first");
+  require(document.cage->closed, "the cage is open and therefore has no inside", "close its holes first");
   cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
   if (enclosing.positions != cage.positions)
     put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");

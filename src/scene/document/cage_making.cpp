@@ -13,26 +13,27 @@ namespace fs = std::filesystem;
 
 constexpr EditStep make_cage{EditKind::cage};
 
-bool shows_made(const Document& document, const CageMaking& making) {
+bool shows_generated(const Document& document, const CageMaking& making) {
   return making.made && document.cage == making.made;
 }
 
-bool goes_on(const Document& document, const CageMaking& making) {
-  return shows_made(document, making) && document.history.last_step() == make_cage;
+bool can_replace_generated(const Document& document, const CageMaking& making) {
+  return shows_generated(document, making) && document.history.last_step() == make_cage;
 }
 
-void take_made(Document& document, CageMaking& making, OpenedSurface surface,
-               std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
-  const bool again = shows_made(document, making);
-  record_step(document, "make a cage", make_cage, again);
+void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
+                   std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes) {
+  const bool again = shows_generated(document, making);
+  record_step(document, "make cage", make_cage, again);
   deform::Pose pose = deform::rest_pose(*cage);
   making.made = cage;
   making.notes = std::move(notes);
   if (!again) making.lost.clear();
   if (const std::string lost = lost_sets(document.groups, {}); !lost.empty())
-    making.lost.push_back("Sets of the cage before are gone: " + lost + "; undo brings them back");
+    making.lost.push_back("Selection sets of the previous cage were removed: " + lost +
+                          "; undo restores them");
   if (const std::string lost = drop_poses(document, *cage); !lost.empty())
-    making.lost.push_back("Poses of the cage before are gone: " + lost + "; undo brings them back");
+    making.lost.push_back("Poses of the previous cage were removed: " + lost + "; undo restores them");
   document.kept_pose.reset();
   document.replace_cage(std::move(surface), std::move(cage), std::move(pose));
 }

@@ -1,4 +1,4 @@
-// Making a cage in the window: what is wished for, and the edit that takes what was made.
+// Generating a cage in the window: its settings, and the edit that applies the result.
 #pragma once
 
 #include <memory>
@@ -16,33 +16,32 @@ using CageKind = cages::Kind;
 using CageSymmetry = cages::Symmetry;
 using CageWish = cages::Wish;
 
-/// While it is open, the cage of the document follows the wish.
+/// While it is open, the document's cage follows the settings.
 struct CageMaking {
   bool open = false;
-  bool closing = false;  ///< done, but for the care that a preview was not made with
+  bool closing = false;  ///< confirmed, and waiting for the full-quality cage that replaces a preview
   CageWish wish;
-  std::vector<std::string> notes{};              ///< on the cage that was made last
-  std::vector<std::string> lost{};               ///< what went with the cage before these
-  std::shared_ptr<const deform::Cage> made{};    ///< the last one; what an undo leads away from is left alone
-  std::shared_ptr<const deform::Cage> before{};  ///< that of the document when it was opened
+  std::vector<std::string> notes{};              ///< about the last generated cage
+  std::vector<std::string> lost{};               ///< poses and keys lost with the previous cage
+  std::shared_ptr<const deform::Cage> made{};    ///< the last generated cage; an undo past it is left alone
+  std::shared_ptr<const deform::Cage> before{};  ///< the document's cage when the panel was opened
 };
 
-/// The document's cage is what was made last: another one replaces it in the same edit.
-bool shows_made(const Document& document, const CageMaking& making);
-/// And making it was the last edit: nothing is lost if another one takes its place.
-bool goes_on(const Document& document, const CageMaking& making);
+/// True if the document's cage is the last generated one; the next one replaces it in the same edit.
+bool shows_generated(const Document& document, const CageMaking& making);
+/// As shows_generated(), and generating it was the last edit: replacing it loses nothing.
+bool can_replace_generated(const Document& document, const CageMaking& making);
 
-/// A made cage becomes that of the document, at rest. Undoable; those that are made one after the other,
-/// with nothing in between, are one edit. Throws base::Error, and the document stays as it is, if it is no
-/// cage.
-void take_made(Document& document, CageMaking& making, OpenedSurface surface,
-               std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
+/// Puts a generated cage into the document, at rest. Undoable; cages generated one after the other without
+/// another edit in between are one edit. Throws base::Error without a change if the cage is not valid.
+void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
+                   std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
 
-/// Takes everything back until the cage is the one from before it was opened.
+/// Undoes edits until the cage from before the panel was opened is back.
 void cancel_making(Document& document, CageMaking& making);
 
-/// A file beside the model's that looks like its cage: cage.obj, MODEL_cage.obj and the like; empty if there
-/// is none, or if it is the model.
+/// A file next to the model that looks like its cage: cage.obj, MODEL_cage.obj and the like; empty if there
+/// is none or if it is the model itself.
 std::filesystem::path cage_beside(const std::filesystem::path& model);
 
 }  // namespace viete::scene

@@ -17,7 +17,7 @@ float shortest_turn(float from, float to) {
   return from + std::remainder(to - from, 4 * half_pi);
 }
 
-// Tangents of the half angles under which the free part of the window is seen.
+// Tangents of the half field of view of the free part of the window.
 glm::vec2 free_tangent(const Viewport& v, float covered) {
   return std::tan(0.5f * Camera::vertical_field) * (v.seen() - glm::vec2(0, covered)) / v.window.y;
 }
@@ -28,7 +28,7 @@ glm::mat4 perspective_lens(float distance, float aspect) {
   return glm::perspective(Camera::vertical_field, aspect, near_plane, far_plane);
 }
 
-// Nothing is behind an orthographic eye: zooming in must not cut the model open.
+// An orthographic view extends behind the eye: zooming in must not clip the model.
 glm::mat4 orthographic_lens(float distance, float aspect) {
   const float half = distance * std::tan(0.5f * Camera::vertical_field);
   return glm::ortho(-half * aspect, half * aspect, -half, half, -20.0f, distance + 20.0f);
@@ -38,7 +38,7 @@ float clamped(float value, float least, float most, float otherwise) {
   return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
 }
 
-// Places beyond the range of floats are seen from the model.
+// Camera positions beyond the float range are moved towards the model.
 CameraPose in_range(CameraPose pose) {
   const CameraPose home;
   constexpr auto far = static_cast<float>(farthest_place);
@@ -58,7 +58,7 @@ CameraPose mix(const CameraPose& a, const CameraPose& b, float t) {
           b.up};
 }
 
-// A direction among axes of which Y is up, among the file's.
+// Converts a direction from a Y-up basis to the file's axes.
 glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
   return up == UpAxis::y ? v : glm::vec3(v.x, -v.z, v.y);
 }
@@ -70,7 +70,7 @@ void Camera::set_pose(const CameraPose& pose) {
   jump();
 }
 
-// A movement that takes effect at once replaces one that is being eased.
+// An immediate change replaces a running animation.
 void Camera::jump() {
   goal_ = current_ = in_range(current_);
   remaining_ = 0;
@@ -184,8 +184,8 @@ void Camera::look(StandardView view) {
   ease_to(goal);
 }
 
-// The middle of the points comes to the middle of what is not covered: `raised`, as a slope of rays, above
-// that of the free part, where the target is.
+// Centers the points in the uncovered area: `raised` is its center above that of the free part, the target's
+// position, as a slope of rays.
 void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;

@@ -29,7 +29,7 @@ void add_edges(std::vector<Finding>& all, Defect defect, Subject subject,
   if (!edges.empty()) all.push_back({defect, subject, ElementKind::edge, {}, edges});
 }
 
-// The polygons that these triangles were cut from, each once.
+// The polygons that contain these triangles, each once.
 Elements faces_of(const mesh::Surface& surface, Elements triangles) {
   for (auto& t : triangles) t = surface.triangle_polygon[t];
   std::sort(triangles.begin(), triangles.end());
@@ -41,7 +41,7 @@ bool inside_out(const mesh::Summary& summary) {
   return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
 }
 
-// What edges tell, and which faces have no area. `surface` as the edges are to be judged.
+// Defects found from edges, and degenerate faces. `surface` in the form for which edges are judged.
 void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
   add_edges(found, Defect::open, subject, summary.boundary_edges);
@@ -67,18 +67,19 @@ std::string title(const Finding& finding) {
   const auto name = [&]() -> const char* {
     switch (finding.defect) {
       case Defect::vertices_outside: return one ? "vertex outside the cage" : "vertices outside the cage";
-      case Defect::self_intersection: return one ? "face cut by another" : "faces that cut each other";
+      case Defect::self_intersection: return one ? "self-intersecting face" : "self-intersecting faces";
       case Defect::open: return one ? "open edge" : "open edges";
       case Defect::nonmanifold_edge:
         return one ? "edge with more than two faces" : "edges with more than two faces";
       case Defect::pinched_vertex:
-        return one ? "vertex where parts only touch" : "vertices where parts only touch";
+        return one ? "vertex shared by separate parts" : "vertices shared by separate parts";
       case Defect::misoriented:
-        return one ? "edge between faces that disagree" : "edges between faces that disagree";
-      case Defect::inside_out: return one ? "face, turned inside out" : "faces, all turned inside out";
+        return one ? "edge between faces of opposite orientation"
+                   : "edges between faces of opposite orientation";
+      case Defect::inside_out: return one ? "face pointing inward" : "faces, all pointing inward";
       case Defect::degenerate: return one ? "face without area" : "faces without area";
       case Defect::thin: return one ? "very thin face" : "very thin faces";
-      case Defect::doubled_vertex: return one ? "vertex on top of another" : "vertices on top of others";
+      case Defect::doubled_vertex: return one ? "duplicate vertex" : "duplicate vertices";
       case Defect::unused_vertex: return one ? "vertex without a face" : "vertices without a face";
     }
     return "";
@@ -130,7 +131,7 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
       faces_of(cage, mesh::thin_triangles(cage, thin)));
   const auto doubled = mesh::duplicate_vertices(cage);
   add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
-  // Joined to another one a vertex is not without a face.
+  // A vertex merged with another one counts as used.
   Elements unused;
   std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
                       doubled.end(), std::back_inserter(unused));
@@ -138,7 +139,7 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
   return found;
 }
 
-// In portions, so that it can be stopped.
+// In portions, so that it can be cancelled.
 std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,
                                        base::Progress* progress) {
   const mesh::Surface around = mesh::consistently_oriented(mesh::welded(cage));
@@ -158,10 +159,10 @@ std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Su
 
 namespace {
 
-// Asked only where so many are outside that the cage may be of another orientation.
+// Called only if so many vertices are outside that the cage may have another orientation.
 bool fits_turned(const OpenedSurface& model, const OpenedSurface& cage, const Finding& outside,
                  base::Progress* progress) {
-  constexpr std::size_t matters = 10;  // one in so many
+  constexpr std::size_t matters = 10;  // one vertex in this many
   if (matters * outside.size() < model.surface->positions.size()) return false;
   if (!(model.bounds.diagonal() > 0 && cage.bounds.diagonal() > 0)) return false;
   return cages::best_fit(*cage.surface, *model.surface, fit_margin, progress).degrees > 0;
@@ -192,31 +193,27 @@ namespace {
 const char* cage_meaning(Defect defect) {
   switch (defect) {
     case Defect::self_intersection:
-      return "The cage cuts through itself: near there the mesh follows both sheets at once, however far "
-             "apart they "
-             "are along the cage.";
+      return "The cage intersects itself. Nearby, the model follows both sheets at once.";
     case Defect::open:
-      return "The cage does not close here. Faces in log space need no closed cage; with mean value "
-             "coordinates the "
-             "mesh does not follow turns and stretches exactly.";
+      return "The cage has a hole. Log space needs no closed cage; with mean value coordinates the model "
+             "follows rotation and stretch only approximately.";
     case Defect::nonmanifold_edge:
-      return "Every face acts as usual; where they turn far against each other it is open which one the mesh "
-             "follows.";
+      return "More than two faces share this edge. Each acts as usual; if they rotate far apart, the result "
+             "nearby is ambiguous.";
     case Defect::pinched_vertex:
-      return "Parts of the cage meet in this vertex alone: dragging it pulls all of them.";
+      return "Parts of the cage share only this vertex. Dragging it moves all of them.";
     case Defect::misoriented:
-      return "Some faces point outwards and some inwards. Faces in log space do not mind; mean value "
-             "coordinates "
-             "come out wrong: turn the faces one way.";
-    case Defect::inside_out:
-      return "The faces point inwards. Neither kind of coordinates minds; other programs may.";
+      return "Face orientations disagree. Log space is not affected; mean value coordinates become wrong. "
+             "Orient all faces outward.";
+    case Defect::inside_out: return "All faces point inward. Viete is not affected; other programs may be.";
     case Defect::degenerate:
-      return "A part of the face without area has no influence; the faces around act in its place.";
+      return "The face has no area and therefore no influence; its neighbours act in its place.";
     case Defect::thin:
-      return "So thin that a small drag of a corner turns or stretches it far, and the mesh near it too.";
+      return "The face is so thin that small moves of its vertices rotate or stretch the model strongly.";
     case Defect::doubled_vertex:
-      return "Two vertices at one place that are not joined: select both before dragging, or the cage tears.";
-    case Defect::unused_vertex: return "Without a face a vertex pulls nothing when it is dragged.";
+      return "Two unmerged vertices coincide. Merge them, or select both before dragging; otherwise the cage "
+             "tears.";
+    case Defect::unused_vertex: return "The vertex belongs to no face. Dragging it has no effect.";
     case Defect::vertices_outside: break;
   }
   return "";
@@ -225,20 +222,20 @@ const char* cage_meaning(Defect defect) {
 const char* model_meaning(Defect defect) {
   switch (defect) {
     case Defect::vertices_outside:
-      return "Outside, the mesh follows the nearest faces in log space just as inside; mean value weights "
-             "can be negative there and move it against the drag.";
-    case Defect::open: return "The mesh has holes. It deforms like any other.";
-    case Defect::nonmanifold_edge: return "It deforms like any other; shading may be uneven there.";
-    case Defect::pinched_vertex: return "It deforms like any other; shading may be uneven there.";
+      return "In log space these vertices follow the nearest faces as usual. Mean value weights can be "
+             "negative there and move them against the drag.";
+    case Defect::open: return "The model has holes. The deformation is not affected.";
+    case Defect::nonmanifold_edge: return "The deformation is not affected; shading can be uneven there.";
+    case Defect::pinched_vertex: return "The deformation is not affected; shading can be uneven there.";
     case Defect::misoriented:
-      return "Faces disagree on what is outside: shading breaks there, the deformation does not.";
+      return "Face orientations disagree. Shading is wrong there; the deformation is not affected.";
     case Defect::inside_out:
-      return "The faces point inwards. The deformation does not mind; programs that open the export may.";
-    case Defect::degenerate: return "It cannot be seen; the deformation does not mind.";
+      return "All faces point inward. The deformation is not affected; programs that open the export may be.";
+    case Defect::degenerate: return "The face is invisible. The deformation is not affected.";
     case Defect::doubled_vertex:
-      return "As along seams. Vertices at one place move alike and stay together; shading shows an edge "
-             "there.";
-    case Defect::unused_vertex: return "It moves with the rest and is exported, but cannot be seen.";
+      return "Vertices coincide, for example along seams. They stay together; shading shows an edge there.";
+    case Defect::unused_vertex:
+      return "The vertex belongs to no face. It is deformed and exported but invisible.";
     case Defect::self_intersection:
     case Defect::thin: break;
   }
@@ -250,7 +247,7 @@ const char* model_meaning(Defect defect) {
 std::string meaning(const Finding& finding) {
   if (finding.subject == Subject::cage) return cage_meaning(finding.defect);
   return std::string(model_meaning(finding.defect)) +
-         (finding.turned ? " Turned, the cage fits clearly better." : "");
+         (finding.turned ? " Rotated, the cage fits clearly better." : "");
 }
 
 bool matters(const Finding& finding) {
@@ -260,7 +257,7 @@ bool matters(const Finding& finding) {
 
 namespace {
 
-// Of each part of the cage, signed: positive when its faces look outward. In units of the cage's size.
+// Signed volume of each part of the cage, positive if its faces point outward, in units of the cage's size.
 std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
   std::vector<double> all(cage.roots.size(), 0);
   for (std::size_t e = 0; e < cage.element_count(); ++e) {
@@ -288,8 +285,8 @@ std::string inside_out_note(std::size_t count, std::size_t parts) {
                                 : std::to_string(count) + " of " + std::to_string(parts) +
                                       (count == 1 ? " parts of the cage is" : " parts of the cage are");
   return which +
-         " turned inside out in this pose, as by a mirror, which no turning and stretching does: the "
-         "mesh folds; mean value coordinates can follow";
+         " mirrored in this pose, which log space cannot represent: the model folds; use mean value "
+         "coordinates";
 }
 
 }  // namespace
@@ -302,16 +299,17 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
         std::to_string(report.collapsed.size()) + std::string(" of the cage's faces") +
         (report.collapsed.size() == 1 ? " has" : " have") +
         " collapsed (first: " + std::to_string(report.collapsed.front()) +
-        (report.collapsed.size() == 1 ? "); its stretch is floored" : "); their stretches are floored"));
+        (report.collapsed.size() == 1 ? "); a minimum stretch is used" : "); minimum stretches are used"));
   }
   if (report.torn.empty()) return notes;
   const std::size_t inside_out = parts_inside_out(cage, pose);
   if (inside_out > 0) notes.push_back(inside_out_note(inside_out, cage.roots.size()));
   if (inside_out < cage.roots.size()) {
     const auto& [a, b] = report.torn.front();
-    notes.push_back(base::counted(report.torn.size(), "pair") +
-                    " of cage neighbours turned by over 120 degrees (first: faces " + std::to_string(a) +
-                    ", " + std::to_string(b) + "); the mesh may fold there");
+    notes.push_back(
+        base::counted(report.torn.size(), "pair") +
+        " of neighbouring cage faces rotated by more than 120 degrees relative to each other (first: faces " +
+        std::to_string(a) + ", " + std::to_string(b) + "); the model may fold there");
   }
   return notes;
 }

@@ -8,76 +8,75 @@ namespace viete::scene {
 
 std::span<const Choice> choices(Pivot) {
   static constexpr Choice all[] = {
-      {"median", "Median", "Turn and scale about the mean of what is selected."},
-      {"active", "Active", "Turn and scale about what was clicked last."},
-      {"individual", "Each its own", "What hangs together turns and scales about its own middle."},
-      {"joint", "Joint", "Turn and scale about the end of the selection where it joins the rest: an elbow."},
-      {"point", "Placed point", "Turn and scale about a point that you place."}};
+      {"median", "Median", "Rotate and scale about the mean of the selection."},
+      {"active", "Active", "Rotate and scale about the element clicked last."},
+      {"individual", "Individual centres", "Rotate and scale each connected part about its own centre."},
+      {"joint", "Joint", "Rotate and scale about the boundary to the unselected part, like an elbow."},
+      {"point", "Placed point", "Rotate and scale about a point that you place."}};
   return all;
 }
 
 std::span<const Choice> choices(Axes) {
   static constexpr Choice all[] = {
       {"world", "World", "Move along the axes of the file."},
-      {"view", "View", "Move to the right, up, and towards you."},
-      {"selection", "Selection", "Move along the longest extents of what is selected."},
-      {"active", "Active", "Move along the longest edge and the normal of what was clicked last."},
-      {"mirror", "Mirror", "Move across the mirror's plane, and in it."}};
+      {"view", "View", "Move along the screen axes: right, up and towards the viewer."},
+      {"selection", "Selection", "Move along the principal axes of the selection."},
+      {"active", "Active", "Move along the longest edge and the normal of the element clicked last."},
+      {"mirror", "Mirror", "Move across the mirror plane or within it."}};
   return all;
 }
 
 std::span<const Choice> choices(MirrorPlane) {
   static constexpr Choice all[] = {
-      {"none", "Off", "Only what is selected moves."},
-      {"x", "X", "What moves on one side moves on the other, across the file's X axis."},
-      {"y", "Y", "What moves on one side moves on the other, across the file's Y axis."},
-      {"z", "Z", "What moves on one side moves on the other, across the file's Z axis."},
-      {"fit", "Fit", "What moves on one side moves on the other, across the plane that fits the cage best."}};
+      {"none", "Off", "Edit only the selection."},
+      {"x", "X", "Mirror edits across the file's X axis."},
+      {"y", "Y", "Mirror edits across the file's Y axis."},
+      {"z", "Z", "Mirror edits across the file's Z axis."},
+      {"fit", "Fit", "Mirror edits across the plane of symmetry that fits the cage best."}};
   return all;
 }
 
 std::span<const Choice> choices(SoftCurve) {
   static constexpr Choice all[] = {
-      {"smooth", "Smooth", "Near the selection and near the radius the share changes little."},
-      {"sharp", "Sharp", "The share falls quickly: a tip."},
-      {"linear", "Linear", "The share falls evenly: a cone."},
-      {"constant", "Constant", "All within the radius moves in full."}};
+      {"smooth", "Smooth", "Smooth falloff, flat at the selection and at the radius."},
+      {"sharp", "Sharp", "Sharp falloff that makes a tip."},
+      {"linear", "Linear", "Linear falloff that makes a cone."},
+      {"constant", "Constant", "No falloff: everything within the radius moves fully."}};
   return all;
 }
 
 std::span<const Choice> choices(SoftDistance) {
   static constexpr Choice all[] = {
-      {"edges", "Over edges", "Distances are taken along the cage's edges: fingers do not move each other."},
-      {"space", "Through space", "Distances are taken straight, whatever lies between."}};
+      {"edges", "Over edges",
+       "Measure distance along cage edges, so that adjacent fingers do not move each other."},
+      {"space", "Through space", "Measure straight distance through space."}};
   return all;
 }
 
 std::span<const Choice> choices(Easing) {
   static constexpr Choice all[] = {
-      {"smooth", "Smooth", "Flows through the keys, and comes to rest at the first and the last one."},
-      {"linear", "Linear", "At an even speed from this key to the next one."},
-      {"hold", "Hold", "Stays at this key until the next one."}};
+      {"smooth", "Smooth", "Interpolate smoothly through the keys and stop gently at the first and last."},
+      {"linear", "Linear", "Interpolate at constant speed to the next key."},
+      {"hold", "Hold", "Keep this key's pose until the next key."}};
   return all;
 }
 
 std::span<const Choice> choices(Repeat) {
-  static constexpr Choice all[] = {{"once", "Once", "Stops at the last frame."},
-                                   {"loop", "Loop", "After the last frame comes the first one."},
-                                   {"ping_pong", "To and fro", "At either end it turns round."}};
+  static constexpr Choice all[] = {{"once", "Once", "Stop at the last frame."},
+                                   {"loop", "Loop", "Continue from the first frame after the last."},
+                                   {"ping_pong", "Ping-pong", "Play forward and backward alternately."}};
   return all;
 }
 
 std::span<const Choice> choices(Shading) {
   static constexpr Choice all[] = {
-      {"clay", "Clay", "Show the mesh in one calm colour."},
-      {"porcelain", "Porcelain", "Show the mesh white and glazed: its reflections tell how smooth it is."},
-      {"jade", "Jade", "Show the mesh as if light went through it: soft forms, bright rims."},
-      {"file", "As it is",
-       "Show the colours, materials and textures of the mesh's file; clay where it has none."},
-      {"checker", "Checker",
-       "Show squares along the texture coordinates, to see how the deformation stretches them."},
-      {"normals", "Normals", "Show where the mesh faces: x as red, y as green, z as blue."},
-      {"zebra", "Zebra", "Show mirrored stripes, which bend with the curvature and break where it does."}};
+      {"clay", "Clay", "Show the model in one matte colour."},
+      {"porcelain", "Porcelain", "Show the model white and glossy; reflections reveal uneven surfaces."},
+      {"jade", "Jade", "Show the model as a translucent material."},
+      {"file", "From file", "Show colours, materials and textures of the model's file, otherwise clay."},
+      {"checker", "Checker", "Show a checker on the texture coordinates to judge stretching."},
+      {"normals", "Normals", "Show normals as colours: x red, y green, z blue."},
+      {"zebra", "Zebra", "Show reflected stripes to judge curvature and continuity."}};
   return all;
 }
 

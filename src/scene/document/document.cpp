@@ -28,7 +28,7 @@ struct SizeRange {
   const char* use;
 };
 
-// A single point has no size; where it lies counts all the same.
+// A single point has no size; only its position is checked.
 void check_size(const std::string& place, const mesh::Bounds& box, const SizeRange& range) {
   double size = box.diagonal();
   for (int k = 0; k < 3; ++k) size = std::max({size, std::abs(box.low[k]), std::abs(box.high[k])});
@@ -58,9 +58,9 @@ void check_sizes(const Document& document, const SizeRange& range) {
   for (const PoseKey& key : document.timeline.keys)
     check_pose("the key of frame " + std::to_string(key.frame), *key.pose, range);
   for (const PoseKey& left : document.timeline.unkeyed)
-    check_pose("the pose in no key of frame " + std::to_string(left.frame), *left.pose, range);
+    check_pose("the unkeyed pose of frame " + std::to_string(left.frame), *left.pose, range);
   if (document.library.unmixed)
-    check_pose("the pose before others are mixed in", *document.library.unmixed, range);
+    check_pose("the pose before weighted poses", *document.library.unmixed, range);
   if (document.shape) check_pose("the shape of the model", *document.shape, range);
   if (document.cage_file.surface)
     check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
@@ -68,10 +68,10 @@ void check_sizes(const Document& document, const SizeRange& range) {
 
 }  // namespace
 
-OpenedSurface made_surface(mesh::Surface surface, std::string made) {
+OpenedSurface generated_surface(mesh::Surface surface, std::string made) {
   OpenedSurface opened;
   opened.made = std::move(made);
-  opened.format = "in no file";
+  opened.format = "not saved";
   opened.summary = mesh::summarize(surface);
   opened.bounds = mesh::used_bounds(surface);
   opened.content = mesh::content_key(surface);
@@ -105,16 +105,15 @@ void check_drawable(const Document& document) {
   check_sizes(document, {least_drawn, most_drawn, "drawn"});
 }
 
-// Squares of areas are the highest powers of a length that are formed. Measured: from 1e-75 to 1e76 the
-// dragon has every bit that it has at size 1, up to the factor; a billion times the size is left for finer
-// details.
+// The highest powers of a length are squares of areas. Measured: from 1e-75 to 1e76 the dragon has the same
+// bits as at size 1, up to the factor; a factor of a billion is left for finer details.
 void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
 }
 
 namespace {
 
-// Triangles of one polygon, and those with an edge of exactly two triangles in common, are one patch.
+// Triangles of one polygon, and those that share an edge of exactly two triangles, form a patch.
 mesh::UnionFind patches_of(const mesh::Surface& surface, const mesh::HalfEdges& table) {
   mesh::UnionFind patches(surface.triangles.size());
   for (std::uint32_t t = 1; t < surface.triangles.size(); ++t)
@@ -177,10 +176,10 @@ OpenedSurface without_fins(OpenedSurface cage) {
     rest = cages::remove_polygons(rest, faces).surface;
   const std::size_t removed = cage.surface->polygon_count() - rest.polygon_count();
   if (removed == 0) return cage;
-  OpenedSurface made = made_surface(std::move(rest), name_of(cage) + ", without its fins");
+  OpenedSurface made = generated_surface(std::move(rest), name_of(cage) + ", without its fins");
   made.warnings = std::move(cage.warnings);
   made.warnings.push_back(base::counted(removed, "face") + " of " + name_of(cage) +
-                          " that stuck out removed; save the cage to keep it so");
+                          " that stuck out were removed; save the cage to keep this");
   return made;
 }
 
@@ -215,7 +214,7 @@ bool Document::has_shapes() const {
   return shape || std::ranges::any_of(library.poses, has_one) || std::ranges::any_of(timeline.keys, has_one);
 }
 
-void Document::take_place_of(const Document& other) {
+void Document::mark_replacing(const Document& other) {
   const Revisions& before = other.revisions_;
   revisions_ = {before.surfaces + 1, before.cage + 1,   before.weights + 1,
                 before.pose + 1,     before.method + 1, before.whole + 1};

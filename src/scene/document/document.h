@@ -1,4 +1,4 @@
-// The one home of state: model, cage, pose, selection and settings, with a revision of each.
+// The application's data: model, cage, pose, selection and settings, with a revision of each.
 #pragma once
 
 #include <cstdint>
@@ -34,23 +34,22 @@ using deform::Amounts, deform::Blend, deform::Holding, deform::largest_amount, d
 using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
 
-/// Grows by one with each change; whoever derives something from a part remembers the number it was derived
-/// from.
+/// Increases with each change; data derived from a part stores the revision it was derived from.
 using Revision = unsigned long;
 
-/// Of a document, which alone counts them.
+/// Revisions of a document, incremented only by the document.
 struct Revisions {
-  Revision surfaces = 0;  ///< another document: model or cage were opened
-  Revision cage = 0;      ///< another cage around the same model, by an edit
+  Revision surfaces = 0;  ///< a different document: model or cage opened
+  Revision cage = 0;      ///< a different cage around the same model, by an edit
   Revision weights = 0;   ///< weights or radius
-  Revision pose = 0;      ///< positions of the cage, or its turns
-  Revision method = 0;    ///< blend, or how exp is computed
-  Revision whole = 0;     ///< the pose, as time, a pose of the list or undo has put it there: by no hand
+  Revision pose = 0;      ///< positions or turns of the cage
+  Revision method = 0;    ///< blend, or the method of computing exp
+  Revision whole = 0;     ///< a complete pose, set by the timeline, the pose list or undo, not by a drag
 
   friend bool operator==(const Revisions&, const Revisions&) = default;
 };
 
-/// Where a probe's place is brought, and the map by which its own motion is seen there.
+/// A probe's carried position, and the linear map of the cage's motion there.
 struct Carried {
   mesh::Point place;
   sym3::Mat3<double> map{1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -58,90 +57,89 @@ struct Carried {
 
 struct Document : DocumentState {
   OpenedSurface model;
-  std::filesystem::path cage_beside;  ///< a file that looks like a cage of the model, which has none
-  std::vector<FileInUse> also_read;   ///< poses and keys that came into it, and cages that it had
-  /// What the cage has done to the probes in the last frame; shorter where that is not known: there they are
-  /// as at rest.
+  std::filesystem::path cage_beside;  ///< a file that looks like a cage of the model, which has no cage
+  std::vector<FileInUse> also_read;   ///< files of poses, keys and replaced cages
+  /// The cage's effect on the probes in the last frame; probes beyond its size count as at rest.
   std::vector<Carried> carried;
   History history;
   sym3::Method method = sym3::Method::fast;
   Space space;
 
   bool has_cage() const { return cage != nullptr; }
-  /// Something moves the model, or may.
+  /// True if anything can move the model.
   bool is_movable() const { return has_cage() || !probes.empty() || has_shapes(); }
-  /// The model has a shape, or poses or keys with shapes.
+  /// True if the model, a pose or a key has a shape.
   bool has_shapes() const;
 
   const Revisions& revisions() const { return revisions_; }
-  /// It is open now in place of the other one: all is another.
-  void take_place_of(const Document& other);
+  /// Marks everything as changed, after replacing an open document.
+  void mark_replacing(const Document& other);
 
-  /// To be changed: what follows the pose is then made anew.
+  /// Mutable access; increases the revision, so that derived data is updated.
   deform::Pose& changed_pose() { return ++revisions_.pose, pose; }
   deform::Probes& changed_probes() { return ++revisions_.pose, probes; }
-  /// Of the model, or null: as time, a pose of the list or undo has it.
+  /// Null: no shape. Set by the timeline, the pose list or undo.
   void put_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose, ++revisions_.whole; }
-  /// As pins ask for it.
+  /// Set by pin posing.
   void put_posed_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose; }
-  /// Another cage around the same model, with its pose. What was selected of the old one is not.
+  /// Replaces the cage of the same model, with its pose. Clears the selection of the old cage.
   void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);
-  /// Settings, by no edit: pose and history are untouched.
+  /// Settings, not recorded as an edit: pose and history are unchanged.
   void put_scheme(const deform::Scheme& other);
   void put_method(sym3::Method other);
-  /// All that edits change, as it was.
+  /// Restores everything that edits change.
   void restore(DocumentState&& state);
 
 private:
   Revisions revisions_;
 };
 
-/// Reads a surface and says what is in it. progress may be null. Throws base::Error and base::Cancelled.
+/// Reads and summarizes a surface. progress may be null. Throws base::Error and base::Cancelled.
 OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress = nullptr);
 
-/// A new document of surfaces that were read. Throws base::Error if the cage is none.
+/// A new document of loaded surfaces. Throws base::Error if the cage is not valid.
 Document document_of(OpenedSurface model);
-/// Throws base::Error if the model, its cage or its pose is too large or too small for graphics cards, which
-/// compute in float: larger or farther from 0 than 1e32, or smaller than 1e-32.
+/// Throws base::Error if the model, its cage or its pose exceeds the float range of GPUs: larger or farther
+/// from 0 than 1e32, or smaller than 1e-32.
 void check_drawable(const Document& document);
-/// The same for deforming in double, up to 1e60 and down to 1e-60.
+/// As above for deforming in double: up to 1e60 and down to 1e-60.
 void check_deformable(const Document& document);
-/// Fin of a cage: an odd number of triangles, three or more, at an edge.
+/// A fin of a cage: an edge with an odd number of triangles, three or more.
 struct FinError : base::Error {
   using base::Error::Error;
 };
-/// Treatment of fins: patches of faces that end in an edge of three or more, the smallest first, until no
-/// edge has an odd number of them. What is left without them is in no file.
+/// Fins: `removed` deletes patches of faces that end in an edge of three or more, smallest first, until no
+/// edge has an odd number of them. The result is in no file.
 enum class Fins { refused, removed };
-/// Throws base::Error if it is no cage, and FinError.
+/// Throws base::Error if the cage is not valid, and FinError.
 void set_cage(Document& document, OpenedSurface cage, Fins fins = Fins::refused);
 
-/// Reads a model and, if the path is not empty, a cage, into a new document. Throws base::Error; the caller's
-/// open document is untouched until it takes the new one.
+/// Reads a model and, unless the path is empty, a cage into a new document. Throws base::Error; the caller's
+/// open document is not affected.
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
                        base::Progress* progress = nullptr, Fins fins = Fins::refused);
 
-/// What an edit may change, as it is now.
+/// The current state of everything that edits can change.
 DocumentState state_of(const Document& document);
 
-/// True while the cage itself is edited (cage_editing.h): the document's pose is the rest of the cage, and
-/// the real one is kept beside it.
+/// True while the cage itself is edited (cage_editing.h): document.pose is the rest shape of the cage, and
+/// document.kept_pose the real pose.
 inline bool is_editing_cage(const Document& document) {
   return document.kept_pose.has_value();
 }
 
-/// The pose as files have it, in whatever mode.
+/// The pose as saved to files, in any mode.
 inline const deform::Pose& real_pose(const Document& document) {
   return document.kept_pose ? *document.kept_pose : document.pose;
 }
 
-/// Where the model's shape has that vertex.
+/// The vertex position in the model's shape.
 mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex);
 Carried carried_probe(const Document& document, std::size_t probe);
-/// Where a probe is now: carried by the cage, then moved by hand.
+/// A probe's current position: carried by the cage, then moved by its own pose.
 mesh::Point probe_center(const Document& document, std::size_t probe);
 std::vector<mesh::Point> probe_centers(const Document& document);
-/// Where the vertex of a pin is now.
+/// The current position of a pin's vertex.
 mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 
 }  // namespace viete::scene

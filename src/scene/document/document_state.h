@@ -1,5 +1,5 @@
-// The state that edits change of a document: held whole by the document, its history, and what is known to be
-// saved. Surfaces, and poses with names.
+// The part of a document that edits change: stored by the document, by each history entry, and as the saved
+// state. Surfaces and named poses.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ namespace viete::scene {
 struct NamedPose {
   std::string name;
   SharedPose pose;
-  double weight = 0;                  ///< in what is shown: 0 none of it, 1 all, also beyond and below
-  std::vector<std::uint32_t> part{};  ///< vertices of the cage that it moves; empty: all
+  double weight = 0;                  ///< in the mix: 0 none, 1 full; may be negative or above 1
+  std::vector<std::uint32_t> part{};  ///< cage vertices that it moves; empty: all
 
   friend bool operator==(const NamedPose&, const NamedPose&) = default;
 };
@@ -38,79 +38,78 @@ struct NamedShape {
   SharedShape shape;  ///< never null
 };
 
-/// In an order of the user's. The document's pose is `unmixed` and the weighted poses upon it, added in log
-/// space or, as the timeline, in straight lines; a hand that moves the cage moves `unmixed` with it.
+/// In user-defined order. The document's pose is `unmixed` plus the weighted poses, added in log space or,
+/// like the timeline, linearly; dragging the cage changes `unmixed` as well.
 struct PoseLibrary {
   static constexpr double least_weight = -2, largest_weight = 3;
   static constexpr std::size_t most_poses = 1000, longest_name = 200;
 
   std::vector<NamedPose> poses;
-  SharedPose unmixed{};  ///< what is there without the mix; null while nothing is mixed
-  SharedPose mixed{};    ///< the pose with it: the document's, until something else has changed that
+  SharedPose unmixed{};  ///< the pose without the mix; null while nothing is mixed
+  SharedPose mixed{};    ///< the pose with the mix: the document's pose until another edit changes that
 
   bool mixes() const;
   friend bool operator==(const PoseLibrary& a, const PoseLibrary& b) { return a.poses == b.poses; }
 };
 
-/// A blend of probes' poses by their logs; those that are missing are at rest.
+/// A term of a blend of probe poses by their logs; missing probes are at rest.
 struct ProbeTerm {
   const std::vector<deform::ProbePose>* poses;
   double factor;
 };
 std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms);
 
-/// True if it can be drawn, as far as such coordinates can, and kept in a session: the ranges of
-/// scene/document/range.h. Sums of logs may leave them.
+/// True if the pose is within the ranges of scene/document/range.h, for drawing and for sessions. Sums of
+/// logs may exceed them.
 bool in_range(const WholePose& pose, double farthest = most_drawn);
-/// The same places, to the last bit, and the same whole turns; of what each part is turned by, only these
-/// tell poses apart.
+/// Equal positions, bit for bit, and equal whole turns; the parts' other rotations follow from the positions.
 bool same_pose(const deform::Pose& a, const deform::Pose& b);
-/// Likewise with the same shape and probes, of which those that are missing are at rest.
+/// As above, with equal shape and probes; missing probes are at rest.
 bool same_pose(const WholePose& a, const WholePose& b);
 
-/// A surface that was opened or made, and what was found in it.
+/// A loaded or generated surface and its summary.
 struct OpenedSurface {
-  std::filesystem::path path;  ///< empty: it is in no file as it is
+  std::filesystem::path path;  ///< empty: not stored in any file
   std::string format;
   std::shared_ptr<const mesh::Surface> surface;
   std::shared_ptr<const mesh::Attributes> attributes;  ///< null: none
-  std::shared_ptr<const mesh::Original> original;      ///< null: it cannot be written again as it was
+  std::shared_ptr<const mesh::Original> original;      ///< null: cannot be written back unchanged
   mesh::Summary summary;
-  mesh::Bounds bounds;  ///< of the vertices that a polygon uses
+  mesh::Bounds bounds;  ///< bounds of the vertices used by polygons
   std::vector<std::string> warnings;
-  std::uint64_t content = 0;  ///< mesh::content_key(); 0: not known
-  std::string made;           ///< of one that is in no file: what it is, "made here", "cage.obj, edited"
+  std::uint64_t content = 0;  ///< mesh::content_key(); 0: unknown
+  std::string made;  ///< description of a surface that is in no file: "made here", "cage.obj, edited"
 };
 
-/// For people: of its file, or what was made.
+/// Display name: the file name, or the description.
 inline std::string name_of(const OpenedSurface& opened) {
   return opened.path.empty() ? opened.made : opened.path.filename().string();
 }
 
-/// The same with the file's folder.
+/// As name_of(), with the file's folder.
 inline std::string place_of(const OpenedSurface& opened) {
   return opened.path.empty() ? opened.made : opened.path.string();
 }
 
-/// One that is in no file.
-OpenedSurface made_surface(mesh::Surface surface, std::string made);
+/// A surface that is in no file.
+OpenedSurface generated_surface(mesh::Surface surface, std::string made);
 
-/// A copy costs the pose and what is selected: surfaces, poses with names, keys and masks are shared.
+/// A copy costs the pose and the selection: surfaces, named poses, keys and masks are shared.
 struct DocumentState {
   std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
   OpenedSurface cage_file;                   ///< surface is null when there is no cage
   deform::Pose pose;
-  SharedShape shape;  ///< of the model, which cage and probes act upon; null: at rest
+  SharedShape shape;  ///< the model's shape before cage and probes act; null: at rest
   std::optional<deform::Pose>
-      kept_pose;  ///< the real one while the cage itself is edited, see cage_editing.h
+      kept_pose;  ///< the real pose while the cage itself is edited, see cage_editing.h
   deform::Scheme scheme = deform::default_scheme();
-  deform::Mask mask;  ///< painted, of the model's vertices; null: every one follows the cage
+  deform::Mask mask;  ///< one value per model vertex; null: every vertex follows the cage
   deform::Probes probes;
   Selection selection;
   CageGroups groups;
   PoseLibrary library;
   Timeline timeline;
-  double frame = 1;  ///< of the timeline: where it is now
+  double frame = 1;  ///< current frame of the timeline
 };
 
 }  // namespace viete::scene

@@ -12,14 +12,14 @@ namespace viete::scene {
 
 namespace {
 
-// Those that ask for another binding, or for one that may not be had.
+// Settings that require another binding, which may fail.
 enum class Setting : std::size_t { blending, radius, iterations, holding };
 
 EditStep binding_step(Setting setting) {
   return {EditKind::binding, static_cast<std::size_t>(setting)};
 }
 
-// A setting of the scheme, as it is slid: also one that counts for nothing there.
+// Changes a setting of the scheme step by step, also one the scheme does not use.
 template <class Place, class Value>
 void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
   deform::Scheme scheme = document.scheme;
@@ -76,7 +76,7 @@ void set_radius(Document& document, double radius) {
 }
 
 void set_amounts(Document& document, const deform::Amounts& amounts) {
-  slide(document, "change how much turns and stretches", {EditKind::amounts}, amounts,
+  slide(document, "change rotation and stretch amounts", {EditKind::amounts}, amounts,
         [](deform::Scheme& scheme) { return &scheme.amounts; });
 }
 
@@ -86,17 +86,17 @@ void set_iterations(Document& document, int iterations) {
 }
 
 void set_holding(Document& document, const deform::Holding& holding) {
-  slide(document, "change what holds the model", binding_step(Setting::holding), holding,
+  slide(document, "change stitching constraints", binding_step(Setting::holding), holding,
         [](deform::Scheme& scheme) { return &scheme.holding; });
 }
 
-void give_up_scheme(Document& document, const deform::Scheme& instead) {
+void revert_scheme(Document& document, const deform::Scheme& instead) {
   History& history = document.history;
   const auto last = history.last_step();
   if (last && last->kind == EditKind::binding) {
     history.drop_last();
   } else {
-    history.go_on();  // what is kept of the edits is to be kept anew
+    history.extend_last();  // the stored state of the edits has changed
   }
   document.put_scheme(instead);
 }

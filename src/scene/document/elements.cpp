@@ -10,7 +10,7 @@ namespace viete::scene {
 
 namespace {
 
-// One flag per vertex: vector<bool> would do, but is slower to write.
+// One byte per vertex: faster to write than vector<bool>.
 using Marks = std::vector<std::uint8_t>;
 
 Marks marks_of(const deform::Cage& cage, const Selection& selection) {
@@ -108,7 +108,7 @@ std::string counted(ElementKind kind, std::size_t count) {
 
 namespace {
 
-// Sides that lie opposite of each other in a quad are in one set: a ring is a set.
+// Opposite sides of a quad are in one set: each set is an edge ring.
 class Rings {
 public:
   explicit Rings(const deform::Cage& cage) : edges_(cage.edges), sets_(cage.edges.size()) {
@@ -138,7 +138,7 @@ private:
     const auto one = edge_of(a, b), other = edge_of(c, d);
     if (one < edges_.size() && other < edges_.size()) sets_.join(one, other);
   }
-  // As many as there are where it is none.
+  // The number of edges if there is no such edge.
   std::uint32_t edge_of(std::uint32_t a, std::uint32_t b) const {
     const mesh::Edge edge{std::min(a, b), std::max(a, b)};
     const auto found = std::ranges::lower_bound(edges_, edge);

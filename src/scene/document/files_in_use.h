@@ -1,4 +1,4 @@
-// The files that a command or an open document is made of, known by file and not by name.
+// The files used by a command or an open document, identified by inode instead of name.
 #pragma once
 
 #include <sys/types.h>
@@ -14,7 +14,7 @@ namespace viete::scene {
 
 struct FileInUse {
   std::filesystem::path path;
-  std::string_view what;  ///< "the model"; of a constant
+  std::string_view what;  ///< "the model"; a string with static lifetime
 };
 
 class FilesInUse {
@@ -22,11 +22,11 @@ public:
   FilesInUse() = default;
   FilesInUse(std::initializer_list<std::filesystem::path> files);
 
-  /// `what` it is: "the model". An empty path is none.
+  /// `what` describes the file: "the model". Ignores an empty path.
   void add(const std::filesystem::path& file, std::string_view what);
 
-  /// What the file of this name is, however it is spelled and whatever link leads to it; null: not in use.
-  /// One that is not there is known by its name.
+  /// The description of this file, regardless of spelling and links; null: not in use. A missing file is
+  /// compared by name.
   const std::string* find(const std::filesystem::path& file) const;
 
 private:
@@ -34,7 +34,7 @@ private:
   std::map<std::filesystem::path, std::string> by_name_;
 };
 
-/// What files are in use as; `own` is one of the first four.
+/// Descriptions of files in use; the argument `own` is one of the first four.
 inline constexpr std::string_view the_session = "the session", the_cage = "the cage", the_pose = "the pose",
                                   no_own = "", the_model = "the model", the_keys = "the keys",
                                   an_imported_pose = "an imported pose", a_shape = "a shape",

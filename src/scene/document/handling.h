@@ -1,5 +1,4 @@
-// How the hand moves what is selected: about what, along which axes, on both sides of a mirror, and how much
-// of what is near goes along.
+// How a drag moves the selection: pivot, axes, mirror and soft selection.
 #pragma once
 
 #include <array>
@@ -12,19 +11,19 @@ namespace viete::scene {
 
 using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
-/// About what the selection turns and scales.
+/// The center of rotation and scale.
 enum class Pivot { median, active, individual, joint, point };
 
-/// Along what handles and typed axes point.
+/// The orientation of handles and typed axes.
 enum class Axes { world, view, selection, active, mirror };
 
-/// Across what both sides of the cage are moved.
+/// The mirror plane between both sides of the cage.
 enum class MirrorPlane { none, x, y, z, fit };
 
-/// How the share of the motion falls from the selection to the radius.
+/// The falloff of soft selection from the selection to the radius.
 enum class SoftCurve { smooth, sharp, linear, constant };
 
-/// How far away something is.
+/// The distance measure of soft selection.
 enum class SoftDistance { edges, space };
 
 std::span<const Choice> choices(Pivot);
@@ -37,7 +36,7 @@ struct SoftSelection {
   static constexpr double least_radius = 0.005, largest_radius = 2;
 
   bool on = false;
-  double radius = 0.35;  ///< where the share is 0, of the diagonal of the view's space; least to largest
+  double radius = 0.35;  ///< where the falloff reaches 0, relative to the view's diagonal; least to largest
   SoftCurve curve = SoftCurve::smooth;
   SoftDistance distance = SoftDistance::edges;
 
@@ -46,12 +45,12 @@ struct SoftSelection {
 
 struct Handling {
   Pivot pivot = Pivot::median;
-  std::optional<mesh::Point> point{};  ///< of Pivot::point, in the file's coordinates; else the median
+  std::optional<mesh::Point> point{};  ///< of Pivot::point, in file coordinates; missing: the median
   Axes axes = Axes::world;
   MirrorPlane mirror = MirrorPlane::none;
   SoftSelection soft{};
-  double freedom = 0.5;       ///< of pins: 0 as the poses of the list say, 1 as rigid as can be
-  bool mix_selected = false;  ///< the slider of a pose moves what is selected when it leaves 0, and no more
+  double freedom = 0.5;       ///< pins: 0 strictly follows the poses of the list, 1 as rigid as possible
+  bool mix_selected = false;  ///< raising a pose's weight from 0 applies it to the selection only
 
   friend bool operator==(const Handling&, const Handling&) = default;
 };

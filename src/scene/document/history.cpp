@@ -20,16 +20,16 @@ void History::record_selection(DocumentState before) {
   push("select", std::move(before), {EditKind::selection});
 }
 
-// Snapshots are whole: without one between them, the edits beside it are taken back as before.
+// Snapshots are complete: dropping one does not affect its neighbours.
 void History::drop_oldest() {
   const auto selection = std::ranges::find_if(undo_, &Entry::of_selection);
   undo_.erase(selection == undo_.end() ? undo_.begin() : selection);
 }
 
 void History::push(std::string label, DocumentState before, EditStep step) {
-  constexpr std::size_t bytes_of_cage_vertex = 1000;  // about what surface, bases and neighbourhood take
+  constexpr std::size_t bytes_of_cage_vertex = 1000;  // approximate size of surface, bases and neighbourhood
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
-  // Poses and keys go along to another cage: then each state has its own.
+  // A change of cage changes poses and keys: then each state stores its own.
   const std::size_t poses =
       before.library.poses.size() + before.timeline.keys.size() + before.timeline.unkeyed.size();
   const std::size_t bytes_of_vertex = bytes_of_cage_vertex + poses * sizeof(mesh::Point);

@@ -11,7 +11,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr double near_share = 0.02;  // of the diagonal: so exact are cages that people make by hand
+constexpr double near_share = 0.02;  // relative to the diagonal: the accuracy of manually modelled cages
 
 double side_of(const cages::Plane& plane, const mesh::Point& p) {
   return mesh::dot(plane.normal, p) - plane.offset;
@@ -93,7 +93,7 @@ std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<co
   return {corner(low[0], low[1]), corner(high[0], low[1]), corner(high[0], high[1]), corner(low[0], high[1])};
 }
 
-void KnownMirror::follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen) {
+void MirrorCache::follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen) {
   if (now == cage && chosen == choice) return;
   cage = now;
   choice = chosen;

@@ -13,15 +13,15 @@ namespace viete::scene {
 
 namespace {
 
-constexpr int most_steps = 24;    // after the hand has come to rest
-constexpr double no_step = 1e-5;  // shorter ones are none
+constexpr int most_steps = 24;    // after the drag has ended
+constexpr double no_step = 1e-5;  // shorter steps count as converged
 
-// From weights that go as far as the pins ask, to those that hardly go at all.
+// From freely changing weights to almost constant ones.
 deform::PosingSettings settings_of(double freedom, bool has_examples) {
   return {.restraint = 1e-3 * std::pow(100, freedom), .freedom = has_examples ? freedom : 1};
 }
 
-// Poses that are shapes alone, of all of the model.
+// Poses that consist of a shape of the complete model only.
 std::vector<SharedPose> examples_of(const Document& document) {
   std::vector<SharedPose> examples;
   for (const NamedPose& named : document.library.poses) {
@@ -32,7 +32,7 @@ std::vector<SharedPose> examples_of(const Document& document) {
   return examples;
 }
 
-// Of the examples.
+// The weights of the examples.
 std::vector<double> weights_of(const Document& document, std::span<const SharedPose> examples) {
   std::vector<double> weights;
   for (const SharedPose& example : examples)
@@ -40,7 +40,7 @@ std::vector<double> weights_of(const Document& document, std::span<const SharedP
   return weights;
 }
 
-// The sliders say what the shape is.
+// True if the shape is determined by the weights.
 bool is_mix(const Document& document) {
   const PoseLibrary& library = document.library;
   if (!library.mixes()) return !document.shape;
@@ -60,11 +60,11 @@ PinPosing::Pins PinPosing::pins_of(const Document& document) {
   return now;
 }
 
-bool PinPosing::is_of_now(const Document& document) const {
+bool PinPosing::is_current(const Document& document) const {
   return posing_ && document.shape == shown_ && examples_of(document) == examples_;
 }
 
-bool PinPosing::follow(Document& document, KnownVectors& vectors, const Hand& hand) {
+bool PinPosing::follow(Document& document, VectorCache& vectors, const Hand& hand) {
   Pins now = pins_of(document);
   const bool put = std::exchange(whole_, document.revisions().whole) != document.revisions().whole;
   const bool freed = std::exchange(freedom_, hand.freedom) != hand.freedom;
@@ -76,7 +76,7 @@ bool PinPosing::follow(Document& document, KnownVectors& vectors, const Hand& ha
     steps_left_ = 0;
     return false;
   }
-  if (moved || (freed && is_of_now(document))) steps_left_ = most_steps;
+  if (moved || (freed && is_current(document))) steps_left_ = most_steps;
   if (steps_left_ == 0) return false;
   try {
     step(document, vectors, hand);
@@ -84,13 +84,13 @@ bool PinPosing::follow(Document& document, KnownVectors& vectors, const Hand& ha
   } catch (const base::Error&) {
     steps_left_ = 0;
     posing_.reset();
-    take_pins_along(document);
+    move_pins_to_shape(document);
     seen_ = pins_of(document);
     throw;
   }
 }
 
-void PinPosing::begin(const Document& document, KnownVectors& known) {
+void PinPosing::begin(const Document& document, VectorCache& known) {
   if (!pool_) pool_ = std::make_shared<base::WorkerPool>();
   known.follow_model(document.model.surface);
   posing_.reset();
@@ -103,8 +103,8 @@ void PinPosing::begin(const Document& document, KnownVectors& known) {
   begin_here(document, known);
 }
 
-// A shape that is no mix is an example itself.
-void PinPosing::begin_here(const Document& document, KnownVectors& known) {
+// A shape that is not a mix becomes an example itself.
+void PinPosing::begin_here(const Document& document, VectorCache& known) {
   std::vector<double> weights = weights_of(document, examples_);
   if (!is_mix(document) && document.shape) {
     deform::ShapeReport report;
@@ -118,8 +118,8 @@ void PinPosing::begin_here(const Document& document, KnownVectors& known) {
   posing_->begin(std::move(weights), document.shape ? *document.shape : space_->logs().rest());
 }
 
-void PinPosing::step(Document& document, KnownVectors& known, const Hand& hand) {
-  if (!is_of_now(document)) begin(document, known);
+void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
+  if (!is_current(document)) begin(document, known);
   if (set_ != seen_.pins) {
     std::vector<deform::PosingPin> pins;
     for (const deform::Pin& pin : seen_.pins)
@@ -133,7 +133,7 @@ void PinPosing::step(Document& document, KnownVectors& known, const Hand& hand) 
     steps_left_ = most_steps;
     return;
   }
-  document.history.go_on();
+  document.history.extend_last();
   steps_left_ = length < no_step ? 0 : steps_left_ - 1;
 }
 

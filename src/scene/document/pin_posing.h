@@ -1,4 +1,4 @@
-// Pins in the hand: the model follows by the shapes of the list, and further where these do not reach.
+// Pin posing: the model follows dragged pins by blending the listed shapes, and beyond their range deforms.
 #pragma once
 
 #include <memory>
@@ -12,19 +12,19 @@
 
 namespace viete::scene {
 
-/// Follows the pins of a document: when a hand has moved some, the shape of the model and the weights of the
-/// poses that it is blended of go with them, a step a frame, until they rest. What time, a pose of the list
-/// or undo puts there stays.
+/// Follows a document's pins: after pins were moved, solves for the model's shape and the weights of its
+/// example poses, one step per frame, until they converge. Leaves a pose alone that was set by the timeline,
+/// the pose list or undo.
 class PinPosing {
 public:
   struct Hand {
     double freedom;  ///< see Handling
-    bool holds;      ///< what it moves may go on
+    bool holds;      ///< the drag is still running
   };
-  /// Once a frame, before the model is deformed. Says whether it has made a step. Throws base::Error where
-  /// pins cannot be posed: then they are where the shape has their vertices.
-  bool follow(Document& document, KnownVectors& vectors, const Hand& hand);
-  /// True if the next call would go on.
+  /// Call once per frame, before the model is deformed. Returns true after a step. Throws base::Error if the
+  /// pins cannot be posed; the pins are then back at their vertices in the shape.
+  bool follow(Document& document, VectorCache& vectors, const Hand& hand);
+  /// True if the next call would make a step.
   bool is_due() const { return steps_left_ > 0; }
 
 private:
@@ -35,19 +35,19 @@ private:
     friend bool operator==(const Pins&, const Pins&) = default;
   };
   static Pins pins_of(const Document& document);
-  bool is_of_now(const Document& document) const;
-  void begin(const Document& document, KnownVectors& known);
-  void begin_here(const Document& document, KnownVectors& known);
-  void step(Document& document, KnownVectors& known, const Hand& hand);
+  bool is_current(const Document& document) const;
+  void begin(const Document& document, VectorCache& known);
+  void begin_here(const Document& document, VectorCache& known);
+  void step(Document& document, VectorCache& known, const Hand& hand);
   void show(Document& document);
 
   std::shared_ptr<base::WorkerPool> pool_;
   std::shared_ptr<const deform::ShapeSpace> space_;
-  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // of the examples
-  std::shared_ptr<deform::ExamplePosing> posing_;                  // null: it begins anew
+  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per example
+  std::shared_ptr<deform::ExamplePosing> posing_;                  // null: starts from the beginning
   std::vector<SharedPose> examples_;                               // poses of the list, in its order
-  std::vector<deform::Pin> set_;                                   // pins that it has
-  SharedShape shown_;                                              // by the last step
+  std::vector<deform::Pin> set_;                                   // pins that posing_ has
+  SharedShape shown_;                                              // result of the last step
   Pins seen_;
   Revision whole_ = 0;
   double freedom_ = 0;

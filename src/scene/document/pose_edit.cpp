@@ -15,9 +15,10 @@ namespace viete::scene {
 
 namespace {
 
-constexpr const char* no_room_for_poses = "there are as many poses as a document can have";
+constexpr const char* no_room_for_poses = "the pose list is full";
 
-// What of a pose acts on some vertices of the cage: of a triangle as many thirds as it has corners there.
+// The part of a pose that acts on some cage vertices: a triangle counts in thirds, one per corner in the
+// part.
 deform::LogVector limited_to(const deform::Cage& cage, const deform::LogVector& vector,
                              const std::vector<std::uint32_t>& part) {
   deform::LogVector limited = vector;
@@ -43,7 +44,7 @@ deform::LogVector limited_to(const deform::Cage& cage, const deform::LogVector& 
   return limited;
 }
 
-// Locked probes are as they are, whatever is mixed.
+// Locked probes ignore the mix.
 void keep_locked(const Document& document, WholePose& pose) {
   const auto& all = document.probes.all;
   pose.probes.resize(all.size());
@@ -51,9 +52,8 @@ void keep_locked(const Document& document, WholePose& pose) {
     if (all[i].locked) pose.probes[i] = all[i].pose;
 }
 
-// The shape `from`, and upon it `sign` times those that the library mixes; one alone is that, to the last
-// bit.
-SharedShape shape_of_mix(const DocumentState& state, KnownVectors& vectors, const SharedShape& from,
+// The shape `from` plus `sign` times the library's mix; a single term is returned bit for bit.
+SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const SharedShape& from,
                          double sign) {
   std::vector<ShapeTerm> shapes;
   for (const NamedPose& named : state.library.poses) {
@@ -76,8 +76,8 @@ SharedShape shape_of_mix(const DocumentState& state, KnownVectors& vectors, cons
   return blended(space, terms, state.timeline.straight ? nullptr : &held, pool);
 }
 
-// The pose `from`, and upon it `sign` times what that state's library mixes.
-WholePose mix_of(const Document& document, const DocumentState& state, KnownVectors& vectors,
+// The pose `from` plus `sign` times the mix of that state's library.
+WholePose mix_of(const Document& document, const DocumentState& state, VectorCache& vectors,
                  const SharedPose& from, double sign) {
   std::vector<ProbeTerm> probes{{&from->probes, 1}};
   for (const NamedPose& named : state.library.poses)
@@ -115,8 +115,8 @@ bool is_rest_pose(const Document& document, const WholePose& pose) {
          std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
 }
 
-// One pose alone, all of it: that, to the last bit.
-const NamedPose* mixed_alone(const PoseLibrary& library) {
+// The only pose in the mix if its weight is 1: the result then equals it bit for bit.
+const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   const NamedPose* found = nullptr;
   for (const NamedPose& named : library.poses) {
     if (named.weight == 0) continue;
@@ -126,20 +126,20 @@ const NamedPose* mixed_alone(const PoseLibrary& library) {
   return found;
 }
 
-// The mix as it was is left aside: what remains is made by hand.
-SharedPose without_mix(const Document& document, const DocumentState& mixed, KnownVectors& vectors) {
+// Subtracts the previous mix: the remainder is the unmixed pose.
+SharedPose without_mix(const Document& document, const DocumentState& mixed, VectorCache& vectors) {
   const SharedPose now = shared_pose(document);
   if (!mixed.library.mixes()) return now;
   if (const SharedPose known = unmixed_pose(document)) return known;
-  const NamedPose* alone = mixed_alone(mixed.library);
+  const NamedPose* alone = only_mixed_pose(mixed.library);
   if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
   return std::make_shared<const WholePose>(mix_of(document, mixed, vectors, now, -1));
 }
 
-SharedPose mixed_upon(const Document& document, const DocumentState& state, KnownVectors& vectors,
+SharedPose mixed_upon(const Document& document, const DocumentState& state, VectorCache& vectors,
                       const SharedPose& base) {
   if (!state.library.mixes()) return base;
-  const NamedPose* alone = mixed_alone(state.library);
+  const NamedPose* alone = only_mixed_pose(state.library);
   if (alone && is_rest_pose(document, *base)) return alone->pose;
   return std::make_shared<const WholePose>(mix_of(document, state, vectors, base, 1));
 }
@@ -150,9 +150,10 @@ bool are_weights(const PoseLibrary& library) {
   });
 }
 
-// Changes weights, and shows it. Says whether it did: not where that would leave what can be drawn.
+// Changes weights and shows the result. Returns false, without a change, if the result exceeds the drawable
+// range.
 template <class Record, class Change>
-bool remix(Document& document, KnownVectors& vectors, Record record, Change change,
+bool remix(Document& document, VectorCache& vectors, Record record, Change change,
            std::span<const double> played = {}) {
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
@@ -172,7 +173,7 @@ bool remix(Document& document, KnownVectors& vectors, Record record, Change chan
   return true;
 }
 
-// At most so many bytes, and no part of a character of UTF-8.
+// At most so many bytes, without splitting a UTF-8 character.
 std::string cut(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
@@ -194,7 +195,7 @@ WholePose whole_pose(const Document& document) {
   WholePose pose;
   if (document.has_cage()) {
     pose.cage = real_pose(document);
-    pose.cage.turns.resize(document.cage->roots.size());  // those that are missing are known to be 0
+    pose.cage.turns.resize(document.cage->roots.size());  // missing turns are 0
   }
   for (const deform::Probe& probe : document.probes.all) pose.probes.push_back(probe.pose);
   pose.shape = document.shape;
@@ -214,10 +215,10 @@ void put_whole_pose(Document& document, const WholePose& pose) {
   auto& probes = document.changed_probes().all;
   for (std::size_t i = 0; i < probes.size(); ++i)
     if (!probes[i].locked) probes[i].pose = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
-  take_pins_along(document);
+  move_pins_to_shape(document);
 }
 
-void take_pins_along(Document& document) {
+void move_pins_to_shape(Document& document) {
   for (deform::Probe& probe : document.probes.all)
     if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
 }
@@ -251,14 +252,14 @@ std::string free_name(const PoseLibrary& library, const std::string& wish) {
 
 std::size_t keep_pose(Document& document, const std::string& name) {
   check_room_for_poses(document.library, 1);
-  record_edit(document, "keep a pose");
+  record_edit(document, "add pose");
   document.library.poses.push_back({free_name(document.library, name), shared_pose(document)});
   return document.library.poses.size() - 1;
 }
 
 namespace {
 
-// Renames the pose in the mixes of all keys; an empty name removes it from them.
+// Renames the pose in the mixes of all keys; an empty name removes it.
 void rename_in_keys(Timeline& timeline, const std::string& name, const std::string& to) {
   for (PoseKey& key : timeline.keys) {
     for (MixedPose& mixed : key.mix)
@@ -333,7 +334,7 @@ void duplicate_pose(Document& document, std::size_t pose) {
   poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(pose) + 1, std::move(copy));
 }
 
-void remove_pose(Document& document, KnownVectors& vectors, std::size_t pose) {
+void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
   const auto record = [&] { record_edit(document, "delete a pose"); };
   const auto erase = [pose](DocumentState& state) {
     auto& poses = state.library.poses;
@@ -351,13 +352,13 @@ std::vector<std::uint32_t> selected_part(const Document& document) {
   return selected_vertices(*document.cage, document.selection);
 }
 
-bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, double weight,
+bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 bool selected_alone, std::span<const double> played) {
   if (std::isnan(weight)) return false;
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
   if ((played.empty() ? named.weight : played[pose]) == weight) return true;
-  const auto record = [&, label = "mix in " + named.name] {
+  const auto record = [&, label = "weight of " + named.name] {
     record_step(document, label, {EditKind::mix, pose});
   };
   const auto change = [&](DocumentState& state) {
@@ -369,25 +370,25 @@ bool set_weight(Document& document, KnownVectors& vectors, std::size_t pose, dou
   return remix(document, vectors, record, change, played);
 }
 
-bool clear_mix(Document& document, KnownVectors& vectors) {
+bool clear_mix(Document& document, VectorCache& vectors) {
   if (!document.library.mixes()) return true;
-  const auto record = [&] { record_edit(document, "clear the mix"); };
+  const auto record = [&] { record_edit(document, "clear weights"); };
   return remix(document, vectors, record, [](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight = 0, named.part.clear();
   });
 }
 
-bool average_mix(Document& document, KnownVectors& vectors) {
+bool average_mix(Document& document, VectorCache& vectors) {
   double sum = 0;
   for (const NamedPose& named : document.library.poses) sum += named.weight;
   if (!(sum > 0)) return false;
-  const auto record = [&] { record_edit(document, "average poses"); };
+  const auto record = [&] { record_edit(document, "average weighted poses"); };
   return remix(document, vectors, record, [sum](DocumentState& state) {
     for (NamedPose& named : state.library.poses) named.weight /= sum;
   });
 }
 
-SharedPose mixed_by(const Document& document, KnownVectors& vectors, bool straight) {
+SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straight) {
   const SharedPose base = unmixed_pose(document);
   if (!base) return nullptr;
   vectors.follow(document.cage);
@@ -398,9 +399,9 @@ SharedPose mixed_by(const Document& document, KnownVectors& vectors, bool straig
   return in_range(*pose) ? pose : nullptr;
 }
 
-bool set_straight(Document& document, KnownVectors& vectors, bool straight) {
+bool set_straight(Document& document, VectorCache& vectors, bool straight) {
   if (document.timeline.straight == straight) return true;
-  const auto record = [&] { record_edit(document, straight ? "straight lines" : "log space"); };
+  const auto record = [&] { record_edit(document, straight ? "linear interpolation" : "log space"); };
   const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
   if (document.library.mixes()) return remix(document, vectors, record, change);
   record();
@@ -426,7 +427,8 @@ std::string counted_poses(std::size_t poses, std::size_t keys) {
 
 namespace {
 
-// Those that have a shape keep it, with this pose of the cage; all others go. Returns how many.
+// Keeps the shapes of keyed poses, with this pose of the cage; removes all others. Returns the number
+// removed.
 template <class Keyed>
 std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
   const std::size_t lost = std::erase_if(all, [](const Keyed& keyed) { return !keyed.pose->shape; });
@@ -470,7 +472,7 @@ void forget_probe(Document& document, std::size_t probe) {
 void set_pose(Document& document, deform::Pose pose) {
   record_edit(document, "open pose");
   end_mix(document);
-  document.kept_pose.reset();  // it is a pose, not another cage
+  document.kept_pose.reset();  // the change is a pose, not another cage
   document.changed_pose() = std::move(pose);
 }
 

@@ -17,9 +17,9 @@ namespace viete::scene {
 
 namespace {
 
-constexpr double usual_radius = 0.2;  // of the model's diagonal
+constexpr double usual_radius = 0.2;  // relative to the model's diagonal
 
-// Of a model that is one point, what it is drawn as.
+// For a model that is a single point, the size it is drawn with.
 double size_of(const Document& document) {
   return document.space.diagonal();
 }
@@ -29,13 +29,13 @@ std::string label(const char* verb, const Document& document) {
   return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
 }
 
-// Begins an edit that changes them.
+// Begins an edit of the probes.
 deform::Probes& edit(Document& document, const std::string& name) {
   record_edit(document, name);
   return document.changed_probes();
 }
 
-// Of those that are selected.
+// For the selected probes.
 template <class Change>
 void change_free(Document& document, const Change& change) {
   auto& all = document.changed_probes().all;
@@ -55,7 +55,7 @@ void select(Document& document, std::size_t first, std::size_t end) {
   document.selection = Selection(ElementKind::probe, added);
 }
 
-// The vertex that is drawn nearest.
+// The vertex drawn nearest to the point.
 std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   double least = std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, 
   return nearest;
 }
 
-// What is drawn there, at rest: as far from the nearest vertex.
+// The rest position of a drawn point: the same offset from the nearest vertex.
 mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   const std::uint32_t v = nearest_vertex(document, posed, at);
@@ -90,7 +90,7 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
   deform::Probe probe;
   probe.place = at_rest(document, posed, at);
   probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
-  edit(document, "add a probe").all.push_back(probe);
+  edit(document, "add probe").all.push_back(probe);
   document.carried.clear();
   select(document, document.probes.all.size() - 1, document.probes.all.size());
   return true;
@@ -103,7 +103,7 @@ bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at)
   const auto found = static_cast<std::size_t>(std::ranges::find_if(all, pins_it) - all.begin());
   if (found == all.size()) {
     if (all.size() >= most_probes) return false;
-    edit(document, "add a pin").all.push_back(pin_of(document, vertex));
+    edit(document, "pin vertex").all.push_back(pin_of(document, vertex));
     document.carried.clear();
   }
   select(document, found, found + 1);
@@ -115,7 +115,7 @@ bool has_pins(const Document& document) {
 }
 
 void set_pulls(Document& document, bool pulls) {
-  change_selected(document, pulls ? "pull by pins" : "hold by pins", [pulls](deform::Probe& p) {
+  change_selected(document, pulls ? "pull with pins" : "fix with pins", [pulls](deform::Probe& p) {
     if (p.pin) p.pin->pulls = pulls;
   });
 }
@@ -191,9 +191,9 @@ void set_locked(Document& document, bool locked) {
 namespace {
 
 std::string part_label(Part part) {
-  return part == &deform::Probe::turn      ? "change where probes turn"
-         : part == &deform::Probe::stretch ? "change where probes stretch"
-                                           : "change where probes move";
+  return part == &deform::Probe::turn      ? "change rotation of probes"
+         : part == &deform::Probe::stretch ? "change stretch of probes"
+                                           : "change translation of probes";
 }
 
 }  // namespace
@@ -212,7 +212,7 @@ void set_radius(Document& document, Part part, double radius) {
 }
 
 void set_mix(Document& document, deform::ProbeMix mix) {
-  if (document.probes.mix != mix) edit(document, "change how probes share").mix = mix;
+  if (document.probes.mix != mix) edit(document, "change combination of probes").mix = mix;
 }
 
 double least_probe_radius(const Document& document) {

@@ -1,5 +1,5 @@
-// How far numbers may go: one range for what is typed, dragged and looked at, and for what a session holds,
-// so that whatever is written is read again.
+// Value ranges, the same for typed, dragged and session values, so that every written session can be read
+// again.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace viete::scene {
 
-/// Coordinates and turns of a pose, as its files have them too.
+/// Coordinates and turns of a pose, in memory and in files.
 using deform::largest_turn;
 using mesh::largest_coordinate;
 
-/// View units from the middle of the model, which has a diagonal of 2: how far a drag takes vertices and
-/// where a camera looks. Floats still tell parts of the model from each other there.
+/// View units from the middle of the model, whose diagonal is 2: the limit for drags and camera targets.
+/// Floats still resolve parts of the model at this distance.
 inline constexpr double farthest_place = 1e6;
 
 /// Entries of the log of a probe's stretch: a factor of e^16, nine million.
@@ -27,14 +27,14 @@ inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   return true;
 }
 
-/// Sizes and places, in the file's units, that graphics cards can draw, which compute in float: it ends near
-/// 1e-38 and 1e38. What is larger or smaller is not opened.
+/// Sizes and coordinates, in the file's units, that GPUs can draw in float, whose range ends near 1e-38 and
+/// 1e38. Files beyond these limits are refused.
 inline constexpr double least_drawn = 1e-32, most_drawn = 1e32;
 
-/// View units between a camera and what it looks at.
+/// View units between the camera and its target.
 inline constexpr float nearest_camera = 1e-3f, farthest_camera = 1e3f;
 
-/// Logical pixels of a window; the area of a wall of screens, and what a picture of them takes in memory.
+/// Logical pixels of a window; the area covers a wall of screens and limits the memory of a picture.
 inline constexpr double least_window_side = 16, most_window_side = 8192, most_window_area = 4096 * 4096;
 
 inline bool is_window(double width, double height) {
@@ -42,7 +42,7 @@ inline bool is_window(double width, double height) {
          width * height <= most_window_area;
 }
 
-/// Whether a drag may put a vertex there, in the file's units.
+/// True if a drag may move a vertex there, in the file's units.
 inline bool is_in_reach(const Space& space, const mesh::Point& p) {
   for (int i = 0; i < 3; ++i) {
     const bool near = std::abs((p[i] - space.center[i]) * space.scale) <= farthest_place;

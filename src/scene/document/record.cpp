@@ -8,9 +8,9 @@ void record_edit(Document& document, const std::string& label, EditStep step) {
   document.history.record(label, state_of(document), step);
 }
 
-void record_step(Document& document, const std::string& label, EditStep step, bool goes_on) {
-  if (!goes_on || document.history.last_step() != step) return record_edit(document, label, step);
-  document.history.go_on();
+void record_step(Document& document, const std::string& label, EditStep step, bool merge) {
+  if (!merge || document.history.last_step() != step) return record_edit(document, label, step);
+  document.history.extend_last();
 }
 
 EditMark mark_of(const Document& document) {

@@ -17,7 +17,7 @@ using mesh::Vec3;
 using Numbers = std::vector<std::uint32_t>;
 using Flags = std::vector<std::uint8_t>;
 
-constexpr double least_cosine = 0.5;  // of the turn of a loop
+constexpr double least_cosine = 0.5;  // limit for the angle between consecutive edges of a loop
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 template <class Holds>
@@ -35,7 +35,7 @@ bool any_vertex(const deform::Cage& cage, ElementKind kind, std::uint32_t i, con
   return std::ranges::any_of(vertices, holds);
 }
 
-// Vertices of these elements; where they are vertices, with those that edges join to them.
+// Vertices of these elements; for vertices, also those connected by edges.
 Flags touched_by(const deform::Cage& cage, const Selection& selection) {
   Flags touched(cage.surface.positions.size(), 0);
   for (const auto v : selected_vertices(cage, selection)) touched[v] = 1;
@@ -52,7 +52,7 @@ Vec3 unit(const Vec3& v) {
   return length > 0 ? (1 / length) * v : v;
 }
 
-// Twice the area, along the normal.
+// The area vector: along the normal, twice the area.
 Vec3 area_of(const deform::Cage& cage, std::span<const mesh::Point> positions, std::uint32_t face) {
   const auto corners = element_vertices(cage, ElementKind::face, face);
   Vec3 sum{0, 0, 0};
@@ -63,7 +63,7 @@ Vec3 area_of(const deform::Cage& cage, std::span<const mesh::Point> positions, s
   return sum;
 }
 
-// Edges and faces around vertices, and faces along edges.
+// Edges and faces at vertices, and faces at edges.
 class Neighbourhood {
 public:
   explicit Neighbourhood(const deform::Cage& cage) : cage_(cage) {
@@ -125,7 +125,7 @@ private:
   std::vector<Numbers> sides_;
 };
 
-// The edge at v that goes on from e.
+// The continuation of edge e at vertex v.
 std::uint32_t next_edge(const Neighbourhood& around, std::uint32_t e, std::uint32_t v) {
   const auto edges = around.edges_at(v);
   if (around.on_rim(e)) {
@@ -155,7 +155,7 @@ std::uint32_t next_edge(const Neighbourhood& around, std::uint32_t e, std::uint3
   return best;
 }
 
-// Away from e at v, until the loop ends or comes to where it has been.
+// Follows the loop from e at v until it ends or returns to a visited edge.
 void run_along(const Neighbourhood& around, std::uint32_t e, std::uint32_t v, Flags& taken) {
   for (;;) {
     e = next_edge(around, e, v);
@@ -168,8 +168,8 @@ void run_along(const Neighbourhood& around, std::uint32_t e, std::uint32_t v, Fl
 Flags edge_loops(const deform::Cage& cage, const Neighbourhood& around, const Numbers& seeds) {
   Flags all(cage.edges.size(), 0);
   for (const auto e : seeds) {
-    if (all[e]) continue;               // of a loop that is known
-    Flags taken(cage.edges.size(), 0);  // of this loop: it may cross others
+    if (all[e]) continue;               // part of a known loop
+    Flags taken(cage.edges.size(), 0);  // edges of this loop, which may cross others
     taken[e] = 1;
     for (const auto v : cage.edges[e]) run_along(around, e, v, taken);
     for (std::size_t i = 0; i < all.size(); ++i) all[i] |= taken[i];
@@ -177,7 +177,7 @@ Flags edge_loops(const deform::Cage& cage, const Neighbourhood& around, const Nu
   return all;
 }
 
-// The side by which a strip that came in by `from`, in this direction, leaves the face.
+// The side by which a strip leaves the face, after entering by `from` in this direction.
 std::uint32_t way_out(const Neighbourhood& around, std::uint32_t face, std::uint32_t from,
                       const Vec3& along) {
   const Numbers& sides = around.sides(face);
@@ -191,8 +191,8 @@ std::uint32_t way_out(const Neighbourhood& around, std::uint32_t face, std::uint
   return best;
 }
 
-// Into `face` across `from`, on and on. The direction is that of the last two steps: triangles turn left and
-// right by turns.
+// Follows a strip into `face` across `from`. The direction is that of the last two steps, since strips of
+// triangles alternate left and right.
 void run_across(const Neighbourhood& around, std::uint32_t face, std::uint32_t from, Vec3 along, Flags& taken,
                 Flags& crossed) {
   Vec3 before = around.middle(from) - along;
@@ -229,7 +229,7 @@ bool alike(double a, double b) {
   return std::abs(a - b) <= 0.1 * std::max(a, b);
 }
 
-// What is measured of each element: of vertices how many edges they have.
+// The measure of each element: the number of edges for vertices.
 std::vector<double> sizes_of(const deform::Cage& cage, std::span<const mesh::Point> positions,
                              ElementKind kind) {
   std::vector<double> sizes(element_count(cage, kind), 0);
@@ -246,7 +246,7 @@ std::vector<double> sizes_of(const deform::Cage& cage, std::span<const mesh::Poi
   return sizes;
 }
 
-// Each once: a thousand selected ones are few sizes.
+// Unique values: a thousand selected elements have few different sizes.
 std::vector<double> distinct(std::vector<double> values) {
   std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());

@@ -1,5 +1,4 @@
-// The selection: a set of cage elements of one kind; what of a cage is hidden, and sets of its vertices by
-// name.
+// The selection: a set of cage elements of one kind; hidden vertices and named vertex sets.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@ enum class SelectMode { replace, add, remove };
 /// Vertices and edges of the cage (Cage::edges), its polygons, and probes.
 enum class ElementKind { vertex, edge, face, probe };
 
-/// Indices of elements of kind(), ascending, each once. Which vertices they are: selected_vertices() in
+/// Element indices of kind(), ascending and unique. For their vertices see selected_vertices() in
 /// scene/document/elements.h.
 class Selection {
 public:
@@ -30,7 +29,7 @@ public:
   bool empty() const { return indices_.empty(); }
   std::size_t size() const { return indices_.size(); }
   bool contains(std::uint32_t index) const;
-  /// The one that was picked alone last, as long as it is selected.
+  /// The element that was last picked alone, while it is selected.
   std::optional<std::uint32_t> active() const;
 
   void clear() { indices_.clear(); }
@@ -39,7 +38,7 @@ public:
   /// picked must be ascending.
   void apply(std::span<const std::uint32_t> picked, SelectMode mode);
 
-  /// Whichever was picked last.
+  /// Ignores the active element.
   friend bool operator==(const Selection& a, const Selection& b) {
     return a.kind_ == b.kind_ && a.indices_ == b.indices_;
   }
@@ -51,18 +50,18 @@ private:
   bool has_picked_ = false;
 };
 
-/// What was selected once, to be selected again: elements of this kind with all their vertices among these.
+/// A saved selection: selects the elements of this kind whose vertices are all in it.
 struct NamedSet {
   std::string name;
-  ElementKind kind = ElementKind::vertex;  ///< no probes
-  std::vector<std::uint32_t> vertices;     ///< ascending, each once
+  ElementKind kind = ElementKind::vertex;  ///< not probe
+  std::vector<std::uint32_t> vertices;     ///< ascending and unique
 
   friend bool operator==(const NamedSet&, const NamedSet&) = default;
 };
 
 struct CageGroups {
-  /// Vertices, ascending, each once: elements without any other one are neither shown nor selected, and none
-  /// of these is moved by hand.
+  /// Hidden vertices, ascending and unique: they cannot be dragged, and elements of hidden vertices alone are
+  /// neither shown nor selected.
   std::vector<std::uint32_t> hidden;
   std::vector<NamedSet> sets;
 

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks) {
   return numbers;
 }
 
-// What is hidden is not selected, in the same edit.
+// Hides vertices and deselects them in the same edit.
 void put_hidden(Document& document, std::vector<std::uint32_t> hidden, const char* label) {
   if (hidden == document.groups.hidden) return;
   record_edit(document, label);
@@ -90,7 +90,7 @@ void show_all(Document& document) {
 }
 
 void save_set(Document& document) {
-  record_edit(document, "save a set");
+  record_edit(document, "save selection set");
   document.groups.sets.push_back({free_name(document), document.selection.kind(),
                                   selected_vertices(*document.cage, document.selection)});
 }
@@ -108,12 +108,12 @@ void select_set(Document& document, std::size_t set, SelectMode mode) {
 
 void rename_set(Document& document, std::size_t set, const std::string& name) {
   if (name.empty() || has_name(document, name)) return;
-  record_edit(document, "rename a set");
+  record_edit(document, "rename selection set");
   document.groups.sets[set].name = name;
 }
 
 void remove_set(Document& document, std::size_t set) {
-  record_edit(document, "delete a set");
+  record_edit(document, "delete selection set");
   document.groups.sets.erase(document.groups.sets.begin() + static_cast<std::ptrdiff_t>(set));
 }
 

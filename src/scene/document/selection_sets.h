@@ -1,5 +1,4 @@
-// Hiding what is selected, and keeping it by name. Each change is an edit that can be undone; all require a
-// cage.
+// Hiding the selection and saving selection sets. Each change is an undoable edit; all require a cage.
 #pragma once
 
 #include <span>
@@ -10,38 +9,38 @@
 
 namespace viete::scene {
 
-/// Of the elements of a kind, 1 for those that are hidden; of probes none is.
+/// One flag per element of the kind: 1 if hidden. Probes are never hidden.
 std::vector<std::uint8_t> hidden_elements(const Document& document, ElementKind kind);
-/// Without what is hidden.
+/// Removes the hidden elements.
 Selection without_hidden(const Document& document, Selection selection);
 std::vector<std::uint32_t> without_hidden(const Document& document, std::vector<std::uint32_t> vertices);
 
-/// Nothing of it is selected any more.
+/// Also deselects it.
 void hide_selected(Document& document);
-/// All but what is selected.
+/// Hides everything except the selection.
 void hide_others(Document& document);
 void show_all(Document& document);
 
-/// What is selected, as "Set 1" or the next number; requires a selection of the cage.
+/// Saves the selection as "Set 1" or the next number; requires selected cage elements.
 void save_set(Document& document);
-/// It is selected, added to the selection or taken out of it, which is then of its kind.
+/// Selects the set, adds it or removes it; the selection takes the set's kind.
 void select_set(Document& document, std::size_t set, SelectMode mode);
-/// An empty name changes nothing, nor does that of another set.
+/// An empty name, or one of another set, is ignored.
 void rename_set(Document& document, std::size_t set, const std::string& name);
 void remove_set(Document& document, std::size_t set);
 
-/// Where vertices of another cage come from vertices of this one, each from all of those: hidden are those
-/// that come from hidden ones alone; sets go likewise, and those that have none left go.
+/// Transfers the groups to another cage; `origins`: the source vertices of each new vertex. A vertex is
+/// hidden if all its sources are; sets follow the same rule, and empty sets are removed.
 CageGroups carried(const CageGroups& groups, std::size_t vertices,
                    const std::vector<std::span<const std::uint32_t>>& origins);
-/// Names of sets that are not there any more, for a sentence: "Arm" and "Leg"; empty for none.
+/// Names of removed sets for a message: "Arm" and "Leg"; empty: none.
 std::string lost_sets(const CageGroups& before, const CageGroups& after);
 
-/// The vertices of the cage that move with the selection; none of probes.
+/// Cage vertices that move with the selection; empty for probes.
 std::vector<std::uint32_t> moving_vertices(const Document& document);
 
-/// Another selection as an edit, without what is hidden. Where nothing is selected before and after there is
-/// nothing to take back. Nothing may be in the hand.
+/// Sets the selection as an edit, without hidden elements. Two empty selections record nothing. Must not be
+/// called during a drag.
 void set_selection(Document& document, Selection selection);
 
 }  // namespace viete::scene

@@ -1,4 +1,4 @@
-// How a model is moved, as far as someone asks for it before it is opened.
+// Deformation settings requested before a model is opened.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace viete::scene {
 
-struct AskedSettings : deform::AskedScheme {
+struct RequestedSettings : deform::AskedScheme {
   std::optional<sym3::Method> method{};
 
   bool any() const { return method || AskedScheme::any(); }
 };
 
-/// To a document that was just opened: no edit. Throws what deform::scheme_of() throws, and changes nothing
-/// then.
-void put_settings(Document& document, const AskedSettings& asked, bool chosen = false);
+/// Applies the settings to a newly opened document; not an edit. Throws like deform::scheme_of(), without a
+/// change.
+void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
 }  // namespace viete::scene

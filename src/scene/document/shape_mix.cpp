@@ -83,12 +83,12 @@ std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> report
     return shapes == 1 ? number : "up to " + number + " in each of " + base::counted(shapes, "shape");
   };
   if (folded > 0)
-    notes.push_back("triangles fold over or collapse, and move as their neighbours do: " +
+    notes.push_back("triangles that fold over or collapse, which follow their neighbours: " +
                     text(folded, of_folded));
   if (torn > 0)
     notes.push_back(
-        "pairs of neighbouring triangles turn by more than half a turn against each other, so that "
-        "which way is a guess there: " +
+        "pairs of neighbouring triangles that rotate more than 180 degrees relative to each other, where the "
+        "rotation direction is ambiguous: " +
         text(torn, of_torn));
   return notes;
 }

@@ -1,4 +1,4 @@
-// Shapes of the model, mixed.
+// Mixing shapes of the model.
 #pragma once
 
 #include <span>
@@ -16,21 +16,21 @@ struct ShapeTerm {
   double factor;
 };
 
-/// The shape of a sum, from where it is held or, if that is null, in straight lines. Where only rounding
-/// moves a vertex that is at rest in all terms, it is at rest.
+/// The blended shape, positioned by `held`, or in straight lines if that is null. A vertex that is at rest in
+/// all terms stays exactly at rest.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// What is flat at rest, along a plane of two axes, and in all terms, is flat to the bit.
+/// Keeps exactly flat what is flat at rest, in the plane of two axes, and in all terms.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
-/// Rest and upon it each shape as often as its factor says, in log space or in straight lines. One alone, or
-/// none, is that, bit for bit. Throws base::Error where a shape is none of the model.
+/// The rest shape plus the weighted shapes, in log space or linearly. A single shape with factor 1, or none,
+/// is returned bit for bit. Throws base::Error if a shape does not fit the model.
 SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
-/// What a person should know of shapes, one line each.
+/// Messages about shapes for the user, one line each.
 std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> reports);
 
 }  // namespace viete::scene

@@ -1,5 +1,5 @@
-// Between the file's coordinates (double, any size, anywhere) and the view's (float, about one unit, at the
-// origin).
+// Conversion between file coordinates (double, any size and position) and view coordinates (float, about one
+// unit, at the origin).
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,8 +9,8 @@
 
 namespace viete::scene {
 
-/// view = (file - center) * scale. Chosen once per document, so that a model of 1e-30 or one at 1e7 draws as
-/// well as any.
+/// view = (file - center) * scale. Fixed per document, so that models of size 1e-30 or at 1e7 draw equally
+/// well.
 struct Space {
   mesh::Point center{0, 0, 0};
   double scale = 1;
@@ -24,15 +24,15 @@ struct Space {
     return {center[0] + p.x / scale, center[1] + p.y / scale, center[2] + p.z / scale};
   }
 
-  /// The diagonal of the box that the space was chosen for.
+  /// The diagonal of the box the space was created for.
   double diagonal() const { return 2 / scale; }
 };
 
-/// A cell of the ground grid that suits a model of this diagonal (about 20 cells across): 1, 2 or 5 times a
-/// power of ten.
+/// The ground grid's cell for a model of this diagonal (about 20 cells across): 1, 2 or 5 times a power of
+/// ten.
 double grid_cell(double diagonal);
 
-/// The space in which the diagonal of the box is 2.
+/// Scales the diagonal of the box to 2.
 Space space_for(const mesh::Bounds& box);
 
 inline glm::dvec3 vector_of(const mesh::Vec3& p) {

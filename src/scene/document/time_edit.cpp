@@ -29,17 +29,16 @@ auto place_for(Keys& keys, int frame) {
   return std::ranges::lower_bound(keys, frame, {}, [](const auto& key) { return key.frame; });
 }
 
-// The key of the frame, made if it is not there.
+// The key of the frame, created if missing.
 template <class Key>
 Key& key_for(std::vector<Key>& keys, int frame) {
   const auto place = place_for(keys, frame);
   if (place != keys.end() && place->frame == frame) return *place;
-  if (keys.size() >= Timeline::most_keys)
-    throw base::Error("", "there are as many keys as a document can have", "delete some");
+  if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some");
   return *keys.insert(place, Key{frame});
 }
 
-// The number itself, or the least one where it is none.
+// Clamps x; NaN becomes `least`.
 double brought_into(double x, double least, double most) {
   return x >= least ? std::min(x, most) : least;
 }
@@ -95,13 +94,13 @@ int current_frame(const Document& document) {
 void set_key(Document& document, int frame, std::span<const double> weights) {
   Timeline timeline = document.timeline;
   put_key(timeline, frame, document, weights);
-  record_edit(document, "set a key");
+  record_edit(document, "set key");
   document.timeline = std::move(timeline);
 }
 
 void add_key_to_edit(Document& document, int frame) {
   put_key(document.timeline, frame, document, {});
-  document.history.go_on();
+  document.history.extend_last();
 }
 
 void set_camera_key(Document& document, int frame, const CameraPose& camera) {
@@ -114,14 +113,14 @@ void set_camera_key(Document& document, int frame, const CameraPose& camera) {
     key.camera.yaw = before + static_cast<float>(std::remainder(double(camera.yaw) - before, whole_turn));
   }
   include(timeline, frame);
-  record_edit(document, "set a camera key");
+  record_edit(document, "set camera key");
   document.timeline = std::move(timeline);
 }
 
 void set_turntable(Document& document, const CameraPose& camera, int turns) {
   constexpr int most_turns = 100;
   turns = std::clamp(turns, -most_turns, most_turns);
-  record_edit(document, "set a turntable");
+  record_edit(document, "set turntable");
   Timeline& t = document.timeline;
   const int middle = t.first + (t.last - t.first) / 2;
   t.cameras.clear();
@@ -174,7 +173,7 @@ Play play_of(const Timeline& t) {
 
 void set_play(Document& document, const Play& play) {
   if (play == play_of(document.timeline)) return;
-  record_step(document, "change what plays", {EditKind::play});
+  record_step(document, "change playback", {EditKind::play});
   Timeline& t = document.timeline;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);

@@ -9,32 +9,31 @@
 
 namespace viete::scene {
 
-/// The nearest whole frame to where the document is.
+/// The document's frame, rounded.
 int current_frame(const Document& document);
 
-/// A key of what is there now, at that frame; one that is there is replaced, its easing kept. The range grows
-/// with it. `weights` are those of the library's poses in what is there; empty: as the library mixes them.
-/// Throws base::Error beyond Timeline::most_keys, or where the frame is out of range.
+/// Sets a key of the current pose at that frame. An existing key is replaced and keeps its easing; the range
+/// grows to include it. `weights`: those of the library's poses in the current pose; empty: the library's
+/// own. Throws base::Error beyond Timeline::most_keys, or if the frame is out of range.
 void set_key(Document& document, int frame, std::span<const double> weights = {});
-/// The same as a part of the edit that was just made.
+/// As set_key(), as part of the last edit.
 void add_key_to_edit(Document& document, int frame);
-/// Its yaw is taken on the branch that is nearest to the camera key before.
+/// Takes the branch of its yaw that is nearest to the previous camera key.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
-/// One whole turn of the camera about the up axis, over the range of what plays, at an even speed and so that
-/// the last frame is the first one again: these take the place of all other camera keys. `turns` may be
-/// several, or negative: the other way round.
+/// One full turn of the camera about the up axis over the playback range, at constant speed and so that the
+/// last frame repeats the first; replaces all other camera keys. `turns` may be several, or negative for the
+/// reverse direction.
 void set_turntable(Document& document, const CameraPose& camera, int turns = 1);
-/// Of frames in any order; those without a key are passed over.
+/// Frames in any order; frames without a key are ignored.
 void remove_keys(Document& document, std::span<const int> frames);
-/// Keys and camera keys of these frames go to `to`, one each; keys of others that are there give way. Moves
-/// one after the other from the same timeline `before` are one edit: those of one drag.
+/// Moves keys and camera keys from `frames` to the frames `to`, one each; they replace other keys there.
+/// Consecutive moves from the same timeline `before`, as in one drag, are one edit.
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to);
 void set_easing(Document& document, std::span<const int> frames, Easing easing);
-/// Keys that were read take the place of all others, with range and rate.
+/// Replaces all keys, range and rate by those of a file.
 void put_timeline(Document& document, Timeline timeline, const std::string& label);
-/// Range, rate, what comes after the last frame, straight lines; changes one after the other are one edit.
-/// Values are brought into their ranges.
+/// Range, rate, repeat mode and linear blending; consecutive changes are one edit. Values are clamped.
 struct Play {
   int first, last;
   double rate;

@@ -8,12 +8,12 @@ namespace viete::scene {
 
 namespace {
 
-// Keys of either kind, as far as time goes.
+// Keys of either kind, reduced to their times.
 struct Track {
   std::size_t count;
   const Timeline& timeline;
   bool of_cameras;
-  bool closed;  // the last key is the first one again, and goes on there
+  bool closed;  // the last key equals the first one and continues there
 
   double frame(std::size_t i) const {
     return of_cameras ? timeline.cameras[i].frame : timeline.keys[i].frame;
@@ -21,7 +21,7 @@ struct Track {
   Easing easing(std::size_t i) const { return of_cameras ? Easing::smooth : timeline.keys[i].easing; }
 };
 
-// The pieces before and after a key: from where they come, where they go, and how.
+// The interval before or after a key: its ends and easing.
 struct Piece {
   std::size_t from, to;
   double length;
@@ -39,7 +39,7 @@ std::optional<Piece> piece_before(const Track& track, std::size_t key) {
   return track.closed ? piece_after(track, track.count - 2) : std::nullopt;
 }
 
-// Adds a multiple of what a piece gains in a frame.
+// Adds a multiple of the mean slope of an interval, per frame.
 void add_secant(std::vector<KeyShare>& shares, const Piece& piece, double factor) {
   shares.push_back({piece.to, factor / piece.length});
   shares.push_back({piece.from, -factor / piece.length});
@@ -57,7 +57,7 @@ void add_slope(std::vector<KeyShare>& shares, const Track& track, std::size_t ke
   add_secant(shares, *after, factor * before->length / whole);
 }
 
-// Each key once; a closed track's last key is its first one.
+// Merges equal keys; a closed track's last key is its first one.
 void gather(std::vector<KeyShare>& shares) {
   std::vector<KeyShare> sum;
   for (const auto& [key, factor] : shares) {
@@ -105,7 +105,7 @@ Moment moment_on(const Track& track, double frame) {
   return {shares_in_piece(track, from, t), from, next};
 }
 
-// Whatever whole turns were made in between: slopes are of each piece alone.
+// Whole turns in between do not matter: slopes belong to intervals.
 bool is_closed(const Timeline& timeline) {
   const auto& keys = timeline.keys;
   if (timeline.repeat != Repeat::loop || keys.size() < 3) return false;
@@ -114,7 +114,7 @@ bool is_closed(const Timeline& timeline) {
                              same_shape(first.shape, last.shape));
 }
 
-// A camera that comes back after whole turns goes on, even where it plays once: it is a turntable.
+// A camera that returns by full turns continues smoothly, even if played once: a turntable.
 bool comes_back(const Timeline& timeline) {
   constexpr double whole_turn = 2 * std::numbers::pi;
   const auto& cameras = timeline.cameras;
@@ -147,7 +147,7 @@ std::optional<double> played(const Timeline& timeline, double frame, double seco
   if (timeline.repeat == Repeat::once) return std::nullopt;
   if (timeline.repeat == Repeat::loop) return first + place - length * std::floor(place / length);
   const double folded = place - 2 * length * std::floor(place / (2 * length));
-  // Every length it turns round once.
+  // The direction reverses after every length.
   if (std::fmod(std::floor(place / length), 2) != 0) backward = !backward;
   return first + (folded > length ? 2 * length - folded : folded);
 }

@@ -1,4 +1,4 @@
-// Poses in time: keys, how one comes to the next, and what plays.
+// The timeline: keys, their easing, and the playback settings.
 #pragma once
 
 #include <memory>
@@ -23,8 +23,7 @@ inline bool same_shape(const SharedShape& a, const SharedShape& b) {
   return a == b || (a && b && *a == *b);
 }
 
-/// All that moves the model: its shape, the cage, and probes by their number (those that are missing are at
-/// rest).
+/// Everything that moves the model: its shape, the cage, and the probes by index (missing ones are at rest).
 struct WholePose {
   deform::Pose cage;
   std::vector<deform::ProbePose> probes;
@@ -35,18 +34,18 @@ struct WholePose {
            same_shape(a.shape, b.shape);
   }
 };
-/// Never null; the same pointer is the same pose.
+/// Never null; equal pointers are equal poses.
 using SharedPose = std::shared_ptr<const WholePose>;
 
-/// How a key comes to the next one.
+/// The interpolation to the next key.
 enum class Easing { smooth, linear, hold };
 std::span<const Choice> choices(Easing);
 
-/// What happens after the last frame.
+/// The behaviour after the last frame.
 enum class Repeat { once, loop, ping_pong };
 std::span<const Choice> choices(Repeat);
 
-/// How much of a pose with that name a key has mixed in.
+/// The weight of a named pose in a key.
 struct MixedPose {
   std::string name;
   double weight;
@@ -58,7 +57,7 @@ struct PoseKey {
   int frame;
   SharedPose pose{};
   Easing easing = Easing::smooth;  ///< up to the next key
-  std::vector<MixedPose> mix{};    ///< the named poses that it was made of, while these are unchanged
+  std::vector<MixedPose> mix{};    ///< the named poses it was mixed from, while these are unchanged
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };
@@ -75,13 +74,13 @@ struct Timeline {
   static constexpr double least_rate = 1, largest_rate = 240;
   static constexpr std::size_t most_keys = 10'000;
 
-  std::vector<PoseKey> keys;       ///< by frame, each frame once
+  std::vector<PoseKey> keys;       ///< sorted by frame, unique
   std::vector<CameraKey> cameras;  ///< likewise
-  std::vector<PoseKey> unkeyed{};  ///< poses in no key that something else took the place of; oldest first
-  int first = 1, last = 60;        ///< what plays; last > first
-  double rate = 24;                ///< frames a second
+  std::vector<PoseKey> unkeyed{};  ///< poses without a key that something else replaced; oldest first
+  int first = 1, last = 60;        ///< playback range; last > first
+  double rate = 24;                ///< frames per second
   Repeat repeat = Repeat::loop;
-  bool straight = false;  ///< vertices of the cage go straight from key to key, as in other programs
+  bool straight = false;  ///< linear blending of the cage's vertices, as in other programs
 
   bool empty() const { return keys.empty() && cameras.empty(); }
   friend bool operator==(const Timeline&, const Timeline&) = default;
@@ -90,32 +89,32 @@ struct Timeline {
 /// The key of that frame, or null.
 const PoseKey* key_at(const Timeline& timeline, int frame);
 
-/// A key's share in the pose of a moment; all of them sum to 1.
+/// A key's share in the pose of a frame; the shares sum to 1.
 struct KeyShare {
   std::size_t key;
   double factor;
 };
-/// What a moment is made of: four keys at most. from and to are those around it, the same where it is one key
-/// alone.
+/// The shares of a frame: at most four keys. from and to are the surrounding keys, equal if a single key
+/// applies.
 struct Moment {
   std::vector<KeyShare> shares;
   std::size_t from = 0, to = 0;
 };
 
-/// At any frame, also between two: the first key before all of them, the last one after. Requires a key.
+/// Any frame, also fractional: the first key before all keys, the last key after them. Requires a key.
 ///
-/// `smooth` flows through keys: cubic Hermite pieces with the slopes of E. Catmull and R. Rom (A class of
-/// local interpolating splines, 1974; of keys at uneven times as in P. J. Barry and R. N. Goldman, 1988); it
-/// comes to rest at the first and the last key, unless it loops and both are the same pose, and where the
-/// other side holds; beside `linear` it has that one's slope.
+/// `smooth` passes through keys: cubic Hermite pieces with the slopes of E. Catmull and R. Rom (A class of
+/// local interpolating splines, 1974; non-uniform as in P. J. Barry and R. N. Goldman, 1988). The slope is 0
+/// at the first and the last key, unless it loops and both are the same pose, and next to a `hold` interval;
+/// next to a `linear` interval it is that interval's slope.
 Moment moment_at(const Timeline& timeline, double frame);
 
-/// The frame after `seconds` of playing from `frame`, forward or backward (which ping-pong turns round);
-/// nothing where it has come to the end.
+/// The frame after playing for `seconds` from `frame`; `backward` is the direction, which ping-pong reverses.
+/// Nullopt at the end.
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward);
 
-/// Between camera keys, smoothly; nothing where there are none. It comes to rest at the first and the last
-/// one, unless it is there again after whole turns, or loops and is there again.
+/// Smooth interpolation of camera keys; nullopt without any. The speed is 0 at the first and last key, unless
+/// the camera returns to its start, by full turns or by looping.
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame);
 
 }  // namespace viete::scene

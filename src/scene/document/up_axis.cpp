@@ -46,7 +46,7 @@ mesh::Point centroid(const mesh::Surface& surface) {
   return areas > 0 ? (1 / areas) * sum : sum;
 }
 
-// Of the box seen from above, the share that the model stands on: the hull of its lowest points. 0 if it
+// The area of the hull of the model's lowest points, relative to the bounding box seen from above. 0 if it
 // would fall over.
 double standing(const mesh::Surface& surface, const mesh::Bounds& box, const mesh::Point& middle,
                 std::size_t axis) {

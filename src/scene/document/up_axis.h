@@ -1,4 +1,4 @@
-// Which axis of a file points up, as far as its content tells.
+// Guesses a file's up axis from its content.
 #pragma once
 
 #include "scene/document/camera.h"
@@ -6,8 +6,8 @@
 
 namespace viete::scene {
 
-/// Y, but Z of STL files, which come from machines and printers, and of a model that stands upright on its
-/// lowest points along Z and, along Y, would fall over or stand on much less. glTF says that Y is up.
+/// Y, except Z for STL files (common for CAD and 3D printing), and for a model that stands upright on its
+/// lowest points along Z but would topple, or stand on a much smaller base, along Y. glTF defines Y as up.
 UpAxis guessed_up(const OpenedSurface& model);
 
 }  // namespace viete::scene

@@ -23,7 +23,7 @@ AnimatedModel::AnimatedModel(const Export& model, const Timeline& timeline, Prec
   if (wish == Precision::fast && fuses() && has_memory_to_fuse()) make_fast(most, tried, progress);
 }
 
-// Else it stands for none.
+// False for the substitute of a missing cage.
 bool AnimatedModel::has_cage() const {
   return model_.cage->element_count() > 0;
 }
@@ -45,7 +45,7 @@ bool AnimatedModel::has_memory_to_fuse() const {
   return weights < 0.5 * base::free_memory().value_or(0);
 }
 
-// Compressed weights would be off by more than a float is.
+// Compressed weights would add more error than rounding to float.
 void AnimatedModel::make_fast(double most, std::span<const double> tried, base::Progress* progress) {
   const deform::Weighting& weighting = model_.scheme.weighting;
   constexpr double as_they_are = 0;
@@ -63,9 +63,9 @@ void AnimatedModel::make_fast(double most, std::span<const double> tried, base::
 }
 
 double AnimatedModel::fast_error() const {
-  constexpr double others_have = 3;  // vertices that are not sampled: up to 1.6 times as much was seen
+  constexpr double unsampled_factor = 3;  // factor for vertices that are not sampled; measured: at most 1.6
   const double rounding = std::sqrt(3.0) * 0x1p-24 * farthest_;
-  return others_have * error_ + rounding / model_.cage->diagonal;
+  return unsampled_factor * error_ + rounding / model_.cage->diagonal;
 }
 
 deform::Probes AnimatedModel::probes(const WholePose& pose) const {

@@ -1,4 +1,4 @@
-// The model at the moments of a timeline: bound once, then frame after frame.
+// The model deformed at frames of a timeline: bound once, then evaluated frame by frame.
 #pragma once
 
 #include <memory>
@@ -19,32 +19,32 @@ namespace viete::scene {
 /// Not thread-safe.
 class AnimatedModel {
 public:
-  /// In double, or in float by the engine that the window uses, with weights that are left as they are.
+  /// Double precision, or the window's float engine with unchanged weights.
   enum class Precision { exact, fast };
 
-  /// model.pose is not looked at. `fast` is what is wished for: where the method or a stitched model does not
-  /// go by it, its weights take more than half of the memory that is free, or it would be off by more than
-  /// `most` (diagonals of the cage) at one of `tried` frames, it is exact. model and pool must outlive it;
-  /// timeline must have keys. progress may be null. Throws base::Error and base::Cancelled.
+  /// Ignores model.pose. `wish` may be overridden: the engine is exact if the method or a stitched model does
+  /// not support `fast`, its weights need more than half of the free memory, or its error exceeds `most`
+  /// (diagonals of the cage) at one of the frames `tried`. model and pool must outlive it; timeline must have
+  /// keys. progress may be null. Throws base::Error and base::Cancelled.
   AnimatedModel(const Export& model, const Timeline& timeline, Precision wish, double most,
                 std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   Precision precision() const { return deformer_ ? Precision::fast : Precision::exact; }
-  /// Of Precision::fast, in diagonals of the cage: how far from double frames may be, floats() with what
-  /// their rounding adds. By error_sample vertices of all frames so far, times what others may have more.
+  /// Estimated error of Precision::fast against double, in diagonals of the cage, including the rounding in
+  /// floats(). Measured on error_sample vertices of all frames so far, times a factor for unmeasured ones.
   double fast_error() const;
 
-  /// What moves the model at that frame.
+  /// The complete pose at that frame.
   WholePose pose(double frame) const;
-  /// The model's probes in that pose: those that are locked stay.
+  /// The model's probes in that pose; locked probes stay.
   deform::Probes probes(const WholePose& pose) const;
 
-  /// The same bits as deform_exactly(). progress may be null.
+  /// Equals deform_exactly() bit for bit. progress may be null.
   deform::ExactModel exact(const WholePose& pose, base::Progress* progress = nullptr);
-  /// x, y, z of every vertex as its precision has them; until the next call.
+  /// x, y, z of every vertex, by the engine of precision(); valid until the next call.
   std::span<const float> floats(double frame);
   std::vector<mesh::Point> positions(double frame);
-  /// What a person should know of the last frame, one line each.
+  /// Messages about the last frame for the user, one line each.
   const std::vector<std::string>& notes() const { return notes_; }
 
 private:
@@ -56,12 +56,12 @@ private:
 
   const Export& model_;
   base::WorkerPool& pool_;
-  KnownVectors vectors_;
+  VectorCache vectors_;
   std::optional<Animation> animation_;
   std::unique_ptr<deform::Deformer> deformer_;    // null: exact
-  std::unique_ptr<deform::ExactDeformer> exact_;  // null until it is asked for
+  std::unique_ptr<deform::ExactDeformer> exact_;  // created on first use
   double error_ = 0;                              // the largest measured
-  double farthest_ = 0;                           // coordinate that was rounded to a float
+  double farthest_ = 0;                           // largest coordinate rounded to float
   std::vector<float> floats_;
   std::vector<std::string> notes_;
 };

@@ -32,35 +32,35 @@ bool is_numbered(const AnimationExport& what) {
   return base::NumberedName::is_pattern(what.model.file);
 }
 
-// Where float frames are judged.
-std::array<double, 3> judged_frames(const std::vector<int>& frames) {
+// Frames at which the float engine is checked.
+std::array<double, 3> sample_frames(const std::vector<int>& frames) {
   return {double(frames.front()), double(frames[frames.size() / 2]), double(frames.back())};
 }
 
 std::string engine_text(const AnimatedModel& model) {
   if (model.precision() == AnimatedModel::Precision::exact) return "deformed in double";
-  return "deformed in float, off by up to " + at_most(model.fast_error()) + " of the cage's diagonal";
+  return "deformed in float, error up to " + at_most(model.fast_error()) + " of the cage's diagonal";
 }
 
-// Frame after frame the same may be said.
+// Collects notes without repeating those of earlier frames.
 class FrameNotes {
 public:
   void add(const std::vector<std::string>& notes) {
     for (const std::string& note : notes)
-      if (said_.insert(note).second) all_.push_back(note);
+      if (message_revision_.insert(note).second) all_.push_back(note);
   }
   std::vector<std::string> take() {
     constexpr std::size_t most = 12;
     if (all_.size() > most) {
       const std::size_t left = all_.size() - most + 1;
       all_.resize(most - 1);
-      all_.push_back("and " + base::with_thousands(left) + " more notes of other frames");
+      all_.push_back("and " + base::with_thousands(left) + " more notes about other frames");
     }
     return std::move(all_);
   }
 
 private:
-  std::set<std::string> said_;
+  std::set<std::string> message_revision_;
   std::vector<std::string> all_;
 };
 
@@ -81,7 +81,7 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   const std::vector<int> frames = what.frames();
   if (progress) progress->section(0, 0.02);
   AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::fast, fast_frame_error,
-                      judged_frames(frames), pool, progress);
+                      sample_frames(frames), pool, progress);
   if (progress) progress->section(0.02, 1);
   AnimationReport report{.frames = frames.size()};
   FrameNotes notes;
@@ -98,20 +98,20 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   return report;
 }
 
-// Coordinates are told apart in files of floats by this share of their size, and no better.
+// Relative resolution of coordinates in float files.
 constexpr double float_noise = 0x1p-22;
 
-// A frame that is looked at.
+// A frame to evaluate.
 struct Sample {
   double frame;
-  bool is_key;  // or an end: straight lines do not lead past it
+  bool is_key;  // or an end: linear pieces stop here
 };
 
-// Frames, keys, and what comes before a jump.
+// Frames, keys, and the last moments before a jump.
 std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
-  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // floats tell its seconds apart
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // resolution of time in float
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
@@ -124,8 +124,8 @@ std::vector<Sample> samples_of(const AnimationExport& what) {
   return all;
 }
 
-// Straight lines from one pose to later ones, as long as they stay near all poses in between. For each
-// coordinate it keeps the steepest and the flattest line that does.
+// Linear pieces from one pose to later ones that stay near all poses in between. Stores the largest and
+// smallest admissible slope of each coordinate.
 class StraightLines {
 public:
   explicit StraightLines(double tolerance) : reach_(tolerance / std::sqrt(3.0)) {}
@@ -137,7 +137,7 @@ public:
     flattest_.assign(pose.size(), {-any, -any, -any});
     steepest_.assign(pose.size(), {any, any, any});
   }
-  // Whether the line to that pose does; lines to later ones are to stay near it too.
+  // True if the line to that pose is admissible; lines to later poses must stay near it too.
   bool lead_to(double frame, std::span<const mesh::Point> pose) {
     const double length = frame - frame_;
     bool near = true;
@@ -158,11 +158,11 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// Poses of the model between which it goes straight, a target each where it is not at rest.
+// Poses of the model connected by linear pieces, one target for each that is not at rest.
 struct MorphPlan {
   std::vector<double> frames;
-  std::vector<std::size_t> targets;  // the poses that they show
-  std::vector<char> moves;           // vertices that do not stay at rest
+  std::vector<std::size_t> targets;  // the poses they represent
+  std::vector<char> moves;           // vertices that leave their rest position
 
   double bytes(double of_vertex) const {
     const auto moving = static_cast<double>(std::ranges::count(moves, 1)),
@@ -190,10 +190,10 @@ void check_floats(std::span<const mesh::Point> pose, double frame) {
                         "write numbered models (frame_####.ply), or scale the model");
 }
 
-// Below this nothing can be told from rounding of floats.
+// Smaller values are indistinguishable from float rounding.
 constexpr double least_tolerance = 1e-7;
 
-// The model in time, and how few targets show it.
+// The model over time, and its approximation with few targets.
 class MorphedModel {
 public:
   MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
@@ -202,11 +202,11 @@ public:
                    std::max(mesh::bounds(what.model.model->positions).diagonal(), 1e-300)) {
     if (progress) progress->section(0, 0.05);
     model_.emplace(what.model, what.timeline, AnimatedModel::Precision::fast,
-                   std::min(fast_frame_error, 0.1 * what.tolerance), judged_frames(what.frames()), pool,
+                   std::min(fast_frame_error, 0.1 * what.tolerance), sample_frames(what.frames()), pool,
                    progress);
   }
 
-  // Looks at every so many vertices. A line goes as far as it can; its end begins the next one.
+  // Uses every `step`-th vertex. Each linear piece is as long as possible; the next one starts at its end.
   MorphPlan plan(std::size_t step, base::Progress* progress) {
     if (progress) progress->section(0.05, 0.7);
     const auto rest = some(what_.model.model->positions, step);
@@ -239,7 +239,7 @@ public:
     return plan;
   }
 
-  // A target takes three floats a vertex, and three of its normal.
+  // A target takes three floats per vertex, and three for its normal.
   double bytes(const MorphPlan& plan, std::size_t step) const {
     return plan.bytes(static_cast<double>(step) * (what_.normals ? 24 : 12));
   }
@@ -269,9 +269,9 @@ public:
     AnimationReport report{.frames = plan.frames.size()};
     report.notes = notes_.take();
     report.summary = base::counted(plan.targets.size(), "morph target") +
-                     " with straight lines between them, off by up to " +
-                     plain(std::max(what_.tolerance, least_tolerance)) +
-                     " of the model's diagonal at any frame; " + engine_text(*model_);
+                     " with linear interpolation, error up to " +
+                     plain(std::max(what_.tolerance, least_tolerance)) + " of the model's diagonal; " +
+                     engine_text(*model_);
     return report;
   }
 
@@ -290,7 +290,7 @@ private:
     return positions;
   }
 
-  // A GLB file says its size in 32 bits, and holds the model too.
+  // A GLB file stores its size in 32 bits, including the model.
   void check_size(const MorphPlan& plan, std::size_t step) const {
     const bool binary = mesh::extension_of(what_.model.file) == "glb";
     const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes,
@@ -313,7 +313,7 @@ private:
 AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
   MorphedModel model(what, pool, progress);
   const MorphPlan plan = model.plan(1, progress);
-  // Text holds the bytes as letters, and is put together in memory.
+  // Text stores the bytes as base64, assembled in memory.
   const double copies = mesh::extension_of(what.model.file) == "glb" ? 1 : 4;
   base::require_memory({copies * model.bytes(plan, 1),
                         base::counted(plan.targets.size(), "morph target") + " take",
@@ -388,12 +388,13 @@ void check_animation_export(const AnimationExport& what) {
                           mesh::format_extensions(mesh::holds_morphs) +
                           ", or numbered models or pictures (frame_####.obj, frame_####.png)");
   if (!is_numbered(what) && !is_animation_format(extension))
-    throw base::Error(file.string(), "a file of this format holds one frame",
+    throw base::Error(file.string(), "this format stores a single frame",
                       "write numbered files, " + (file.stem() += "_####." + extension).string());
   if (is_numbered(what) && mesh::point_cache_format(file))
-    throw base::Error(file.string(), "a point cache holds all frames", "leave the #### out of its name");
+    throw base::Error(file.string(), "a point cache stores all frames in one file",
+                      "remove #### from the name");
   if (what.timeline.keys.empty())
-    throw base::Error("", "there are no keys in time, so that nothing moves",
+    throw base::Error("", "the timeline has no keys, so nothing moves",
                       "set keys on the timeline, and save the session");
   base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);
 }
@@ -420,9 +421,9 @@ std::vector<std::string> other_files_note(const base::NumberedName& name, std::s
   for (const base::NumberedFile& file : name.find())
     if (!std::ranges::binary_search(frames, file.number)) others.push_back(file.path.filename().string());
   if (others.empty()) return {};
-  if (others.size() == 1) return {others.front() + " was there before and is not one of these frames"};
+  if (others.size() == 1) return {others.front() + " already existed and is not one of these frames"};
   return {base::counted(others.size(), "file") + " from " + others.front() + " to " + others.back() +
-          " were there before and are not among these frames"};
+          " already existed and are not among these frames"};
 }
 
 }  // namespace viete::scene

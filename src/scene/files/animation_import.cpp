@@ -107,15 +107,15 @@ void add_poses_in(const fs::path& folder, const deform::Cage& cage, ImportedPose
     try {
       add_poses_of(file, cage, all);
     } catch (const base::Error& error) {
-      refused.push_back(std::string(error.what()) + "; left out");
+      refused.push_back(std::string(error.what()) + "; skipped");
     }
   }
   if (all.poses.size() == before)
-    throw base::Error(
-        folder.string(),
-        files.empty() ? "there is no model in this folder"
-                      : "none of its " + base::counted(files.size(), "model") + " is a pose of this cage",
-        "choose a folder of posed versions of the cage, of the same vertices in the same order");
+    throw base::Error(folder.string(),
+                      files.empty()
+                          ? "there is no model in this folder"
+                          : "none of its " + base::counted(files.size(), "model") + " is a pose of this cage",
+                      "choose a folder with posed versions of the cage (same vertices, same order)");
   all.warnings.insert(all.warnings.end(), refused.begin(), refused.end());
 }
 
@@ -135,7 +135,7 @@ ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& ca
   }
   if (all.poses.size() > PoseLibrary::most_poses)
     throw base::Error(files.front().string(),
-                      "there are " + base::counted(all.poses.size(), "pose") + ", and a document holds " +
+                      "there are " + base::counted(all.poses.size(), "pose") + ", and a document can have " +
                           base::with_thousands(PoseLibrary::most_poses),
                       "choose fewer");
   for (NamedPose& pose : all.poses) pose.name.resize(std::min(pose.name.size(), PoseLibrary::longest_name));
@@ -147,20 +147,20 @@ namespace {
 void check_key_count(const std::string& file, std::size_t count) {
   if (count <= Timeline::most_keys) return;
   throw base::Error(file,
-                    "it has " + base::counted(count, "frame") + ", and a timeline holds " +
+                    "it has " + base::counted(count, "frame") + ", and a timeline can have " +
                         base::with_thousands(Timeline::most_keys) + " keys",
                     "export every second frame, or fewer");
 }
 
-// Keys as they come, each after the one before.
-class KeyTaker {
+// Appends keys in order, each with the turns nearest to the previous one.
+class KeyBuilder {
 public:
-  explicit KeyTaker(std::string file, Easing easing) : file_(std::move(file)), easing_(easing) {}
+  explicit KeyBuilder(std::string file, Easing easing) : file_(std::move(file)), easing_(easing) {}
 
   void add(double frame, deform::Pose pose) {
     const double whole = std::round(frame);
     if (!(whole >= Timeline::least_frame && whole <= Timeline::largest_frame))
-      throw base::Error(file_, "it has a frame beyond 1,000,000", "export a shorter range");
+      throw base::Error(file_, "it has a frame number above 1,000,000", "export a shorter range");
     const int number = static_cast<int>(whole);
     if (!keys_.empty() && number <= keys_.back().frame) {
       ++skipped_;
@@ -174,7 +174,7 @@ public:
     if (skipped_ > 0)
       warnings.push_back(file_ + ": " + base::counted(skipped_, "key") + " fall on the frame of another at " +
                          base::few_digits(rate) +
-                         " frames a second and were left out; choose a higher rate first");
+                         " frames a second and were skipped; choose a higher rate first");
     return {std::move(keys_), std::move(warnings), {file_}};
   }
 
@@ -189,10 +189,10 @@ ImportedKeys keys_of_files(const base::NumberedName& name, const deform::Cage& c
                            base::Progress* progress) {
   const auto files = name.find();
   if (files.empty())
-    throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
-                      "check the name; as many # as the numbers have digits");
+    throw base::Error(name.pattern(), "no file matches this name with digits in place of #",
+                      "check the name and use one # for each digit");
   check_key_count(name.pattern(), files.size());
-  KeyTaker keys(name.pattern(), Easing::smooth);
+  KeyBuilder keys(name.pattern(), Easing::smooth);
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < files.size(); ++i) {
     report_part(progress, i, files.size());
@@ -213,7 +213,7 @@ ImportedKeys keys_of_cache(const fs::path& file, const deform::Cage& cage, const
   base::require_memory({24.0 * static_cast<double>(head.frames) * static_cast<double>(head.points),
                         base::counted(head.frames, "key") + " of the cage take", "export fewer frames",
                         file.string()});
-  KeyTaker keys(file.string(), Easing::linear);
+  KeyBuilder keys(file.string(), Easing::linear);
   for (std::size_t i = 0; i < head.frames; ++i) {
     report_part(progress, i, head.frames);
     const bool has_times = head.format == mesh::PointCacheFormat::mdd;
@@ -234,7 +234,7 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
                       clip ? "import it as poses" : "export shape keys of the cage with their animation");
   const auto& seconds = clip->seconds();
   check_key_count(file.string(), seconds.size());
-  KeyTaker keys(file.string(), Easing::linear);
+  KeyBuilder keys(file.string(), Easing::linear);
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     report_part(progress, i, seconds.size());
     keys.add(times.first + seconds[i] * times.rate, {found.at_key(i), {}});
@@ -252,7 +252,7 @@ ImportedKeys read_keys(const fs::path& file, const deform::Cage& cage, const Imp
   const bool alone = !sequence || sequence->find().size() < 2;
   if (mesh::is_a(mesh::holds_morphs, file) && alone) return keys_of_gltf(file, cage, times, progress);
   if (!sequence)
-    throw base::Error(file.string(), "its name has no number, so that nothing says which frame it is",
+    throw base::Error(file.string(), "its name has no frame number",
                       "choose a numbered posed cage (pose_0001.obj), a point cache or a glTF file");
   return keys_of_files(*sequence, cage, progress);
 }

@@ -1,4 +1,4 @@
-// Poses with names, and keys in time, from files of other programs.
+// Named poses and timeline keys from files of other programs.
 #pragma once
 
 #include <filesystem>
@@ -17,28 +17,28 @@ namespace viete::scene {
 struct ImportedPoses {
   std::vector<NamedPose> poses;
   std::vector<std::string> warnings;
-  std::vector<std::filesystem::path> files;  ///< that were read
+  std::vector<std::filesystem::path> files;  ///< the files read
 };
 
-/// As people count: a file of 2 comes before one of 10.
+/// In natural order: a file of 2 before one of 10.
 void sort_by_numbers(std::vector<std::filesystem::path>& files);
-/// Models of a folder in that order. Throws base::Error where it cannot be read.
+/// The models in a folder, in natural order. Throws base::Error if the folder cannot be read.
 std::vector<std::filesystem::path> models_in(const std::filesystem::path& folder);
 
-/// Posed cages, each a pose of its file's name, with the turns that it says; a glTF file with morph targets
-/// gives a pose a target. A folder stands for the models in it, in the order of their names (numbers by what
-/// they count), and those that are no poses of the cage are left out with a warning. Throws base::Error:
-/// a named file that is none, no pose at all, more than a document holds. Thread-safe.
+/// Posed cages, each a pose named after its file, with its turns if stored; a glTF file with morph targets
+/// gives one pose per target. A folder stands for its models in natural order; models that do not fit the
+/// cage are skipped with a warning. Throws base::Error if a named file does not fit, if there is no pose, or
+/// if there are more than a document holds. Thread-safe.
 ImportedPoses read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
                          base::Progress* progress = nullptr);
 
 struct ImportedKeys {
-  std::vector<PoseKey> keys;  ///< by frame
+  std::vector<PoseKey> keys;  ///< sorted by frame
   std::vector<std::string> warnings;
-  std::vector<std::filesystem::path> files;  ///< that were read
+  std::vector<std::filesystem::path> files;  ///< the files read
 };
 
-/// How seconds become frames: those of a file begin at `first`.
+/// Conversion of seconds to frames: time 0 of the file is frame `first`.
 struct ImportTimes {
   int first = 1;
   double rate = 24;
@@ -47,21 +47,21 @@ struct ImportTimes {
 /// Keys of the cage from
 ///
 /// numbered posed cages   (`pose_####.obj`, or one file of the sequence): the number is the frame; smooth
-/// .pc2                   of the cage's vertices: a key a sample, at the frames that it says; linear
-/// .mdd                   likewise, at its seconds
-/// .glb, .gltf            the cage with morph targets and an animation of their weights: a key a key, at its
-///                        seconds; linear
+/// .pc2                   of the cage's vertices: a key per sample, at the frames in the file; linear
+/// .mdd                   likewise, at the times in the file; linear
+/// .glb, .gltf            the cage with animated morph targets: one key for each of theirs, at its
+///                        time; linear
 ///
-/// No whole turns are said but in posed cages: such keys have those nearest to the key before. Of keys that
-/// fall on the same frame the first counts, with a warning. Throws base::Error: another number of vertices,
-/// no frames, more than a timeline holds, frames beyond it. Thread-safe.
+/// Only posed cages store whole turns: other keys take those nearest to the previous key. If several keys
+/// fall on one frame the first is used, with a warning. Throws base::Error: vertex counts differ, no frames,
+/// more than a timeline holds, frames out of range. Thread-safe.
 ImportedKeys read_keys(const std::filesystem::path& file, const deform::Cage& cage, const ImportTimes& times,
                        base::Progress* progress = nullptr);
 
-/// Keys that were read take the place of those that are there, as an edit; range with them. Camera keys stay.
+/// Replaces the existing keys and the range, as an edit. Camera keys stay.
 void put_keys(Document& document, std::vector<PoseKey> keys, const std::string& label);
 
-/// As write_pose(). Throws base::Error.
+/// Format and errors as in write_pose().
 void write_named_pose(const Document& document, std::size_t pose, const std::filesystem::path& file);
 
 }  // namespace viete::scene

@@ -35,14 +35,14 @@ CameraPose camera_of(const JsonReader& json, bool turns) {
   pose.distance = static_cast<float>(json.at("distance").number(nearest_camera, farthest_camera));
   const double yaw = json.at("yaw").number();
   constexpr double whole_turn = 6.283185307179586;
-  if (turns && std::abs(yaw) > 1000 * whole_turn) json.at("yaw").fail("these are more than a thousand turns");
+  if (turns && std::abs(yaw) > 1000 * whole_turn) json.at("yaw").fail("this is more than a thousand turns");
   pose.yaw = static_cast<float>(turns || std::abs(yaw) < 4 ? yaw : std::remainder(yaw, whole_turn));
-  // A quarter turn, however it was rounded.
+  // A quarter turn, with any rounding.
   pose.pitch = static_cast<float>(json.at("pitch").number(-1.6, 1.6));
   if (const auto v = json.find("orthographic")) pose.orthographic = v->boolean();
   if (const auto v = json.find("up")) {
     const std::string axis = v->text();
-    if (axis != "y" && axis != "z") v->fail("the axis that points up is y or z");
+    if (axis != "y" && axis != "z") v->fail("the up axis must be y or z");
     pose.up = axis == "z" ? UpAxis::z : UpAxis::y;
   }
   return pose;

@@ -10,10 +10,10 @@
 #include "base/encoding.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
-#include "mesh/surface.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
+#include "mesh/surface.h"
 #include "scene/document/cage_editing.h"
 #include "scene/document/checks.h"
 #include "scene/document/up_axis.h"
@@ -51,7 +51,7 @@ bool writes_original(const Export& what) {
 
 }  // namespace
 
-// Nothing but its shape moves the model: whatever way it is deformed by leaves it as it is, but for rounding.
+// Vertices moved by nothing but the shape keep it: every deformer reproduces them up to rounding.
 void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions) {
   const auto has_done_nothing = [](const deform::Probe& p) { return p.pin || p.pose == deform::ProbePose{}; };
@@ -106,9 +106,9 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
 }
 
 std::string gltf_note(UpAxis up) {
-  return up == UpAxis::z
-             ? "other programs take Y of a glTF file as up; here it is Z: turn by -90 degrees about X there"
-             : "";
+  return up == UpAxis::z ? "this glTF file has Z as up axis, other programs expect Y: rotate it by -90 "
+                           "degrees about X there"
+                         : "";
 }
 
 std::string at_most(double error) {
@@ -119,12 +119,12 @@ std::string at_most(double error) {
 }
 
 std::string method_note(sym3::Method method, double worst_error) {
-  constexpr double matters = 1e-9;  // a thousand times what the methods lose where eigenvalues lie apart
+  constexpr double matters = 1e-9;  // a thousand times the methods' error for separated eigenvalues
   if (worst_error <= matters) return "";
   const std::string name(sym3::name(method));
   if (!std::isfinite(worst_error))
-    return "method " + name + " gave no numbers in this pose; use method fast or diag";
-  return "exponentials by method " + name + " are off by up to " + at_most(worst_error) +
+    return "method " + name + " gives NaN in this pose; use method fast or diag";
+  return "exponentials by method " + name + " have errors up to " + at_most(worst_error) +
          " (relative) in this pose, where eigenvalues nearly coincide; methods fast and diag are exact to "
          "1e-14";
 }

@@ -1,4 +1,4 @@
-// The deformed model as a file: the same from the window and from the command line.
+// Exports the deformed model, for the window and the command line.
 #pragma once
 
 #include <cstdint>
@@ -15,52 +15,50 @@
 
 namespace viete::scene {
 
-/// All that the file is made of, as it is at one moment: surfaces are shared, the pose is a copy, so that the
-/// document may change or go while the file is written.
+/// A snapshot of the exported data: surfaces are shared and the pose is copied, so the document may change or
+/// close while the file is written.
 struct Export {
   std::filesystem::path file;
   std::shared_ptr<const mesh::Surface> model;
-  std::shared_ptr<const mesh::Attributes> attributes;  ///< of the model; or null
-  std::shared_ptr<const mesh::Original> original;      ///< of the model; or null
-  std::shared_ptr<const deform::Cage> cage;            ///< or what stands for none, see Cage
+  std::shared_ptr<const mesh::Attributes> attributes;  ///< for the model; may be null
+  std::shared_ptr<const mesh::Original> original;      ///< for the model; may be null
+  std::shared_ptr<const deform::Cage> cage;            ///< or its substitute without a cage, see Cage
   deform::Pose pose;
   deform::Scheme scheme;
   sym3::Method method;
   deform::Mask mask;
   deform::Probes probes;
-  SharedShape shape;      ///< of the model; null: at rest
-  UpAxis up = UpAxis::y;  ///< which of its axes is taken as up
+  SharedShape shape;      ///< the model's shape; null: at rest
+  UpAxis up = UpAxis::y;  ///< the model's up axis
   mesh::Digits digits = {};
 };
 
-/// Requires that something moves the model. Up is as guessed of its file.
+/// Requires that something moves the model. The up axis is guessed from its file.
 Export export_of(const Document& document, const std::filesystem::path& file);
 
-/// Deforms the model in double and writes it; the extension chooses the format. Atomic: whatever goes wrong,
-/// an existing file is as it was. Uses a pool of its own for as long as it takes. progress may be null.
-/// Returns what a person should know of the result, one line each. Throws base::Error and base::Cancelled.
-/// Thread-safe.
+/// Deforms the model in double and writes it in the format of the extension. Atomic: on any error an existing
+/// file is unchanged. Creates its own thread pool. progress may be null. Returns messages about the result
+/// for the user, one line each. Throws base::Error and base::Cancelled. Thread-safe.
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress = nullptr);
 
-/// The second half of it: the model deformed already, by deform_exactly() or an ExactDeformer, of all that is
-/// in `what`.
+/// The writing part of write_deformed(), for a model already deformed by deform_exactly() or an ExactDeformer
+/// with the data in `what`.
 std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
                                      base::Progress* progress = nullptr);
 
-/// What files have of a deformed model: where nothing has moved it, or only rounding has moved a coordinate,
-/// it is where the shape has it. `shape`: what the cage acts upon.
+/// Cleans up exported positions: vertices that nothing moves, and coordinates changed only by rounding, take
+/// their value in `shape`, the undeformed shape.
 void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions);
 
-/// That other programs will take a glTF's numbers as metres and Y as up, and what to do there; empty where
-/// that is so.
+/// A warning that other programs read glTF as metres with Y up, and the remedy; empty if that is correct.
 std::string gltf_note(UpAxis up);
 
 /// "5.8e-07": an upper bound in two digits, rounded up.
 std::string at_most(double error);
 
-/// That exponentials by this method were off by so much, relative, and what to do; empty where that is too
-/// little to matter.
+/// A warning about the relative error of this method's exponentials, and the remedy; empty if it is
+/// negligible.
 std::string method_note(sym3::Method method, double worst_error);
 
 }  // namespace viete::scene

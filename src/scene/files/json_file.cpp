@@ -44,11 +44,11 @@ std::string line_of(std::string_view text, std::size_t byte) {
   return std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
-// Reads along without keeping anything, to find out whether a file is worth its memory.
+// Parses without building a tree, to check whether the file is within the limits.
 class Survey : public nlohmann::json_sax<json> {
 public:
-  std::size_t error_at = 0;                ///< byte behind the mistake
-  std::size_t too_large_at = 0, size = 0;  ///< of the first number that is too large; size 0: there is none
+  std::size_t error_at = 0;                ///< byte after the syntax error
+  std::size_t too_large_at = 0, size = 0;  ///< first number that exceeds double; size 0: none
   bool too_deep = false;
 
   bool null() override { return true; }
@@ -88,18 +88,17 @@ private:
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view text, std::size_t byte,
                          const std::string& problem) {
   throw base::Error(file.string() + ":" + line_of(text, byte), problem,
-                    "correct the file or take an older copy of it");
+                    "correct the file or use an older copy");
 }
 
 void check_length(std::size_t bytes, const std::filesystem::path& file) {
   if (bytes <= most_json_bytes) return;
-  throw base::Error(
-      file.string(),
-      std::to_string(bytes) + " bytes are more than this program reads: " + std::to_string(most_json_bytes),
-      "take another file");
+  throw base::Error(file.string(),
+                    std::to_string(bytes) + " bytes exceed the limit of " + std::to_string(most_json_bytes),
+                    "choose another file");
 }
 
-// The same text with numbers that a double holds, and in it nothing that takes the machine down.
+// The same text with numbers in the range of double, and checked against the limits.
 std::string surveyed(std::string_view bytes, const std::filesystem::path& file) {
   constexpr int most_corrected = 16;
   std::string text(bytes);
@@ -107,14 +106,13 @@ std::string surveyed(std::string_view bytes, const std::filesystem::path& file) 
     Survey survey;
     if (json::sax_parse(text, &survey)) return text;
     if (survey.too_deep) {
-      throw base::Error(file.string(),
-                        "lists and objects in it stand more than " + std::to_string(most_json_depth) +
-                            " deep in each other",
-                        "take another file");
+      throw base::Error(
+          file.string(),
+          "lists and objects are nested more than " + std::to_string(most_json_depth) + " levels deep",
+          "choose another file");
     }
     if (survey.size == 0) refuse(file, text, survey.error_at, "this is not valid JSON");
-    if (corrected == most_corrected)
-      refuse(file, text, survey.error_at, "this and other numbers are too large");
+    if (corrected == most_corrected) refuse(file, text, survey.error_at, "this number is too large");
     text.replace(survey.too_large_at, survey.size, text[survey.too_large_at] == '-' ? "-1e300" : "1e300");
   }
 }
@@ -149,7 +147,7 @@ std::string readable(const ordered_json& value, const std::filesystem::path& fil
   try {
     put(out, value, "");
   } catch (const ordered_json::type_error&) {
-    throw base::Error(file.string(), "the name of a file in it is not UTF-8", "rename that file");
+    throw base::Error(file.string(), "a file name in it is not UTF-8", "rename the file");
   }
   out += '\n';
   check_length(out.size(), file);
@@ -165,7 +163,7 @@ ordered_json path_json(const std::filesystem::path& path) {
 json read_json(const std::filesystem::path& path) {
   std::error_code code;
   const auto size = std::filesystem::file_size(path, code);
-  if (!code) check_length(size, path);  // of what is no file, reading knows better words
+  if (!code) check_length(size, path);  // for other file types, reading gives a better error
   const mesh::FileBytes bytes(path, nullptr);
   mesh::refuse_foreign(path.string(), bytes.view());
   const std::string text = surveyed(bytes.view(), path);
@@ -219,7 +217,7 @@ double JsonReader::number(double least, double most, const char* problem) const 
 std::array<double, 3> JsonReader::place(double farthest) const {
   const auto place = numbers<3>();
   for (const double x : place)
-    if (!(std::abs(x) <= farthest)) fail("this is too far away");
+    if (!(std::abs(x) <= farthest)) fail("this coordinate is too large");
   return place;
 }
 
@@ -240,7 +238,7 @@ std::string JsonReader::text() const {
   if (!value_.is_string()) expected("a text");
   const auto& text = value_.get_ref<const std::string&>();
   if (text.size() > longest_text) {
-    fail("a text of " + std::to_string(text.size()) + " bytes is longer than any that belongs here (" +
+    fail("a text of " + std::to_string(text.size()) + " bytes is longer than allowed (" +
          std::to_string(longest_text) + ")");
   }
   return text;
@@ -259,11 +257,11 @@ std::filesystem::path JsonReader::path() const {
   if (!encoded) expected("the name of a file");
   bool whole = true;
   const std::string name = base::percent_decoded(encoded->text(), &whole);
-  if (!whole) encoded->fail("two hexadecimal digits belong behind each %");
+  if (!whole) encoded->fail("each % must be followed by two hexadecimal digits");
   return name;
 }
 
-// Without the cost of naming each element: these lists are long.
+// Avoids building the key path of each element: these lists are long.
 std::optional<mesh::Vec3> JsonReader::point(std::size_t index, double limit) const {
   const json& values = value_[index];
   if (!values.is_array() || values.size() != 3) return std::nullopt;

@@ -1,5 +1,4 @@
-// JSON files that people read and may have written: laid out for the eye, and read with errors that name file
-// and key.
+// Human-readable JSON files: formatting, and reading with errors that name file and key.
 #pragma once
 
 #include <array>
@@ -19,46 +18,46 @@
 
 namespace viete::scene {
 
-/// What a file may have: more is no file of this program's, and is refused before it takes memory. The bytes
-/// are those of shapes of eight million vertices in all; a text is the name of a file, percent-encoded.
+/// Limits of a file; more is refused before memory is allocated. The bytes suffice for shapes of eight
+/// million vertices in total; the longest text is a percent-encoded file name.
 inline constexpr std::size_t most_json_bytes = 128 << 20, most_json_depth = 32, longest_text = 3 * 4096;
 
-/// One key a line; an array stands on one line unless it holds arrays or objects, which get a line each.
-/// Numbers with the digits that read back as the same double. Throws base::Error naming `file` if a string is
-/// not UTF-8, or if read_json() would refuse the length.
+/// One key per line; arrays are on one line unless they contain arrays or objects, which get a line each.
+/// Numbers have the digits that read back as the same double. Throws base::Error naming `file` if a string is
+/// not UTF-8, or if the length exceeds the limit of read_json().
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
-/// The name of a file: a string; where it is not UTF-8, which JSON strings are, {"percent_encoded":
-/// "caf%E9"}. JsonReader::path() reads both back to the same bytes.
+/// A file name as a string; if it is not UTF-8, which JSON strings require, {"percent_encoded": "caf%E9"}.
+/// JsonReader::path() reads both back to the same bytes.
 nlohmann::ordered_json path_json(const std::filesystem::path& path);
 
-/// A number that no double holds becomes 1e300 or -1e300, which is out of every range. Throws base::Error
-/// naming the file, and the line of a mistake.
+/// Numbers beyond double become 1e300 or -1e300, which every range check rejects. Throws base::Error naming
+/// the file, and the line of a syntax error.
 nlohmann::json read_json(const std::filesystem::path& path);
 
-/// A value and the key that leads to it. Everything throws base::Error, `file: key: problem`, if the value is
-/// not what is asked for. Refers to the JSON, which must outlive it.
+/// A JSON value and its key path. All accessors throw base::Error, `file: key: problem`, if the value has the
+/// wrong type. Refers to the JSON, which must outlive it.
 class JsonReader {
 public:
   JsonReader(const nlohmann::json& value, std::string file, std::string key = "")
       : value_(value), file_(std::move(file)), key_(std::move(key)) {}
 
-  /// Of an object. find: nothing if the key is missing or its value is null.
+  /// For objects. find: nullopt if the key is missing or its value is null.
   std::optional<JsonReader> find(const std::string& key) const;
   JsonReader at(const std::string& key) const;
   std::vector<std::string> keys() const;
-  /// Of an array.
+  /// For arrays.
   std::size_t size() const;
   JsonReader item(std::size_t index) const;
 
   bool boolean() const;
   double number() const;  ///< finite
   double number(double least, double most,
-                const char* problem = "this number is out of range") const;  ///< one of these
+                const char* problem = "this number is out of range") const;  ///< in this range
   std::uint32_t index() const;
   std::string text() const;            ///< at most longest_text bytes
-  std::string base64() const;          ///< the bytes that a text stands for
-  std::filesystem::path path() const;  ///< as path_json() writes it
+  std::string base64() const;          ///< decoded bytes
+  std::filesystem::path path() const;  ///< written by path_json()
   /// An array of exactly N numbers.
   template <std::size_t N>
   std::array<double, N> numbers() const {
@@ -67,10 +66,10 @@ public:
     for (std::size_t i = 0; i < N; ++i) all[i] = item(i).number();
     return all;
   }
-  /// [x, y, z], each of them at most so far from 0.
+  /// [x, y, z], each with an absolute value of at most `farthest`.
   std::array<double, 3> place(double farthest) const;
   std::vector<std::uint32_t> indices() const;
-  /// Of an array of points: its item `index`; nothing if that is no [x, y, z] with |x|, |y|, |z| <= limit.
+  /// For an array of points: item `index`; nullopt unless it is [x, y, z] with |x|, |y|, |z| <= limit.
   std::optional<mesh::Vec3> point(std::size_t index, double limit) const;
 
   [[noreturn]] void fail(const std::string& problem,
@@ -84,7 +83,7 @@ private:
   std::string file_, key_;
 };
 
-/// What is damaged costs its own part: that stays as if the key was missing, and a warning says so.
+/// Reads an optional part. If it is damaged, keeps its default and appends a warning.
 template <class Part, class Read>
 void take_part(const JsonReader& json, const char* key, Part& part, Read read, const char* instead,
                std::vector<std::string>& warnings) {
@@ -95,7 +94,7 @@ void take_part(const JsonReader& json, const char* key, Part& part, Read read, c
   }
 }
 
-/// One of a list of words, which `parse` knows.
+/// A word that `parse` recognizes.
 template <class Parse>
 auto word_of(const JsonReader& json, Parse parse) {
   const auto value = parse(json.text());
@@ -103,13 +102,13 @@ auto word_of(const JsonReader& json, Parse parse) {
   return *value;
 }
 
-/// Of an enumeration with choices.
+/// A value of an enumeration with choices.
 template <class Value>
 Value choice_of(const JsonReader& json) {
   return word_of(json, base::value_of_word<Value>);
 }
 
-/// Of a list: each is read, and what is damaged is left out, with a warning.
+/// Reads each item of a list; damaged items are skipped with a warning.
 template <class Read>
 void take_items(const JsonReader& json, std::size_t most, const char* instead,
                 std::vector<std::string>& warnings, Read read) {

@@ -9,13 +9,13 @@
 
 namespace viete::scene {
 
-// Of positions that a graphics card, and the engines, can hold: those of any surface that is opened.
+// The range of positions that GPUs and deformers support, as for any opened surface.
 void check_places(const std::string& place, std::span<const mesh::Point> positions) {
   constexpr double largest = 1e32;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (mesh::largest_abs(positions[v]) <= largest) continue;
-    throw base::Error(place, "vertex " + std::to_string(v) + " is farther away than can be drawn",
-                      "export it again, in another unit");
+    throw base::Error(place, "vertex " + std::to_string(v) + " is too far away to be drawn",
+                      "export it again in another unit");
   }
 }
 
@@ -25,7 +25,7 @@ void check_points(const std::string& place, std::size_t found, const PosedSurfac
   throw base::Error(place,
                     "it moves " + base::counted(found, "point") + ", and " + of.what + " has " +
                         base::with_thousands(wanted) + " vertices",
-                    std::string("choose one that was made of ") + of.what);
+                    std::string("choose a file made from ") + of.what);
 }
 
 std::vector<mesh::Point> MorphPositions::of_surface(const std::vector<mesh::Point>& of_file) const {
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::S
     if (taken[v] || mesh::norm(found.positions[v] - p) > near)
       throw base::Error(
           file,
-          std::string("at rest it is not ") + of.what + ": no vertex of its own is at that of vertex " +
+          std::string("its rest shape is not ") + of.what + ": it has no vertex at the position of vertex " +
               std::to_string(order.size()),
           std::string("export ") + of.what + " itself, as it is at rest, in the same axes and unit");
     taken[v] = true;

@@ -1,4 +1,4 @@
-// Positions that other files give a surface of the document: what they must fit, and morph targets.
+// Positions for a surface of the document from other files: checks, and morph targets.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@
 
 namespace viete::scene {
 
-/// What positions are to be of.
+/// The surface that the positions are for.
 struct PosedSurface {
   const mesh::Surface& surface;
   const char* what;  ///< "the cage"
 };
 
-/// Throws base::Error where a graphics card, or the engines, cannot hold them. place: of what file.
+/// Throws base::Error if positions exceed the range of GPUs or of the deformers. place: the file's name.
 void check_places(const std::string& place, std::span<const mesh::Point> positions);
-/// Throws base::Error where so many points are not one a vertex.
+/// Throws base::Error unless the number of points equals the number of vertices.
 void check_points(const std::string& place, std::size_t found, const PosedSurface& of);
 
 /// Morph targets of a file as positions of a surface.
 struct MorphPositions {
   std::shared_ptr<const mesh::MorphClip> clip;  ///< null: none
-  std::vector<std::uint32_t> order;             ///< of each vertex of the surface: the file's vertex
+  std::vector<std::uint32_t> order;             ///< the file's vertex for each vertex of the surface
 
   std::vector<mesh::Point> at_key(std::size_t key) const { return of_surface(clip->at_key(key)); }
   std::vector<mesh::Point> at_target(std::size_t target) const { return of_surface(clip->at_target(target)); }
@@ -36,8 +36,8 @@ private:
   std::vector<mesh::Point> of_surface(const std::vector<mesh::Point>& of_file) const;
 };
 
-/// glTF keeps no order of the vertices: where faces differ they are told by where they are at rest, in
-/// floats. Throws base::Error: another number of vertices, or other places at rest.
+/// glTF does not preserve vertex order: if the faces differ, vertices are matched by their rest position in
+/// float. Throws base::Error: vertex counts or rest positions differ.
 MorphPositions morphs_of(const std::filesystem::path& file, const PosedSurface& of,
                          std::vector<std::string>& warnings);
 

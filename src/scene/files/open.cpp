@@ -34,7 +34,7 @@ void append(std::vector<std::string>& all, const std::vector<std::string>& more)
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// How many of up to a hundred of its vertices, spread over all, are outside.
+// The number of outside vertices among up to a hundred, evenly spread.
 struct Outside {
   std::size_t count, of;
 };
@@ -55,7 +55,7 @@ bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
   return true;
 }
 
-// One vertex in ten may stick out.
+// One vertex in ten may be outside.
 bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   if (inner.positions.empty() || outer.triangles.empty()) return false;
   if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
@@ -63,18 +63,16 @@ bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   return 10 * found.count <= found.of;
 }
 
-// What is odd about the surfaces themselves is left to the checks, but not a cage that was made for another
-// model.
+// Defects of the surfaces are left to the checks, except that a cage may have been made for another model.
 void take_cage_warnings(Opened& opened) {
   const Document& document = *opened.document;
   append(opened.warnings, document.cage_file.warnings);
   if (!document.has_cage() || !document.cage->closed) return;
   const Outside found = outside(document.cage->surface, *document.model.surface);
   if (2 * found.count <= found.of) return;
-  opened.warnings.push_back(
-      place_of(document.cage_file) + ": " + (found.count == found.of ? "all" : "most") + " of " +
-      document.model.path.filename().string() +
-      " is outside of this cage; see that both are of the same size and at the same place");
+  opened.warnings.push_back(place_of(document.cage_file) + ": " + (found.count == found.of ? "all" : "most") +
+                            " of " + document.model.path.filename().string() +
+                            " is outside this cage; check that both have the same scale and position");
 }
 
 void take_warnings(Opened& opened) {
@@ -89,7 +87,7 @@ Opened open_model(const std::vector<fs::path>& files, base::Progress* progress, 
   take_warnings(opened);
   if (named(2).empty()) return opened;
   if (!opened.document->has_cage()) {
-    throw base::Error(named(2).string(), "a pose needs a cage and none is named", "name the cage too");
+    throw base::Error(named(2).string(), "a pose needs a cage, and none is given", "give the cage as well");
   }
   opened.document->pose = deform::read_pose(named(2), *opened.document->cage, opened.warnings);
   opened.document->also_read.push_back({named(2), the_pose});
@@ -109,14 +107,14 @@ Opened open_cage(OpenedSurface cage, const Document& current, Fins fins) {
 
 Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress, Fins fins) {
   if (!current.model.surface) {
-    throw base::Error(file.string(), "a cage needs a model and none is open", "open the model first");
+    throw base::Error(file.string(), "a cage needs a model, and none is open", "open the model first");
   }
   return open_cage(open_surface(file, progress), current, fins);
 }
 
 Opened open_pose(const fs::path& file, const Document& current) {
   if (!current.has_cage()) {
-    throw base::Error(file.string(), "a pose needs a cage and none is open", "open the cage first");
+    throw base::Error(file.string(), "a pose needs a cage, and none is open", "open the cage first");
   }
   Opened opened;
   opened.file = file;
@@ -132,14 +130,14 @@ Opened open_pose(const fs::path& file, const Document& current) {
 
 Opened of_open_cage(const fs::path& file, const Document& current) {
   if (!current.has_cage())
-    throw base::Error(file.string(), "poses need a cage and none is open", "open the cage first");
+    throw base::Error(file.string(), "poses need a cage, and none is open", "open the cage first");
   Opened opened;
   opened.file = file;
   opened.pose_of = current.cage;
   return opened;
 }
 
-// What cannot be drawn is not taken.
+// Refuses what cannot be drawn.
 void check_imported(const Opened& imported) {
   Document checked;
   checked.library.poses = imported.poses;
@@ -173,9 +171,9 @@ Opened open_animation(const fs::path& file, const Document& current, base::Progr
   return opened;
 }
 
-// Logs are taken here, where nobody waits for a frame.
-void tell_shapes(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
-                 std::span<const SharedShape> shapes, base::Progress* progress) {
+// Computes the logs here, in the background.
+void add_shape_vectors(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
+                       std::span<const SharedShape> shapes, base::Progress* progress) {
   base::WorkerPool pool;
   opened.shapes_of = model;
   opened.vectors.follow_model(model);
@@ -204,7 +202,7 @@ void take_shapes(Opened& opened, std::vector<fs::path> files, const Document& cu
 
 Opened open_shapes(const std::vector<fs::path>& files, const Document& current, base::Progress* progress) {
   if (!current.model.surface)
-    throw base::Error(files.front().string(), "a shape needs its model and none is open",
+    throw base::Error(files.front().string(), "a shape needs its model, and none is open",
                       "open the model first");
   Opened opened;
   opened.file = files.front();
@@ -213,13 +211,13 @@ Opened open_shapes(const std::vector<fs::path>& files, const Document& current, 
   std::vector<SharedShape> shapes;
   for (const NamedShape& shape : opened.shapes) shapes.push_back(shape.shape);
   if (progress) progress->section(0.3, 0.8);
-  tell_shapes(opened, current.model.surface, shapes, progress);
+  add_shape_vectors(opened, current.model.surface, shapes, progress);
   return opened;
 }
 
-// A key a shape, frame after frame.
+// One key per shape, one frame apart.
 Opened open_shape_keys(const fs::path& file, const Document& current, base::Progress* progress) {
-  const bool is_model = mesh::is_a(mesh::keeps_order, file);  // then maybe one of a sequence
+  const bool is_model = mesh::is_a(mesh::keeps_order, file);  // it may be one of a sequence
   const auto sequence = is_model ? base::NumberedName::of_file(file) : std::nullopt;
   Opened opened = open_shapes({sequence ? fs::path(sequence->pattern()) : file}, current, progress);
   const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage) : deform::Pose();
@@ -232,7 +230,7 @@ Opened open_shape_keys(const fs::path& file, const Document& current, base::Prog
   return opened;
 }
 
-// A cage that is not where it was may lie beside the model that was located.
+// A missing cage may be next to the located model.
 void locate(Session& session, const LocatedFiles& located) {
   std::error_code ignored;
   if (!located.model.empty()) {
@@ -243,10 +241,10 @@ void locate(Session& session, const LocatedFiles& located) {
   }
   if (located.cage.empty()) return;
   session.cage = fs::absolute(located.cage).lexically_normal();
-  session.made_cage.reset();
+  session.generated_cage.reset();
 }
 
-// Problems of its model or cage name the session too.
+// Errors about its model or cage name the session too.
 Document document_of_session(const Session& session, const fs::path& file, base::Progress* progress) {
   const auto open = [&](const char* key, const fs::path& named, base::Progress* told) {
     std::error_code ignored;
@@ -259,7 +257,7 @@ Document document_of_session(const Session& session, const fs::path& file, base:
     key = "cage";
     if (!session.cage.empty()) set_cage(document, open(key, session.cage, nullptr));
     key = "made_cage";
-    if (session.made_cage) set_cage(document, *session.made_cage);
+    if (session.generated_cage) set_cage(document, *session.generated_cage);
     return document;
   } catch (const SessionFileError&) {
     throw;
@@ -268,24 +266,24 @@ Document document_of_session(const Session& session, const fs::path& file, base:
   }
 }
 
-// Of a session that says nothing of the pose: what its keys make of its frame.
-void pose_by_keys(Document& document) {
+// For a session without a pose: the pose of the keys at its frame.
+void set_pose_from_keys(Document& document) {
   if (document.timeline.keys.empty()) return;
-  KnownVectors vectors;
+  VectorCache vectors;
   vectors.follow(document.cage);
   vectors.follow_model(document.model.surface);
   put_whole_pose(document, Animation(document.timeline, vectors).at(document.frame));
 }
 
-// Of a session.
-void tell_shapes(Opened& opened, const Document& document, base::Progress* progress) {
+// For a session.
+void add_shape_vectors(Opened& opened, const Document& document, base::Progress* progress) {
   std::vector<SharedShape> shapes;
   const auto add = [&](const auto& keyed) {
     if (keyed.pose->shape) shapes.push_back(keyed.pose->shape);
   };
   std::ranges::for_each(document.library.poses, add);
   if (!document.has_shapes()) return;
-  tell_shapes(opened, document.model.surface, shapes, progress);
+  add_shape_vectors(opened, document.model.surface, shapes, progress);
   if (document.timeline.keys.empty()) return;
   opened.vectors.follow(document.cage);
   (void)Animation(document.timeline, opened.vectors);
@@ -297,7 +295,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   opened.file = file;
   opened.recovered = recovered;
   opened.has_settings = true;
-  opened.content = content_of(file);  // before it is read: what changes in between is noticed
+  opened.content = content_of(file);  // before reading, so that a concurrent change is noticed
   opened.session = read_session(file);
   Session& session = *opened.session;
   locate(session, located);
@@ -309,7 +307,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   document.probes = session.probes;
   const bool has_pose = session.pose.has_value() || session.shape || !document.has_cage();
   if (document.has_cage()) {
-    fit_to_cage(session, *document.cage, file);  // what is wrong for certain comes before what may be
+    fit_to_cage(session, *document.cage, file);  // errors are reported before warnings
     if (session.pose) document.pose = std::move(*session.pose);
   }
   fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface, file.string(),
@@ -319,15 +317,15 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   if (document.library.unmixed) document.library.mixed = shared_pose(document);
   document.timeline = std::move(session.timeline);
   document.frame = session.frame;
-  tell_shapes(opened, document, progress);
-  if (!has_pose) pose_by_keys(document);
+  add_shape_vectors(opened, document, progress);
+  if (!has_pose) set_pose_from_keys(document);
   if (document.is_movable()) {
     fit_selection(session, document, file);
     document.selection = Selection(session.selecting, session.selection);
     document.groups = fit_groups(session, document, file);
     document.selection = without_hidden(document, document.selection);
   }
-  tell_what_changed(session, document, file);
+  warn_of_changes(session, document, file);
   session.pose.reset();
   opened.document = std::move(document);
   append(opened.warnings, session.warnings);
@@ -351,12 +349,12 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins
   if (current.has_cage() && s.positions.size() == current.cage->surface.positions.size() &&
       mesh::same_faces(s, current.cage->surface)) {
     Opened opened = open_pose(surface.path, current);
-    opened.taken_as = "Took " + name + " as a pose: it has the vertices and faces of the cage";
+    opened.taken_as = "Imported " + name + " as a pose: it has the cage's vertices and faces";
     return opened;
   }
   if (is_shape_of(current, s) && !same_file(surface.path, current.model.path)) {
     Opened opened = open_shapes({surface.path}, current, nullptr);
-    opened.taken_as = "Took " + name + " as a shape: it has the vertices and faces of the model";
+    opened.taken_as = "Imported " + name + " as a shape: it has the model's vertices and faces";
     return opened;
   }
   const bool cage = current.model.surface && !current.has_cage() &&
@@ -364,12 +362,12 @@ Opened open_dropped_surface(OpenedSurface surface, const Document& current, Fins
                     encloses(s, *current.model.surface);
   if (cage) {
     Opened opened = open_cage(std::move(surface), current, fins);
-    opened.taken_as = "Took " + name + " as the cage: it encloses the model";
+    opened.taken_as = "Imported " + name + " as the cage: it encloses the model";
     return opened;
   }
   Opened opened;
   opened.document = document_of(std::move(surface));
-  opened.taken_as = "Took " + name + " as a new model";
+  opened.taken_as = "Imported " + name + " as a new model";
   take_warnings(opened);
   return opened;
 }
@@ -384,14 +382,14 @@ Opened open_dropped_pair(OpenedSurface model, OpenedSurface cage, Fins fins) {
   }
   Opened opened;
   opened.taken_as =
-      "Took " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
+      "Imported " + name_of(model) + " as the model and " + name_of(cage) + " as its cage, which " + reason;
   opened.document = document_of(std::move(model));
   set_cage(*opened.document, std::move(cage), fins);
   take_warnings(opened);
   return opened;
 }
 
-// A point cache of the model and not of its cage.
+// A point cache that fits the model but not its cage.
 bool is_cache_of(const fs::path& file, const Document& current) {
   if (!current.model.surface || !mesh::point_cache_format(file)) return false;
   const std::size_t points = mesh::PointCache(file).head().points;
@@ -402,7 +400,7 @@ bool is_cache_of(const fs::path& file, const Document& current) {
 Opened open_dropped_shapes(const std::vector<fs::path>& files, const Document& current,
                            base::Progress* progress) {
   Opened opened = open_shapes(files, current, progress);
-  opened.taken_as = "Took " + base::counted(opened.shapes.size(), "shape") + " of the model";
+  opened.taken_as = "Imported " + base::counted(opened.shapes.size(), "shape") + " of the model";
   return opened;
 }
 
@@ -419,8 +417,8 @@ Opened open_dropped(const std::vector<fs::path>& files, const Document& current,
     try {
       return open_dropped_shapes(files, current, progress);
     } catch (const base::Error& error) {
-      throw base::Error(error.place(), dropped + ", and this is no shape of the model: " + error.problem(),
-                        advice);
+      throw base::Error(error.place(),
+                        dropped + ", and this one is not a shape of the model: " + error.problem(), advice);
     }
   }
   if (files.size() == 1 && mesh::point_cache_format(files[0])) {
@@ -475,12 +473,12 @@ void check(const Opened& opened, void (*check_document)(const Document&)) {
 
 SessionFileError::SessionFileError(const fs::path& session, std::string_view of, const fs::path& named)
     : base::Error(session.string() + ": " + std::string(of), named.string() + ": there is no such file",
-                  "open the session in the window, and locate the file there"),
+                  "open the session in the window and locate the file there"),
       key(of),
       file(named) {}
 
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress) {
-  if (progress) progress->section(0, 0.8);  // the rest is what is computed from it
+  if (progress) progress->section(0, 0.8);  // the rest is computing derived data
   Opened opened = read(request, current, progress);
   if (!opened.document) return opened;
   Document& document = *opened.document;

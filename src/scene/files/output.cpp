@@ -49,8 +49,8 @@ bool may_be_replaced(const fs::path& file, const mesh::Beginning& beginning, Con
 }
 
 std::string name_of(const fs::path& file, Content content) {
-  constexpr const char* names[] = {"", "a PNG picture", "measurements by Viete", "a drawing (SVG)",
-                                   "", "a session",     "a page of a report"};
+  constexpr const char* names[] = {"", "a PNG picture", "Viete measurements", "a drawing (SVG)",
+                                   "", "a session",     "a report page"};
   const std::string name = names[static_cast<std::size_t>(content)];
   if (!name.empty()) return name;
   const mesh::Format* format = mesh::find_format(file);
@@ -64,7 +64,7 @@ std::string name_of_found(const fs::path& file, const mesh::Beginning& beginning
   return std::string(mesh::name_of_content(beginning.bytes()));
 }
 
-// "dragon-2.obj", where nothing is of this name.
+// Proposes "dragon-2.obj", a free name.
 [[noreturn]] void refuse(const fs::path& file, const std::string& why, const fs::path& named, Force force) {
   const std::string name = named.stem().string() + "-2" + named.extension().string();
   const fs::path other = base::unused_name(named.parent_path() / name);
@@ -75,7 +75,7 @@ std::string name_of_found(const fs::path& file, const mesh::Beginning& beginning
 
 [[noreturn]] void refuse_in_use(const fs::path& file, const std::string& what, const fs::path& named,
                                 Force force) {
-  refuse(file, "this file is one of those that are read (" + what + "), and would be replaced", named, force);
+  refuse(file, "this is an input file (" + what + ") and would be replaced", named, force);
 }
 
 }  // namespace
@@ -117,9 +117,9 @@ void check_frames_are_new(const base::NumberedName& name, std::span<const int> f
   if (there.empty()) return;
   const std::size_t more = there.size() - 1;
   throw base::Error(there.front().string(),
-                    "this file is there already, and would be replaced" +
+                    "this file already exists and would be replaced" +
                         (more > 0 ? ", as " + base::with_thousands(more) + " more would" : std::string()),
-                    std::string("choose another name, or move them away") +
+                    std::string("choose another name, or move the files") +
                         (force == Force::offered ? ", or add --force" : ""));
 }
 
@@ -139,7 +139,7 @@ void add_surface(FilesInUse& files, const fs::path& file, const mesh::Original* 
 
 void add_document(FilesInUse& files, const Document& document, std::string_view own) {
   const auto add = [&](const OpenedSurface& surface, std::string_view what) {
-    const bool anew = own == what;  // but not what it leads to
+    const bool anew = own == what;  // the file itself may be overwritten, but not its dependencies
     add_surface(files, anew ? fs::path() : surface.path, surface.original.get(), surface.attributes.get(),
                 what);
   };

@@ -1,4 +1,4 @@
-// What a result may be written over: the one rule of window and command line.
+// Checks before files are overwritten, for the window and the command line.
 #pragma once
 
 #include <filesystem>
@@ -21,44 +21,43 @@ namespace viete::scene {
 
 struct Document;
 
-/// What is written.
+/// The kind of content to write.
 enum class Content { surface, picture, json, svg, animation, session, page };
 
-/// Whether a user may insist, and does.
+/// Whether the user may override the check, and has.
 enum class Force { none, offered, given };
 
-/// Before the work starts: throws base::Error where the file cannot be written, where it is one of those in
-/// use, or where its content is of another kind than the result. The last two not with `force`. An empty name
-/// passes, and so does an empty file. The beginning of the file tells its kind, never its name. The error
-/// names what was found and proposes another name.
+/// Call before the work starts. Throws base::Error if the file cannot be written, is one of those in use, or
+/// has content of another kind than the result; the last two can be forced. An empty name or file passes. The
+/// kind is detected from the beginning of the file, not from its name. The error describes the file found and
+/// proposes another name.
 void check_output(const std::filesystem::path& file, Content content, const FilesInUse& files, Force force);
 inline void check_output(const std::filesystem::path& file, Content content, const FilesInUse& files,
                          bool force) {
   check_output(file, content, files, force ? Force::given : Force::offered);
 }
 
-/// From the first one every so many.
+/// Every `step`-th frame from `first` to `last`.
 struct FrameSteps {
   int first = 1, last = 0, step = 1;
 };
 
-/// The same of an animation: of one file, or of a pattern and the frames that give it numbers. Nothing forces
-/// the latter over what is read, which would be gone halfway.
+/// The check for an animation: a single file, or a numbered pattern with its frames. For a pattern,
+/// overwriting an input cannot be forced, since the export would destroy it halfway.
 void check_output(const std::filesystem::path& file, const FrameSteps& frames, const FilesInUse& files,
                   Force force);
 
-/// Throws base::Error where a file of these frames is there already, unless `force` is given.
+/// Throws base::Error if a file of these frames exists, unless `force` is given.
 void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force);
 
-/// Beside the first one: a name that is neither taken nor in use; the name itself, where what is there may be
-/// replaced.
+/// A free name next to `file` that is not in use; `file` itself if it may be replaced.
 std::filesystem::path proposed_name(const std::filesystem::path& file, const FilesInUse& files);
 
-/// A surface's file and all that this leads to: material libraries, images, buffers. `what`: "the model".
+/// Adds a surface's file and its dependencies: material libraries, images, buffers. `what`: "the model".
 void add_surface(FilesInUse& files, const std::filesystem::path& file, const mesh::Original* original,
                  const mesh::Attributes* attributes, std::string_view what);
 
-/// All that a document was read from, but for the one of `own`: what it was read as.
+/// Adds all files that a document was read from, except the one described by `own`.
 void add_document(FilesInUse& files, const Document& document, std::string_view own = no_own);
 
 }  // namespace viete::scene

@@ -39,8 +39,9 @@ Points points_of(const JsonReader& json, double limit, double otherwise) {
 }
 
 // "vertex 5 is at rest instead".
-void tell_unread(const JsonReader& json, const std::vector<std::size_t>& unread, const std::string& element,
-                 const std::string& instead, std::vector<std::string>& warnings) {
+void warn_of_unread(const JsonReader& json, const std::vector<std::size_t>& unread,
+                    const std::string& element, const std::string& instead,
+                    std::vector<std::string>& warnings) {
   if (unread.empty()) return;
   const bool one = unread.size() == 1;
   const std::string others = one ? "" : " and " + std::to_string(unread.size() - 1) + " more";
@@ -80,7 +81,7 @@ int frame_of(const JsonReader& json) {
   return static_cast<int>(std::lround(frame_number(json)));
 }
 
-// As it was typed, where that gives the same weight back.
+// As typed, if that reads back as the same weight.
 double percent_of(double weight) {
   const double typed = std::round(1e8 * weight) / 1e6;
   return typed / 100 == weight ? typed : 100 * weight;
@@ -103,9 +104,9 @@ NamedPose named_pose_of(const JsonReader& json, std::span<const SharedShape> sha
                         std::vector<std::string>& warnings) {
   NamedPose named{json.at("name").text(), whole_pose_of(json, shapes, warnings)};
   if (named.name.size() > PoseLibrary::longest_name) json.at("name").fail("this name is too long");
-  take_part(json, "weight", named.weight, weight_of, "it counts as made by hand", warnings);
+  take_part(json, "weight", named.weight, weight_of, "it counts as edited directly", warnings);
   const std::size_t told = warnings.size();
-  take_part(json, "part", named.part, &JsonReader::indices, "it counts as made by hand", warnings);
+  take_part(json, "part", named.part, &JsonReader::indices, "it counts as edited directly", warnings);
   if (warnings.size() > told) named.weight = 0;
   return named;
 }
@@ -114,7 +115,7 @@ PoseKey key_of(const JsonReader& json, std::span<const SharedShape> shapes,
                std::vector<std::string>& warnings) {
   PoseKey key{frame_of(json.at("frame")), whole_pose_of(json, shapes, warnings)};
   take_part(json, "easing", key.easing, choice_of<Easing>, "smooth instead", warnings);
-  take_part(json, "mix", key.mix, mix_of, "it counts as made by hand", warnings);
+  take_part(json, "mix", key.mix, mix_of, "it counts as edited directly", warnings);
   return key;
 }
 
@@ -134,7 +135,7 @@ std::vector<CameraKey> cameras_of(const JsonReader& json, std::vector<std::strin
   return keys;
 }
 
-// By frame; of two of the same frame the first one stays.
+// Sorts by frame; of equal frames the first one is kept.
 template <class Keys>
 void put_in_order(Keys& keys) {
   const auto frame = [](const auto& key) { return key.frame; };
@@ -167,14 +168,14 @@ deform::Pose pose_of(const JsonReader& json, std::vector<std::string>& warnings)
   const JsonReader positions = json.at("positions");
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   Points points = points_of(positions, largest_coordinate, unknown);
-  tell_unread(positions, points.unread, "vertex", "at rest instead", warnings);
+  warn_of_unread(positions, points.unread, "vertex", "at rest instead", warnings);
   deform::Pose pose{std::move(points.all), {}};
   const auto turns_of = [&](const JsonReader& turns) {
     Points read = points_of(turns, largest_turn, 0);
-    tell_unread(turns, read.unread, "part", "without whole turns instead", warnings);
+    warn_of_unread(turns, read.unread, "part", "without full rotations instead", warnings);
     return std::move(read.all);
   };
-  take_part(json, "turns", pose.turns, turns_of, "no part has made a whole turn", warnings);
+  take_part(json, "turns", pose.turns, turns_of, "without full rotations", warnings);
   return pose;
 }
 
@@ -214,7 +215,7 @@ template <class T>
 SharedShape shape_of_bytes(const JsonReader& json) {
   using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
   const std::string bytes = json.base64();
-  if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("there are not three numbers for each vertex");
+  if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("its size is not three numbers for each vertex");
   std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
   for (std::size_t n = 0; n < 3 * points.size(); ++n) {
     Bits bits = 0;
@@ -344,7 +345,7 @@ PoseLibrary library_of(const JsonReader& json, std::span<const SharedShape> shap
   PoseLibrary library;
   take_items(json, PoseLibrary::most_poses, "this pose is left out", warnings, [&](const JsonReader& item) {
     NamedPose named = named_pose_of(item, shapes, warnings);
-    named.name = free_name(library, named.name);  // each name once
+    named.name = free_name(library, named.name);  // names are unique
     library.poses.push_back(std::move(named));
   });
   return library;
@@ -385,7 +386,7 @@ void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cag
         std::erase_if(all, [&](const auto& keyed) { return !fits(*keyed.pose, cage, model); });
     if (dropped > 0)
       warnings.push_back(file + ": " + key + ": " + std::to_string(dropped) + ' ' + what +
-                         (dropped == 1 ? " is" : "s are") + " of another cage or model, and dropped");
+                         (dropped == 1 ? " is" : "s are") + " of another cage or model and dropped");
     if (cage)
       for (auto& keyed : all) rest_unread(keyed.pose, *cage);
   };
@@ -398,7 +399,7 @@ void fit_poses(PoseLibrary& library, Timeline& timeline, const deform::Cage* cag
     const auto unknown = [&](auto v) { return !cage || v >= cage->surface.positions.size(); };
     if (std::ranges::none_of(named.part, unknown)) continue;
     warnings.push_back(file + ": poses: " + mesh::in_quotes(named.name) +
-                       " is mixed into vertices that the cage does not have; it counts as made by hand");
+                       " has weights for vertices that the cage does not have; it counts as edited directly");
     named.part.clear(), named.weight = 0;
   }
 }

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// PROCESS.viete or PROCESS_3.viete.
+// Parses PROCESS.viete or PROCESS_3.viete.
 std::string process_of(const fs::path& file) {
   const std::string stem = file.stem().string();
   return stem.substr(0, stem.find('_'));
@@ -24,14 +24,14 @@ constexpr const char* restored_ending = "_restored";
 // The edited parts of a session, without its view.
 Session work_of(const Session& session) {
   Session work;
-  work.model = session.model, work.cage = session.cage, work.made_cage = session.made_cage;
+  work.model = session.model, work.cage = session.cage, work.generated_cage = session.generated_cage;
   work.scheme = session.scheme, work.mask = session.mask, work.probes = session.probes;
   work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
   work.shape = session.shape, work.pose = session.pose;
   return work;
 }
 
-// The work that the session or the cage on disk holds. Requires a session, or a cage that is in a file.
+// The work stored in the session or cage on disk. Requires a session, or a cage with a file.
 Session on_disk(const Session& kept) {
   if (!kept.origin.empty()) return work_of(read_session(kept.origin));
   Session rest;
@@ -92,8 +92,8 @@ fs::path mark_restored(const fs::path& file) {
   return code ? file : marked;
 }
 
-Leftover describe_leftover(const fs::path& file) {
-  Leftover leftover{file, file.filename().string()};
+RecoveryFile describe_recovery_file(const fs::path& file) {
+  RecoveryFile leftover{file, file.filename().string()};
   leftover.restored = file.stem().string().ends_with(restored_ending);
   struct stat status {};
   if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
@@ -104,23 +104,24 @@ Leftover describe_leftover(const fs::path& file) {
     leftover.folder = of.parent_path();
     leftover.first_edit = session.first_edit;
   } catch (const std::exception&) {
-    // Its own name will do; opening it says what is wrong.
+    // Keep its own name; opening it reports the error.
   }
   return leftover;
 }
 
-std::vector<Leftover> find_leftovers(const fs::path& folder) {
-  std::vector<Leftover> all;
+std::vector<RecoveryFile> find_recovery_files(const fs::path& folder) {
+  std::vector<RecoveryFile> all;
   std::error_code code;
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
     const fs::path& file = entry->path();
-    if (is_session(file) && !base::process_runs(process_of(file))) all.push_back(describe_leftover(file));
+    if (is_session(file) && !base::process_runs(process_of(file)))
+      all.push_back(describe_recovery_file(file));
   }
   std::error_code ignored;
-  std::erase_if(all, [&](const Leftover& leftover) {
+  std::erase_if(all, [&](const RecoveryFile& leftover) {
     return equals_files(leftover.file) && fs::remove(leftover.file, ignored);
   });
-  std::sort(all.begin(), all.end(), [](const Leftover& a, const Leftover& b) {
+  std::sort(all.begin(), all.end(), [](const RecoveryFile& a, const RecoveryFile& b) {
     return a.time != b.time ? a.time > b.time : a.file < b.file;
   });
   return all;
@@ -128,7 +129,7 @@ std::vector<Leftover> find_leftovers(const fs::path& folder) {
 
 std::string when(std::time_t time, std::time_t now) {
   const std::tm then = local(time), today = local(now);
-  std::tm noon = today;  // of the day before: no change of the clock makes that another one
+  std::tm noon = today;  // noon of the previous day, robust against clock changes
   noon.tm_hour = 12, --noon.tm_mday;
   if (is_same_day(then, today)) return text("today %H:%M", then);
   if (is_same_day(then, local(std::mktime(&noon)))) return text("yesterday %H:%M", then);

@@ -1,4 +1,4 @@
-// Unsaved work that outlived its program: where it lies, and what to tell the user about it.
+// Unsaved work of ended programs: its files, and their description for the user.
 #pragma once
 
 #include <ctime>
@@ -8,32 +8,32 @@
 
 namespace viete::scene {
 
-/// A session file that a program kept because its edits were in no other file.
-struct Leftover {
+/// A recovery file: a session with edits that were in no other file.
+struct RecoveryFile {
   std::filesystem::path file;
-  std::string name;                ///< of its session or model, for people
-  std::time_t time = 0;            ///< of its last edit
-  std::filesystem::path folder{};  ///< of its session or model; empty: not known
-  std::string first_edit{};        ///< since that was saved last: "move 3 vertices"; empty: not known
+  std::string name;                ///< display name of its session or model
+  std::time_t time = 0;            ///< time of its last edit
+  std::filesystem::path folder{};  ///< folder of its session or model; empty: unknown
+  std::string first_edit{};        ///< first edit since the last save: "move 3 vertices"; empty: unknown
   bool restored = false;           ///< opened once and closed without further edits
 
-  friend bool operator==(const Leftover&, const Leftover&) = default;
+  friend bool operator==(const RecoveryFile&, const RecoveryFile&) = default;
 };
 
-/// Where the running program keeps its work: PROCESS.viete in the folder, see base::process_name().
+/// The recovery file of the running program: PROCESS.viete in the folder, see base::process_name().
 std::filesystem::path recovery_file(const std::filesystem::path& folder);
-/// Another name of this program in that folder, for work that was set aside when another file was opened.
+/// Another recovery file of this program, for work set aside when another file was opened.
 std::filesystem::path set_aside_file(const std::filesystem::path& folder);
 
-/// Renames the file of a leftover that was opened and closed without further edits. Returns the new name, or
-/// the old one if renaming fails.
+/// Renames a recovery file that was opened and closed without further edits. Returns the new name, or the old
+/// one if renaming fails.
 std::filesystem::path mark_restored(const std::filesystem::path& file);
 
-Leftover describe_leftover(const std::filesystem::path& file);
+RecoveryFile describe_recovery_file(const std::filesystem::path& file);
 
-/// Newest first; only those whose program has ended. Removes those that equal the files on disk. Empty if
-/// there is no such folder.
-std::vector<Leftover> find_leftovers(const std::filesystem::path& folder);
+/// Newest first; only those of ended programs. Deletes those that equal the files on disk. Empty if the
+/// folder does not exist.
+std::vector<RecoveryFile> find_recovery_files(const std::filesystem::path& folder);
 
 /// "today 14:32", "yesterday 14:32", "May 03, 14:32", "May 03 2024, 14:32".
 std::string when(std::time_t time, std::time_t now);

@@ -10,9 +10,9 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
-#include "mesh/surface.h"
 #include "mesh/formats/source.h"
 #include "mesh/formats/text_cursor.h"
+#include "mesh/surface.h"
 #include "mesh/triangulation.h"
 #include "scene/document/brush.h"
 #include "scene/document/cage_editing.h"
@@ -46,7 +46,7 @@ constexpr ViewFlag view_flags[] = {
     {"deformed", &ViewOptions::deformed},   {"select_visible", &ViewOptions::select_visible},
     {"same_path", &ViewOptions::same_path}};
 
-// Links in the folder are resolved, so that ".." leads where it should; the file keeps the name it was given.
+// Resolves links in the folder, so that ".." is correct; the file keeps its given name.
 fs::path resolved(const fs::path& path) {
   std::error_code code;
   const fs::path absolute = fs::absolute(path, code);
@@ -85,13 +85,12 @@ ordered_json view_json(const ViewOptions& view) {
 
 ViewOptions view_of(const JsonReader& json, std::vector<std::string>& warnings) {
   ViewOptions view;
-  (void)json.find("");  // what is no object is said once
+  (void)json.find("");  // reports a value that is not an object, once
   for (const auto& flag : view_flags) {
     take_part(json, flag.key, view.*flag.option, &JsonReader::boolean, "it stays as it is in a new window",
               warnings);
   }
-  take_part(json, "shading", view.shading, choice_of<Shading>, "the model is shown as its file says",
-            warnings);
+  take_part(json, "shading", view.shading, choice_of<Shading>, "the shading From file is used", warnings);
   bool of_errors = false;  // as sessions said it once
   take_part(json, "error_map", of_errors, &JsonReader::boolean, "no map is shown", warnings);
   if (of_errors) view.field = lab::Field::exp_error;
@@ -103,7 +102,7 @@ ordered_json side_json(const SideWay& side) {
   ordered_json json = {{"method", sym3::name(side.method)}};
   json.update(scheme_json(side.scheme));
   if (side.field != lab::Field::none) json["field"] = entry_of(side.field).word;
-  if (side.other_lines) json["other_lines"] = true;
+  if (side.other_blending) json["other_lines"] = true;
   return json;
 }
 
@@ -113,25 +112,25 @@ SideWay side_of(const JsonReader& json, std::vector<std::string>& warnings) {
   take_part(json, "method", side.method, method, "fast instead", warnings);
   side.scheme = scheme_of(json, warnings);
   take_part(json, "field", side.field, choice_of<lab::Field>, "no map is shown", warnings);
-  take_part(json, "other_lines", side.other_lines, &JsonReader::boolean, "as in the first view", warnings);
+  take_part(json, "other_lines", side.other_blending, &JsonReader::boolean, "as in the first view", warnings);
   return side;
 }
 
 std::vector<SideWay> sides_of(const JsonReader& json, std::vector<std::string>& warnings) {
-  if (json.size() > SideWays::most) json.fail("there are more than three views beside the first");
+  if (json.size() > SideWays::most) json.fail("there are more than four views");
   std::vector<SideWay> sides;
   for (std::size_t i = 0; i < json.size(); ++i) sides.push_back(side_of(json.item(i), warnings));
   return sides;
 }
 
 std::vector<CameraPose> cameras_of(const JsonReader& json, std::size_t sides) {
-  if (json.size() != sides) json.fail("there is not one of each view beside the first");
+  if (json.size() != sides) json.fail("their number differs from the number of additional views");
   std::vector<CameraPose> cameras;
   for (std::size_t i = 0; i < sides; ++i) cameras.push_back(camera_of(json.item(i)));
   return cameras;
 }
 
-// Keys are of bytes as the machine stores them: others than the common ones say nothing.
+// Content keys depend on the byte order; ignored on uncommon machines.
 constexpr bool keys_are_common = std::endian::native == std::endian::little;
 
 std::vector<std::uint32_t> selection_of(const JsonReader& json) {
@@ -154,7 +153,8 @@ std::vector<NamedSet> sets_of(const JsonReader& json) {
   for (std::size_t i = 0; i < json.size(); ++i) {
     const JsonReader set = json.item(i);
     const ElementKind kind = word_of(set.at("selecting"), kind_from_name);
-    if (kind == ElementKind::probe) set.at("selecting").fail("a set is of vertices, edges or faces");
+    if (kind == ElementKind::probe)
+      set.at("selecting").fail("a selection set contains vertices, edges or faces");
     sets.push_back({set.at("name").text(), kind, selection_of(set.at("vertices"))});
   }
   return sets;
@@ -167,26 +167,26 @@ std::vector<MaskRun> mask_of(const JsonReader& json) {
     if (read.share > mask_steps) json.item(run).fail("a share must be 0 to " + std::to_string(mask_steps));
     mask.push_back(read);
   }
-  if (json.size() % 2) json.fail("a share without the number of its vertices");
+  if (json.size() % 2) json.fail("a share lacks the number of its vertices");
   return mask;
 }
 
 glm::ivec2 window_of(const JsonReader& json) {
   const auto [width, height] = json.numbers<2>();
-  if (!is_window(width, height)) json.fail("no window has this size");
+  if (!is_window(width, height)) json.fail("this is not a valid window size");
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
 void check_version(const JsonReader& json, const fs::path& file) {
   const auto format = json.find("format");
   if (!format || format->text() != format_name) {
-    throw base::Error(file.string(), "this is not a session", "choose a file that this program has saved");
+    throw base::Error(file.string(), "this is not a session", "choose a session saved by Viete");
   }
   const auto version = json.at("version").index();
   if (version == format_version) return;
-  json.at("version").fail("the session has version " + std::to_string(version) + ", this program reads " +
-                              std::to_string(format_version),
-                          "open it with the program that saved it");
+  json.at("version").fail("the session has version " + std::to_string(version) +
+                              ", this version of Viete reads " + std::to_string(format_version),
+                          "open it with the version that saved it");
 }
 
 ordered_json mask_json(const std::vector<MaskRun>& mask) {
@@ -207,7 +207,7 @@ ordered_json sets_json(const std::vector<NamedSet>& sets) {
   return all;
 }
 
-// A cage that is in no file of its own.
+// A cage without a file.
 ordered_json cage_json(const OpenedSurface& cage) {
   const mesh::Surface& surface = *cage.surface;
   ordered_json polygons = ordered_json::array();
@@ -223,13 +223,13 @@ OpenedSurface made_cage_of(const JsonReader& json) {
   const JsonReader positions = json.at("positions"), polygons = json.at("polygons");
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const auto point = positions.point(v, largest_coordinate);
-    if (!point) positions.item(v).fail("this is no [x, y, z] of a vertex");
+    if (!point) positions.item(v).fail("this is not an [x, y, z] position");
     surface.positions.push_back(*point);
   }
   surface.polygon_starts.push_back(0);
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     const JsonReader polygon = polygons.item(p);
-    if (polygon.size() < 3) polygon.fail("a polygon has three corners or more");
+    if (polygon.size() < 3) polygon.fail("a polygon needs at least three corners");
     for (std::size_t c = 0; c < polygon.size(); ++c) {
       surface.corners.push_back(polygon.item(c).index());
       if (surface.corners.back() >= surface.positions.size())
@@ -239,7 +239,7 @@ OpenedSurface made_cage_of(const JsonReader& json) {
   }
   mesh::triangulate(surface);
   const auto name = json.find("name");
-  return made_surface(std::move(surface), name ? name->text() : "made here");
+  return generated_surface(std::move(surface), name ? name->text() : "made here");
 }
 
 }  // namespace
@@ -249,7 +249,7 @@ std::string session_text(const Session& session, const fs::path& file, bool port
   ShapeTable shapes;
   json["model"] = stored(session.model, file, portable);
   if (!session.cage.empty()) json["cage"] = stored(session.cage, file, portable);
-  if (session.made_cage) json["made_cage"] = cage_json(*session.made_cage);
+  if (session.generated_cage) json["made_cage"] = cage_json(*session.generated_cage);
   if (keys_are_common && session.model_content != 0)
     json["model_content"] = hexadecimal(session.model_content);
   if (keys_are_common && session.cage_content != 0) json["cage_content"] = hexadecimal(session.cage_content);
@@ -289,7 +289,7 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   const auto take = [&](const char* key, auto& part, auto read, const char* instead) {
     take_part(json, key, part, read, instead, s.warnings);
   };
-  const char *unknown = "whether it has changed is not known", *none = "there are none instead",
+  const char *unknown = "it is unknown whether it has changed", *none = "there are none instead",
              *new_window = "as in a new window instead";
   const auto read_path = [&](const JsonReader& v) { return resolved(folder / v.path()); };
   const auto read_method = [](const JsonReader& v) { return word_of(v, sym3::method_from_name); };
@@ -302,12 +302,12 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   const auto read_camera = [](const JsonReader& v) { return camera_of(v); };
   const auto read_view = [&](const JsonReader& v) { return view_of(v, s.warnings); };
   const auto read_hand = [&](const JsonReader& v) { return handling_of(v, s.warnings); };
-  take("session", s.origin, read_path, "saving will ask for a name");
+  take("session", s.origin, read_path, "saving asks for a name");
   take("session_content", s.origin_content, from_hexadecimal, unknown);
-  take("first_edit", s.first_edit, &JsonReader::text, "it is not known");
+  take("first_edit", s.first_edit, &JsonReader::text, "it stays unknown");
   if (keys_are_common) take("model_content", s.model_content, from_hexadecimal, unknown);
   if (keys_are_common) take("cage_content", s.cage_content, from_hexadecimal, unknown);
-  take("method", s.method, read_method, "fast instead, of diag, sd, improved_sd and fast");
+  take("method", s.method, read_method, "fast instead (choices: diag, sd, improved_sd, fast)");
   s.scheme = scheme_of(json, s.warnings);
   take("mask", s.mask, mask_of, "every vertex follows the cage instead");
   bool all_probes = false;
@@ -322,7 +322,7 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("shapes", shapes, read_shapes, none);
   take("shape", s.shape, read_shape, "the model is at rest instead");
   take("poses", s.library, read_poses, none);
-  take("unmixed", s.library.unmixed, read_pose, "it is found anew from what is mixed");
+  take("unmixed", s.library.unmixed, read_pose, "it is recomputed from the weights");
   take("time", s.timeline, read_time, "there are no keys instead");
   take("camera", s.camera, read_camera, "the whole model is shown instead");
   take("view", s.view, read_view, new_window);
@@ -339,13 +339,13 @@ void read_settings(const JsonReader& json, const fs::path& folder, Session& s) {
   take("window", s.window, window_of, "the usual size instead");
   std::optional<ElementKind> kind = ElementKind::vertex;
   const auto read_kind = [&](const JsonReader& v) {
-    kind.reset();  // of an unknown kind nothing is selected
+    kind.reset();  // an unknown kind selects nothing
     return word_of(v, kind_from_name);
   };
   take("selecting", kind, read_kind, "nothing is selected");
   if (!kind) return;
   s.selecting = *kind;
-  if (*kind == ElementKind::probe && !all_probes) return;  // others have their numbers now
+  if (*kind == ElementKind::probe && !all_probes) return;  // the indices of others have changed
   take("selection", s.selection, selection_of, "nothing is selected");
 }
 
@@ -359,13 +359,14 @@ Session read_session(const fs::path& file) {
   Session session;
   session.model = resolved(folder / json.at("model").path());
   if (const auto v = json.find("cage")) session.cage = resolved(folder / v->path());
-  if (const auto v = json.find("made_cage"); v && session.cage.empty()) session.made_cage = made_cage_of(*v);
+  if (const auto v = json.find("made_cage"); v && session.cage.empty())
+    session.generated_cage = made_cage_of(*v);
   if (const auto v = json.find("pose")) session.pose = pose_of(*v, session.warnings);
   read_settings(json, folder, session);
   return session;
 }
 
-// Elements are listed in ascending order.
+// Removes nonexistent elements from the ascending list.
 void fit_selection(Session& session, const Document& document, const fs::path& file) {
   const std::size_t count = element_count(document, session.selecting);
   if (session.selection.empty() || session.selection.back() < count) return;
@@ -402,36 +403,34 @@ CageGroups fit_groups(Session& session, const Document& document, const fs::path
   return groups;
 }
 
-void tell_what_changed(Session& session, const Document& document, const fs::path& file) {
+void warn_of_changes(Session& session, const Document& document, const fs::path& file) {
   const auto tell = [&](const char* key, std::uint64_t then, const OpenedSurface& now, const char* advice) {
     if (then == 0 || now.content == 0 || then == now.content) return;
-    session.warnings.emplace_back(
-        base::Error(file.string() + ": " + key,
-                    place_of(now) + " is another one than when the session was saved", advice)
-            .what());
+    session.warnings.emplace_back(base::Error(file.string() + ": " + key,
+                                              place_of(now) + " has changed since the session was saved",
+                                              advice)
+                                      .what());
   };
-  tell("model", session.model_content, document.model,
-       "if the result is not what you expect, bring back the older one");
-  tell(
-      "cage", session.cage_content, document.cage_file,
-      "its vertices may have another order, and the pose may not be of it: if it looks wrong, bring back the "
-      "older one");
+  tell("model", session.model_content, document.model, "if the result looks wrong, restore the older file");
+  tell("cage", session.cage_content, document.cage_file,
+       "the pose may not match it: if the result looks wrong, restore the older file");
 }
 
 void fit_to_cage(Session& session, const deform::Cage& cage, const fs::path& file) {
   if (!session.pose) return;
   const bool same = session.cage_content != 0 && session.cage_content == mesh::content_key(cage.surface);
-  const std::string advice =
-      same ? "the session is damaged: take an older copy of it"
-           : "the cage has changed since the session was saved: bring back the older one";
+  const std::string advice = same
+                                 ? "the session is damaged: use an older copy"
+                                 : "the cage has changed since the session was saved: restore the older file";
   auto& [positions, turns] = *session.pose;
   const auto& rest = cage.surface.positions;
   if (positions.size() != rest.size()) {
-    throw base::Error(file.string() + ": pose.positions",
-                      "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
-                          (session.made_cage ? place_of(*session.made_cage) : session.cage.string()) +
-                          " has " + std::to_string(rest.size()),
-                      advice);
+    throw base::Error(
+        file.string() + ": pose.positions",
+        "this is a pose of " + counted(ElementKind::vertex, positions.size()) + ", the cage " +
+            (session.generated_cage ? place_of(*session.generated_cage) : session.cage.string()) + " has " +
+            std::to_string(rest.size()),
+        advice);
   }
   if (turns.size() > cage.roots.size()) {
     throw base::Error(file.string() + ": pose.turns",
@@ -453,8 +452,7 @@ void fit_pins(Session& session, const mesh::Surface& model, const fs::path& file
   if (std::ranges::none_of(all, is_lost)) return;
   session.warnings.push_back(
       file.string() +
-      ": probes: there are pins of vertices that the model does not have; all probes are "
-      "dropped");
+      ": probes: pins refer to vertices that the model does not have; all probes are dropped");
   session.probes = {};
   if (session.selecting == ElementKind::probe) session.selection.clear();
 }

@@ -60,7 +60,7 @@ nlohmann::ordered_json handling_json(const Handling& handling) {
 
 Handling handling_of(const JsonReader& json, std::vector<std::string>& warnings) {
   Handling handling;
-  (void)json.find("");  // what is no object is said once
+  (void)json.find("");  // reports a value that is not an object, once
   take_word(json, "pivot", handling.pivot, warnings);
   take_part(json, "point", handling.point, pivot_of, "there is none instead", warnings);
   take_word(json, "axes", handling.axes, warnings);
@@ -113,7 +113,7 @@ ordered_json probe_json(const deform::Probe& probe) {
 deform::Influence influence_of(const JsonReader& json) {
   const auto falloff = [](auto name) { return deform::find_by_name(deform::all_falloffs(), name); };
   const double radius = json.at("radius").number();
-  if (!(radius > 0 && radius <= most_drawn)) json.at("radius").fail("a radius must be above 0");
+  if (!(radius > 0 && radius <= most_drawn)) json.at("radius").fail("the radius must be above 0");
   return {word_of(json.at("falloff"), falloff), radius};
 }
 
@@ -140,7 +140,8 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
   const auto mix_of = [](const JsonReader& v) {
     return word_of(v, [](auto name) { return deform::find_by_name(deform::all_probe_mixes(), name); });
   };
-  take_part(json, "mix", probes.mix, mix_of, "added instead, of added, partial, whole and softmax", warnings);
+  take_part(json, "mix", probes.mix, mix_of, "added instead (choices: added, partial, whole, softmax)",
+            warnings);
   take_items(json.at("all"), most_probes, "this probe is left out", warnings,
              [&](const JsonReader& item) { probes.all.push_back(probe_of(item)); });
   return probes;
@@ -148,7 +149,7 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
 
 namespace {
 
-// As it was typed: 29 and not 28.999999999999996.
+// As typed: 29 instead of 28.999999999999996.
 double percent(double amount) {
   return std::round(1e8 * amount) / 1e6;
 }
@@ -199,7 +200,7 @@ ordered_json scheme_json(const deform::Scheme& scheme) {
 
 namespace {
 
-// Names of a table as people list them.
+// The names of a table as a list for the user.
 template <class Entry>
 std::string names(std::span<const Entry> table) {
   std::string all;
@@ -211,7 +212,7 @@ std::string names(std::span<const Entry> table) {
 
 deform::Scheme scheme_of(const JsonReader& json, std::vector<std::string>& warnings) {
   const auto take_choice = [&](const char* key, auto& choice, auto table) {
-    const std::string instead = "what fits the others instead, of " + names(table);
+    const std::string instead = "a matching one instead, one of " + names(table);
     const auto find = [&](auto name) { return deform::find_by_name(table, name); };
     const auto read = [&](const auto& v) { return word_of(v, find); };
     take_part(json, key, choice, read, instead.c_str(), warnings);

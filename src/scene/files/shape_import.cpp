@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 void check_shape_count(const std::string& file, std::size_t count, const mesh::Surface& model) {
   if (count > Timeline::most_keys)
     throw base::Error(file,
-                      "there are " + base::counted(count, "shape") + ", and a timeline holds " +
+                      "there are " + base::counted(count, "shape") + ", and a timeline can have " +
                           base::with_thousands(Timeline::most_keys),
                       "choose fewer");
-  // Positions, and their vectors.
+  // Positions and their log vectors.
   base::require_memory({120.0 * static_cast<double>(count) * static_cast<double>(model.positions.size()) +
                             72.0 * static_cast<double>(count) * static_cast<double>(model.triangles.size()),
                         base::counted(count, "shape") + " of the model take", "choose fewer", file});
@@ -32,9 +32,9 @@ void check_shape_count(const std::string& file, std::size_t count, const mesh::S
 
 namespace {
 
-constexpr const char* advice = "choose a shape of the same model: the same vertices and faces, moved";
+constexpr const char* advice = "choose a shape of the same model (same vertices and faces)";
 
-// The corners of faces, whichever the two surfaces have in common: polygons, or what these were cut into.
+// The corners of faces in the form common to both surfaces: polygons or triangles.
 struct Faces {
   std::vector<std::uint32_t> corners, starts;
 };
@@ -59,7 +59,7 @@ std::string face_text(const Faces& faces, std::size_t face) {
   return text;
 }
 
-// Of each vertex of the model the one of the file, told by faces that stand in the same order.
+// Finds for each model vertex the file's vertex, from faces in the same order.
 class VertexOrder {
 public:
   VertexOrder(const std::string& file, const mesh::Surface& found, const mesh::Surface& model)
@@ -82,7 +82,7 @@ private:
     if (found == expected) return;
     throw base::Error(file_,
                       std::string("the number of ") + of + " is " + base::with_thousands(found) +
-                          ", and of the model it is " + base::with_thousands(expected),
+                          ", in the model it is " + base::with_thousands(expected),
                       advice);
   }
 
@@ -94,14 +94,14 @@ private:
     if (!fits) refuse(face);
   }
 
-  // That a face joins others may show at a later one.
+  // A merged face may be detected only at a later one.
   [[noreturn]] void refuse(std::size_t face) const {
     const auto same = [&](std::size_t f) { return face_text(found_, f) == face_text(model_, f); };
     if (same(face)) face = 0;
     while (same(face)) ++face;
     throw base::Error(file_,
-                      "face " + std::to_string(face) + " (from 0) joins the vertices " +
-                          face_text(found_, face) + ", and that of the model " + face_text(model_, face),
+                      "face " + std::to_string(face) + " (from 0) has the vertices " +
+                          face_text(found_, face) + ", in the model " + face_text(model_, face),
                       advice);
   }
 
@@ -111,7 +111,7 @@ private:
     return order_[of_model] == of_file;
   }
 
-  // Vertices of no face: in their order.
+  // Vertices without a face: in file order.
   void match_loose() {
     std::uint32_t next = 0;
     for (auto& v : order_) {
@@ -152,8 +152,8 @@ private:
   void add_sequence(const base::NumberedName& name) {
     const auto files = name.find();
     if (files.empty())
-      throw base::Error(name.pattern(), "there is no file of this name, with a number in the place of #",
-                        "check the name; as many # as the numbers have digits");
+      throw base::Error(name.pattern(), "no file matches this name with digits in place of #",
+                        "check the name and use one # for each digit");
     check_shape_count(name.pattern(), files.size(), model_);
     for (std::size_t i = 0; i < files.size(); ++i) {
       if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
@@ -171,7 +171,7 @@ private:
         add(files[i]);
         drop_rest();
       } catch (const base::Error& error) {
-        refused.push_back(std::string(error.what()) + "; left out");
+        refused.push_back(std::string(error.what()) + "; skipped");
       }
     }
     if (all_.shapes.size() == before)
@@ -179,11 +179,11 @@ private:
           folder.string(),
           files.empty() ? "there is no model in this folder"
                         : "none of its " + base::counted(files.size(), "model") + " is a shape of this model",
-          "choose a folder of shapes of the model: the same vertices and faces, moved");
+          "choose a folder with shapes of the model (same vertices and faces)");
     all_.warnings.insert(all_.warnings.end(), refused.begin(), refused.end());
   }
 
-  // The model itself may lie beside its shapes.
+  // The folder may contain the model itself.
   void drop_rest() {
     if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
   }
@@ -232,7 +232,7 @@ private:
       positions.push_back(found.positions[v]);
     }
     if (moved)
-      all_.warnings.push_back(name + ": its vertices stand in another order; the faces told which is which");
+      all_.warnings.push_back(name + ": its vertices are in another order; they were matched by the faces");
     return positions;
   }
 

@@ -26,7 +26,7 @@ bool selects_probes(const Document& document) {
   return document.selection.kind() == ElementKind::probe;
 }
 
-// Of the vertices that lead: which others of them hang together with each, by one of their number.
+// The connected component of each leading vertex, named by one of its vertices.
 std::vector<std::uint32_t> islands_of(const Document& document, const Vertices& vertices) {
   const deform::Cage& cage = *document.cage;
   mesh::UnionFind together(cage.surface.positions.size());
@@ -64,7 +64,7 @@ void put_pivots_of_islands(const Document& document, const Vertices& vertices, A
     anchor.pivots.push_back(vector_of(mean_of(document.pose.positions, island)));
 }
 
-// Those of the vertices that edges connect with the largest part of what stays; none if nothing does.
+// The vertices connected by edges with the largest fixed part; empty if there is none.
 Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   const std::size_t count = cage.surface.positions.size();
   std::vector<char> moves(count, 0);
@@ -75,7 +75,7 @@ Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   }
   std::vector<std::size_t> size(count, 0);
   for (std::uint32_t v = 0; v < count; ++v) ++size[together.find(v)];
-  std::vector<std::uint32_t> joined_to(count, 0);  // the largest part that a vertex borders on
+  std::vector<std::uint32_t> joined_to(count, 0);  // the largest part adjacent to a vertex
   std::size_t largest = 0;
   const auto meet = [&](std::uint32_t moving, std::uint32_t staying) {
     if (!moves[moving] || moves[staying]) return;
@@ -98,7 +98,7 @@ std::optional<glm::dvec3> center_of_active(const Document& document) {
   return vector_of(mean_of(document.pose.positions, own));
 }
 
-// X is kept in its direction as far as it goes, Z is across both.
+// X is kept as far as possible, Z is perpendicular to both.
 glm::dmat3 axes_from(const glm::dvec3& z, const glm::dvec3& near_x) {
   const glm::dvec3 across = near_x - glm::dot(near_x, z) * z;
   const double length = glm::length(across);
@@ -106,7 +106,7 @@ glm::dmat3 axes_from(const glm::dvec3& z, const glm::dvec3& near_x) {
   return {x, glm::cross(z, x), z};
 }
 
-// Its largest part points forward, so that signs do not jump while vertices move.
+// Makes its largest component positive, so that signs are stable while vertices move.
 glm::dvec3 forward(const mesh::Vec3& axis) {
   const glm::dvec3 a = glm::normalize(vector_of(axis));
   int largest = 0;
@@ -116,7 +116,7 @@ glm::dvec3 forward(const mesh::Vec3& axis) {
   return a[largest] < 0 ? -a : a;
 }
 
-// The sum of the normals, as long as twice the areas, of the faces that have all of these vertices.
+// The sum of area vectors (twice the area) of the faces whose vertices all are listed.
 glm::dvec3 normal_at(const Document& document, std::span<const std::uint32_t> vertices) {
   const mesh::Surface& cage = document.cage->surface;
   glm::dvec3 sum(0);
@@ -168,7 +168,7 @@ glm::dmat3 axes_of(const Document& document, const Handling& handling, const Mir
       if (!mirror) break;
       const glm::dvec3 x = vector_of(mirror->plane.normal);
       const glm::dvec3 up = camera.pose().up == UpAxis::z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-      const glm::dmat3 turned = axes_from(x, up);  // x is its third
+      const glm::dmat3 turned = axes_from(x, up);  // x is its third column
       return {x, turned[0], turned[1]};
     }
     case Axes::selection: {

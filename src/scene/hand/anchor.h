@@ -1,4 +1,4 @@
-// About what the selection turns and along which axes it moves: where the gizmo stands, and how.
+// The pivot of the selection and its axes: position and orientation of the gizmo.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@ namespace viete::scene {
 
 /// Lengths in the file's units.
 struct Anchor {
-  glm::dvec3 center{0, 0, 0};        ///< of the gizmo
+  glm::dvec3 center{0, 0, 0};        ///< gizmo center
   glm::dmat3 axes{1};                ///< columns of length 1, right-handed
-  std::vector<glm::dvec3> pivots{};  ///< what vertices turn about; one at least
-  /// With several pivots, by the place of a vertex among those that lead: its pivot. Empty with one.
+  std::vector<glm::dvec3> pivots{};  ///< centers of rotation and scale; at least one
+  /// With several pivots: the pivot index for each leading vertex, in their order. Otherwise empty.
   std::vector<std::uint32_t> pivot_of{};
 };
 
-/// The selected vertices that the hand moves itself, ascending: with a mirror those of one side, where their
-/// partners are selected too. It is the side of the active element, else that of more of them.
+/// The selected vertices that a drag moves directly, ascending: with a mirror and both sides selected, those
+/// of one side, that of the active element or else of the larger part.
 std::vector<std::uint32_t> leading_vertices(const Document& document, const Mirror* mirror);
 
-/// Of the pose as it is; mirror may be null. Requires a selection.
+/// In the current pose; mirror may be null. Requires a selection.
 Anchor anchor_of(const Document& document, const Handling& handling, const Mirror* mirror,
                  const Camera& camera);
 
-/// The middle of where the vertices join the largest part of the cage that is not among them; nothing where
-/// they do not.
+/// The center of the boundary between the vertices and the largest remaining part of the cage; nullopt if
+/// they are not connected.
 std::optional<glm::dvec3> joint_of(const Document& document, const std::vector<std::uint32_t>& vertices);
 
-/// Columns: their longest extents, the third one across both; nothing of less than two places.
+/// Principal axes: columns from the longest extent to the shortest; nullopt for fewer than two places.
 std::optional<glm::dmat3> axes_of_points(std::vector<mesh::Point> points);
 
 }  // namespace viete::scene

@@ -6,7 +6,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr float reach = 32, margin = 12, named_ball = 9, plain_ball = 7;  // logical pixels
+constexpr float reach = 32, margin = 12, named_ball = 9, plain_ball = 7;  // pixels
 constexpr float smallest_view = 160;
 
 }  // namespace

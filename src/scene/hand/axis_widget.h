@@ -1,4 +1,4 @@
-// The small axes at the top right of the view: a click on a ball is a standard view, a drag orbits.
+// The axis widget at the top right of the view: a click on a ball sets a standard view, a drag orbits.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace viete::scene {
 
-inline constexpr float axes_radius = 46;  ///< of the disc that takes the mouse, logical pixels
+inline constexpr float axes_radius = 46;  ///< radius of the disc that reacts to the mouse, logical pixels
 
 struct AxisBall {
   int axis;  ///< 0 x, 1 y, 2 z
@@ -18,7 +18,7 @@ struct AxisBall {
   float nearness;  ///< 1 points at the viewer, -1 away
   float radius;
 
-  StandardView view(UpAxis up) const;  ///< seen from this side
+  StandardView view(UpAxis up) const;  ///< view from this side
 };
 
 struct AxisWidget {
@@ -30,10 +30,10 @@ struct AxisWidget {
   const AxisBall* ball(const glm::vec2& cursor) const;
 };
 
-/// Nothing where the view is too small for it.
+/// Nullopt if the view is too small for it.
 std::optional<AxisWidget> axis_widget(const Camera& camera, const Viewport& viewport);
 
-/// To the side of the ball, eased; where the camera looks from there already, to the opposite side.
+/// Looks from the side of the ball, animated; if the camera is there already, from the opposite side.
 void look_from(Camera& camera, const AxisBall& ball);
 
 }  // namespace viete::scene

@@ -40,7 +40,7 @@ std::optional<std::array<glm::vec3, 2>> Projector::segment(const mesh::Point& a,
 
 namespace {
 
-constexpr double edge_on = 0.12;  // sine of the angle below which a ring or a plane is too thin to work in
+constexpr double edge_on = 0.12;  // sine of the angle below which a ring or a plane counts as edge-on
 
 }  // namespace
 
@@ -67,7 +67,7 @@ glm::dvec2 CursorProjection::motion(const glm::dvec3& d) const {
   return glm::dvec2(moved.x, -moved.y) / per_pixel_;
 }
 
-// The image of the axis is a straight line; on it, from the point, u = t |m| / (1 + t n / z), solved for t.
+// The projected axis is a straight line; on it, from the point, u = t |m| / (1 + t n / z), solved for t.
 double CursorProjection::along(const glm::dvec3& axis, const glm::dvec2& cursor) const {
   const glm::dvec2 m = motion(axis);
   const double speed = glm::length(m);

@@ -1,5 +1,5 @@
-// Between points of the scene and pixels of the window: from points of the file to pixels, and from the
-// cursor to a length along an axis, an angle about one, a place in a plane.
+// Projection between the scene and the window: points to pixels, and the cursor to a length along an axis, an
+// angle about an axis, or a point in a plane.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace viete::scene {
 
-/// Maps points of the file to logical pixels from the top left of the window.
+/// Maps points in file coordinates to logical pixels from the top left of the window.
 class Projector {
 public:
   Projector(const Space& space, const Camera& camera, const Viewport& viewport);
 
-  /// x, y in logical pixels, z the depth in front of the camera; nothing for points behind it.
+  /// x, y in logical pixels, z the depth in front of the camera; nullopt for points behind it.
   std::optional<glm::vec3> operator()(const mesh::Point& p) const;
-  /// The part of the segment that is in front of the near plane, both ends like that; nothing if none is.
+  /// The segment clipped to the near plane, both ends projected; nullopt if none is in front.
   std::optional<std::array<glm::vec3, 2>> segment(const mesh::Point& a, const mesh::Point& b) const;
 
 private:
@@ -30,8 +30,8 @@ private:
   glm::vec2 window_;
 };
 
-/// A point as the camera sees it, and cursors projected to axes and planes through it. Points, axes and
-/// lengths in view units, cursors in logical pixels.
+/// A projected point, and cursors projected to axes and planes through it. Points, axes and lengths in view
+/// units, cursors in logical pixels.
 class CursorProjection {
 public:
   CursorProjection(const glm::dvec3& point, const Camera& camera, const Viewport& viewport);
@@ -43,24 +43,23 @@ public:
   /// From the point to the eye, of length 1.
   glm::dvec3 to_eye() const { return to_eye_; }
 
-  /// How the point moves on screen, in pixels per view unit, when it sets out in this direction.
+  /// The point's screen velocity for a unit velocity in this direction, in pixels per view unit.
   glm::dvec2 motion(const glm::dvec3& direction) const;
 
-  /// Where on the axis through the point the cursor points, as a length from the point; exact in perspective
-  /// too. 0 if the axis points at the eye; towards the vanishing point no more than 20 times what an
-  /// orthographic view would give.
+  /// The position on the axis through the point that is under the cursor, as a distance from the point; exact
+  /// in perspective too. 0 if the axis points at the eye; towards the vanishing point limited to 20 times the
+  /// orthographic value.
   double along(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// The angle at which the cursor stands about the axis through the point, radians in (-pi, pi], from an
-  /// arbitrary zero. Nothing where the ring around the axis is seen edge-on.
+  /// The angle of the cursor about the axis through the point, radians in (-pi, pi], from an arbitrary zero.
+  /// Nullopt if the ring around the axis is seen edge-on.
   std::optional<double> angle(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// For a ring of this radius (pixels) that is seen edge-on: the angle by which its near side follows the
-  /// cursor's movement.
+  /// For a ring of this radius (pixels) seen edge-on: the rotation by which its near side follows the cursor.
   double edge_on_angle(const glm::dvec3& axis, const glm::dvec2& pixels, double radius) const;
 
-  /// Where the ray meets the plane through the point; nothing where it hardly does: seen edge-on, or beyond
-  /// its horizon.
+  /// The intersection of the ray with the plane through the point; nullopt if the plane is seen edge-on, or
+  /// the ray is beyond its horizon.
   std::optional<glm::dvec3> in_plane(const glm::dvec3& normal, const Ray& ray) const;
 
 private:
@@ -70,7 +69,7 @@ private:
   bool orthographic_, in_front_;
 };
 
-/// Two axes of the plane across an axis of length 1: cross(u, v) == axis.
+/// Two orthonormal axes perpendicular to a unit axis: cross(u, v) == axis.
 struct PlaneAxes {
   glm::dvec3 u, v;
 };

@@ -17,7 +17,7 @@ bool follows(const TransformDrag& drag, int axis) {
   return (c.kind == Kind::axis) == (axis == c.axis);
 }
 
-// The way of the place that was grabbed, on its ring, over so many degrees.
+// The arc of the grabbed point on its ring over so many degrees.
 std::vector<glm::vec2> swept(double degrees, const CursorProjection& projection, const glm::dvec3& center,
                              const TransformDrag& drag, const Camera& camera, const Viewport& viewport) {
   const Transform& t = drag.transform();

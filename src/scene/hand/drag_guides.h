@@ -1,4 +1,4 @@
-// What a drag shows besides its handle: the lines it follows and the angle it has swept, in logical pixels.
+// The lines and the swept angle that a drag shows besides its handle, in logical pixels.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 namespace viete::scene {
 
 struct DragGuides {
-  glm::vec2 start{0, 0};                   ///< where the centre of the selection was at the press
-  std::vector<int> axes;                   ///< along which the drag goes
-  std::vector<glm::vec2> axis_directions;  ///< theirs on screen, of length 1
-  /// The arc that the turn has swept beyond its whole turns, from the press on; with `start` it is a sector.
-  /// Empty if it is not a turn, or one that is seen edge-on.
+  glm::vec2 start{0, 0};                   ///< the selection's center at the press
+  std::vector<int> axes;                   ///< axes of the drag
+  std::vector<glm::vec2> axis_directions;  ///< their directions on screen, of length 1
+  /// The arc swept by a rotation, without whole turns, from the press; with `start` it forms a sector. Empty
+  /// for other drags and for a rotation seen edge-on.
   std::vector<glm::vec2> arc;
   int whole_turns = 0;
-  std::vector<glm::vec2> circle;  ///< the line of a whole turn, if there was one
+  std::vector<glm::vec2> circle;  ///< the full circle, after a whole turn
 };
 
 DragGuides drag_guides(const TransformDrag& drag, const Space& space, const Camera& camera,

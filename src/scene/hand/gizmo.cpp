@@ -12,17 +12,17 @@ namespace {
 
 using Kind = Constraint::Kind;
 
-constexpr float arm_begin = 16, plane_begin = 24, plane_end = 42;  // pixels from the centre along the axes
+constexpr float arm_begin = 16, plane_begin = 24, plane_end = 42;  // pixels from the center along the axes
 constexpr int ring_points = 96;
-constexpr float faintest = 0.25f;  // opacity of a handle that can still be hit
+constexpr float faintest = 0.25f;  // lowest opacity of a handle that can be hit
 
 float smooth(float low, float high, double x) {
   const float t = std::clamp((static_cast<float>(x) - low) / (high - low), 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
 }
 
-// Points at distances in pixels from the centre: small against the depth, so that lines stay straight, but
-// seen in perspective.
+// Points at pixel distances from the center: small relative to the depth, so that lines stay straight, but in
+// perspective.
 struct Layout {
   const glm::dvec3& center;
   const glm::dmat3& axes;
@@ -54,7 +54,7 @@ Gizmo::Plane plane(const Layout& layout, int axis) {
 }
 
 std::vector<Gizmo::RingPoint> ring(const Layout& layout, int axis) {
-  // One that faces the viewer has no far side to speak of.
+  // A ring that faces the viewer has no far side.
   const bool faces = std::abs(glm::dot(layout.unit(axis), layout.projection.to_eye())) > 0.94;
   std::vector<Gizmo::RingPoint> points;
   for (int i = 0; i < ring_points; ++i) {
@@ -76,7 +76,7 @@ bool inside(const std::array<glm::vec2, 4>& corners, const glm::vec2& p) {
   return positive == 0 || positive == 4;
 }
 
-// To the side of the viewer, or to the far one.
+// To the near side of the ring, or to the far side.
 float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec2& p, bool front = true) {
   float nearest = 1e9f;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -86,7 +86,7 @@ float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec
   return nearest;
 }
 
-// Of the three axes the one whose line is nearest, if it is near enough.
+// The nearest of the three axes within the tolerance.
 template <class Distance>
 std::optional<Constraint> nearest_axis(float tolerance, Distance distance) {
   float nearest = tolerance;
@@ -165,11 +165,11 @@ std::string handle_name(Tool tool, const Constraint& handle) {
   const std::string plane = letters.substr(0, handle.axis) + letters.substr(handle.axis + 1);
   const bool free = handle.kind == Kind::free;
   switch (tool) {
-    case Tool::rotate: return free ? "Rotate in the view" : "Rotate about " + axis;
+    case Tool::rotate: return free ? "Rotate in the view plane" : "Rotate about " + axis;
     case Tool::scale:
-      return free ? "Scale evenly" : "Scale along " + (handle.kind == Kind::axis ? axis : plane);
+      return free ? "Scale uniformly" : "Scale along " + (handle.kind == Kind::axis ? axis : plane);
     default:
-      return free                        ? "Move in the view"
+      return free                        ? "Move in the view plane"
              : handle.kind == Kind::axis ? "Move along " + axis
                                          : "Move in " + plane;
   }

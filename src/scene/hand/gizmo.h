@@ -1,4 +1,4 @@
-// The handles around the selection's centre: where they are on screen, and which one is under the cursor.
+// The gizmo at the selection's center: its handles on screen, and hit testing.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace viete::scene {
 
-/// Sizes in logical pixels: the same at every distance.
-inline constexpr float gizmo_radius = 84;      ///< of the rings; where the heads of the arms begin
+/// Sizes in logical pixels, independent of the distance.
+inline constexpr float gizmo_radius = 84;      ///< ring radius; also the start of the arrow heads
 inline constexpr float gizmo_head = 14;        ///< length of an arrow's head
-inline constexpr float gizmo_view_ring = 102;  ///< radius of the ring that turns about the view direction
+inline constexpr float gizmo_view_ring = 102;  ///< radius of the ring that rotates about the view direction
 inline constexpr float gizmo_center = 9;       ///< radius of the handle in the middle
-inline constexpr float gizmo_tolerance = 7;    ///< how near to a line of it the cursor must be
-inline constexpr float gizmo_reach = 14;       ///< or where nothing small is under the cursor
+inline constexpr float gizmo_tolerance = 7;    ///< maximum distance of the cursor to a line
+inline constexpr float gizmo_reach = 14;       ///< the same if nothing small is under the cursor
 
-/// What is drawn and what is hit, in logical pixels. Handles that point at the viewer fade out and cannot be
+/// The shapes to draw and to hit, in logical pixels. Handles that point at the viewer fade out and cannot be
 /// hit.
 struct Gizmo {
   struct Arm {
@@ -39,20 +39,20 @@ struct Gizmo {
   Tool tool = Tool::move;
   glm::vec2 center{0, 0};
   std::array<Arm, 3> arms;                      ///< move and scale
-  std::array<Plane, 3> planes;                  ///< move and scale; by the axis that is normal to it
+  std::array<Plane, 3> planes;                  ///< move and scale; indexed by normal axis
   std::array<std::vector<RingPoint>, 3> rings;  ///< rotate; closed, by axis
-  std::array<int, 3> far_to_near{0, 1, 2};      ///< the order in which axes are drawn
+  std::array<int, 3> far_to_near{0, 1, 2};      ///< drawing order of the axes
 };
 
-/// `center` in view units, axes as columns of length 1. Nothing for tools that have none, and where the
-/// centre is not in front of the camera.
+/// `center` in view units, axes as columns of length 1. Nullopt for tools without a gizmo, and if the center
+/// is behind the camera.
 std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
                                 const Camera& camera, const Viewport& viewport);
 
 float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
 
-/// The handle under the cursor. With `reach` also one that is farther away, and the far side of a ring: where
-/// nothing as small as a vertex is under the cursor.
+/// The handle under the cursor. `reach` uses the larger tolerance and includes the far side of rings: for
+/// places where no small element is under the cursor.
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach = false);
 
 /// "Move along X".

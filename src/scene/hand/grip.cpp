@@ -11,14 +11,14 @@ namespace viete::scene {
 
 namespace {
 
-constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr double recovered = std::numeric_limits<double>::infinity();
 
 struct Reach {
-  std::vector<double> distance;        // of each vertex
-  std::vector<std::uint32_t> nearest;  // of the selected ones
+  std::vector<double> distance;        // one per vertex
+  std::vector<std::uint32_t> nearest;  // nearest selected vertex
 };
 
-// The neighbours of each vertex over edges, one list after the other.
+// Adjacency lists of the vertices.
 struct Neighbours {
   explicit Neighbours(const deform::Cage& cage) : starts(cage.surface.positions.size() + 1) {
     for (const auto& [a, b] : cage.edges) ++starts[a + 1], ++starts[b + 1];
@@ -33,10 +33,10 @@ struct Neighbours {
   std::vector<std::uint32_t> starts, all;
 };
 
-// E. W. Dijkstra's shortest paths from all of the selected ones at once, as far as the radius.
+// E. W. Dijkstra's shortest paths from all selected vertices at once, up to the radius.
 Reach over_edges(const deform::Cage& cage, std::span<const mesh::Point> positions,
                  std::span<const std::uint32_t> selected, double radius) {
-  Reach reach{std::vector(positions.size(), nowhere), std::vector<std::uint32_t>(positions.size(), 0)};
+  Reach reach{std::vector(positions.size(), recovered), std::vector<std::uint32_t>(positions.size(), 0)};
   using Entry = std::tuple<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (std::uint32_t i = 0; i < selected.size(); ++i) {
@@ -61,7 +61,7 @@ Reach over_edges(const deform::Cage& cage, std::span<const mesh::Point> position
 }
 
 Reach through_space(std::span<const mesh::Point> positions, std::span<const std::uint32_t> selected) {
-  Reach reach{std::vector(positions.size(), nowhere), std::vector<std::uint32_t>(positions.size(), 0)};
+  Reach reach{std::vector(positions.size(), recovered), std::vector<std::uint32_t>(positions.size(), 0)};
   std::vector<std::uint32_t> place(positions.size(), 0);
   for (std::uint32_t i = 0; i < selected.size(); ++i) place[selected[i]] = i;
   const mesh::PointTree tree(positions, {selected.begin(), selected.end()});
@@ -106,7 +106,7 @@ namespace {
 
 using Side = Gripped::Side;
 
-// So much of the motion: angle, factors and way alike.
+// A fraction of the motion: angle, factors and displacement.
 Transform share_of(const Transform& t, double share) {
   if (share == 1) return t;
   Transform part = t;
@@ -126,7 +126,7 @@ std::vector<Softened> with_what_is_near(const Document& document, const SoftSele
   return all;
 }
 
-// Each vertex goes with the side from which it takes more; on the plane with both.
+// Each vertex follows the side with the larger share; on the plane both.
 std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const Mirror& mirror) {
   std::vector<Gripped> by_vertex(mirror.partners.size(), Gripped{0, 0});
   for (const Gripped& g : own) by_vertex[g.vertex] = g;
@@ -143,7 +143,7 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const Mirror& mirro
   return all;
 }
 
-// Where a point of this side goes by what moves points of its own.
+// The image of a point under the motion of its side.
 template <class Motion>
 mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, const mesh::Point& p) {
   if (side == Side::own) return motion(p);
@@ -186,7 +186,7 @@ namespace {
 mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, const mesh::Point& p) {
   const Gripped& g = grip.vertices[i];
   if (!grip.shaping.ways.empty()) return p + g.share * amount * grip.shaping.ways[i];
-  // Of a factor 1 is nothing; of an angle 0.
+  // The identity is a factor of 1 or an angle of 0.
   const double own = grip.shaping.shape == Shape::taper ? 1 + g.share * (amount - 1) : g.share * amount;
   return moved([&](const mesh::Point& at) { return shaped(grip.shaping, own, at); }, g.side, grip.plane, p);
 }

@@ -11,13 +11,13 @@ namespace viete::scene {
 
 namespace {
 
-// What is hidden stays where it is.
+// Hidden vertices stay.
 void put_visible(Document& document, std::span<const std::uint8_t> hidden, std::uint32_t v,
                  const mesh::Point& place) {
   if (v >= hidden.size() || !hidden[v]) document.pose.positions[v] = place;
 }
 
-// Begins an edit of the pose; returns the positions as they were.
+// Begins an edit of the pose; returns the previous positions.
 std::vector<mesh::Point> begin_edit(Document& document, const char* label) {
   record_edit(document, label);
   return document.changed_pose().positions;

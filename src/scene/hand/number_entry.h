@@ -1,4 +1,4 @@
-// A number as it is typed: during a drag, key by key, or as the whole text of a field.
+// Entry of a number: key by key during a drag, or as the text of a field.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,18 @@
 
 namespace viete::scene {
 
-/// What a text says, with a decimal point or comma; nothing if that is no number, or none that a double
-/// holds.
+/// Parses a number with a decimal point or comma; nullopt if it is not a number or exceeds double.
 std::optional<double> number_of(std::string_view text);
 
 class NumberEntry {
 public:
-  /// Digits, a point (or comma), and minus, which changes the sign wherever it is typed. Says whether c was
-  /// one of them.
+  /// Accepts digits, a point (or comma), and minus, which toggles the sign at any position. Returns true if c
+  /// was accepted.
   bool type(char c);
   void backspace();
 
   bool empty() const { return digits_.empty() && !negative_; }
-  /// Nothing before the first digit.
+  /// Nullopt before the first digit.
   std::optional<double> value() const;
   std::string text() const { return (negative_ ? "-" : "") + digits_; }
 

@@ -28,7 +28,7 @@ float Sight::nearness(float depth) const {
   return orthographic_ ? -depth : 1 / depth;
 }
 
-// Every place of the raster whose middle is within.
+// Every sample whose center is inside.
 void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec2 p = glm::vec2(a) / cell, u = glm::vec2(b) / cell - p, v = glm::vec2(c) / cell - p;
   const float area = u.x * v.y - u.y * v.x;
@@ -53,7 +53,7 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   }
 }
 
-// Of the places around it the deepest one counts: what stands at an edge or on a steep face is seen.
+// Uses the deepest of the neighbouring samples: points at silhouettes or on steep faces count as visible.
 bool Sight::sees(const glm::vec3& at) const {
   const glm::vec2 place = glm::floor(glm::vec2(at) / cell);
   if (!(std::abs(place.x) <= static_cast<float>(columns_) && std::abs(place.y) <= static_cast<float>(rows_)))
@@ -77,8 +77,8 @@ constexpr float tolerance = 8;  // logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 
-// Of candidates within the tolerance: the nearest, or, of those within 2 pixels of the nearest, the one in
-// front.
+// Selects among candidates within the tolerance: the nearest, or the front one of those within 2 pixels of
+// it.
 class Nearest {
 public:
   Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}
@@ -114,7 +114,7 @@ std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::P
   return nearest.best();
 }
 
-// Depth is not linear on screen in perspective, but near enough to say which of two edges is in front.
+// Interpolating depth linearly on screen is inexact in perspective, but sufficient to find the front edge.
 std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
                               std::span<const mesh::Edge> edges, const glm::vec2& cursor, const Sight* sight,
                               const Flags& hidden) {
@@ -130,7 +130,7 @@ std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Po
   return nearest.best();
 }
 
-// How far along the ray, from either side (T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle
+// The ray parameter, from either side (T. Moeller, B. Trumbore, "Fast, minimum storage ray-triangle
 // intersection", 1997).
 std::optional<double> hit(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
   const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], s = ray.origin - t[0];
@@ -143,7 +143,7 @@ std::optional<double> hit(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
 std::optional<Pick> pick_inside(const Document& document, const Camera& camera, const Ray& ray,
                                 const Flags& hidden) {
   const mesh::Surface& cage = document.cage->surface;
-  // An orthographic eye sees what is behind it, too.
+  // An orthographic view includes points behind the eye.
   const double start = camera.pose().orthographic ? -std::numeric_limits<double>::max() : 0;
   double first = std::numeric_limits<double>::max();
   std::optional<Pick> best;
@@ -194,8 +194,8 @@ std::optional<Pick> pick_element(const Document& document, const Camera& camera,
   return face ? std::optional(Pick{*face, edge->depth}) : std::nullopt;
 }
 
-// So many that a third of the places there is within the tolerance of one: eight in a circle of four times
-// its radius.
+// Dense means that a third of the area is within the tolerance of a vertex: eight vertices in a circle of
+// four times its radius.
 bool is_crowded(const Document& document, const Camera& camera, const Viewport& viewport,
                 const glm::vec2& cursor, const Sight* sight) {
   constexpr int crowd = 8;
@@ -214,7 +214,7 @@ bool is_crowded(const Document& document, const Camera& camera, const Viewport& 
 
 namespace {
 
-// inside(place on screen) says whether a vertex is.
+// inside(screen position) tests a vertex.
 template <class Inside>
 std::vector<std::uint32_t> pick_within(const Document& document, const Camera& camera,
                                        const Viewport& viewport, const Inside& inside, const Sight* sight) {
@@ -280,7 +280,7 @@ void draw_on(Lasso& lasso, const glm::vec2& to) {
   if (lasso.line.empty() || glm::distance(lasso.line.back(), to) >= step) lasso.line.push_back(to);
 }
 
-// The winding number: each side that crosses the level of the point to its right counts by its direction.
+// The winding number: sides that cross the point's horizontal to its right count with their direction.
 bool encloses(std::span<const glm::vec2> line, const glm::vec2& point) {
   int turns = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {

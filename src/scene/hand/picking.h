@@ -1,5 +1,5 @@
-// Picking: which of the cage can be seen, and which vertices, edges and faces are under the cursor, or inside
-// a rectangle, a lasso or the circle of a brush.
+// Picking: visibility, and the vertices, edges and faces under the cursor or inside a rectangle, a lasso or a
+// brush.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,20 @@
 
 namespace viete::scene {
 
-/// Depths of what hides, on a raster of two logical pixels. A place as near as the surface there, or up to
-/// half a percent of the model's diagonal behind it, is seen: the cage's own vertices are, and those a little
-/// inside.
+/// A coarse depth buffer, one sample per two logical pixels. A point counts as visible up to half a percent
+/// of the model's diagonal behind the nearest surface, so that the cage's own vertices and those slightly
+/// inside are visible.
 class Sight {
 public:
   Sight(const Camera& camera, const Viewport& viewport);
 
-  /// Corners as a Projector gives them. O(pixels covered).
+  /// Draws an occluding triangle; corners as projected by a Projector. O(pixels covered).
   void hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
-  /// Likewise, in logical pixels, with its depth.
+  /// A projected point with its depth, in logical pixels.
   bool sees(const glm::vec3& at) const;
 
 private:
-  // Grows towards the eye, and is linear on screen.
+  // Increases towards the eye; linear on screen.
   float nearness(float depth) const;
 
   bool orthographic_;
@@ -37,52 +37,51 @@ private:
   std::vector<float> nearest_;
 };
 
-/// An element of the cage, and how deep in front of the camera the place is at which the cursor met it, in
-/// view units.
+/// A picked element of the cage, and the depth of the picked point in front of the camera, in view units.
 struct Pick {
   std::uint32_t index;
   float depth;
 };
 
-/// The element of the selection's kind under the cursor, in the pose: the vertex nearest to it within 8
-/// logical pixels, of vertices within 2 pixels of the nearest the one in front; edges likewise, by their
-/// nearest point; of faces the one in front, and outside of all the face at the nearest edge as close. The
-/// mesh hides nothing: a cage is edited from outside and from behind; unless `sight` says what is seen.
-/// Nothing if there is no cage.
+/// The element of the selection's kind under the cursor, in the pose. Vertices: the nearest within 8 logical
+/// pixels; among those within 2 pixels of the nearest, the front one. Edges: likewise, by their nearest
+/// point. Faces: the front one; outside of all faces, the one at the nearest edge within that distance.
+/// Hidden elements can be picked, as a cage is edited from both sides, unless `sight` is given. Nullopt
+/// without a cage.
 std::optional<Pick> pick_element(const Document& document, const Camera& camera, const Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight = nullptr);
-/// True if so many vertices of the cage are around the cursor that a hand hardly finds a place between them.
+/// True if cage vertices around the cursor are too dense to click between them.
 bool is_crowded(const Document& document, const Camera& camera, const Viewport& viewport,
                 const glm::vec2& cursor, const Sight* sight = nullptr);
 
-/// The elements of the selection's kind that lie with all their vertices inside the rectangle, ascending;
-/// with `sight` those whose middle is seen.
+/// The elements of the selection's kind with all vertices inside the rectangle, ascending; with `sight` only
+/// those with a visible center.
 std::vector<std::uint32_t> pick_elements_in_box(const Document& document, const Camera& camera,
                                                 const Viewport& viewport, const glm::vec2& corner,
                                                 const glm::vec2& opposite, const Sight* sight = nullptr);
-/// Likewise inside the closed line.
+/// As above, inside the closed polyline.
 std::vector<std::uint32_t> pick_elements_in_lasso(const Document& document, const Camera& camera,
                                                   const Viewport& viewport, std::span<const glm::vec2> line,
                                                   const Sight* sight = nullptr);
-/// Those whose middle is within the circle, and the one under its centre.
+/// The elements with their center in the circle, and the one under its center.
 std::vector<std::uint32_t> pick_elements_in_circle(const Document& document, const Camera& camera,
                                                    const Viewport& viewport, const glm::vec2& center,
                                                    float radius, const Sight* sight = nullptr);
 
 enum class SelectShape { box, lasso, brush };
 
-/// The circle of the brush follows the cursor.
+/// The brush is a circle at the cursor.
 inline constexpr float least_select_radius = 4, largest_select_radius = 400;  ///< logical pixels
 
-/// In logical pixels; closed from its end to its start.
+/// In logical pixels; closed from end to start.
 struct Lasso {
   std::vector<glm::vec2> line;
   SelectMode mode;
 };
 
-/// Takes the next place of the cursor, where it is far enough from the last one to be seen.
+/// Appends the cursor position if it is visibly far from the last one.
 void draw_on(Lasso& lasso, const glm::vec2& to);
-/// True if the closed line goes round the point, however it crosses itself.
+/// True if the closed polyline winds around the point; it may intersect itself.
 bool encloses(std::span<const glm::vec2> line, const glm::vec2& point);
 
 }  // namespace viete::scene

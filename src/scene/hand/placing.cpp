@@ -20,9 +20,9 @@ namespace viete::scene {
 namespace {
 
 constexpr double turn_rounding = 1e-6;  // relative
-constexpr double largest_step = 30;     // degrees in which branches are followed safely
+constexpr double largest_step = 30;     // degrees; branches can be followed reliably
 
-// A transform on its way from the pose before it.
+// A transform between the pose before it and its target.
 struct Motion {
   Document& document;
   const deform::Pose& before;
@@ -34,7 +34,7 @@ struct Motion {
     apply(transform, grip, before.positions, document.changed_pose().positions);
   }
 
-  // Turns in small steps; the pose's turns go along.
+  // Rotates in small steps and updates the pose's turns.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
     deform::CageState cage(document.cage, deform::Elements::face, deform::Blend::srl);
@@ -45,7 +45,7 @@ struct Motion {
     }
   }
 
-  // Each whole turn adds the same as the first: following one of them is enough.
+  // Each whole turn adds the same amount: one is followed, the others are multiples.
   void follow_whole(double from, int count) {
     if (count == 0) return;
     auto& turns = document.pose.turns;
@@ -58,7 +58,7 @@ struct Motion {
   }
 };
 
-// Of each part of the cage the axis that it is turned about, in one piece; 0 of others.
+// The rotation axis of each part of the cage that rotates rigidly; 0 for others.
 std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip, const glm::dvec3& axis) {
   const mesh::Vec3 own{axis.x, axis.y, axis.z}, other = -1.0 * reflected_direction(grip.plane, own), none{};
   std::vector<mesh::Vec3> of_vertex(cage.surface.positions.size()), of_part(cage.roots.size());
@@ -78,7 +78,7 @@ std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip
   return of_part;
 }
 
-// The part of a rotation that is about an axis of length 1, from minus to plus half a turn.
+// The part of a rotation about a unit axis, from minus to plus half a turn.
 double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
   const double half = mesh::norm(rotation) / 2;
   return half == 0 ? 0
@@ -91,7 +91,7 @@ std::vector<mesh::Vec3> least_turns(const Document& document, const std::vector<
   return state.report().turns;
 }
 
-// Whole turns that the part had about this axis; nothing if they were about another one.
+// Whole turns of the part about this axis; nullopt if they were about another axis.
 std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn, const mesh::Vec3& least) {
   constexpr double same_axis = 1e-6;
   const double count = deform::whole_turns(turn, least), along = mesh::dot(turn, axis);
@@ -147,8 +147,9 @@ bool place(Document& document, const DocumentState& snapshot, const Grip& grip, 
   return false;
 }
 
-// A whole turn about another axis takes the place of those before: there is one axis a part.
-void keep_whole_turns(Document& document, const DocumentState& before, const Grip& grip, const Transform& t) {
+// A whole turn about another axis replaces earlier ones: each part has one axis.
+void count_whole_turns(Document& document, const DocumentState& before, const Grip& grip,
+                       const Transform& t) {
   if (t.degrees == 0 || !document.has_cage() || grip.shaping.shape != Shape::none) return;
   const auto axes = axes_of_parts(*document.cage, grip, t.axis);
   if (std::ranges::all_of(axes, [](const mesh::Vec3& axis) { return axis == mesh::Vec3{}; })) return;
@@ -175,7 +176,7 @@ bool transform_selection(Document& document, Tool tool, const Grip& grip, const 
   Transform bounded = transform;
   bounded.degrees = std::clamp(transform.degrees, -most_degrees, most_degrees);
   if (!place(document, before, grip, bounded, 0)) return false;
-  keep_whole_turns(document, before, grip, bounded);
+  count_whole_turns(document, before, grip, bounded);
   if (moved_since(document, before) || transform.degrees != 0)
     document.history.record(edit_label(tool, document.selection), before);
   return true;

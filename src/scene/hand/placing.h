@@ -1,4 +1,4 @@
-// What is in the hand goes where a transform takes it, branches and whole turns followed.
+// Applies a transform to the grip, keeping branches and whole turns continuous.
 #pragma once
 
 #include <string>
@@ -9,29 +9,28 @@
 
 namespace viete::scene {
 
-/// Puts the vertices of the grip where the transform takes them from their place in `before`, about the
-/// grip's pivots. If the turn differs from `degrees_seen`, the transform that the document shows, by more
-/// than a mouse can turn in a frame, it is followed in small steps, so that the pose's whole turns are what a
-/// slow turn would have made them. |degrees| is at most most_degrees. False, and the pose is as it was
-/// before, if a vertex or the turns would leave their range (scene/document/range.h). Selected probes go
-/// along instead where they are what is selected.
+/// Transforms the vertices of the grip from their positions in `before`, about the grip's pivots. If the
+/// rotation differs from `degrees_seen`, the one currently shown, by more than a mouse moves per frame, it is
+/// applied in small steps, so that the pose's whole turns equal those of a slow rotation. |degrees| is at
+/// most most_degrees. Returns false, without a change, if a vertex or the turns would leave their range
+/// (scene/document/range.h). If probes are selected, transforms those instead.
 bool place(Document& document, const DocumentState& before, const Grip& grip, const Transform& transform,
            double degrees_seen);
 
-/// After a turn has come to its end, from `before`: parts of the cage that turned as a whole have the whole
-/// turns that they have made about its axis, in any pose, also where the logs of their elements cannot tell.
-void keep_whole_turns(Document& document, const DocumentState& before, const Grip& grip,
-                      const Transform& transform);
+/// Call after a finished rotation from `before`: parts of the cage that were rotated rigidly get their whole
+/// turns about the axis, in any pose, even if the logs of their elements cannot resolve them.
+void count_whole_turns(Document& document, const DocumentState& before, const Grip& grip,
+                       const Transform& transform);
 
-/// The whole edit at once, one entry of the history; nothing is recorded if nothing moves. Requires
-/// a selection. False if it would leave the range of a pose: then nothing moves.
+/// The complete edit, one history entry; nothing is recorded if nothing moves. Requires a selection. Returns
+/// false, without a change, if it would leave the range of a pose.
 bool transform_selection(Document& document, Tool tool, const Grip& grip, const Transform& transform);
 
 /// "rotate 3 faces".
 std::string edit_label(Tool tool, const Selection& selection);
 
-/// Puts the probes that were selected in `before` where the transform takes them from where they were then.
-/// False, and they are as they were, if one would leave its range.
+/// Transforms the probes selected in `before` from their places then. Returns false, without a change, if one
+/// would leave its range.
 bool place_probes(Document& document, const DocumentState& before, const Transform& transform);
 
 }  // namespace viete::scene

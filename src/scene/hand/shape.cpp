@@ -16,7 +16,7 @@ glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
   return c * v + s * glm::cross(axis, v) + (1 - c) * glm::dot(axis, v) * axis;
 }
 
-// sin(k s) / k and (1 - cos(k s)) / k, for small k too.
+// sin(k s) / k and (1 - cos(k s)) / k, accurate for small k.
 std::array<double, 2> arc(double k, double s) {
   const double angle = k * s;
   if (std::abs(angle) < 1e-4) return {s * (1 - angle * angle / 6), s * angle / 2};

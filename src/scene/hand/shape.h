@@ -1,4 +1,4 @@
-// Ways of shaping what is between two ends: numbers, and what they make of a point.
+// Shaping between two ends: its parameters, and its effect on a point.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,7 +13,7 @@ enum class Shape { none, bend, twist, taper, push, smooth, relax, flatten };
 
 /// "bend".
 std::string_view name(Shape shape);
-/// True if the amount is an angle in degrees; else a factor or share, or, of push, a length in the file's
+/// True if the amount is an angle in degrees; otherwise it is a factor, or for push a length in the file's
 /// units.
 constexpr bool is_angle(Shape shape) {
   return shape == Shape::bend || shape == Shape::twist;
@@ -21,13 +21,14 @@ constexpr bool is_angle(Shape shape) {
 
 struct Shaping {
   Shape shape = Shape::none;
-  /// From the end that stays to the one that goes; in between the amount grows evenly. File units.
+  /// From the fixed end to the moving end; the amount grows linearly between them. File units.
   glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
-  glm::dvec3 hinge{0, 0, 1};     ///< about which it bends; of length 1, across the way
-  std::vector<mesh::Vec3> ways;  ///< of each vertex of the grip, by an amount of 1; of what has no ends
+  glm::dvec3 hinge{0, 0, 1};  ///< bending axis; of length 1, perpendicular to from-to
+  std::vector<mesh::Vec3>
+      ways;  ///< displacement of each grip vertex for an amount of 1; of shapes without ends
 };
 
-/// A point between the ends, at this amount.
+/// The image of a point between the ends, for this amount.
 mesh::Point shaped(const Shaping& shaping, double amount, const mesh::Point& p);
 
 }  // namespace viete::scene

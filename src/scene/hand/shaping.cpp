@@ -13,7 +13,7 @@ namespace viete::scene {
 
 namespace {
 
-// The mean of the farthest fifth of what moves.
+// The mean of the farthest fifth of the moving vertices.
 glm::dvec3 far_end(const Document& document, const Grip& grip, const glm::dvec3& from) {
   std::vector<std::pair<double, glm::dvec3>> places;
   for (const Gripped& g : grip.vertices) {
@@ -56,7 +56,7 @@ void put_ends(const Document& document, const Grip& grip, bool at_median, const 
   shaping.hinge = hinge.value_or(plane_axes(glm::normalize(way)).u);
 }
 
-// To the mean of the neighbours.
+// Displacements to the mean of the neighbours.
 std::vector<mesh::Vec3> smoothing_ways(const Document& document, const Grip& grip) {
   const auto& positions = document.pose.positions;
   std::vector<mesh::Point> sums(positions.size(), {0, 0, 0});
@@ -80,7 +80,7 @@ std::vector<mesh::Vec3> relaxing_ways(const Document& document, const Grip& grip
   return ways;
 }
 
-// Normals, each the sum of its triangles' by area.
+// Vertex normals, area-weighted.
 std::vector<mesh::Vec3> pushing_ways(const Document& document, const Grip& grip) {
   const auto& positions = document.pose.positions;
   std::vector<mesh::Vec3> normals(positions.size(), {0, 0, 0});
@@ -96,7 +96,7 @@ std::vector<mesh::Vec3> pushing_ways(const Document& document, const Grip& grip)
   return ways;
 }
 
-// To the plane that fits what leads best; the other side to its image.
+// Displacements to the best fitting plane of the leading vertices; the other side uses its mirror image.
 std::vector<mesh::Vec3> flattening_ways(const Document& document, const Grip& grip) {
   std::vector<mesh::Point> leading;
   for (const Gripped& g : grip.vertices) {

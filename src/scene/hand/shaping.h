@@ -1,5 +1,5 @@
-// Bending, twisting and tapering what is selected between two ends, and pushing, smoothing, relaxing and
-// flattening it: one amount, by which each vertex goes its own way.
+// Bending, twisting and tapering the selection between two ends; pushing, smoothing, relaxing and flattening
+// it. A single amount controls all vertices.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,13 +15,13 @@ namespace viete::scene {
 
 class Camera;
 struct Document;
-/// Of the pose as it is. The end that stays is the pivot, unless that is the median: then the joint with the
-/// rest. The other one is the active element, or else the far end of the selection. It bends in the plane of
-/// the view. Nothing to be done, Shape::none, where both ends are one.
+/// In the current pose. The fixed end is the pivot or, for a median pivot, the joint with the rest of the
+/// cage. The moving end is the active element, or else the far end of the selection. Bends in the view plane.
+/// Returns Shape::none if both ends coincide.
 Shaping shaping_of(const Document& document, Shape shape, const Grip& grip, bool at_median,
                    const Camera& camera);
 
-/// Across the way, as near to this direction as can be, of length 1; nothing where that is along the way.
+/// The axis nearest to this direction that is perpendicular to from-to, of length 1; nullopt if parallel.
 std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction);
 
 }  // namespace viete::scene

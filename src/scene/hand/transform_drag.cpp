@@ -16,16 +16,16 @@ namespace {
 
 using Kind = Constraint::Kind;
 
-constexpr double held_back = 0.9;          // of each movement while slow
+constexpr double slow_lag = 0.9;           // fraction of each movement in slow mode
 constexpr double turn_snap = 15;           // degrees
-constexpr double scale_snaps = 10;         // for a factor of 1
-constexpr double move_snaps = 10;          // for the grid's cell
+constexpr double scale_snaps = 10;         // per unit of the factor
+constexpr double move_snaps = 10;          // per grid cell
 constexpr double even_scale_pixels = 120;  // to the right or up for a factor of 2
-constexpr double shortest_grip = 40;       // pixels: nearer to the pivot, scaling would be too quick
+constexpr double shortest_grip = 40;       // pixels: closer to the pivot, scaling would be too sensitive
 constexpr double shape_pixels_per_degree = 2, whole_share_pixels = 200;
 constexpr double degrees_of_radian = 57.29577951308232;
 
-// A decimal step as so many to the unit gives the same bits as the number when it is typed.
+// Dividing by an integer gives the same bits as typing the decimal number.
 double snapped(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
 }
@@ -37,7 +37,7 @@ std::string print(const char* format, double value) {
   return zero && text[0] == '-' ? text + 1 : text;
 }
 
-// Digits enough for a hundredth of the grid's cell.
+// Enough digits for a hundredth of the grid cell.
 std::string length_text(double value, double cell) {
   const double decimals = 2 - std::floor(std::log10(cell));
   if (!(decimals >= 0 && decimals <= 9)) return print("%.3g", value);
@@ -89,19 +89,19 @@ bool TransformDrag::type(char c) {
   if (axis && grip_.shaping.shape == Shape::bend) return bend_about(lower - 'x'), true;
   if (!axis || grip_.shaping.shape != Shape::none) return entry_.type(c);
   const Constraint wanted{c == lower ? Kind::axis : Kind::plane, lower - 'x'};
-  // A turn in a plane is a turn about the plane's normal.
+  // Rotating in a plane means about its normal.
   const Constraint fitting = tool_ == Tool::rotate ? Constraint{Kind::axis, wanted.axis} : wanted;
   constrain(fitting == constraint_ ? Constraint{} : fitting);
   return true;
 }
 
-// The mouse is then read anew from the press on.
+// The mouse movement is then evaluated again from the press.
 void TransformDrag::constrain(const Constraint& constraint) {
   constraint_ = constraint;
   turned_ = turn_lag_ = 0;
 }
 
-// The same again: in the plane of the view.
+// The same axis again: bend in the view plane.
 void TransformDrag::bend_about(int axis) {
   const Constraint wanted{Kind::axis, axis};
   const bool again = wanted == constraint_;
@@ -117,7 +117,7 @@ glm::dvec3 TransformDrag::direction() const {
   return grip_.anchor.axes[constraint_.axis];
 }
 
-// Each part along the axes by itself.
+// Each component along the axes separately.
 glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
   const double per_unit = move_snaps / grid_cell(space_.diagonal());
   glm::dvec3 parts = glm::transpose(grip_.anchor.axes) * shift;
@@ -125,7 +125,7 @@ glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
   return grip_.anchor.axes * parts;
 }
 
-// To the right is more.
+// Moving right increases the amount.
 double TransformDrag::amount_by_way(double pixels, const CursorProjection& projection) const {
   switch (grip_.shaping.shape) {
     case Shape::bend:
@@ -150,7 +150,7 @@ Transform TransformDrag::shaped_by(double amount, bool snap) const {
 
 Transform TransformDrag::measured(const DragInput& input, const Camera& camera, const Viewport& viewport) {
   const glm::dvec2 cursor(input.cursor);
-  if (input.slow) lag_ += held_back * (cursor - cursor_);
+  if (input.slow) lag_ += slow_lag * (cursor - cursor_);
   const glm::dvec2 slowed = cursor - lag_;
   const CursorProjection projection(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera,
                                     viewport);
@@ -191,7 +191,7 @@ glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const Camera& 
   return moved / space_.scale;
 }
 
-// The cursor's angle is known up to whole turns: of all that it can mean, the one nearest to the last.
+// The cursor's angle is ambiguous by whole turns: takes the value nearest to the last one.
 double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjection& projection) {
   const auto now = projection.angle(direction(), input.cursor), then = projection.angle(direction(), press_);
   double turned = 0;
@@ -201,12 +201,12 @@ double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjecti
   } else {
     turned = projection.edge_on_angle(direction(), glm::dvec2(input.cursor) - press_, gizmo_radius);
   }
-  if (input.slow) turn_lag_ += held_back * (turned - turned_);
+  if (input.slow) turn_lag_ += slow_lag * (turned - turned_);
   turned_ = turned;
   return turned_ - turn_lag_;
 }
 
-// Along the axis on screen, or away from the pivot in a plane; evenly: to the right and up.
+// Along the axis on screen, or away from the pivot in a plane; uniform: to the right and up.
 glm::dvec3 TransformDrag::scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const {
   if (constraint_.kind == Kind::free) {
     const glm::dvec2 moved = cursor - press_;
@@ -229,13 +229,13 @@ glm::dvec3 TransformDrag::factors(double value) const {
   return factors;
 }
 
-// Without an axis a number is how far to go in the direction in which the mouse has pulled.
+// Without an axis a number is a distance in the direction of the mouse movement.
 Transform TransformDrag::typed(double value) const {
   Transform t = still();
   if (is_angle(grip_.shaping.shape)) {
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
   } else if (grip_.shaping.shape != Shape::none) {
-    t.amount = said_in_percent() ? value / 100 : value;
+    t.amount = is_percent() ? value / 100 : value;
   } else if (tool_ == Tool::rotate) {
     t.axis = direction();
     t.degrees = std::clamp(value, -most_degrees, most_degrees);
@@ -255,12 +255,12 @@ void TransformDrag::soften(Document& document, const SoftSelection& soft, const 
   grip_.vertices = gripped(document, soft, mirror, grip_.anchor);
   vertices_ = vertices_of(grip_);
   ++softened_;
-  transform_.degrees = 0;  // what is seen is as at the press, and turns are followed from there
+  transform_.degrees = 0;  // restart at the pose of the press, so that turns are followed from there
 }
 
 void TransformDrag::commit(Document& document) const {
   if (!in_range_ || (!moved_since(document, before_) && transform_.degrees == 0)) return;
-  keep_whole_turns(document, before_, grip_, transform_);
+  count_whole_turns(document, before_, grip_, transform_);
   document.history.record(label(), before_);
 }
 
@@ -279,14 +279,14 @@ void TransformDrag::cancel(Document& document) const {
 }
 
 // Shares of smoothing, relaxing and flattening.
-bool TransformDrag::said_in_percent() const {
+bool TransformDrag::is_percent() const {
   const Shape shape = grip_.shaping.shape;
   return shape == Shape::smooth || shape == Shape::relax || shape == Shape::flatten;
 }
 
 std::string TransformDrag::shaped_amount() const {
   if (is_angle(grip_.shaping.shape)) return print("%.1f", transform_.degrees) + "\u00b0";
-  if (said_in_percent()) return print("%.0f %%", 100 * transform_.amount);
+  if (is_percent()) return print("%.0f %%", 100 * transform_.amount);
   if (grip_.shaping.shape == Shape::taper) return print("%.2f", transform_.amount);
   return length_text(transform_.amount, grid_cell(space_.diagonal()));
 }
@@ -309,7 +309,7 @@ std::string TransformDrag::amounts() const {
   return text;
 }
 
-// "X ", "XZ " of a plane; nothing where the drag is free.
+// "X ", "XZ " for a plane; empty without a constraint.
 std::string TransformDrag::axis_names() const {
   std::string names;
   for (int i = 0; i < 3; ++i) {
@@ -325,7 +325,8 @@ std::string TransformDrag::readout() const {
     std::string word(name(grip_.shaping.shape));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
     const std::string refused =
-        along_way_ ? std::string("   ") + static_cast<char>('X' + *along_way_) + " is along it" : "";
+        along_way_ ? std::string("   ") + static_cast<char>('X' + *along_way_) + " is the direction of motion"
+                   : "";
     return word + ' ' + axis_names() + (entry_.empty() ? shaped_amount() : entry_.text() + '_') + refused +
            beyond;
   }

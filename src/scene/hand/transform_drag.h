@@ -1,5 +1,5 @@
-// Moving, rotating or scaling the selection by the mouse and by typed numbers, from press to release or to
-// "as it was".
+// Moving, rotating or scaling the selection with the mouse and typed numbers, from press to release or
+// cancel.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -17,51 +17,51 @@
 
 namespace viete::scene {
 
-/// The cursor of one frame of a drag.
+/// The cursor in one frame of a drag.
 struct DragInput {
   glm::vec2 cursor;   ///< logical pixels
-  bool snap = false;  ///< to 15 degrees, a tenth of scale, a tenth of the grid's cell
+  bool snap = false;  ///< to 15 degrees, 0.1 of scale, a tenth of the grid cell
   bool slow = false;  ///< a tenth of the speed
 };
 
-/// One drag. Each update places the selection anew from where it was at the press, so that nothing
-/// accumulates. Turns are counted: going round the pivot twice is 720 degrees. A typed number replaces what
-/// the mouse says until it is deleted.
+/// One drag. Each update recomputes the selection from its positions at the press, so errors do not
+/// accumulate. Rotations count turns: circling the pivot twice is 720 degrees. A typed number overrides the
+/// mouse until it is deleted.
 class TransformDrag {
 public:
-  /// The grip is what moves, along its axes; `depth` (view units) is that of the point which a free move
-  /// keeps under the cursor. Requires a selection.
+  /// Moves the vertices of the grip along its axes; a free move keeps the point at `depth` (view units) under
+  /// the cursor. Requires a selection.
   TransformDrag(const Document& document, Grip grip, Tool tool, Constraint constraint, double depth,
                 const glm::vec2& cursor, const Camera& camera);
 
   void update(Document& document, const DragInput& input, const Camera& camera, const Viewport& viewport);
 
-  /// x y z: along or about that axis, the same again: freely as at first; capital: in the plane across it.
-  /// Of the shapes only a bend has such an axis: about it, as far as that is across the way. Digits, point
-  /// and minus: the amount. Says whether the character meant something; the next update shows it.
+  /// x y z: constrain to that axis; again: release; capital: constrain to the plane perpendicular to it.
+  /// Among the shapes only bend uses an axis: its component perpendicular to from-to. Digits, point and
+  /// minus: the amount. Returns true if the character was used; the next update shows it.
   bool type(char c);
   void backspace() { entry_.backspace(); }
 
-  /// Other shares of what is near the selection; the next update moves it so.
+  /// Changes the soft selection; the next update uses it.
   void soften(Document& document, const SoftSelection& soft, const Mirror* mirror);
-  /// How often that was asked for: vertices() may be others since.
+  /// The number of calls of soften(): vertices() may change with each.
   int softened() const { return softened_; }
 
-  /// Ends the drag as one entry of the history; nothing is recorded if nothing moved.
+  /// Ends the drag as one history entry; records nothing if nothing moved.
   void commit(Document& document) const;
-  /// Ends it with exactly the pose of the press.
+  /// Ends it and restores exactly the pose at the press.
   void cancel(Document& document) const;
 
   Tool tool() const { return tool_; }
-  /// Of the cage: those that it moves, and no others.
+  /// The cage vertices that it moves.
   std::span<const std::uint32_t> vertices() const { return vertices_; }
   const Grip& grip() const { return grip_; }
   const Constraint& constraint() const { return constraint_; }
-  /// What the selection has gone through so far.
+  /// The selection's current transform.
   const Transform& transform() const { return transform_; }
   glm::vec2 press() const { return press_; }
-  /// The amount as people read it: "X 0.125", "Z 405.0\u00b0", "1.20"; what is being typed ends with an
-  /// underscore. What would leave the range of a pose, and so moves nothing, is said to.
+  /// The amount as a text: "X 0.125", "Z 405.0\u00b0", "1.20"; a number being typed ends with an underscore.
+  /// Notes if the amount exceeds the range of a pose, in which case nothing moves.
   std::string readout() const;
 
 private:
@@ -78,7 +78,7 @@ private:
   Transform still() const;
   Transform shaped_by(double amount, bool snap) const;
   double amount_by_way(double pixels, const CursorProjection& projection) const;
-  bool said_in_percent() const;
+  bool is_percent() const;
   std::string shaped_amount() const;
   std::string label() const;
   std::string amounts() const;
@@ -90,16 +90,16 @@ private:
   Space space_;
   Tool tool_;
   Constraint constraint_;
-  glm::dvec3 view_hinge_;         // of a bend in the plane of the view
-  std::optional<int> along_way_;  // the axis that was asked for last, if nothing bends about it
+  glm::dvec3 view_hinge_;         // axis of a bend in the view plane
+  std::optional<int> along_way_;  // the last requested axis, if it is parallel to from-to
   glm::dvec3 pivot_, view_axis_;  // file units; towards the eye at the press
   double depth_;
-  glm::dvec2 press_, cursor_, lag_{0, 0};  // lag: what slow movement has held back
-  double turned_ = 0, turn_lag_ = 0;       // radians that the cursor has gone round since the press
-  glm::dvec3 pulled_{0, 0, 0};             // the move that the mouse alone would make
+  glm::dvec2 press_, cursor_, lag_{0, 0};  // lag: distance withheld by slow movement
+  double turned_ = 0, turn_lag_ = 0;       // angle of the cursor around the pivot since the press, radians
+  glm::dvec3 pulled_{0, 0, 0};             // unconstrained displacement of the mouse
   NumberEntry entry_;
   Transform transform_;
-  bool in_range_ = true;  // of the last update
+  bool in_range_ = true;  // the last update stayed in range
   int softened_ = 0;
 };
 

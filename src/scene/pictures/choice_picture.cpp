@@ -49,7 +49,7 @@ void add(ChoicePicture& picture, Shapes shapes) {
   std::ranges::move(shapes, std::back_inserter(picture.shapes));
 }
 
-// Weights: a fork of which the end of one prong is held.
+// Weights example: a fork whose prong is posed at the end.
 
 constexpr double held_from = 6.7, between_prongs = 2;
 
@@ -65,7 +65,7 @@ bool held(const Point& p) {
   return p[0] > held_from && p[1] > between_prongs;
 }
 
-// Of each vertex, of all that is held together.
+// The total weight of the posed part at each vertex.
 std::vector<float> held_weights(const Example& e, const deform::Weighting& weighting) {
   base::WorkerPool alone(1);
   const deform::Binding binding = deform::bind(e.model, *e.cage, weighting, alone);
@@ -93,7 +93,7 @@ std::vector<PictureShape> weighed_model(const PictureView& view, const mesh::Sur
   return shapes;
 }
 
-// Blend: a bar between two grips.
+// Blend example: a bar between two posed ends.
 
 constexpr double grip = 1.9, twist = 150 * degree, arch = 55 * degree, growth = 1.8;
 
@@ -119,12 +119,11 @@ ChoicePicture choice_picture(deform::Weights weights) {
   const Example e = fork();
   const auto& at = e.cage->surface.positions;
   const PictureView view({}, {at, choice_picture_size, 8});
-  ChoicePicture picture{
-      {}, "How much each place follows the marked end of the cage: yellow all of it, blue none."};
+  ChoicePicture picture{{}, "Influence of the marked end of the cage: yellow full, blue none."};
   add(picture, weighed_model(view, e.model, held_weights(e, scheme_with(weights).weighting)));
   add(picture, cage_lines(view, *e.cage, at, Ink::cage));
   for (const std::size_t p : facing(view, e.cage->surface, at)) {
-    const std::size_t half = 2 * p;  // one of the triangles of the quad
+    const std::size_t half = 2 * p;  // one triangle of the quad
     if (held(e.cage->centers[half])) picture.shapes.push_back(outline(view, e.cage->surface, p, at));
   }
   return picture;
@@ -134,11 +133,11 @@ namespace {
 
 ChoicePicture bar_picture(const deform::Scheme& scheme) {
   const Example e = twisted_bar();
-  // Some blends rise above the cage.
+  // Some blends extend beyond the cage.
   std::vector<Point> room = e.pose.positions;
   room.push_back({0, 2 * grip / arch + 1.6, 0});
   const PictureView view({-20, 18}, {room, choice_picture_size, 8});
-  ChoicePicture picture{{}, "A bar between two grips: one is twisted against the other, and larger."};
+  ChoicePicture picture{{}, "A bar between two handles: one is twisted and larger."};
   add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::behind));
   add(picture, lit_model(view, e.model, deformed(e, scheme)));
   add(picture, cage_lines(view, *e.cage, e.pose.positions, Ink::cage));
@@ -197,7 +196,7 @@ private:
     }
   }
 
-  // Counter-clockwise from outside: along the next axis first where that looks along this one.
+  // Counter-clockwise from outside: starts along the next axis if that order faces outward.
   void add_quad(const Cell& cell, int axis, int side) {
     constexpr std::array<std::array<int, 2>, 4> around{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     for (int i = 0; i < 4; ++i) {
@@ -237,7 +236,7 @@ mesh::Surface lattice_surface(const Lattice& lattice) {
 std::vector<double> even(double low, double high, int steps) {
   std::vector<double> places;
   for (int i = 0; i < steps; ++i) places.push_back(low + (high - low) * i / steps);
-  places.push_back(high);  // without rounding
+  places.push_back(high);  // exact
   return places;
 }
 

@@ -1,4 +1,4 @@
-// A small picture of what an entry of a chooser does, made by the deformer itself.
+// A small preview of a chooser's entry, computed by the deformer itself.
 #pragma once
 
 #include <functional>
@@ -19,23 +19,22 @@ namespace viete::scene {
 inline constexpr glm::vec2 choice_picture_size{264, 132};
 
 struct ChoicePicture {
-  std::vector<PictureShape> shapes;  ///< in the order in which they are drawn
-  std::string_view caption;          ///< what is to be seen
+  std::vector<PictureShape> shapes;  ///< in drawing order
+  std::string_view caption;          ///< description of the picture
 
   friend bool operator==(const ChoicePicture&, const ChoicePicture&) = default;
 };
 
-/// What else there is to choose is as default_scheme() has it, where that goes together. The same bits each
-/// time. Takes some milliseconds.
+/// Other settings are those of default_scheme(), if compatible. Deterministic. Takes some milliseconds.
 ///
-/// Ways: what becomes of a bar between two ends that are turned against each other, and of which one grows.
+/// Way: a bar between two ends that are rotated against each other, one of which is enlarged.
 ChoicePicture choice_picture(deform::Way way);
-/// How much each place of a fork follows the end of one prong.
+/// The influence of one prong's end on a fork.
 ChoicePicture choice_picture(deform::Weights weights);
-/// The same bar as of ways.
+/// The same bar as for ways.
 ChoicePicture choice_picture(deform::Blend blend);
 
-/// Each is made when it is first asked for, and kept.
+/// Creates each picture on first use and caches it.
 class ChoicePictures {
 public:
   template <class Choice>
@@ -51,7 +50,7 @@ private:
     try {
       return choice_picture(choice);
     } catch (const base::Error&) {
-      return {{}, "There is no memory for a picture."};
+      return {{}, "Not enough memory for a picture."};
     }
   }
 
@@ -60,20 +59,20 @@ private:
       kept_;
 };
 
-/// Where a lattice is cut, along each axis, ascending: two places or more.
+/// Grid planes along each axis, ascending; at least two per axis.
 struct Lattice {
   std::vector<double> x, y, z;
 };
 
-/// True for a cell that is filled, by its place along each axis.
+/// True for a filled cell, by its index along each axis.
 using Filled = std::function<bool(int x, int y, int z)>;
 
-/// What encloses the cells that are filled: quads, outward, corners shared.
+/// The boundary of the filled cells: quads, facing outward, with shared corners.
 mesh::Surface lattice_surface(const Lattice& lattice, const Filled& filled);
-/// All of them are.
+/// With all cells filled.
 mesh::Surface lattice_surface(const Lattice& lattice);
 
-/// So many equal steps from low to high: steps + 1 places.
+/// Equally spaced values from low to high: steps + 1 of them.
 std::vector<double> even(double low, double high, int steps);
 
 }  // namespace viete::scene

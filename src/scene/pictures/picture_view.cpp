@@ -13,7 +13,7 @@ using mesh::Point, mesh::Vec3;
 
 using Corners = std::span<const std::uint32_t>;
 
-constexpr Vec3 to_light{-0.42, 0.68, 0.6};  // of length 1
+constexpr Vec3 to_light{-0.42, 0.68, 0.6};  // unit vector
 constexpr double shade = 0.62, span_of_light = 0.38;
 
 sym3::Mat3<double> turn_of(const PictureAngles& angles) {
@@ -27,7 +27,7 @@ Corners corners_of(const mesh::Surface& surface, std::size_t polygon) {
   return Corners(surface.corners).subspan(first, end - first);
 }
 
-// As long as twice its area.
+// The area vector: twice the area long.
 Vec3 normal_of(const PictureView& view, Corners corners, std::span<const Point> at) {
   Vec3 sum{0, 0, 0};
   for (std::size_t i = 2; i < corners.size(); ++i) {

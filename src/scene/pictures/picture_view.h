@@ -1,4 +1,4 @@
-// A small scene as flat shapes: who draws them needs no depth.
+// A small scene as flat shapes, sorted so that it can be drawn without a depth buffer.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,45 +11,45 @@
 
 namespace viete::scene {
 
-/// What a shape shows, by which it has its colour.
+/// The content of a shape, which determines its colour.
 enum class Ink {
-  model,   ///< an area of it; its tone says how light
-  lit,     ///< the same without a line around it
-  weight,  ///< an area of it; tones are weights, 0 to 1
-  behind,  ///< a line of the cage that the model may hide
-  cage,    ///< a line of the cage before the model
-  marked   ///< a line around a polygon
+  model,   ///< a face of the model; tone: brightness
+  lit,     ///< the same without an outline
+  weight,  ///< a face of the model; tones: weights, 0 to 1
+  behind,  ///< a cage line that the model may cover
+  cage,    ///< a cage line in front of the model
+  marked   ///< an outline of a polygon
 };
 
-/// An area is convex and clockwise on screen; a line goes from each point to the next one.
+/// An area is convex and clockwise on screen; a line connects consecutive points.
 struct PictureShape {
   Ink ink;
   std::vector<glm::vec2> points{};  ///< logical pixels, y down
-  std::vector<float> tones{};       ///< one for a part of the model, one a point for weights
+  std::vector<float> tones{};       ///< one for a face of the model, one per point for weights
   std::vector<mesh::Triangle>
-      triangles{};  ///< of points, of a part of the model that is no fan about the last one
+      triangles{};  ///< triangulation by point index, if a fan about the last point does not work
 
   friend bool operator==(const PictureShape&, const PictureShape&) = default;
 };
 
-/// Degrees that a scene is turned by to be seen: about what points up, then about what points right.
+/// View rotation in degrees: about the up axis, then about the right axis.
 struct PictureAngles {
   double yaw = 0, pitch = 0;
 };
 
-/// Looks along -z, without perspective.
+/// An orthographic view along -z.
 class PictureView {
 public:
-  /// Some points, and where they end in the picture.
+  /// Points that the view is fitted to.
   struct Frame {
     std::span<const mesh::Point> points;
-    glm::vec2 size;  ///< of the picture
-    float margin;    ///< around the points
+    glm::vec2 size;  ///< picture size
+    float margin;    ///< empty border around the points
   };
   PictureView(const PictureAngles& angles, const Frame& frame);
 
   glm::vec2 at(const mesh::Point& p) const;
-  /// The way to the right, up, and to whoever looks.
+  /// Coordinates in the view: right, up, towards the viewer.
   mesh::Vec3 seen(const mesh::Point& p) const;
 
 private:
@@ -59,23 +59,23 @@ private:
   double scale_ = 1;
 };
 
-/// How light a face with that normal, as it is seen, is.
+/// The brightness of a face with this normal in view coordinates.
 float lightness(const mesh::Vec3& normal);
 
-/// The polygons that face the viewer, the farthest first.
+/// Front-facing polygons, farthest first.
 std::vector<std::size_t> facing(const PictureView& view, const mesh::Surface& surface,
                                 std::span<const mesh::Point> at);
-/// One of them as an area.
+/// One polygon as an area.
 PictureShape area(const PictureView& view, Ink ink, const mesh::Surface& surface, std::size_t polygon,
                   std::span<const mesh::Point> at);
-/// The same as a line around it.
+/// One polygon as an outline.
 PictureShape outline(const PictureView& view, const mesh::Surface& surface, std::size_t polygon,
                      std::span<const mesh::Point> at);
 
-/// All of the model that faces the viewer, lit.
+/// All front-facing polygons of the model, lit.
 std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
                                     std::span<const mesh::Point> at);
-/// The edges of the faces that face the viewer (Ink::cage), or the others (Ink::behind).
+/// The edges of front-facing polygons (Ink::cage), or the others (Ink::behind).
 std::vector<PictureShape> cage_lines(const PictureView& view, const deform::Cage& cage,
                                      std::span<const mesh::Point> at, Ink ink);
 

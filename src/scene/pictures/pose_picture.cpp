@@ -8,7 +8,7 @@ namespace viete::scene {
 
 namespace {
 
-constexpr std::size_t most_faces = 3000;  // more would be neither legible nor quick
+constexpr std::size_t most_faces = 3000;  // beyond this, illegible and slow
 
 }  // namespace
 
@@ -46,7 +46,7 @@ namespace {
 
 constexpr int pixels_per_point = 2, shades = 7;
 
-// What of a triangle faces the viewer, nearest first, as shades.
+// Depth-tested shading of front-facing triangles.
 class Raster {
 public:
   explicit Raster(glm::vec2 size)
@@ -55,7 +55,7 @@ public:
         depth_(static_cast<std::size_t>(width_ * height_), -std::numeric_limits<double>::infinity()),
         tones_(depth_.size(), 0.0f) {}
 
-  // Corners with x and y in pixels, z to the viewer. What is smaller than a pixel still takes one.
+  // Corners: x and y in pixels, z towards the viewer. Tiny triangles cover at least one pixel.
   void add(const std::array<mesh::Vec3, 3>& t, float tone) {
     const auto [low_x, high_x] = std::minmax({t[0][0], t[1][0], t[2][0]});
     const auto [low_y, high_y] = std::minmax({t[0][1], t[1][1], t[2][1]});
@@ -107,7 +107,7 @@ private:
 
   int width_, height_;
   std::vector<double> depth_;
-  std::vector<float> tones_;  // 0: nothing is there
+  std::vector<float> tones_;  // 0: empty
 };
 
 }  // namespace
@@ -136,7 +136,7 @@ std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<co
       const glm::vec2 on = static_cast<float>(pixels_per_point) * view.at(at[v]);
       return mesh::Vec3{on.x, on.y, z};
     };
-    // Models that are open are seen from behind too.
+    // Open models show back faces too.
     const float light = lightness(normal[2] < 0 ? -1.0 * normal : normal);
     raster.add({placed(a, p[2]), placed(b, q[2]), placed(c, r[2])}, std::round(shades * light) / shades);
   }

@@ -1,4 +1,4 @@
-// Small pictures of poses: the model's shape in each of them, or else the cage.
+// Thumbnails of poses: the model's shape if the pose has one, otherwise the cage.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,15 +16,15 @@ namespace viete::scene {
 /// Logical pixels.
 inline constexpr glm::vec2 pose_picture_size{56, 42};
 
-/// All on one scale, so that they can be compared: that of the cage at rest, or of the pose where it is
-/// larger. Empty for a cage of very many faces.
+/// All at the same scale for comparison: that of the cage at rest, or of the pose if it is larger. Empty for
+/// a cage with very many faces.
 std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::Pose& pose, UpAxis up);
 
-/// Each is made when it is first asked for, and kept as long as the pose is in use elsewhere.
+/// Creates each picture on first use and caches it as long as the pose is in use elsewhere.
 class PosePictures {
 public:
   const std::vector<PictureShape>& of(const Document& document, const SharedPose& pose, UpAxis up);
-  /// Forgets those of poses that are gone.
+  /// Removes pictures of poses that no longer exist.
   void tidy();
 
 private:
@@ -38,11 +38,11 @@ private:
   std::map<const WholePose*, Picture> pictures_;
 };
 
-/// On the scale of the model at rest, or of the shape where it is larger. Empty where it has no triangles.
+/// At the scale of the model at rest, or of the shape if it is larger. Empty without triangles.
 std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<const mesh::Point> shape,
                                         UpAxis up, glm::vec2 size);
 
-/// As it stands in the view.
+/// Rotated to the view's orientation.
 std::vector<mesh::Point> upright(std::span<const mesh::Point> points, UpAxis up);
 
 }  // namespace viete::scene

@@ -7,7 +7,7 @@ namespace viete::scene {
 
 namespace {
 
-// With some of what is around: a lone edge of a fine mesh says nothing about where it is.
+// Frames some surroundings too: a single edge of a fine mesh gives no orientation.
 FoundKind kind_of(const Finding& finding) {
   return {finding.defect, finding.subject};
 }
@@ -16,7 +16,7 @@ void show_badge(CheckState& checks) {
   checks.badge.reset();
   for (const Finding& finding : checks.findings) {
     const FoundKind kind = kind_of(finding);
-    if (!matters(finding) || std::ranges::find(checks.put_away, kind) != checks.put_away.end()) continue;
+    if (!matters(finding) || std::ranges::find(checks.dismissed, kind) != checks.dismissed.end()) continue;
     checks.badge = {kind, title(finding), finding.turned};
     return;
   }
@@ -24,7 +24,7 @@ void show_badge(CheckState& checks) {
 
 }  // namespace
 
-// The badge stays until it is known that there is nothing to say.
+// The badge stays until the checks find that it no longer applies.
 void forget_findings(CheckState& checks) {
   const auto badge = checks.badge;
   take_findings(checks, {});
@@ -39,9 +39,9 @@ void take_findings(CheckState& checks, std::vector<Finding> findings) {
   show_badge(checks);
 }
 
-void put_badge_away(CheckState& checks) {
+void dismiss_badge(CheckState& checks) {
   if (!checks.badge) return;
-  checks.put_away.push_back(checks.badge->kind);
+  checks.dismissed.push_back(checks.badge->kind);
   show_badge(checks);
 }
 

@@ -1,4 +1,4 @@
-// What the checks have found, and which finding is shown.
+// The results of the checks, and the finding shown in the view.
 #pragma once
 
 #include <cstddef>
@@ -12,58 +12,58 @@
 
 namespace viete::scene {
 
-/// One kind of defect, whose elements may be looked for anew.
+/// One kind of defect; identifies a finding across repeated checks.
 struct FoundKind {
   Defect defect;
   Subject subject;
   friend bool operator==(const FoundKind&, const FoundKind&) = default;
 };
 
-/// What stands in the view of the findings, also while they are looked for anew: the first that matters.
+/// The badge in the view: the first finding that matters, kept while the checks run again.
 struct CheckBadge {
   FoundKind kind;
   std::string title;
-  bool turned = false;  ///< as Finding has it
+  bool turned = false;  ///< see Finding::turned
 };
 
-/// What the checks have found about the open document, and what of it is shown.
+/// The findings about the open document, and the one shown.
 struct CheckState {
   bool running = false;
   double done = 0;  ///< in [0, 1]
   std::vector<Finding> findings;
-  std::optional<std::size_t> shown;    ///< a finding, highlighted in the view
-  std::optional<std::size_t> element;  ///< one element of it; nothing: all
-  bool fresh = false;                  ///< the findings have not been on screen yet
+  std::optional<std::size_t> shown;    ///< a finding highlighted in the view
+  std::optional<std::size_t> element;  ///< a single element of it; nullopt: all
+  bool fresh = false;                  ///< the findings have not been displayed yet
   std::optional<CheckBadge> badge;
-  std::vector<FoundKind> put_away;  ///< of which no badge is wanted for this model and cage
+  std::vector<FoundKind> dismissed;  ///< dismissed badges for this model and cage
 
   void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
     shown = finding, element = one, ++revision_;
   }
-  /// Grows with each change of findings or of what is shown.
+  /// Increases when the findings or the shown one change.
   unsigned long revision() const { return revision_; }
 
 private:
   unsigned long revision_ = 0;
 };
 
-/// Nothing is known any more, as when the cage is another one.
+/// Clears the findings, for example after a change of the cage.
 void forget_findings(CheckState& checks);
 
-/// Of what the badge speaks, no other one does until another model or cage is opened.
-void put_badge_away(CheckState& checks);
-/// The command that helps against it; empty: to see where it is, by toggle_finding().
+/// Dismisses the badge; its kind of defect gets no badge until another model or cage is opened.
+void dismiss_badge(CheckState& checks);
+/// The command that fixes it; empty: toggle_finding() shows it.
 std::string_view remedy(const CheckBadge& badge);
-/// The finding of that kind, if there is one.
+/// The index of the finding of that kind; nullopt: none.
 std::optional<std::size_t> find_finding(const CheckState& checks, const FoundKind& kind);
 
-/// The one about vertices of the model outside of its cage, if there is one.
+/// The finding about model vertices outside the cage; nullopt: none.
 std::optional<std::size_t> outside_finding(const CheckState& checks);
 
-/// New findings, nothing shown.
+/// Replaces the findings; none is shown.
 void take_findings(CheckState& checks, std::vector<Finding> findings);
 
-/// The elements that are shown, as numbers of the finding's elements: at most so many, evenly spread.
+/// Indices of the shown elements within the finding: at most `most`, evenly spread.
 std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most);
 
 }  // namespace viete::scene

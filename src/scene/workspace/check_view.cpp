@@ -12,7 +12,7 @@ const mesh::Surface& surface_of(const Document& document, const Finding& finding
 }
 
 void widen(std::vector<glm::vec3>& points) {
-  constexpr float least = 0.12F;  // of a model of size 2
+  constexpr float least = 0.12F;  // for a model of size 2
   glm::vec3 low = points[0], high = points[0];
   for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
   const glm::vec3 middle = 0.5F * (low + high);

@@ -1,4 +1,4 @@
-// Which finding of the checks is shown in the view, and stepping through its elements.
+// Showing a finding of the checks in the view, and stepping through its elements.
 #pragma once
 
 #include <span>
@@ -7,14 +7,14 @@
 
 namespace viete::scene {
 
-/// Highlights a finding and asks the program to frame it; the one that is shown is hidden again.
+/// Highlights a finding and requests the camera to frame it; hides it if it is shown already.
 void toggle_finding(Workspace& workspace, std::size_t index);
 
-/// The next (1) or previous (-1) element of the finding that is shown, alone; round and round.
+/// Shows only the next (1) or previous (-1) element of the shown finding; wraps around.
 void step_element(Workspace& workspace, int step);
 
-/// Moves the camera to what is shown. `positions` are those of the finding's surface as it is seen now, in
-/// the file's units.
+/// Frames the shown elements. `positions`: the displayed positions of the finding's surface, in the file's
+/// units.
 void frame_finding(Workspace& workspace, std::span<const mesh::Point> positions);
 
 }  // namespace viete::scene

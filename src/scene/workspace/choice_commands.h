@@ -1,4 +1,4 @@
-// Commands that choose one of several: their names, and rows of them.
+// Commands that select one of several values: their names and table rows.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace viete::scene {
 
-/// What the names of these commands begin with.
+/// The prefix of the command names.
 template <class Value>
 inline constexpr const char* choice_prefix = nullptr;
 template <>
@@ -43,7 +43,7 @@ inline constexpr const char* choice_prefix<lab::Field> = "map_";
 template <>
 inline constexpr const char* choice_prefix<KeyPreset> = "keys_";
 
-/// "way_paper", "pivot_median": of the command that chooses it.
+/// "way_paper", "pivot_median": the name of the command that selects the value.
 template <class Value>
 std::string choice_command_name(Value value) {
   std::string name = choice_prefix<Value>;
@@ -56,7 +56,7 @@ std::string choice_command_name(Value value) {
   return name;
 }
 
-/// A row for each value, which `choose` takes.
+/// Adds a row for each value; the command calls `choose` with it.
 template <class Value>
 void add_choices(CommandTable& table, std::string_view headline, const Condition& enabled,
                  void (*choose)(Workspace&, Value)) {

@@ -1,4 +1,4 @@
-// A command: what a user can do by name. The table of all is made in commands.cpp.
+// A command: a user action with a name. commands.cpp assembles the table of all commands.
 #pragma once
 
 #include <concepts>
@@ -14,15 +14,14 @@ namespace viete::scene {
 
 struct Workspace;
 
-/// When a command can run, and what to do first where it cannot.
+/// When a command can run, and the advice if it cannot.
 struct Condition {
   bool (*holds)(const Workspace&);
   std::string_view otherwise;
   bool operator()(const Workspace& workspace) const { return holds(workspace); }
 };
 
-/// What a command is called: words that are understood by themselves, and fewer where a headline says the
-/// rest.
+/// The name of a command: complete, and shorter for use under a headline.
 struct Label {
   Label(const char* words) : words(words), brief(words) {}
   Label(std::string words, std::string under_headline)
@@ -31,17 +30,17 @@ struct Label {
   std::string words, brief;
 };
 
-/// What a command does.
+/// The action of a command.
 struct Effect {
   template <std::invocable<Workspace&> Run>
   Effect(Run run) : run(std::move(run)) {}
-  /// Of one that switches something, which says whether that is on.
+  /// For a toggle; is_on returns its state.
   Effect(std::function<void(Workspace&)> run, std::function<bool(const Workspace&)> is_on)
       : run(std::move(run)), is_on(std::move(is_on)) {}
 
   std::function<void(Workspace&)> run;
   std::function<bool(const Workspace&)> is_on{};
-  bool passing = false;  ///< it answers something that comes and goes (Cancel, Later): shown while it can run
+  bool passing = false;  ///< visible only while it can run (Cancel, Later)
 };
 
 inline Effect passing(Effect effect) {
@@ -55,17 +54,17 @@ struct Command : Effect {
   std::string brief;  ///< "Front", under "Look from"
   std::string hint;   ///< one sentence: what it does
   Condition enabled;
-  std::string_view group{};  ///< heading in the help
+  std::string_view group{};  ///< heading in the command reference
   Shortcut shortcut{}, alternative{};
-  std::string_view submenu{};                          ///< where commands of one choice share one
-  std::string (*subject)(const Workspace&) = nullptr;  ///< what it acts on now: "Rotate" of "Undo"
+  std::string_view submenu{};                          ///< shared submenu of the values of one choice
+  std::string (*subject)(const Workspace&) = nullptr;  ///< its current object: "Rotate" in "Undo Rotate"
 
-  /// "Undo Rotate", or `called` instead of the label.
+  /// "Undo Rotate"; `called` replaces the label.
   std::string label_now(const Workspace& workspace, std::string_view called) const;
   std::string label_now(const Workspace& workspace) const { return label_now(workspace, label); }
   bool on(const Workspace& workspace) const { return is_on && is_on(workspace); }
 
-  // What a row of a table says besides.
+  // Optional fields, set with chained calls in a table row.
   Command& or_by(Shortcut other) {
     alternative = other;
     return *this;
@@ -80,10 +79,10 @@ struct Command : Effect {
   }
 };
 
-/// In the order of the help.
+/// In the order of the command reference.
 std::span<const Command> commands();
 
-/// nullptr if there is none of that name.
+/// nullptr if there is no command of that name.
 const Command* find_command(std::string_view name);
 
 }  // namespace viete::scene

@@ -1,4 +1,4 @@
-// When commands can run, and what is said where they cannot; and switches of the view.
+// Conditions of commands with the advice if they are not met; toggles of the view.
 #pragma once
 
 #include "scene/document/cage_editing.h"
@@ -10,25 +10,24 @@
 
 namespace viete::scene {
 
-// What is dragged, painted or brushed is one edit, which others must not come between.
-inline bool in_hand(const Workspace& w) {
+// A drag, a stroke or a brush is one edit, which other edits must not interrupt.
+inline bool is_dragging(const Workspace& w) {
   const auto& time = w.time_view.drag;
   return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
          (time && time->what == TimeView::What::keys);
 }
-inline constexpr Condition hand_is_free{[](const Workspace& w) { return !in_hand(w); },
-                                        "Finish what you are dragging first."};
+inline constexpr Condition no_drag_runs{[](const Workspace& w) { return !is_dragging(w); },
+                                        "Finish the current drag first."};
 template <const Condition& C>
-inline constexpr Condition with_free_hand{[](const Workspace& w) { return C(w) && !in_hand(w); },
-                                          C.otherwise};
+inline constexpr Condition without_drag{[](const Workspace& w) { return C(w) && !is_dragging(w); },
+                                        C.otherwise};
 
 inline constexpr Condition always{[](const Workspace&) { return true; }, ""};
-inline constexpr Condition uses_method{
-    [](const Workspace& w) { return w.document.scheme.exponential(); },
-    "This way of blending takes no exponential; choose the blend Log space first."};
+inline constexpr Condition uses_method{[](const Workspace& w) { return w.document.scheme.exponential(); },
+                                       "This blend uses no exponential; choose the blend Log space first."};
 inline constexpr Condition has_maps{
     [](const Workspace& w) { return w.document.scheme.has_maps(); },
-    "These elements only move: there are no maps that triangles could follow."};
+    "Not available for this deformer: its cage vertices only move and give no maps to follow."};
 inline constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
                                      "Open a model first."};
 inline constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); },
@@ -37,15 +36,15 @@ inline constexpr Condition is_movable{[](const Workspace& w) { return w.document
                                       "Open a cage, add a probe or import shapes first."};
 inline constexpr Condition has_elements{
     [](const Workspace& w) { return element_count(w.document, w.document.selection.kind()) > 0; },
-    "There is nothing of the kind to select: open a cage, or add a probe."};
-inline constexpr Condition has_probe_room{[](const Workspace& w) {
-                                            return has_model(w) &&
-                                                   w.document.probes.all.size() < most_probes && !in_hand(w);
-                                          },
-                                          "Open a model first; there can be 256 probes."};
+    "Nothing to select: open a cage or add a probe first."};
+inline constexpr Condition has_probe_room{
+    [](const Workspace& w) {
+      return has_model(w) && w.document.probes.all.size() < most_probes && !is_dragging(w);
+    },
+    "Open a model first. At most 256 probes are possible."};
 inline constexpr Condition has_probes_selected{[](const Workspace& w) {
                                                  return w.document.selection.kind() == ElementKind::probe &&
-                                                        !w.document.selection.empty() && !in_hand(w);
+                                                        !w.document.selection.empty() && !is_dragging(w);
                                                },
                                                "Select a probe first."};
 inline constexpr Condition has_pins_selected{
@@ -56,10 +55,10 @@ inline constexpr Condition has_pins_selected{
     },
     "Select a pin first."};
 inline constexpr Condition has_free_probes_selected{
-    [](const Workspace& w) { return has_free_probes(w.document) && !in_hand(w); },
-    "Select a probe that is not locked first."};
+    [](const Workspace& w) { return has_free_probes(w.document) && !is_dragging(w); },
+    "Select an unlocked probe first."};
 inline constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
-                                    "Nothing is painted: all of the model follows the cage."};
+                                    "Nothing is painted: the whole model follows the cage."};
 inline constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
                                          "Nothing is selected."};
 inline constexpr Condition has_selection_or_hover{
@@ -67,71 +66,73 @@ inline constexpr Condition has_selection_or_hover{
       return has_cage(w) && w.document.selection.kind() != ElementKind::probe &&
              (has_selection(w) || w.interaction.hovered);
     },
-    "Select something of the cage first, or point at it."};
+    "Select or point at part of the cage first."};
 inline constexpr Condition selects_of_cage{
     [](const Workspace& w) { return has_cage(w) && w.document.selection.kind() != ElementKind::probe; },
-    "Open a cage, and choose its vertices, edges or faces first."};
+    "Open a cage and choose vertices, edges or faces first."};
 inline constexpr Condition has_selection_of_cage{
     [](const Workspace& w) { return selects_of_cage(w) && has_selection(w); },
-    "Select something of the cage first."};
+    "Select part of the cage first."};
 inline constexpr Condition has_hidden{[](const Workspace& w) { return !w.document.groups.hidden.empty(); },
-                                      "Nothing of the cage is hidden."};
+                                      "No part of the cage is hidden."};
 inline constexpr Condition can_draw_selection{
-    [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !in_hand(w); },
-    "There is nothing of the kind to select: open a cage, show it (C), or add a probe."};
+    [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !is_dragging(w); },
+    "Nothing to select: open a cage, show it (C) or add a probe first."};
 inline constexpr Condition is_armed{[](const Workspace& w) { return w.interaction.armed.has_value(); },
-                                    "Neither box, lasso nor brush is in the hand."};
+                                    "Start box, lasso or brush selection first."};
 inline constexpr Condition is_working{
     [](const Workspace& w) { return w.loading.running || w.binding.running || w.making_cage.running; },
-    "Nothing is being read, made or bound."};
-inline constexpr Condition can_make_cage{
-    [](const Workspace& w) { return has_model(w) && !w.making.open && !w.loading.running && !in_hand(w); },
-    "Open a model first; a cage that is being made is finished by Done."};
+    "No task is running."};
+inline constexpr Condition can_make_cage{[](const Workspace& w) {
+                                           return has_model(w) && !w.making.open && !w.loading.running &&
+                                                  !is_dragging(w);
+                                         },
+                                         "Open a model first and finish making the cage (Done)."};
 inline constexpr Condition lacks_pairs{
     [](const Workspace& w) { return can_make_cage(w) && mirror_of(w) && mirror_of(w)->unpaired() > 0; },
-    "Choose a mirror in the section Hand; where each vertex of the cage has its image, nothing is missing."};
+    "Choose a mirror in the section Transform; the cage must have vertices without a mirror image."};
 inline constexpr Condition can_edit_cage{
-    [](const Workspace& w) { return has_cage(w) && !w.making.open && !in_hand(w); },
-    "Open or make a cage first; a cage that is being made is finished by Done."};
+    [](const Workspace& w) { return has_cage(w) && !w.making.open && !is_dragging(w); },
+    "Open or make a cage first and finish making it (Done)."};
 inline constexpr Condition is_editing{
-    [](const Workspace& w) { return is_editing_cage(w.document) && !in_hand(w); },
-    "Switch to editing the cage first (Tab)."};
+    [](const Workspace& w) { return is_editing_cage(w.document) && !is_dragging(w); },
+    "Start cage editing first (Tab)."};
 inline constexpr Condition has_cage_selected{
     [](const Workspace& w) {
       return is_editing(w) && w.document.selection.kind() != ElementKind::probe && has_selection(w) &&
-             !w.time_view.hovered;  // there keys of the keyboard are of keys in time
+             !w.time_view.hovered;  // over the timeline the keys act on timeline keys
     },
-    "Switch to editing the cage (Tab) and select something of it first."};
+    "Start cage editing (Tab) and select part of the cage first."};
 inline constexpr Condition has_outside{
     [](const Workspace& w) { return outside_finding(w.checks).has_value(); },
-    "The checks have found no vertices of the model outside of its cage."};
+    "The cage encloses all vertices of the model."};
 inline constexpr Condition is_making{[](const Workspace& w) { return w.making.open; },
                                      "No cage is being made."};
 inline constexpr Condition is_wishing{[](const Workspace& w) { return w.making.open && !w.making.closing; },
-                                      "No cage is being made, or it is done."};
+                                      "The new cage is still being computed, or no cage is being made."};
 inline constexpr Condition has_cage_beside{
     [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
-    "There is no file beside the model that looks like its cage."};
+    "The model's folder has no file that looks like its cage."};
 inline constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
                                         "Nothing is being exported."};
 inline constexpr Condition is_reporting{[](const Workspace& w) { return w.reporting.running; },
                                         "No report is being made."};
 inline constexpr Condition is_not_reporting{[](const Workspace& w) { return !w.reporting.running; },
                                             "A report is being made; cancel it first."};
-inline constexpr Condition has_leftovers{
-    [](const Workspace& w) { return !w.leftovers.empty() && !w.loading.running; },
+inline constexpr Condition has_recovery_files{
+    [](const Workspace& w) { return !w.recovery_files.empty() && !w.loading.running; },
     "There are no recovered edits."};
-inline constexpr Condition offers_leftovers{
-    [](const Workspace& w) { return has_leftovers(w) && w.offers_leftovers; },
-    "Recovered edits are not shown."};
+inline constexpr Condition offers_recovery{
+    [](const Workspace& w) { return has_recovery_files(w) && w.offers_recovery; },
+    "No recovered edits are shown."};
 inline constexpr Condition can_undo{
-    [](const Workspace& w) { return w.document.history.can_undo() && !in_hand(w); },
-    "There is no edit to take back."};
+    [](const Workspace& w) { return w.document.history.can_undo() && !is_dragging(w); },
+    "There is no edit to undo."};
 inline constexpr Condition can_redo{
-    [](const Workspace& w) { return w.document.history.can_redo() && !in_hand(w); },
-    "No edit was taken back."};
+    [](const Workspace& w) { return w.document.history.can_redo() && !is_dragging(w); },
+    "There is no edit to redo."};
 inline constexpr Condition is_posed{
-    [](const Workspace& w) { return !in_hand(w) && differs_from_rest(w.document); },
+    [](const Workspace& w) { return !is_dragging(w) && differs_from_rest(w.document); },
     "Cage and probes are at rest."};
 inline constexpr Condition has_posed_selection{
     [](const Workspace& w) {
@@ -139,9 +140,9 @@ inline constexpr Condition has_posed_selection{
       return has_selection(w) && is_posed(w) && !(of_cage && is_editing_cage(w.document)) &&
              !w.time_view.hovered;
     },
-    "Nothing that is selected has moved."};
+    "The selection is already at rest."};
 
-/// Switches something of the view, or of another part.
+/// A toggle of the view, or of another part of the workspace.
 template <class Part = ViewOptions>
 Effect switches(bool Part::*option, Part Workspace::*part = &Workspace::view) {
   return {[=](Workspace& w) { w.*part.*option = !(w.*part.*option); },

@@ -1,4 +1,4 @@
-// The commands, a table a topic. A new command is one row.
+// The command tables, one per topic. A new command is one row.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace viete::scene {
 
-/// Rows in the order of the help.
+/// Rows in the order of the command reference.
 class CommandTable {
 public:
-  /// Of the rows that come next.
+  /// For the rows that follow.
   void heading(std::string_view group) { group_ = group; }
 
-  /// What else a row carries is said behind it: valid until the next one.
+  /// Returns the row for chained calls; valid until the next one is added.
   Command& add(std::string name, Label label, std::string hint, const Condition& enabled, Effect effect) {
     return add(std::move(name), std::move(label), std::move(hint), Shortcut{}, enabled, std::move(effect));
   }
@@ -24,7 +24,7 @@ public:
     return rows_.emplace_back(Command{std::move(effect), std::move(name), std::move(label.words),
                                       std::move(label.brief), std::move(hint), enabled, group_, shortcut});
   }
-  /// One of several that exclude each other: in a menu of their own, and elsewhere behind its title.
+  /// One of several exclusive values, in its own submenu; elsewhere the submenu's title precedes the label.
   void choice(std::string name, std::string_view submenu, std::string_view label, std::string_view hint,
               const Condition& enabled, Effect effect) {
     const std::string brief(label);
@@ -41,17 +41,17 @@ private:
 };
 
 void add_file_commands(CommandTable& table);
-void add_select_commands(CommandTable& table);  ///< and those of undo
+void add_select_commands(CommandTable& table);  ///< and undo
 void add_cage_commands(CommandTable& table);
-void add_tool_commands(CommandTable& table);  ///< and those of probes
+void add_tool_commands(CommandTable& table);  ///< and probes
 void add_blend_commands(CommandTable& table);
-void add_camera_commands(CommandTable& table);  ///< and those of marks
-void add_view_commands(CommandTable& table);    ///< what is shown, and how
+void add_camera_commands(CommandTable& table);  ///< and bookmarks
+void add_view_commands(CommandTable& table);    ///< display options
 void add_map_commands(CommandTable& table);
 void add_split_commands(CommandTable& table);
 void add_help_commands(CommandTable& table);
 void add_hand_commands(CommandTable& table);
-void add_time_commands(CommandTable& table);            ///< of poses with names and of time
+void add_time_commands(CommandTable& table);            ///< named poses and timeline
 void add_animation_file_commands(CommandTable& table);  ///< files of both
 
 }  // namespace viete::scene

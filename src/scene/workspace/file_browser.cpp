@@ -138,7 +138,8 @@ void refresh(FileBrowser& browser) {
   const std::string name = browser.highlighted < before.size() ? before[browser.highlighted]->name : "";
   try {
     browser.entries = list(browser.folder, browser);
-  } catch (const fs::filesystem_error&) {  // gone: what was listed stays, and entering it says why
+  } catch (
+      const fs::filesystem_error&) {  // the folder is gone: keeps the list; entering it reports the error
   }
   browser.changed = changed;
   if (name.empty()) return;
@@ -189,7 +190,7 @@ fs::path typed_path(const FileBrowser& browser) {
 
 namespace {
 
-// What holds one model gets a place for the number of the frame.
+// Formats of a single model get a placeholder for the frame number.
 fs::path animation_name(const fs::path& file) {
   if (is_animation_format(mesh::extension_of(file)) || base::NumberedName::is_pattern(file)) return file;
   return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
@@ -213,18 +214,19 @@ std::string problem_of_name(const FileBrowser& browser) {
   const bool sequence = browser.purpose == Purpose::shapes || browser.purpose == Purpose::animation;
   if (sequence && base::NumberedName::is_pattern(file)) return "";
   if (!browser.saves())
-    return fs::exists(file, ignored) ? "" : name + " is not there; choose one of the list, or another path";
-  if (name.empty() || fs::is_directory(file, ignored)) return "Give the file a name.";
+    return fs::exists(file, ignored)
+               ? ""
+               : name + " does not exist; choose a file from the list or enter another path";
+  if (name.empty() || fs::is_directory(file, ignored)) return "Enter a file name.";
   if (!fs::is_directory(file.parent_path(), ignored))
-    return file.parent_path().string() + " is no folder; choose another one";
+    return file.parent_path().string() + " is not a folder; choose another folder";
   if (const std::string* used = browser.in_use.find(file))
-    return name + " is open (" + *used + ") and stays as it is; " +
-           base::unused_name(file).filename().string() + " would be free.";
+    return name + " is open (" + *used + ") and cannot be replaced; " +
+           base::unused_name(file).filename().string() + " is a free name.";
   const auto formats = browser.formats();
   const bool known = browser.purpose == Purpose::save_session ||
                      std::find(formats.begin(), formats.end(), mesh::extension_of(file)) != formats.end();
-  return known ? ""
-               : name + " has an extension that is not known: files are written as " + format_list(browser);
+  return known ? "" : name + " has an unknown extension; use " + format_list(browser);
 }
 
 std::string format_list(const FileBrowser& browser) {
@@ -243,7 +245,7 @@ std::string format_of(const FileBrowser& browser) {
 
 bool refuse(FileBrowser& browser, const fs::path& asked, const std::string& problem) {
   if (asked.empty() || browser.asked != asked) return false;
-  const std::string place = asked.string() + ": ";  // which stands above
+  const std::string place = asked.string() + ": ";  // the path is displayed above
   browser.problem = problem.starts_with(place) ? problem.substr(place.size()) : problem;
   browser.appearing = !std::exchange(browser.open, true);
   browser.asked.clear();
@@ -255,7 +257,7 @@ void set_format(FileBrowser& browser, const std::string& extension) {
   browser.suggested = path.replace_extension(extension).filename().string();
   browser.path = path.string();
   browser.path = proposed_name(chosen_file(browser), browser.in_use).string();
-  browser.highlighted = FileBrowser::none;  // the hand is at the name
+  browser.highlighted = FileBrowser::none;  // the name is being edited
   browser.problem.clear();
 }
 

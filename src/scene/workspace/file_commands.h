@@ -1,16 +1,16 @@
-// What the commands of the file group do.
+// Implementation of the file commands.
 #pragma once
 
 #include "scene/workspace/workspace.h"
 
 namespace viete::scene {
 
-/// Writes where the session was saved last, or asks where.
+/// Saves to the session's file, or opens the browser if it has none.
 void save(Workspace& workspace);
 void browse_to_save_session(Workspace& workspace);
-/// The chosen one. Requires it.
+/// For the chosen pose, which must exist.
 void browse_to_save_named_pose(Workspace& workspace);
-/// The file that a question asks for, beside the session. Requires an unopened one.
+/// Locates the file that a question asks for, in the session's folder. Requires `unopened`.
 void browse_to_locate(Workspace& workspace, FileBrowser::Purpose purpose);
 
 }  // namespace viete::scene

@@ -1,4 +1,4 @@
-// Commands of the tools, and of how the hand moves.
+// Commands for tools and handling.
 #include <algorithm>
 
 #include "scene/document/edit.h"
@@ -14,7 +14,7 @@ namespace viete::scene {
 
 namespace {
 
-// Where each kind of choice lives.
+// The field for each kind of choice.
 Pivot& place(Handling& h, Pivot) {
   return h.pivot;
 }
@@ -31,12 +31,12 @@ SoftDistance& place(Handling& h, SoftDistance) {
   return h.soft.distance;
 }
 
-// What does not go together with this cage is said, and not chosen.
+// Reports a plane that does not fit the cage, without a change.
 void choose(Workspace& w, MirrorPlane plane) {
-  KnownMirror wanted;
+  MirrorCache wanted;
   wanted.follow(w.document.cage, plane);
   if (plane != MirrorPlane::none && w.document.has_cage() && !wanted.mirror)
-    return w.messages.info("No plane of symmetry fits the cage; choose X, Y or Z.");
+    return w.messages.info("The cage has no plane of symmetry; choose X, Y or Z.");
   w.handling.mirror = plane;
   w.mirror = std::move(wanted);
 }
@@ -48,7 +48,7 @@ void choose(Workspace& w, Value value) {
 
 template <class Value>
 void add_hand_choices(CommandTable& table, std::string_view headline) {
-  add_choices<Value>(table, headline, hand_is_free, [](Workspace& w, Value value) { choose(w, value); });
+  add_choices<Value>(table, headline, no_drag_runs, [](Workspace& w, Value value) { choose(w, value); });
 }
 
 template <class Value>
@@ -78,95 +78,94 @@ void add_key_presets(CommandTable& table) {
     const auto preset = static_cast<KeyPreset>(number++);
     const std::string label(entry.label);
     table
-        .add(choice_command_name(preset), {"Keys of " + label, label}, std::string(entry.hint), hand_is_free,
-             [preset](Workspace& w) { w.remembered.keymap.set_preset(preset); })
-        .under("Keys of");
+        .add(choice_command_name(preset), {"Keymap: " + label, label}, std::string(entry.hint), no_drag_runs,
+             [preset](Workspace& w) { w.preferences.keymap.set_preset(preset); })
+        .under("Keymap");
   }
 }
 
 constexpr Condition can_grab{
-    [](const Workspace& w) { return has_selection(w) && shows_selectable(w) && !in_hand(w); },
-    "Select something that is shown first."};
+    [](const Workspace& w) { return has_selection(w) && shows_selectable(w) && !is_dragging(w); },
+    "Select a visible element first."};
 
 constexpr Condition can_shape{
     [](const Workspace& w) { return can_grab(w) && w.document.selection.kind() != ElementKind::probe; },
-    "Select something of the cage first."};
+    "Select part of the cage first."};
 constexpr Condition has_copied{
-    [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && !in_hand(w); },
-    "Copy the pose of a part of this cage first."};
+    [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && !is_dragging(w); },
+    "Copy a pose of this cage first."};
 
 void begin_placing_pivot(Workspace& w) {
   w.interaction.placing_pivot = !w.interaction.placing_pivot;
 }
 
-constexpr Condition has_mirror{[](const Workspace& w) { return mirror_of(w) && has_cage(w) && !in_hand(w); },
-                               "Choose a mirror first."};
-constexpr Condition has_mirrored_selection{
-    [](const Workspace& w) {
-      return has_mirror(w) && has_selection(w) && w.document.selection.kind() != ElementKind::probe;
-    },
-    "Choose a mirror, and select something of the cage on the side to be copied."};
+constexpr Condition has_mirror{
+    [](const Workspace& w) { return mirror_of(w) && has_cage(w) && !is_dragging(w); },
+    "Choose a mirror first."};
+constexpr Condition has_mirrored_selection{[](const Workspace& w) {
+                                             return has_mirror(w) && has_selection(w) &&
+                                                    w.document.selection.kind() != ElementKind::probe;
+                                           },
+                                           "Choose a mirror and select the part of the cage to copy."};
 
 }  // namespace
 
 void add_hand_commands(CommandTable& table) {
   table.heading("Transform");
-  table.add("grab", {"Grab the selection", "Grab"},
-            "The selection follows the cursor until a click; Esc takes it back.", can_grab, grab<Tool::move>);
-  table.add("grab_rotate", {"Turn the selection", "Turn"},
-            "The selection turns with the cursor until a click; Esc takes it back.", can_grab,
+  table.add("grab", {"Move selection", "Move"},
+            "Move the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
+            grab<Tool::move>);
+  table.add("grab_rotate", {"Rotate selection", "Rotate"},
+            "Rotate the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
             grab<Tool::rotate>);
-  table.add("grab_scale", {"Resize the selection", "Resize"},
-            "The selection grows with the cursor until a click; Esc takes it back.", can_grab,
+  table.add("grab_scale", {"Scale selection", "Scale"},
+            "Scale the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
             grab<Tool::scale>);
-  table.add(
-      "bend", {"Bend the selection", "Bend"},
-      "Bend the selection between its ends: from the pivot, or the joint, to the active element or the far "
-      "end.",
-      can_shape, shape<Shape::bend>);
-  table.add("twist", {"Twist the selection", "Twist"},
-            "Twist the selection between its ends, by any number of turns.", can_shape, shape<Shape::twist>);
-  table.add("taper", {"Taper the selection", "Taper"},
-            "Make the selection thinner or thicker towards its far end.", can_shape, shape<Shape::taper>);
-  table.add("push", {"Push the selection", "Push"},
-            "Push the selection out along its normals, or pull it in.", can_shape, shape<Shape::push>);
-  table.add("smooth", {"Smooth the selection", "Smooth"},
-            "Bring the selection nearer to the mean of its neighbours.", can_shape, shape<Shape::smooth>);
-  table.add("relax", {"Relax the selection", "Relax"}, "Bring the selection nearer to rest.", can_shape,
+  table.add("bend", {"Bend selection", "Bend"},
+            "Bend the selection from the pivot or joint to the active element or far end.", can_shape,
+            shape<Shape::bend>);
+  table.add("twist", {"Twist selection", "Twist"}, "Twist the selection between its ends by any angle.",
+            can_shape, shape<Shape::twist>);
+  table.add("taper", {"Taper selection", "Taper"},
+            "Scale the selection's cross sections increasingly towards its far end.", can_shape,
+            shape<Shape::taper>);
+  table.add("push", {"Push selection", "Push"}, "Move the selection along its normals, outward or inward.",
+            can_shape, shape<Shape::push>);
+  table.add("smooth", {"Smooth selection", "Smooth"},
+            "Move the selection towards the mean of its neighbours.", can_shape, shape<Shape::smooth>);
+  table.add("relax", {"Relax selection", "Relax"}, "Move the selection towards its rest position.", can_shape,
             shape<Shape::relax>);
-  table.add("flatten", {"Flatten the selection", "Flatten"},
-            "Bring the selection nearer to the plane that fits it.", can_shape, shape<Shape::flatten>);
-  table.add("copy_pose", "Copy pose", "Remember where the selected vertices are.", {key('C'), true},
+  table.add("flatten", {"Flatten selection", "Flatten"}, "Move the selection towards its best-fit plane.",
+            can_shape, shape<Shape::flatten>);
+  table.add("copy_pose", "Copy pose", "Copy the positions of the selected vertices.", {key('C'), true},
             can_shape, copy_pose);
   table.add("paste_pose", "Paste pose",
-            "Put the vertices whose pose was copied there again; with a mirror also those of the other side.",
+            "Move the copied vertices back to their copied positions. With a mirror, also on the other side.",
             {key('V'), true}, has_copied, [](Workspace& w) {
               paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w));
             });
   table.add("place_pivot", "Place pivot",
-            "The next click says what the selection turns about: a vertex, an edge or the model's surface.",
-            {key('J')}, has_model, begin_placing_pivot);
-  table.add("next_pivot", "Next pivot", "Turn and scale about the median, the active element, and so on.",
-            {key('.')}, hand_is_free, choose_next<Pivot>);
+            "Place the pivot with the next click: on a vertex, an edge or the model's surface.", {key('J')},
+            has_model, begin_placing_pivot);
+  table.add("next_pivot", "Next pivot", "Switch to the next pivot: median, active element and so on.",
+            {key('.')}, no_drag_runs, choose_next<Pivot>);
   add_hand_choices<Pivot>(table, "Pivot");
-  table.add("next_axes", "Next axes", "Move along the axes of the world, the view, the selection, and so on.",
-            {key(',')}, hand_is_free, choose_next<Axes>);
+  table.add("next_axes", "Next axes", "Switch to the next axes: world, view, selection and so on.",
+            {key(',')}, no_drag_runs, choose_next<Axes>);
   add_hand_choices<Axes>(table, "Axes");
-  table.add("next_mirror", "Next mirror",
-            "Move both sides of the cage across X, Y, Z or the plane that fits, or one side alone.",
-            {key('M'), false, true}, hand_is_free, choose_next<MirrorPlane>);
+  table.add("next_mirror", "Next mirror", "Switch to the next mirror: X, Y, Z, best-fit plane or off.",
+            {key('M'), false, true}, no_drag_runs, choose_next<MirrorPlane>);
   add_hand_choices<MirrorPlane>(table, "Mirror");
-  table.add("mirror_copy", {"Copy pose to the other side", "Copy across"},
-            "The other side takes the pose of what is selected, as in the mirror.", has_mirrored_selection,
+  table.add("mirror_copy", {"Copy pose to other side", "Copy to other side"},
+            "Copy the mirrored pose of the selection to the other side.", has_mirrored_selection,
             [](Workspace& w) { copy_to_other_side(w.document, *mirror_of(w)); });
-  table.add("mirror_swap", {"Swap poses of both sides", "Swap sides"},
-            "Both sides of the selection, or of the whole cage, change their poses.", has_mirror,
+  table.add("mirror_swap", {"Swap poses of sides", "Swap sides"},
+            "Exchange the poses of both sides of the selection, or of the whole cage.", has_mirror,
             [](Workspace& w) { swap_sides(w.document, *mirror_of(w)); });
-  table.add(
-      "toggle_soft", {"Soft selection", "Soft"},
-      "What is near the selection goes along, the less the farther; during a drag the wheel changes the "
-      "radius.",
-      {key('S')}, hand_is_free, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
+  table.add("toggle_soft", {"Soft selection", "Soft selection"},
+            "Move neighbours along with the selection, less with distance. The wheel changes the radius "
+            "during a drag.",
+            {key('S')}, no_drag_runs, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
   add_hand_choices<SoftCurve>(table, "Falloff");
   add_hand_choices<SoftDistance>(table, "Falloff");
   table.heading("Keys");
@@ -186,7 +185,7 @@ bool in_use(const Workspace& w) {
   return w.tool == Use;
 }
 
-// On the model under the cursor or, where none is there or a button was pressed, in the middle of the view.
+// Adds at the model under the cursor, or at the view's center if there is none or a panel button was used.
 template <bool (*Add)(Document&, const PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
   const glm::vec2 middle = w.viewport.middle();
@@ -197,7 +196,7 @@ void add_in_view(Workspace& w) {
   if (!at) at = on_model(middle);
   Add(w.document, w.posed, at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
   w.interaction.hovered.reset();
-  w.view.cage = true;  // with which probes are shown
+  w.view.cage = true;  // also displays the probes
 }
 
 bool all_pull(const Workspace& w) {
@@ -220,52 +219,52 @@ void toggle_locked(Workspace& w) {
 
 void add_tool_commands(CommandTable& table) {
   table.heading("Tool");
-  table.add("tool_select", {"Select tool", "Select"}, "No gizmo: drag an element to move the selection.",
+  table.add("tool_select", {"Select tool", "Select"}, "Select elements and drag them without a gizmo.",
             {key('Q')}, always,
             {use_tool<Tool::select>, [](const Workspace& w) { return w.tool == Tool::select; }});
-  table.add("tool_move", {"Move tool", "Move"}, "Move the selection by arrows and squares.", {key('W')},
+  table.add("tool_move", {"Move tool", "Move"}, "Move the selection with arrows and planes.", {key('W')},
             always, {use_tool<Tool::move>, [](const Workspace& w) { return w.tool == Tool::move; }});
-  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its centre by rings.",
+  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its pivot with rings.",
             {key('E')}, always,
             {use_tool<Tool::rotate>, [](const Workspace& w) { return w.tool == Tool::rotate; }});
-  table.add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its centre.", {key('R')},
-            always, {use_tool<Tool::scale>, [](const Workspace& w) { return w.tool == Tool::scale; }});
+  table.add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its pivot.", {key('R')}, always,
+            {use_tool<Tool::scale>, [](const Workspace& w) { return w.tool == Tool::scale; }});
   table.add("tool_paint", {"Paint tool", "Paint"},
-            "Paint what of the model stays at rest; with Ctrl what follows.", {key('D')}, is_movable,
+            "Paint vertices of the model that stay at rest. Ctrl erases.", {key('D')}, is_movable,
             {use_tool<Tool::paint>, [](const Workspace& w) { return w.tool == Tool::paint; }});
-  table.add("mask_clear", "Clear paint", "All of the model follows the cage again.", with_free_hand<has_mask>,
-            [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
-  table.add("mask_invert", "Invert paint", "What follows the cage stays, and the reverse.",
-            with_free_hand<is_movable>,
+  table.add("mask_clear", "Clear paint", "Clear the painted mask so that the whole model follows the cage.",
+            without_drag<has_mask>, [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
+  table.add("mask_invert", "Invert paint", "Exchange painted and unpainted vertices.",
+            without_drag<is_movable>,
             [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); });
   table.heading("Probes");
-  table.add("add_probe", {"Add a probe", "Add"},
-            "Place a probe on the model, under the cursor: a frame that moves, turns and stretches what is "
-            "near it.",
+  table.add("add_probe", {"Add probe", "Add"},
+            "Add a probe on the model under the pointer: a frame that moves, rotates and stretches its "
+            "neighbourhood.",
             {key('P')}, has_probe_room, add_in_view<add_probe>);
-  table.add(
-      "add_pin", {"Pin a vertex", "Pin"},
-      "Pin the vertex of the model under the cursor. Drag pins, and the model follows by the shapes of the "
-      "list of poses; without any it stays as rigid as it can.",
-      {key('P'), false, false, true}, has_probe_room, add_in_view<add_pin>);
-  table.add("toggle_pulls", {"Pull by pins", "Pulls"},
-            "The selected pins pull their vertices towards them; else they hold them there.",
+  table.add("add_pin", {"Pin vertex", "Pin"},
+            "Pin the model's vertex under the pointer. Dragged pins pose the model by the shapes in the pose "
+            "list, otherwise as rigidly as possible.",
+            {key('P'), false, false, true}, has_probe_room, add_in_view<add_pin>);
+  table.add("toggle_pulls", {"Pull with pins", "Pulls"},
+            "Let the selected pins pull their vertices softly. Otherwise they fix them exactly.",
             has_pins_selected,
             {[](Workspace& w) { set_pulls(w.document, !all_pull(w)); },
              [](const Workspace& w) { return has_pins_selected(w) && all_pull(w); }});
-  table.add("mirror_probe", {"Mirror probes", "Mirror"},
-            "Place copies of the selected probes on the other side of the model, across the axis in which it "
-            "is most symmetric.",
-            {key('P'), false, true}, has_probes_selected,
-            [](Workspace& w) { mirror_probes(w.document, symmetry_axis(w.document)); });
-  table.add("remove_probe", {"Remove probes", "Remove"},
-            "Take the selected probes away, but for locked ones.", {Key::delete_key, false, true},
-            has_free_probes_selected, [](Workspace& w) { remove_probes(w.document); });
+  table.add(
+      "mirror_probe", {"Mirror probes", "Mirror"},
+      "Add mirrored copies of the selected probes on the other side, across the model's most symmetric axis.",
+      {key('P'), false, true}, has_probes_selected,
+      [](Workspace& w) { mirror_probes(w.document, symmetry_axis(w.document)); });
+  table.add("remove_probe", {"Remove probes", "Remove"}, "Remove the selected probes. Locked probes stay.",
+            {Key::delete_key, false, true}, has_free_probes_selected,
+            [](Workspace& w) { remove_probes(w.document); });
   table.add("replace_probe", {"Rest probes here", "Rest here"},
-            "The selected probes stay where they are and let the model go: from there they move it anew.",
+            "Make the current place of the selected probes their rest. The model returns; further moves act "
+            "from here.",
             has_free_probes_selected, [](Workspace& w) { replace_probes(w.document); });
   table.add("toggle_locked", {"Lock probes", "Locked"},
-            "No hand moves the selected probes; they hold what they hold.", has_probes_selected,
+            "Lock the selected probes. They keep acting but cannot be dragged.", has_probes_selected,
             toggle_locked);
 }
 

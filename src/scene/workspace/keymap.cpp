@@ -27,8 +27,8 @@ constexpr Shortcut alt(char c) {
   return {key(c), false, false, true};
 }
 
-// Where hands from Blender expect something else. What they mean and is not to be had here has no key: none
-// of them resets a pose where a loop was to be cut.
+// Keys that differ for Blender users. Keys whose Blender function is not available are unassigned: none of
+// them triggers an unrelated command, such as resetting the pose for a loop cut.
 constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"grab", plain('G'), {}},
     {"grab_rotate", plain('R'), {}},
@@ -68,7 +68,7 @@ constexpr std::string_view blender_without[] = {
     "method_sd",   "method_improved_sd", "method_fast",       "add_probe",   "mirror_probe",
     "toggle_z_up", "toggle_error_map",   "toggle_full_screen"};
 
-// And from Maya, whose function keys choose what is selected.
+// Keys that differ for Maya users, whose function keys set the element kind.
 constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"frame_all", plain('A'), {}},
     {"frame_selection", plain('F'), {}},
@@ -108,7 +108,7 @@ constexpr std::string_view maya_without[] = {
 
 struct PresetChanges {
   std::span<const PresetKeys> keys{};
-  std::span<const std::string_view> without{};  // commands that have no key
+  std::span<const std::string_view> without{};  // commands without a key
 };
 
 PresetChanges changes_of_preset(KeyPreset preset) {
@@ -125,14 +125,13 @@ PresetChanges changes_of_preset(KeyPreset preset) {
 
 std::span<const Choice> choices(KeyPreset) {
   static constexpr Choice all[] = {
-      {"viete", "Viete", "Q W E R choose tools, single letters switch what is seen."},
+      {"viete", "Viete", "Q W E R choose tools, single letters switch the display."},
       {"blender", "Blender",
-       "G R S move, turn and scale at once; B C A H select and hide; Tab edits the cage; T and N fold the "
+       "G R S move, rotate and scale; B C A H select and hide; Tab edits the cage; T and N fold the "
        "columns."},
       {"maya", "Maya",
-       "Q W E R choose tools, F9 F10 F11 what is selected; F and A frame, Alt and the mouse move the "
-       "camera."},
-      {"viewer", "Viewer", "As Viete, and the left button turns the view where it is pressed on nothing."}};
+       "Q W E R choose tools, F9 F10 F11 the element type; F and A frame; Alt+drag moves the camera."},
+      {"viewer", "Viewer", "Like Viete, but left drag on empty space orbits the view."}};
   return all;
 }
 
@@ -142,8 +141,8 @@ std::string text(const Shortcuts& keys) {
 }
 
 bool shares_keys(std::string_view command, std::string_view other) {
-  // What has moved is reset, and in the mode that edits the cage what is selected is removed. Esc stops
-  // whatever is at work. Over the timeline keys are deleted.
+  // Delete resets moved elements, or deletes the selection in cage editing, or keys over the timeline. Esc
+  // cancels any running work.
   const auto is_pair = [&](std::string_view a, std::string_view b) {
     return (command == a && other == b) || (command == b && other == a);
   };

@@ -1,5 +1,4 @@
-// Which key runs which command, and which mouse button turns the view: presets for hands from elsewhere, and
-// changes of one's own.
+// Keyboard shortcuts and the mouse button for orbiting: presets known from other programs, and user changes.
 #pragma once
 
 #include <map>
@@ -27,37 +26,37 @@ struct Shortcuts {
 /// "Ctrl+A, A".
 std::string text(const Shortcuts& keys);
 
-/// A key runs one command, but for some in the mode that edits the cage, see shares_keys(). What a preset or
-/// a change gives to a command is taken from others.
+/// A key runs one command, except in cage editing, see shares_keys(). Assigning a key removes it from other
+/// commands.
 class Keymap {
 public:
-  using Changes = std::map<std::string, Shortcut, std::less<>>;  ///< by the command's name
+  using Changes = std::map<std::string, Shortcut, std::less<>>;  ///< by command name
 
   Keymap() { resolve(); }
 
   KeyPreset preset() const { return preset_; }
-  /// Own changes stay.
+  /// Keeps the user's changes.
   void set_preset(KeyPreset preset);
 
   const Changes& changes() const { return changes_; }
-  /// This key alone; Key::none: no key.
+  /// Assigns this key only; Key::none: no key.
   void change(std::string_view command, const Shortcut& shortcut);
-  /// As the preset has it.
+  /// Restores the preset's keys.
   void take_back(std::string_view command);
   void take_all_back();
-  /// Instead of those that there are.
+  /// Replaces all changes.
   void put(Changes changes);
 
   Shortcuts of(const Command& command) const;
-  /// All of them that the key may run.
+  /// The commands that the key may run.
   std::vector<const Command*> commands_of(const Shortcut& shortcut) const;
 
-  /// Who would lose the key to this command.
+  /// The commands that would lose the key.
   std::vector<const Command*> losers(std::string_view command, const Shortcut& shortcut) const;
 
-  /// The left button turns the view where it is pressed on nothing.
+  /// Dragging the background with the left button orbits.
   bool left_orbits() const { return preset_ == KeyPreset::viewer; }
-  /// With Alt the middle button pans and the right one zooms.
+  /// With Alt the middle button pans and the right button zooms.
   bool alt_moves_camera() const { return preset_ == KeyPreset::maya; }
 
   friend bool operator==(const Keymap& a, const Keymap& b) {
@@ -70,10 +69,10 @@ private:
 
   KeyPreset preset_ = KeyPreset::viete;
   Changes changes_;
-  std::map<std::string_view, Shortcuts> keys_;  // by the command's name
+  std::map<std::string_view, Shortcuts> keys_;  // by command name
 };
 
-/// True if one key may run both, in different modes.
+/// True if both may have the same key, in different modes.
 bool shares_keys(std::string_view command, std::string_view other);
 
 }  // namespace viete::scene

@@ -25,7 +25,7 @@ bool holds(const Title& title, std::string_view group) {
   return std::ranges::find(title.groups, group) != title.groups.end();
 }
 
-// What has no menu of its own is a way to work.
+// Commands without a menu of their own are in "Tools".
 std::string_view title_of(const Command& command) {
   for (const Title& title : titles) {
     if (holds(title, command.group)) return title.title;
@@ -51,7 +51,7 @@ std::string in_lower(std::string_view text) {
   return lower;
 }
 
-// Its letters, in order, with others between them.
+// Contains the letters in order, with others in between.
 bool has_letters(std::string_view text, std::string_view letters) {
   std::size_t at = 0;
   for (const char c : text) {
@@ -60,7 +60,7 @@ bool has_letters(std::string_view text, std::string_view letters) {
   return at == letters.size();
 }
 
-// How well a word fits a command; 0: not at all.
+// How well a word matches a command; 0: no match.
 int fit(const Command& command, const std::string& word) {
   const std::string label = in_lower(command.label), group = in_lower(command.group);
   const std::string words = ' ' + label;

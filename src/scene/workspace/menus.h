@@ -1,4 +1,4 @@
-// The commands by menus, and found by a few letters of them.
+// The commands sorted into menus, and the search among them.
 #pragma once
 
 #include <span>
@@ -12,14 +12,14 @@ namespace viete::scene {
 
 struct Menu {
   std::string_view title;
-  std::vector<const Command*> items;  ///< in the order of the commands
+  std::vector<const Command*> items;  ///< in command order
 };
 
-/// Every command in one of them, in the order of the menu bar.
+/// In the order of the menu bar; every command is in one menu.
 std::span<const Menu> menus();
 
-/// The commands that fit what was typed, best first: its words begin words of theirs, or stand in them, or
-/// their letters do in order. All that are no passing ones for nothing typed.
+/// Commands that match the typed text, best first: by the beginnings of words, then within words, then by
+/// letters in order. Without text, all except those visible only while they can run.
 std::vector<const Command*> find_commands(const Workspace& workspace, std::string_view typed);
 
 }  // namespace viete::scene

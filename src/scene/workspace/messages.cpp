@@ -11,7 +11,7 @@ namespace viete::scene {
 namespace {
 
 bool is_over(const Message& message, double now) {
-  if (!message.in_sight || message.severity == Severity::error) return false;
+  if (!message.visible || message.severity == Severity::error) return false;
   const bool info = message.severity == Severity::info;
   return now - message.said > (info ? Messages::info_seconds : Messages::warning_seconds);
 }
@@ -22,7 +22,7 @@ void Messages::say(Severity severity, std::string text, Concern concern) {
   ++revision_;
   text = base::printable(text);
   const auto again = std::ranges::find_if(all_, [&](const Message& m) {
-    return (m.in_sight || &m == &all_.back()) && m.severity == severity && m.text == text;
+    return (m.visible || &m == &all_.back()) && m.severity == severity && m.text == text;
   });
   if (again != all_.end()) {
     std::rotate(again, again + 1, all_.end());
@@ -35,22 +35,22 @@ void Messages::say(Severity severity, std::string text, Concern concern) {
   ++message.times;
   message.said = base::wall_seconds();
   message.revision = revision_;
-  message.in_sight = true;
+  message.visible = true;
 }
 
 void Messages::log(Severity severity, std::string text) {
   say(severity, std::move(text));
-  all_.back().in_sight = false;
+  all_.back().visible = false;
 }
 
 void Messages::succeeded(std::string_view topic) {
   for (Message& message : all_) {
-    if (message.severity == Severity::error && message.topic == topic) message.in_sight = false;
+    if (message.severity == Severity::error && message.topic == topic) message.visible = false;
   }
 }
 
-void Messages::leave_sight() {
-  for (Message& message : all_) message.in_sight &= message.severity == Severity::error;
+void Messages::hide_messages() {
+  for (Message& message : all_) message.visible &= message.severity == Severity::error;
 }
 
 void Messages::forget(Scope scope, unsigned revision) {
@@ -63,7 +63,7 @@ bool Messages::due(double now) const {
 
 void Messages::expire(double now) {
   for (Message& message : all_) {
-    if (is_over(message, now)) message.in_sight = false;
+    if (is_over(message, now)) message.visible = false;
   }
 }
 

@@ -1,4 +1,4 @@
-// What the program has to say to the user, newest last.
+// Messages to the user, newest last.
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@ namespace viete::scene {
 
 enum class Severity { info, warning, error };
 
-/// Whose end a message does not outlive.
+/// The lifetime that limits a message's.
 enum class Scope { program, model, cage };
 
 struct Concern {
-  std::string_view topic{};  ///< what was tried: "export"; empty: nothing that could go well another time
+  std::string_view topic{};  ///< the action: "export"; empty: one that cannot be retried
   Scope scope = Scope::program;
 };
 
 struct Message {
   Severity severity = Severity::info;
   std::string text;
-  int times = 1;  ///< said this often in a row
+  int times = 1;  ///< consecutive repetitions
   std::string topic;
   Scope scope = Scope::program;
-  double said = 0;        ///< last, in seconds of wall time
-  unsigned revision = 0;  ///< of the messages, with this one
-  bool in_sight = true;   ///< over the view; else in the list of all alone
+  double said = 0;        ///< time of the last one, wall clock in seconds
+  unsigned revision = 0;  ///< revision of the list after this message
+  bool visible = true;    ///< shown over the view; false: only in the message list
 };
 
-/// Keeps the last 200. A message that repeats one in sight, or the last one, is counted, not listed again.
-/// Each is in sight for a while; an error until the same thing has succeeded, or it is dismissed.
+/// Keeps the last 200. A repetition of a visible message, or of the last one, increases its count. A message
+/// is visible for a limited time; an error until the same action succeeds or it is dismissed.
 class Messages {
 public:
   static constexpr double info_seconds = 4, warning_seconds = 12;
@@ -38,23 +38,23 @@ public:
   void info(std::string text, Concern concern = {}) { say(Severity::info, std::move(text), concern); }
   void warn(std::string text, Concern concern = {}) { say(Severity::warning, std::move(text), concern); }
   void error(std::string text, Concern concern = {}) { say(Severity::error, std::move(text), concern); }
-  /// Only in the list of all.
+  /// Adds it to the message list only.
   void log(Severity severity, std::string text);
   void clear() { all_.clear(); }
 
-  /// Errors of this topic are history.
+  /// Hides errors of this topic.
   void succeeded(std::string_view topic);
-  /// An edit was undone or redone: infos and warnings on it are history.
-  void leave_sight();
-  void dismiss(std::size_t index) { all_[index].in_sight = false; }
-  /// The model, or the cage, is another one: what was said of it, up to this revision, goes.
+  /// After undo and redo: hides infos and warnings.
+  void hide_messages();
+  void dismiss(std::size_t index) { all_[index].visible = false; }
+  /// After a change of the model or the cage: removes messages about it up to this revision.
   void forget(Scope scope, unsigned revision);
-  /// True if the time in sight of some has come to its end.
+  /// True if the time of a visible message has ended.
   bool due(double now) const;
   void expire(double now);
 
   const std::vector<Message>& all() const { return all_; }
-  /// Grows with each message, also a repeated one.
+  /// Increases with each message, also a repeated one.
   unsigned revision() const { return revision_; }
 
 private:

@@ -22,7 +22,7 @@ std::optional<mesh::Point> vertex_under(const Projector& project, const Document
   return found;
 }
 
-// So far along a segment in space as t is along it on screen.
+// Converts a fraction t along a projected segment to one along the segment in space.
 double share_in_space(double t, double depth_a, double depth_b, bool orthographic) {
   return orthographic ? t : t * depth_a / ((1 - t) * depth_b + t * depth_a);
 }

@@ -1,4 +1,4 @@
-// Where a click puts the pivot.
+// The position of a pivot placed by a click.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace viete::scene {
 
-/// The vertex of the posed cage under the cursor, else the place on an edge of it, else that on the model,
-/// else the one as far away as what the camera looks at; in the file's coordinates.
+/// The posed cage's vertex under the cursor, else the point on an edge, else on the model, else at the depth
+/// of the camera's target; in file coordinates.
 mesh::Point pivot_place(const Workspace& workspace, const glm::vec2& cursor);
 
 }  // namespace viete::scene

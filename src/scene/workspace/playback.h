@@ -1,4 +1,4 @@
-// What plays: see playing.h.
+// State of playback: see playing.h.
 #pragma once
 
 #include <memory>
@@ -7,27 +7,27 @@
 
 namespace viete::scene {
 
-/// What keys make of a frame.
+/// The pose of the keys at a frame.
 struct TimedPose {
   std::shared_ptr<const Animation> animation{};
   double frame = 0;
   SharedPose pose{};
 };
 
-/// What plays, and what is known of the motion. Of a workspace.
+/// State of playback, and cached data of the animation.
 struct Playback {
   bool playing = false;
-  bool backward = false;  ///< as ping-pong comes back
-  bool auto_key = false;  ///< what a hand changes becomes a key of its frame
-  KnownVectors vectors{};
-  std::shared_ptr<const Animation> animation{};  ///< of `timeline`; null where that has no keys
+  bool backward = false;  ///< direction, for ping-pong
+  bool auto_key = false;  ///< edits of the pose set a key at the current frame
+  VectorCache vectors{};
+  std::shared_ptr<const Animation> animation{};  ///< for `timeline`; null without keys
   Timeline timeline{};
   std::shared_ptr<const deform::Cage> cage{};
   std::shared_ptr<const mesh::Surface> model{};
-  mutable TimedPose by_time{};      ///< the last one that was asked for
-  SharedPose shown{};               ///< as time has put it there; null: not by time
-  unsigned long seen_revision = 0;  ///< of the history
-  Timeline seen_timeline{};         ///< as it was then
+  mutable TimedPose by_time{};      ///< the last one computed
+  SharedPose shown{};               ///< the pose set by the timeline; null: set otherwise
+  unsigned long seen_revision = 0;  ///< revision of the history
+  Timeline seen_timeline{};         ///< at that revision
 };
 
 }  // namespace viete::scene

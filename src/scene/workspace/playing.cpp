@@ -15,9 +15,9 @@ namespace viete::scene {
 
 namespace {
 
-constexpr const char* leave_label = "go to another frame";
+constexpr const char* leave_label = "go to frame";
 
-// That pose is there. Locked probes are no part of it.
+// True if the document has that pose. Ignores locked probes.
 bool is_there(const Workspace& w, const WholePose& pose) {
   if (w.document.has_cage() && !same_pose(pose.cage, real_pose(w.document))) return false;
   if (!same_shape(pose.shape, w.document.shape)) return false;
@@ -29,14 +29,14 @@ bool is_there(const Workspace& w, const WholePose& pose) {
   return true;
 }
 
-// What is known of the motion is of this timeline.
-bool is_of_now(const Workspace& w) {
+// True if the cached animation belongs to this timeline.
+bool is_current(const Workspace& w) {
   return w.playback.cage == w.document.cage && w.playback.model == w.document.model.surface &&
          w.playback.timeline == w.document.timeline;
 }
 
-// What the keys make of the document's frame. Requires an animation. Known until one of the two is another:
-// to blend shapes takes time.
+// The pose of the keys at the document's frame. Requires an animation. Cached until frame or animation
+// change, since blending shapes is slow.
 const WholePose& keyed_pose(const Workspace& w) {
   TimedPose& known = w.playback.by_time;
   if (known.animation != w.playback.animation || known.frame != w.document.frame)
@@ -49,7 +49,7 @@ bool is_shown(const Workspace& w) {
   return w.playback.shown && is_there(w, *w.playback.shown);
 }
 
-// What the document's frame looks like, without a word about what was there.
+// Shows the document's frame without storing an unkeyed pose.
 void show_frame(Workspace& w, double frame) {
   w.document.frame = frame;
   if (const auto camera = camera_at(w.document.timeline, frame)) w.camera.set_pose(*camera);
@@ -73,18 +73,18 @@ bool leaves_unkeyed(Workspace& w) {
 void leave_for(Workspace& w, double frame) {
   if (leaves_unkeyed(w)) {
     replace_pose(w, [&] { record_edit(w.document, leave_label); });
-    w.messages.info("The pose was in no key; undo leads back to it.");
+    w.messages.info("The previous pose was not keyed; undo restores it.");
   }
   show_frame(w, frame);
   see(w);
 }
 
-// An edit that changes the timeline changes what this frame looks like.
+// An edit of the timeline changes the pose at this frame.
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
   const unsigned long revision = w.document.history.revision();
-  const bool moves_keys = w.time_view.drag.has_value();  // which is seen at once
-  if (revision == p.seen_revision || (in_hand(w) && !moves_keys)) return;
+  const bool moves_keys = w.time_view.drag.has_value();  // dragging keys shows the result immediately
+  if (revision == p.seen_revision || (is_dragging(w) && !moves_keys)) return;
   const bool retimed = p.seen_timeline != w.document.timeline;
   see(w);
   if (!animation_of(w)) {
@@ -122,7 +122,7 @@ std::shared_ptr<const Animation> animation_of(Workspace& w) {
   Playback& p = w.playback;
   const Document& document = w.document;
   if (is_editing_cage(document)) return nullptr;
-  if (is_of_now(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
+  if (is_current(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
   p.vectors.follow(document.cage);
   p.vectors.follow_model(document.model.surface);
   p.cage = document.cage;
@@ -134,12 +134,12 @@ std::shared_ptr<const Animation> animation_of(Workspace& w) {
 
 bool has_unkeyed_pose(const Workspace& w) {
   if (w.document.timeline.keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
-  const bool known = w.playback.animation && is_of_now(w);
+  const bool known = w.playback.animation && is_current(w);
   return !known || !is_there(w, keyed_pose(w));
 }
 
 void go_to_frame(Workspace& w, double frame) {
-  if (in_hand(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
+  if (is_dragging(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
   leave_for(w, std::clamp<double>(frame, Timeline::least_frame, Timeline::largest_frame));
 }
 
@@ -193,7 +193,7 @@ void go_to_key(Workspace& w, bool forward) {
   go_to_frame(w, here == frames.begin() ? frames.back() : *(here - 1));
 }
 
-void lead_back_to_unkeyed(Workspace& w, bool show) {
+void add_unkeyed_to_undo(Workspace& w, bool show) {
   Document& document = w.document;
   const std::size_t count = document.timeline.unkeyed.size();
   if (count == 0) return;
@@ -210,19 +210,19 @@ void lead_back_to_unkeyed(Workspace& w, bool show) {
   const bool shown = show && shows_keys;
   if (shown) undo(document);
   see(w);
-  w.messages.info(shown ? "The pose of this frame is in no key; set one (I) to keep it."
-                        : "Undo leads back to " + base::counted(count, "pose") + " in no key.");
+  w.messages.info(shown ? "The pose at this frame is not keyed; set a key (I) to keep it."
+                        : "Undo restores " + base::counted(count, "unkeyed pose") + ".");
 }
 
 void show_timeline(Workspace& w) {
-  w.remembered.layout.timeline = true;
+  w.preferences.layout.timeline = true;
   w.time_view.seen = fitting(w.document.timeline);
 }
 
 void start_playing(Workspace& w) {
   Playback& p = w.playback;
   const Timeline& t = w.document.timeline;
-  if (t.empty() || is_editing_cage(w.document) || in_hand(w)) return;
+  if (t.empty() || is_editing_cage(w.document) || is_dragging(w)) return;
   p.playing = true;
   p.backward = false;
   const bool at_end = t.repeat == Repeat::once && w.document.frame >= t.last;
@@ -237,13 +237,13 @@ void stop_playing(Workspace& w) {
 }
 
 void follow_time(Workspace& w, double seconds) {
-  if (w.playback.playing && (in_hand(w) || is_editing_cage(w.document) || w.document.timeline.empty()))
+  if (w.playback.playing && (is_dragging(w) || is_editing_cage(w.document) || w.document.timeline.empty()))
     w.playback.playing = false;
   follow_edits(w);
   if (w.playback.playing) play(w, seconds);
 }
 
-SharedPose pose_by_other_lines(Workspace& w) {
+SharedPose pose_by_other_blending(Workspace& w) {
   const bool straight = !w.document.timeline.straight;
   const auto animation = animation_of(w);
   if (animation && is_shown(w))
@@ -251,7 +251,7 @@ SharedPose pose_by_other_lines(Workspace& w) {
   return mixed_by(w.document, w.playback.vectors, straight);
 }
 
-bool has_lines(const Workspace& w) {
+bool has_blended_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() || w.document.library.mixes();
 }
 

@@ -1,4 +1,4 @@
-// Time passes: the document shows the pose of its frame.
+// Playback: shows the pose of the current frame in the document.
 #pragma once
 
 #include <functional>
@@ -9,51 +9,51 @@
 
 namespace viete::scene {
 
-/// Of the timeline as it is now; null where it has no keys, or while the cage itself is edited.
+/// For the current timeline; null without keys, and while the cage itself is edited.
 std::shared_ptr<const Animation> animation_of(Workspace& workspace);
 
-/// True if what is there is not what time would show at this frame, so that going to another frame and back
-/// would change it.
+/// True if the current pose differs from the timeline's at this frame, so that changing the frame would lose
+/// it.
 bool has_unkeyed_pose(const Workspace& workspace);
 
-/// Shows the frame: pose, probes and camera keys. A pose that is in no key is not lost: undo leads back to
-/// it, and Timeline::unkeyed keeps it. Ends the mix. Does nothing while something is in the hand.
+/// Shows the frame: pose, probes and camera keys. An unkeyed pose can be restored by undo and is stored in
+/// Timeline::unkeyed. Ends the mix. Ignored during a drag.
 void go_to_frame(Workspace& workspace, double frame);
-/// To the next frame that has a key, or the one before; from the last one to the first.
+/// Goes to the next or previous frame with a key; wraps around.
 void go_to_key(Workspace& workspace, bool forward);
 
-/// How much of each pose of the library is in what is shown: as the mix has it, or as the keys that play do.
+/// The weight of each pose of the library in the current pose: of the mix, or of the keys at this frame.
 std::vector<double> shown_weights(const Workspace& workspace);
 
-/// An edit that puts another pose in the place of what is there. If that was in no key, and no pose with a
-/// name is like it, Timeline::unkeyed keeps it.
+/// Runs an edit that replaces the pose. An unkeyed pose that equals no named pose is stored in
+/// Timeline::unkeyed.
 void replace_pose(Workspace& workspace, const std::function<void()>& edit);
-/// The pose of the library, as such an edit. Ends the playing.
+/// Applies a pose of the library with replace_pose(). Stops playback.
 void apply_pose(Workspace& workspace, std::size_t pose);
 
-/// Of a document that was just opened: undo leads back to the poses of Timeline::unkeyed. `show` begins with
-/// the last of them where the document's own pose is one of its keys.
-void lead_back_to_unkeyed(Workspace& workspace, bool show);
+/// For a newly opened document: adds the poses of Timeline::unkeyed to undo. With `show` the last of them is
+/// shown if the document's pose is one of its keys.
+void add_unkeyed_to_undo(Workspace& workspace, bool show);
 
-/// Opens the timeline, with all keys in sight.
+/// Opens the timeline and fits all keys.
 void show_timeline(Workspace& workspace);
 
 void start_playing(Workspace& workspace);
-/// Where it comes to rest is a whole frame.
+/// Ends on a whole frame.
 void stop_playing(Workspace& workspace);
 
-/// Once a frame of the window, `seconds` after the last one: plays; keys what a hand has changed, if that is
-/// wanted; and shows what an edit of the timeline has made of this frame. An edit of the pose that is not
-/// keyed ends the playing, so that it is there to be seen.
+/// Call once per frame of the window, `seconds` after the last one: advances playback, sets keys for edits of
+/// the pose if auto-key is on, and shows edits of the timeline. An unkeyed edit of the pose stops playback,
+/// so that it stays visible.
 void follow_time(Workspace& workspace, double seconds);
 
-/// What keys or sliders have put there, if it was made in straight lines where it is in log space, and the
-/// other way round; null where neither has made it. May throw base::Error.
-SharedPose pose_by_other_lines(Workspace& workspace);
-/// True if there is something that lines make a difference to: keys, or a mix.
-bool has_lines(const Workspace& workspace);
+/// The pose of the keys or the mix, computed linearly if the document uses log space, and the reverse; null
+/// if neither is shown. May throw base::Error.
+SharedPose pose_by_other_blending(Workspace& workspace);
+/// True if keys or a mix exist, for which linear and log space differ.
+bool has_blended_pose(const Workspace& workspace);
 
-/// Once a frame, before the model is deformed: the model follows its pins, see PinPosing.
+/// Call once per frame, before the model is deformed: see PinPosing.
 void follow_pins(Workspace& workspace);
 
 }  // namespace viete::scene

@@ -20,7 +20,7 @@ SelectMode mode_of(const PointerInput& input) {
   return input.ctrl ? SelectMode::remove : SelectMode::replace;
 }
 
-// `small`: something as small as a vertex is there too, which is not taken for a handle nearby.
+// `small`: a small element is under the cursor, which has priority over a handle nearby.
 std::optional<Constraint> handle_under(const Workspace& w, const glm::vec2& cursor, bool small) {
   const auto gizmo = gizmo_of(w);
   if (!gizmo) return std::nullopt;
@@ -28,7 +28,7 @@ std::optional<Constraint> handle_under(const Workspace& w, const glm::vec2& curs
   return handle || small ? handle : pick_handle(*gizmo, cursor, true);
 }
 
-// Edges and faces are long: near a handle one of them is nearly always there.
+// Edges and faces are large: one of them is almost always near a handle.
 bool is_small(const Workspace& w, const std::optional<Pick>& element) {
   const ElementKind kind = w.document.selection.kind();
   return element && (kind == ElementKind::vertex || kind == ElementKind::probe);
@@ -68,7 +68,7 @@ std::optional<Gizmo> gizmo_of(const Workspace& w) {
   if (w.document.selection.kind() == ElementKind::probe && !has_free_probes(w.document)) return std::nullopt;
   const Tool tool = w.interaction.drag ? w.interaction.drag->tool() : w.tool;
   const Anchor anchor = anchor_of(w);
-  // What it turns about stays where it is; what is moved takes the gizmo along.
+  // The pivot stays during rotation and scale; a move takes the gizmo along.
   const bool turning = w.interaction.drag && w.interaction.drag->tool() != Tool::move;
   const glm::dvec3& center = turning ? w.interaction.drag->grip().anchor.center : anchor.center;
   const glm::dmat3& axes = w.interaction.drag ? w.interaction.drag->grip().anchor.axes : anchor.axes;
@@ -86,7 +86,7 @@ std::optional<AxisWidget> axis_widget_of(const Workspace& w) {
 
 void Pointer::frame(Workspace& workspace, const PointerInput& input) {
   workspace.mirror.follow(workspace.document.cage, workspace.handling.mirror);
-  // Another document, or another cage: what was begun on the old one is void.
+  // After a change of document or cage the running gesture is void.
   const Revisions& now = workspace.document.revisions();
   if (surfaces_ != now.surfaces || cage_ != now.cage) {
     surfaces_ = now.surfaces;
@@ -128,7 +128,7 @@ std::optional<Pick> Pointer::element_under(const Workspace& w, const glm::vec2& 
   return pick_element(w.document, w.camera, w.viewport, cursor, sight_.of(w));
 }
 
-// What lies on top takes the mouse: what is armed, the axis widget, the gizmo, the cage.
+// Priority under the mouse: armed tool, axis widget, gizmo, cage.
 void Pointer::hover(Workspace& workspace, const PointerInput& input) {
   Interaction& interaction = workspace.interaction;
   interaction.over_axes = input.over_view && over_axes(workspace, input.position);
@@ -170,17 +170,18 @@ void Pointer::press(Workspace& workspace, const PointerInput& input) {
 
 Pointer::Gesture Pointer::camera_gesture(const Workspace& workspace, int button,
                                          const PointerInput& input) const {
-  const Keymap& keys = workspace.remembered.keymap;
+  const Keymap& keys = workspace.preferences.keymap;
   if (keys.alt_moves_camera() && input.alt && button == middle_button) return Gesture::panning;
   if (keys.alt_moves_camera() && input.alt && button == right_button) return Gesture::zooming;
   if (keys.left_orbits() && button == right_button) return Gesture::panning;
   return input.shift ? Gesture::panning : input.ctrl ? Gesture::zooming : Gesture::orbiting;
 }
 
-// As a drag by the middle of the gizmo, but without a button.
+// Like dragging the gizmo's center, but without a button.
 void Pointer::begin_grab(Workspace& workspace, const PointerInput& input) {
   const bool wanted = !input.escape && shows_selectable(workspace) && !workspace.document.selection.empty();
-  if (wanted && !input.over_view) return;  // a button of the panels was clicked: it begins in the view
+  if (wanted && !input.over_view)
+    return;  // requested by a panel button: starts when the pointer is in the view
   const auto [tool, shape] = *std::exchange(workspace.interaction.grab, std::nullopt);
   if (!wanted) return;
   gesture_ = Gesture::grabbed;
@@ -237,7 +238,7 @@ void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
       is_crowded(workspace.document, workspace.camera, workspace.viewport, press_, sight_.of(workspace));
 }
 
-// A click selects as it always does; a brush begins at once, and is there again for the next stroke.
+// A click selects as usual; a brush starts immediately and stays armed.
 void Pointer::press_armed(Workspace& workspace, const PointerInput& input) {
   shape_ = workspace.interaction.armed;
   handle_.reset();
@@ -250,8 +251,8 @@ void Pointer::press_armed(Workspace& workspace, const PointerInput& input) {
 }
 
 void Pointer::move(Workspace& workspace, const PointerInput& input) {
-  // What was pressed on has its number among elements of that kind: a key has chosen another one since, or
-  // has taken it away.
+  // The pressed element's index is valid only for its kind, which a key may have changed, and only while it
+  // exists.
   const ElementKind kind = workspace.document.selection.kind();
   const bool gone = grabbed_ && grabbed_->index >= element_count(workspace.document, kind);
   if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
@@ -285,8 +286,8 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
   }
 }
 
-// Faces cover the cage, and so do close vertices: if each could be pulled out at once there would be no place
-// left to begin a box.
+// Faces and dense vertices cover the whole cage: if pressing an unselected one dragged it, a box could not be
+// started.
 bool Pointer::draws_box(const Workspace& workspace) const {
   if (handle_) return false;
   const Selection& selection = workspace.document.selection;
@@ -296,7 +297,7 @@ bool Pointer::draws_box(const Workspace& workspace) const {
 
 void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
   if (!shape_ && !draws_box(workspace)) return begin_transform(workspace);
-  if (!shape_ && !grabbed_ && workspace.remembered.keymap.left_orbits() && mode_ == SelectMode::replace) {
+  if (!shape_ && !grabbed_ && workspace.preferences.keymap.left_orbits() && mode_ == SelectMode::replace) {
     gesture_ = Gesture::orbiting;
   } else if (!shows_selectable(workspace)) {
     gesture_ = Gesture::ignored;
@@ -309,7 +310,7 @@ void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
   }
 }
 
-// A handle uses its tool; an element moves with the selection it belongs to.
+// A handle uses its tool; an element moves with its selection.
 void Pointer::begin_transform(Workspace& workspace) {
   Document& document = workspace.document;
   gesture_ = Gesture::moving;
@@ -344,8 +345,8 @@ void Pointer::transform(Workspace& workspace, const PointerInput& input) {
   finish(workspace, Gesture::ignored);
 }
 
-// Pulling out what was not selected has selected it: that is part of the move, or, where nothing has moved,
-// all that was done.
+// Dragging an unselected element has selected it: that is part of the move, or the whole edit if nothing
+// moved.
 void Pointer::commit_drag(Workspace& workspace) {
   Document& document = workspace.document;
   const unsigned long edits = document.history.revision();
@@ -354,7 +355,7 @@ void Pointer::commit_drag(Workspace& workspace) {
   record_selection(document, selection_before_);
 }
 
-// From where it was, in steps of half of its radius: a fast hand leaves no gaps.
+// Interpolates in steps of half the radius, so that fast strokes have no gaps.
 void Pointer::brush_on(Workspace& w, const PointerInput& input) {
   const float radius = w.interaction.select_radius;
   const int steps =
@@ -368,7 +369,7 @@ void Pointer::brush_on(Workspace& w, const PointerInput& input) {
   }
 }
 
-// Of a box or a lasso that is drawn to its end.
+// For a finished box or lasso.
 void Pointer::select_inside(Workspace& w, const PointerInput& input) {
   const auto inside =
       gesture_ == Gesture::lassoing
@@ -382,14 +383,14 @@ void Pointer::select_inside(Workspace& w, const PointerInput& input) {
 bool Pointer::soften_by_wheel(Workspace& workspace, float steps) {
   SoftSelection& soft = workspace.handling.soft;
   const bool shapes = workspace.interaction.drag->grip().shaping.shape != Shape::none;
-  if (!soft.on || steps == 0 || shapes) return false;  // their ways are of what was gripped
+  if (!soft.on || steps == 0 || shapes) return false;  // shapes depend on the original vertices
   soft.radius = std::clamp(soft.radius * std::pow(1.1, steps), SoftSelection::least_radius,
                            SoftSelection::largest_radius);
   workspace.interaction.drag->soften(workspace.document, soft, mirror_of(workspace));
   return true;
 }
 
-// From where the brush was, in steps of a quarter of its radius: a fast hand leaves no gaps.
+// Interpolates in steps of a quarter of the radius, so that fast strokes have no gaps.
 void Pointer::paint(Workspace& workspace, const PointerInput& input) {
   const Brush& brush = workspace.brush;
   const float way = glm::distance(last_.position, input.position);
@@ -430,7 +431,7 @@ void Pointer::release(Workspace& workspace, const PointerInput& input) {
   finish(workspace, Gesture::none);
 }
 
-// A click on a handle reaches what is below it, but on nothing it keeps the selection.
+// A click on a handle selects what is below it, or keeps the selection if nothing is.
 void Pointer::click(Workspace& workspace) {
   clicked_ = !again_;
   if (std::exchange(again_, false) && workspace.document.model.surface) {
@@ -446,7 +447,7 @@ void Pointer::click(Workspace& workspace) {
   set_selection(workspace.document, std::move(selection));
 }
 
-// Of what is selected, which what is under the cursor belongs to.
+// For the selection, which then includes the element under the cursor.
 void Pointer::ask_for_menu(Workspace& workspace) {
   const auto hovered = workspace.interaction.hovered;
   if (hovered && !workspace.document.selection.contains(*hovered)) {
@@ -466,7 +467,7 @@ void Pointer::finish(Workspace& workspace, Gesture next) {
   gesture_ = next;
 }
 
-// The button stays "used up" until it is released, so that the rest of the movement does nothing.
+// The button is ignored until it is released.
 void Pointer::cancel(Workspace& workspace) {
   if (workspace.interaction.drag) workspace.interaction.drag->cancel(workspace.document);
   if (workspace.interaction.stroke) {
@@ -475,7 +476,7 @@ void Pointer::cancel(Workspace& workspace) {
   }
   if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
     return finish(workspace, Gesture::ignored);  // nothing was selected yet
-  // What a key has taken away meanwhile is not selected again.
+  // Elements removed in the meantime are not selected again.
   const auto& before = selection_before_.indices();
   const bool all_there =
       before.empty() || before.back() < element_count(workspace.document, selection_before_.kind());

@@ -1,5 +1,5 @@
-// Mouse, modifiers and typed characters of one frame turned into hovering, selecting, transforming and camera
-// work.
+// Converts mouse, modifiers and typed characters of a frame into hovering, selecting, transforming and camera
+// motion.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include "scene/hand/axis_widget.h"
 #include "scene/hand/gizmo.h"
 #include "scene/hand/picking.h"
-#include "scene/workspace/sight_keeper.h"
+#include "scene/workspace/sight_cache.h"
 #include "scene/workspace/workspace.h"
 
 namespace viete::scene {
@@ -20,52 +20,50 @@ enum MouseButton { left_button = 0, right_button = 1, middle_button = 2 };
 struct PointerInput {
   glm::vec2 position{-1, -1};
   std::array<bool, 3> down{};
-  bool double_click = false;  ///< the left button went down for the second time
+  bool double_click = false;  ///< second press of a double click of the left button
   float wheel = 0;            ///< steps, positive away from the user
   bool shift = false, ctrl = false, alt = false;
-  bool over_view = true;  ///< false while a panel is under the pointer or owns it
-  bool escape = false;    ///< Esc went down in this frame
-  bool enter = false;     ///< and Enter
+  bool over_view = true;  ///< false while a panel is under the pointer or has captured it
+  bool escape = false;    ///< Esc was pressed in this frame
+  bool enter = false;     ///< Enter was pressed in this frame
   bool backspace = false;
-  std::string typed;  ///< characters of this frame
+  std::string typed;  ///< characters typed in this frame
 };
 
-/// The next left drag draws this wherever it begins, also on vertices and on the gizmo; what is armed
-/// already is put away. The brush stays until it is put away.
+/// Arms a selection tool: the next left drag draws its shape, even on vertices and the gizmo; the same shape
+/// again disarms. The brush stays armed.
 void arm(Workspace& workspace, SelectShape shape);
-/// Nothing is drawn any more.
+/// Ends the armed tool.
 void disarm(Workspace& workspace);
 
-/// The gizmo of what is selected, as it is now; nothing while there is none, and while the cage is hidden.
+/// The current gizmo of the selection; nullopt without one, and while the cage is hidden.
 std::optional<Gizmo> gizmo_of(const Workspace& workspace);
 
-/// What moves with the hand now, and how. Requires a selection.
+/// The current grip. Requires a selection.
 Grip grip_of(const Workspace& workspace);
 
 /// The axis widget, if it is shown.
 std::optional<AxisWidget> axis_widget_of(const Workspace& workspace);
 
-/// Keeps what the pointer did from frame to frame: which button was pressed where, and what that began. A
-/// gesture that began in the view goes on over panels until its button is released.
+/// The state of the pointer between frames: the pressed button and its gesture. A gesture that began in the
+/// view continues over panels until the button is released.
 class Pointer {
 public:
   static constexpr float drag_threshold = 4;  ///< logical pixels before a press becomes a drag
 
-  /// Called once a frame. Left click selects (Shift adds, Ctrl removes); left drag on a handle of the gizmo
-  /// uses it, on an element moves the selection, elsewhere draws a box. With Shift or Ctrl it always draws
-  /// one, which adds or removes; so it does on an element that is not selected yet where that is a face, or
-  /// where elements are so close that there is no place between them. What is armed comes before all that;
-  /// middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; wheel zooms to the cursor. A
-  /// right click asks for the menu, of what is under the cursor or selected.
-  /// With Tool::paint left drag paints on the model, with Ctrl what follows in full, and Shift and wheel
-  /// change the brush. A double click brings the place under it to the middle of the view, about which it
-  /// turns. What Interaction::grab asks for follows the cursor until a click, or, pressed on the
-  /// handle of a shape, the handle does until the button is released. While something is being moved
-  /// characters constrain it and set the amount, Ctrl snaps, Shift slows, Enter keeps it, and Esc or the
-  /// right button puts everything back as it was.
+  /// Call once per frame. Left click selects (Shift adds, Ctrl removes). Left drag on a gizmo handle
+  /// transforms, on an element moves the selection, elsewhere draws a box. With Shift or Ctrl it always draws
+  /// a box, which adds or removes; also on an unselected element if it is a face or elements are too dense to
+  /// click between. An armed tool has priority. Middle, right or Alt+left drag orbits, with Shift pans, with
+  /// Ctrl zooms; the wheel zooms to the cursor. Right click requests the context menu. With Tool::paint left
+  /// drag paints the mask, with Ctrl the full share; Shift and wheel change the radius. A double click
+  /// centers the view on the point under it. Interaction::grab makes the selection follow the cursor until a
+  /// click, or, if begun on a shape's handle, until the button is released. During a transform characters set
+  /// constraint and amount, Ctrl snaps, Shift slows down, Enter confirms, and Esc or the right button
+  /// cancels.
   void frame(Workspace& workspace, const PointerInput& input);
 
-  /// True while a button is held in a gesture that began in the view.
+  /// True during a gesture that began in the view.
   bool active() const { return gesture_ != Gesture::none; }
 
 private:
@@ -113,17 +111,17 @@ private:
   }
   bool draws_box(const Workspace& workspace) const;
 
-  SightKeeper sight_;
+  SightCache sight_;
   Gesture gesture_ = Gesture::none;
   int button_ = 0;
-  bool travelled_ = false;  // by more than a hand trembles
+  bool travelled_ = false;  // moved farther than drag_threshold
   glm::vec2 press_{0, 0};
   std::optional<Pick> grabbed_;
   std::optional<Constraint> handle_;
-  std::optional<SelectShape> shape_;  // was armed when the button went down
+  std::optional<SelectShape> shape_;  // armed at the press
   bool crowded_ = false;
   SelectMode mode_ = SelectMode::replace;
-  bool clicked_ = false, again_ = false;  // the last press was a click; this one is the second of two
+  bool clicked_ = false, again_ = false;  // the last press was a click; this one makes it a double click
   Selection selection_before_;
   Revision surfaces_ = 0;
   Revision cage_ = 0;

@@ -14,24 +14,23 @@ std::string title_before(const std::string& work, Asked kind) {
 
 Question ask_before_closing(const std::string& work, const std::string& why) {
   return {Asked::close, title_before(work, Asked::close),
-          "Unsaved edits wait for the next start, but these could not be kept:", why};
+          "These edits could not be saved for the next start:", why};
 }
 
 Question ask_before_opening(const std::string& work, const std::string& why) {
   return {Asked::open, title_before(work, Asked::open),
-          "What is opened takes their place, and they could not be set aside:", why};
+          "Opening replaces these edits, and they could not be saved for recovery:", why};
 }
 
 Question ask_before_replacing(const std::filesystem::path& session) {
   return {
       Asked::replace, session.filename().string() + " has changed on disk",
-      "Another window or program has written it since it was opened here. Saving would replace what is there "
-      "now.",
+      "Another window or program changed the file after it was opened here. Saving replaces that version.",
       ""};
 }
 
 Question ask_after_failed_save(const std::string& work, Asked kind, const std::string& why) {
-  return {kind, title_before(work, kind), "They are not saved yet:", why};
+  return {kind, title_before(work, kind), "Saving failed:", why};
 }
 
 Question ask_to_locate(std::string_view key, const std::string& problem) {
@@ -42,7 +41,7 @@ Question ask_to_locate(std::string_view key, const std::string& problem) {
 
 Question ask_to_remove_fins(const std::string& problem) {
   return {Asked::fins, "Open the cage without its fins?",
-          "Faces that stick out can be removed as the cage is opened. The file does not change.", problem};
+          "Fins, faces that stick out, can be removed on opening. The file does not change.", problem};
 }
 
 Question ask_before_discarding(std::size_t count) {

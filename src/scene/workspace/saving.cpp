@@ -21,14 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Runs a step that writes where it may: over `own`, what this was read as, too. What goes wrong becomes a
-// message.
+// Runs a writing step if the file may be written, including `own`, its source. Reports errors as messages.
 template <class Step>
 bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::string_view own, Step step) {
   const std::string topic = std::string("save ") + what;
   try {
     const bool session = own == the_session;
-    const bool anew = session && path == workspace.saved.session;  // whatever has become of it
+    const bool anew = session && path == workspace.saved.session;  // in any state
     check_output(path, session ? Content::session : Content::surface, files_open(workspace, own),
                  anew ? Force::given : Force::none);
     step();
@@ -36,17 +35,17 @@ bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::
     workspace.messages.info("Saved " + path.filename().string() + ".");
     return true;
   } catch (const std::exception& error) {
-    tell_refusal(workspace, path, error.what(), topic);
+    report_refusal(workspace, path, error.what(), topic);
     return false;
   }
 }
 
-// What is there is as the keys have it at this frame: playing is no work that could be lost.
-bool is_by_time(const Workspace& w) {
+// True if the pose is that of the keys at this frame: playback changes nothing worth saving.
+bool is_timeline_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
-// Or differ in their poses alone, and these are by time.
+// Or they differ only in their poses, which come from the keys.
 bool same_probes(const Workspace& w, bool by_time) {
   deform::Probes now = w.document.probes;
   const auto& saved = w.saved.state.probes.all;
@@ -55,7 +54,7 @@ bool same_probes(const Workspace& w, bool by_time) {
   return now == w.saved.state.probes;
 }
 
-// A pose in no key is safe in the list that was saved, and as the pose that was.
+// An unkeyed pose is saved in the stored list, or as the stored pose.
 bool same_timeline(const Workspace& w) {
   Timeline now = w.document.timeline;
   if (now == w.saved.state.timeline) return true;
@@ -82,7 +81,7 @@ bool save_session(Workspace& workspace, const fs::path& path) {
     base::replace_file(path, text);
     workspace.saved.session = path;
     workspace.saved.content = content_of_bytes(text);
-    workspace.remembered.add({path, {}});
+    workspace.preferences.add({path, {}});
     mark_saved(workspace);
   });
 }
@@ -102,7 +101,7 @@ bool save_chosen_pose(Workspace& workspace, const fs::path& path) {
 bool save_cage(Workspace& workspace, const fs::path& path) {
   Document& document = workspace.document;
   return attempt(workspace, "cage", path, the_cage, [&] {
-    mesh::check_keeps_vertices(path);  // which poses, and the session, go by
+    mesh::check_keeps_vertices(path);  // poses and sessions depend on the vertex order
     mesh::write(path, document.cage->surface, {"cage of " + document.model.path.filename().string()});
     document.history.file_replaced(path, document.cage);
     document.cage_file.path = path;
@@ -112,8 +111,8 @@ bool save_cage(Workspace& workspace, const fs::path& path) {
   });
 }
 
-void tell_refusal(Workspace& workspace, const fs::path& file, const std::string& problem,
-                  std::string_view topic) {
+void report_refusal(Workspace& workspace, const fs::path& file, const std::string& problem,
+                    std::string_view topic) {
   if (!refuse(workspace.browser, file, problem)) workspace.messages.error(problem, {topic});
 }
 
@@ -130,8 +129,8 @@ std::string window_title(const Workspace& w) {
 }
 
 bool has_unsaved_edits(const Workspace& w) {
-  const bool by_time = is_by_time(w);
-  if (w.saved.nowhere || w.document.cage != w.saved.state.cage || !same_probes(w, by_time) ||
+  const bool by_time = is_timeline_pose(w);
+  if (w.saved.recovered || w.document.cage != w.saved.state.cage || !same_probes(w, by_time) ||
       w.document.groups.sets != w.saved.state.groups.sets || w.document.library != w.saved.state.library ||
       !same_timeline(w) || !same_mask(w.document.mask, w.saved.state.mask))
     return true;
@@ -150,7 +149,7 @@ void mark_saved(Workspace& workspace) {
   mark_pose_saved(workspace);
 }
 
-// In a session alone: the file of a pose has no probes.
+// Not for probes: the file of a pose does not include them.
 void mark_pose_saved(Workspace& workspace) {
   workspace.saved.put_pose(real_pose(workspace.document));
   if (!has_unsaved_edits(workspace)) mark_edits_saved(workspace, "");
@@ -160,7 +159,7 @@ Session session_of(const Workspace& w) {
   Session session;
   session.model = w.document.model.path;
   session.cage = w.document.cage_file.path;
-  if (w.document.has_cage() && session.cage.empty()) session.made_cage = w.document.cage_file;
+  if (w.document.has_cage() && session.cage.empty()) session.generated_cage = w.document.cage_file;
   session.model_content = w.document.model.content;
   session.cage_content = w.document.cage_file.content;
   session.origin = w.saved.session;

@@ -15,16 +15,16 @@ namespace viete::scene {
 
 namespace {
 
-// What is under the cursor may be of another kind then.
+// The element under the cursor may be of another kind then.
 void step_back(Workspace& w) {
   undo(w.document);
-  w.messages.leave_sight();
+  w.messages.hide_messages();
   w.interaction.hovered.reset();
 }
 
 void step_forth(Workspace& w) {
   redo(w.document);
-  w.messages.leave_sight();
+  w.messages.hide_messages();
   w.interaction.hovered.reset();
 }
 
@@ -48,8 +48,8 @@ void invert_selection(Workspace& w) {
   set_selection(w.document, std::move(inverted));
 }
 
-// What is selected and under the cursor.
-Selection selection_at_hand(const Workspace& w) {
+// The selection and the hovered element.
+Selection selection_or_hovered(const Workspace& w) {
   Selection selection = w.document.selection;
   if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
     selection.apply(std::array{*w.interaction.hovered}, SelectMode::add);
@@ -57,7 +57,7 @@ Selection selection_at_hand(const Workspace& w) {
 }
 
 void select_linked(Workspace& w) {
-  set_selection(w.document, linked(*w.document.cage, selection_at_hand(w)));
+  set_selection(w.document, linked(*w.document.cage, selection_or_hovered(w)));
 }
 
 template <Selection (*Change)(const deform::Cage&, const Selection&)>
@@ -73,7 +73,7 @@ void select_like(Workspace& w) {
 void select_loop(Workspace& w) {
   Selection loop = looped(*w.document.cage, w.document.selection);
   if (loop == w.document.selection)
-    w.messages.info("No loop goes on from there: select an edge, or two neighbouring vertices or faces.");
+    w.messages.info("No loop found: select an edge, or two neighbouring vertices or faces.");
   set_selection(w.document, std::move(loop));
 }
 
@@ -81,12 +81,12 @@ void select_ring(Workspace& w) {
   Selection ring = ringed(*w.document.cage, w.document.selection);
   if (ring == w.document.selection)
     w.messages.info(
-        "No ring goes on from there: select an edge, or two neighbouring vertices, of a quad or of two "
-        "triangles that make one.");
+        "No ring found: select an edge or two neighbouring vertices of a quad or of two triangles that form "
+        "one.");
   set_selection(w.document, std::move(ring));
 }
 
-// What lies at rest on one side of the model's middle.
+// Selects elements on one side of the model's middle, at rest.
 void add_side_command(CommandTable& table, int axis, bool positive) {
   const char letter = static_cast<char>('x' + axis);
   const std::string side{static_cast<char>('X' + axis), ' ', positive ? '+' : '-'},
@@ -97,9 +97,9 @@ void add_side_command(CommandTable& table, int axis, bool positive) {
   };
   table
       .add(std::string("side_") + letter + '_' + word, {"Select side " + side, side},
-           "Select what of the cage is at rest on the " + word + " side of the model's middle along " +
+           "Select the cage elements that lie at rest on the " + word + " side of the model's middle along " +
                side.front() + '.',
-           with_free_hand<selects_of_cage>, select)
+           without_drag<selects_of_cage>, select)
       .under("Side");
 }
 
@@ -131,85 +131,82 @@ void select_by(Workspace& w) {
 
 void add_select_commands(CommandTable& table) {
   table.heading("Edit");
-  table.add("undo", "Undo", "Take the last edit back.", {key('Z'), true}, can_undo, step_back)
+  table.add("undo", "Undo", "Undo the last edit.", {key('Z'), true}, can_undo, step_back)
       .of([](const Workspace& w) { return w.document.history.undo_label(); });
-  table
-      .add("redo", "Redo", "Repeat the edit that was taken back.", {key('Z'), true, true}, can_redo,
-           step_forth)
+  table.add("redo", "Redo", "Redo the last undone edit.", {key('Z'), true, true}, can_redo, step_forth)
       .or_by({key('Y'), true})
       .of([](const Workspace& w) { return w.document.history.redo_label(); });
-  table.add("reset_pose", "Reset pose", "Put the whole cage and all probes back to rest.", {key('R'), true},
+  table.add("reset_pose", "Reset pose", "Return the whole cage and all probes to rest.", {key('R'), true},
             is_posed, [](Workspace& w) { reset_pose(w.document); });
-  table.add("reset_selected", "Reset selected", "Put what is selected back to rest.", {Key::delete_key},
+  table.add("reset_selected", "Reset selected", "Return the selection to rest.", {Key::delete_key},
             has_posed_selection, [](Workspace& w) { reset_selected(w.document, mirror_of(w)); });
   table.heading("Select");
-  table.add("select_vertices", {"Select vertices", "Vertices"}, "Select vertices of the cage.", {key('1')},
-            hand_is_free, select_by<ElementKind::vertex>);
-  table.add("select_edges", {"Select edges", "Edges"}, "Select edges of the cage.", {key('2')}, hand_is_free,
-            select_by<ElementKind::edge>);
-  table.add("select_faces", {"Select faces", "Faces"}, "Select faces of the cage.", {key('3')}, hand_is_free,
-            select_by<ElementKind::face>);
-  table.add("select_probes", {"Select probes", "Probes"}, "Select probes.", {key('4')}, hand_is_free,
-            select_by<ElementKind::probe>);
+  table.add("select_vertices", {"Select vertices", "Vertices"}, "Select vertices of the cage by clicking.",
+            {key('1')}, no_drag_runs, select_by<ElementKind::vertex>);
+  table.add("select_edges", {"Select edges", "Edges"}, "Select edges of the cage by clicking.", {key('2')},
+            no_drag_runs, select_by<ElementKind::edge>);
+  table.add("select_faces", {"Select faces", "Faces"}, "Select faces of the cage by clicking.", {key('3')},
+            no_drag_runs, select_by<ElementKind::face>);
+  table.add("select_probes", {"Select probes", "Probes"}, "Select probes by clicking.", {key('4')},
+            no_drag_runs, select_by<ElementKind::probe>);
   table
-      .add("select_all", {"Select all", "All"}, "Select the whole cage, or all probes.", {key('A')},
-           with_free_hand<has_elements>, select_everything)
+      .add("select_all", {"Select all", "All"}, "Select the whole cage or all probes.", {key('A')},
+           without_drag<has_elements>, select_everything)
       .or_by({key('A'), true});
-  table.add("select_none", {"Select nothing", "None"}, "Select nothing.", {key('A'), false, true},
-            with_free_hand<has_selection>, select_nothing);
-  table.add("invert_selection", {"Invert selection", "Invert"}, "Select what is not selected.",
-            {key('I'), true}, with_free_hand<has_elements>, invert_selection);
+  table.add("select_none", {"Deselect all", "None"}, "Clear the selection.", {key('A'), false, true},
+            without_drag<has_selection>, select_nothing);
+  table.add("invert_selection", {"Invert selection", "Invert"}, "Exchange selected and unselected elements.",
+            {key('I'), true}, without_drag<has_elements>, invert_selection);
   table
       .add("select_linked", {"Select linked", "Linked"},
-           "Select what is connected with it or with what is under the cursor.", {key('L')},
-           with_free_hand<has_selection_or_hover>, select_linked)
+           "Select everything connected to the selection or the element under the pointer.", {key('L')},
+           without_drag<has_selection_or_hover>, select_linked)
       .or_by({key('L'), true});
-  table.add("select_box", {"Select with a box", "Box"},
-            "Draw a box from anywhere, also from on a vertex; Shift adds, Ctrl removes.", {key('B')},
-            can_draw_selection, {arm_shape<SelectShape::box>, armed<SelectShape::box>});
-  table.add("select_lasso", {"Select with a lasso", "Lasso"},
-            "Draw a line around what to select; Shift adds, Ctrl removes.", {key('B'), false, true},
+  table.add("select_box", {"Box select", "Box"},
+            "Select with a box, started anywhere. Shift adds, Ctrl removes.", {key('B')}, can_draw_selection,
+            {arm_shape<SelectShape::box>, armed<SelectShape::box>});
+  table.add("select_lasso", {"Lasso select", "Lasso"},
+            "Select by drawing a line around elements. Shift adds, Ctrl removes.", {key('B'), false, true},
             can_draw_selection, {arm_shape<SelectShape::lasso>, armed<SelectShape::lasso>});
-  table.add("select_brush", {"Select with a brush", "Brush"},
-            "Select with a circle that the wheel sizes; Ctrl removes, Esc puts it away.",
+  table.add("select_brush", {"Brush select", "Brush"},
+            "Select by painting with a circle. The wheel changes its size, Ctrl removes, Esc ends.",
             {key('C'), false, true}, can_draw_selection,
             {arm_shape<SelectShape::brush>, armed<SelectShape::brush>});
   table
-      .add("stop_selecting", {"Stop selecting with a shape", "Done"}, "Put box, lasso or brush away.",
+      .add("stop_selecting", {"End box, lasso or brush", "Done"}, "End box, lasso or brush selection.",
            {Key::escape}, is_armed, passing(disarm))
       .or_by({Key::enter});
-  table.add("select_more", {"Grow selection", "Grow"}, "Select what is next to it, too.", {Key::up, true},
-            with_free_hand<has_selection_of_cage>, change_selection<grown>);
-  table.add("select_less", {"Shrink selection", "Shrink"}, "Leave out what is next to what is not selected.",
-            {Key::down, true}, with_free_hand<has_selection_of_cage>, change_selection<shrunk>);
+  table.add("select_more", {"Grow selection", "Grow"}, "Grow the selection by one ring.", {Key::up, true},
+            without_drag<has_selection_of_cage>, change_selection<grown>);
+  table.add("select_less", {"Shrink selection", "Shrink"}, "Shrink the selection by one ring.",
+            {Key::down, true}, without_drag<has_selection_of_cage>, change_selection<shrunk>);
   table.add("select_loop", {"Select loop", "Loop"},
-            "Select the loop of an edge, or of two neighbouring vertices or faces.", {key('L'), false, true},
-            with_free_hand<has_selection_of_cage>, select_loop);
+            "Select the loop through an edge, two neighbouring vertices or two neighbouring faces.",
+            {key('L'), false, true}, without_drag<has_selection_of_cage>, select_loop);
   table.add("select_ring", {"Select ring", "Ring"},
-            "Select edges that lie opposite, across quads and pairs of triangles that make one.",
-            {key('R'), false, true}, with_free_hand<has_selection_of_cage>, select_ring);
+            "Select the ring of opposite edges across quads, or across pairs of triangles that form quads.",
+            {key('R'), false, true}, without_drag<has_selection_of_cage>, select_ring);
   table.add("select_similar", {"Select similar", "Similar"},
-            "Select vertices with as many edges, edges as long, faces as large.", {key('S'), false, true},
-            with_free_hand<has_selection_of_cage>, select_like<similar>);
-  table.add("select_facing", {"Select what faces alike", "Facing"},
-            "Select faces that look the same way, or edges that are parallel, within 15 degrees.",
-            with_free_hand<has_selection_of_cage>, select_like<facing>);
+            "Select vertices with equal valence, edges of similar length or faces of similar area.",
+            {key('S'), false, true}, without_drag<has_selection_of_cage>, select_like<similar>);
+  table.add("select_facing", {"Select facing alike", "Facing"},
+            "Select faces with similar normals or parallel edges, within 15 degrees.",
+            without_drag<has_selection_of_cage>, select_like<facing>);
   for (const int axis : {0, 1, 2}) {
     for (const bool positive : {false, true}) add_side_command(table, axis, positive);
   }
   table.add("hide_selected", {"Hide selected", "Hide"},
-            "Hide what is selected: it is not touched until all is shown again.", {key('H'), false, true},
-            with_free_hand<has_selection_of_cage>, change_groups<hide_selected>);
-  table.add("hide_others", {"Hide all but selected", "Only these"},
-            "Hide everything of the cage but what is selected.", {key('H'), true, true},
-            with_free_hand<has_selection_of_cage>, change_groups<hide_others>);
-  table.add("show_hidden", {"Show all that is hidden", "Show all"}, "Show everything of the cage again.",
-            {key('H'), true}, with_free_hand<has_hidden>, change_groups<show_all>);
-  table.add("save_set", {"Keep selection as a set", "Keep as set"},
-            "Keep what is selected as a set, to be selected again by its name.",
-            with_free_hand<has_selection_of_cage>, change_groups<save_set>);
+            "Hide the selection. Hidden elements stay unchanged until shown again.", {key('H'), false, true},
+            without_drag<has_selection_of_cage>, change_groups<hide_selected>);
+  table.add("hide_others", {"Hide unselected", "Hide others"}, "Hide all unselected elements of the cage.",
+            {key('H'), true, true}, without_drag<has_selection_of_cage>, change_groups<hide_others>);
+  table.add("show_hidden", {"Show hidden", "Show hidden"}, "Show all hidden elements of the cage again.",
+            {key('H'), true}, without_drag<has_hidden>, change_groups<show_all>);
+  table.add("save_set", {"Save selection set", "Save set"},
+            "Save the selection as a named set to select again later.", without_drag<has_selection_of_cage>,
+            change_groups<save_set>);
   table.add("toggle_select_visible", {"Select visible only", "Visible only"},
-            "The mouse selects only what neither model nor cage hide.", {key('Z')}, always,
+            "Select only elements that neither model nor cage hides.", {key('Z')}, always,
             switches(&ViewOptions::select_visible));
 }
 

@@ -8,7 +8,7 @@ namespace viete::scene {
 
 namespace {
 
-// From Key::escape on.
+// Starting at Key::escape.
 constexpr std::array key_names = {"Esc",   "Home",      "End",   "Page Up", "Page Down", "Delete",   "Insert",
                                   "Enter", "Backspace", "Space", "Up",      "Down",      "Left",     "Right",
                                   "Tab",   "F1",        "F2",    "F3",      "F4",        "F5",       "F6",
@@ -68,7 +68,7 @@ std::string text(const Shortcut& shortcut) {
 std::optional<Shortcut> shortcut_of(std::string_view text) {
   Shortcut shortcut;
   if (text.empty()) return shortcut;
-  // The key itself may be a plus: no part before it is empty.
+  // The key itself may be a plus, so no part before it is empty.
   for (std::size_t plus = text.find('+'); plus != std::string_view::npos && plus > 0; plus = text.find('+')) {
     const std::string_view held = text.substr(0, plus);
     if (same_word(held, "Ctrl")) {

@@ -1,4 +1,4 @@
-// Keys, alone and with others held.
+// Keys with modifiers.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace viete::scene {
 
-/// Keys by name; letters, digits and . , - = / are their capital ASCII character.
+/// Named keys; letters, digits and . , - = / are their uppercase ASCII character.
 enum class Key : int {
   none = 0,
   escape = 256,
@@ -65,13 +65,13 @@ struct Shortcut {
   friend bool operator==(const Shortcut&, const Shortcut&) = default;
 };
 
-/// Each once.
+/// Each key once.
 std::span<const Key> all_keys();
 
-/// "Ctrl+Shift+Z"; empty for none.
+/// "Ctrl+Shift+Z"; empty for Key::none.
 std::string text(const Shortcut& shortcut);
-/// What text() says, in any case and order of Ctrl, Shift and Alt; nothing if there is no such key. "" is
-/// none.
+/// Parses the format of text(), in any case and order of Ctrl, Shift and Alt; nullopt for an unknown key. ""
+/// is Key::none.
 std::optional<Shortcut> shortcut_of(std::string_view text);
 
 }  // namespace viete::scene

@@ -8,7 +8,7 @@ namespace viete::scene {
 
 namespace {
 
-// Columns and rows, by the number of views.
+// Columns and rows for the number of views.
 glm::ivec2 grid_of(std::size_t count) {
   return count == 4 ? glm::ivec2(2, 2) : glm::ivec2(static_cast<int>(count), 1);
 }
@@ -38,7 +38,7 @@ void put_ways(Split& split, const SideWays& ways) {
   split.active = 0;
   if (split.on()) split.linked = ways.cameras.empty();
   split.cameras = ways.cameras;
-  if (!split.linked) split.cameras.insert(split.cameras.begin(), CameraPose{});  // the active one's place
+  if (!split.linked) split.cameras.insert(split.cameras.begin(), CameraPose{});  // for the active view
 }
 
 std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place) {

@@ -1,4 +1,4 @@
-// The view split in several: one document, each view blended, computed and coloured in a way of its own.
+// The split view: several views of one document with their own blend, method and colour map.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,45 +13,45 @@
 
 namespace viete::scene {
 
-/// A view beside the first one.
+/// An additional view.
 struct SideView : SideWay {
-  // What was made of it, by the last frame.
+  // Results of the last frame.
   FieldView shown{};
   FrameStats stats{};
   double fused_error = 0;             ///< see Workspace::fused_error
-  std::optional<double> exp_error{};  ///< the worst of some of its matrices, relative; nothing: none are used
+  std::optional<double> exp_error{};  ///< largest relative error of sampled matrices; nullopt: it uses none
   bool binding = false;
-  std::string problem{};  ///< why there is none
+  std::string problem{};  ///< why it shows no model
 };
 
 struct Split {
   static constexpr std::size_t most_sides = SideWays::most;
   static constexpr auto least_part = static_cast<float>(SideWays::least_part);
 
-  std::vector<SideView> sides;      ///< none: the view is whole
-  bool wipe = false;                ///< two views in one place, on either side of a line
-  float line = 0.5f;                ///< where that is, as a part of the width, least_part to 1 - least_part
-  bool linked = true;               ///< all have the same camera
-  std::size_t active = 0;           ///< the view that the hand works in: 0 is the first one
-  std::vector<CameraPose> cameras;  ///< of views that the hand has left, where they are not linked
+  std::vector<SideView> sides;      ///< empty: a single view
+  bool wipe = false;                ///< two views in one place, separated by a movable line
+  float line = 0.5f;                ///< position as a fraction of the width, least_part to 1 - least_part
+  bool linked = true;               ///< all views share one camera
+  std::size_t active = 0;           ///< the view with the gizmo and the current camera; 0 is the first one
+  std::vector<CameraPose> cameras;  ///< cameras of inactive views, if not linked
 
   std::size_t count() const { return sides.size() + 1; }
   bool on() const { return !sides.empty(); }
   bool wipes() const { return wipe && sides.size() == 1; }
 };
 
-/// Where a view stands, as parts of the whole: from the left and the top, and how wide and high.
+/// Position and size of a view as fractions of the whole: offset from the top left.
 struct Pane {
   glm::vec2 at{0, 0}, size{1, 1};
 };
-/// What is seen of it: of a wipe one side of the line.
+/// The visible part: with a wipe, one side of the line.
 Pane pane_of(const Split& split, std::size_t view);
-/// As the camera sees it: of a wipe all of it.
+/// The viewport of the view's camera: with a wipe, the whole.
 Viewport viewport_of(const Split& split, const Viewport& whole, std::size_t view);
-/// The view under a place of the window.
+/// The view at a position in the window.
 std::size_t view_at(const Split& split, const Viewport& whole, const glm::vec2& place);
 
-/// The same with these, and the hand in the first one.
+/// Replaces the views and activates the first one.
 void put_ways(Split& split, const SideWays& ways);
 
 }  // namespace viete::scene

@@ -9,7 +9,7 @@ namespace viete::scene {
 
 namespace {
 
-// The first way that no view has.
+// The first deformer that no view uses.
 deform::Scheme unused_scheme(const Workspace& w) {
   const auto is_used = [&](const deform::Scheme& scheme) {
     return scheme == w.document.scheme ||

@@ -1,4 +1,4 @@
-// The view of a workspace is split, and the hand goes from one part to another.
+// Splitting the view of a workspace, and switching between its parts.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace viete::scene {
 
-/// So many views, 1 to 4. New ones are blended in ways that are not shown yet.
+/// Sets the number of views, 1 to 4. New ones use deformers that are not shown yet.
 void split_view(Workspace& workspace, std::size_t count);
-/// The hand works in that view from now on: the camera is its own.
+/// Activates that view and its camera.
 void enter_view(Workspace& workspace, std::size_t view);
-/// That of a view.
+/// The camera of a view.
 CameraPose camera_of(const Workspace& workspace, std::size_t view);
-/// The same where it comes to rest, if it is on its way.
+/// The same at the end of a running animation.
 CameraPose last_camera_of(const Workspace& workspace, std::size_t view);
-/// What a session keeps of the split.
+/// The split as stored in a session.
 SideWays ways_of(const Workspace& workspace);
-/// What a side view shows as colours on the mesh, or none.
+/// The field shown as colours in a side view, or none.
 lab::Field shown_field(const Workspace& workspace, const SideView& side);
 
 }  // namespace viete::scene

@@ -16,54 +16,54 @@ namespace viete::scene {
 namespace {
 
 constexpr Condition can_pose{
-    [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !in_hand(w); },
-    "Open a cage, add a probe or import shapes first, and pose it rather than edit it (Tab)."};
+    [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !is_dragging(w); },
+    "Open a cage, add a probe or import shapes first, and leave cage editing (Tab)."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
-                                    "Choose a pose of the list first; Keep pose makes one of what is there."};
+                                    "Choose a pose in the list first. Add pose adds the current one."};
 constexpr Condition can_export_pose{[](const Workspace& w) { return has_chosen_pose(w) && has_cage(w); },
-                                    "Choose a pose of the list first."};
+                                    "Choose a pose in the list first."};
 constexpr Condition is_not_first_pose{
     [](const Workspace& w) { return has_chosen_pose(w) && *w.chosen_pose > 0; },
-    "Choose a pose below the first one."};
+    "Choose a pose other than the first one."};
 constexpr Condition is_not_last_pose{[](const Workspace& w) {
                                        return has_chosen_pose(w) &&
                                               *w.chosen_pose + 1 < w.document.library.poses.size();
                                      },
-                                     "Choose a pose above the last one."};
+                                     "Choose a pose other than the last one."};
 constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
-                            "Nothing is mixed: move the slider of a pose."};
+                            "All weights are 0 %: move the slider of a pose first."};
 constexpr Condition can_average{[](const Workspace& w) {
                                   double sum = 0;
                                   for (const NamedPose& pose : w.document.library.poses) sum += pose.weight;
                                   return has_mix(w) && sum > 0;
                                 },
-                                "Mix in poses first, more above than below 0 %."};
+                                "Set weights of poses first; their sum must be above 0 %."};
 constexpr Condition has_time{[](const Workspace& w) {
                                return !w.document.timeline.empty() && !is_editing_cage(w.document) &&
-                                      !in_hand(w);
+                                      !is_dragging(w);
                              },
-                             "There are no keys: pose the model and set one (I)."};
+                             "No keys yet: pose the model and set a key (I)."};
 // Keys of the keyboard that change time do nothing where time is not seen.
 constexpr Condition shows_time{[](const Workspace& w) {
-                                 return has_model(w) && w.remembered.layout.timeline &&
-                                        !is_editing_cage(w.document) && !in_hand(w);
+                                 return has_model(w) && w.preferences.layout.timeline &&
+                                        !is_editing_cage(w.document) && !is_dragging(w);
                                },
                                "Show the timeline first."};
 constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && shows_time(w); },
                                "Show the timeline and set a key first (I)."};
 constexpr Condition has_pose_keys{
     [](const Workspace& w) { return has_time(w) && !w.document.timeline.keys.empty(); },
-    "There are no keys: pose the model and set one (I)."};
-constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !in_hand(w); },
+    "No keys yet: pose the model and set a key (I)."};
+constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !is_dragging(w); },
                                    "Open a model first."};
 constexpr Condition has_selected_keys{
     [](const Workspace& w) { return has_time(w) && !selected_keys(w).empty(); },
     "Select keys in the timeline first."};
 constexpr Condition deletes_keys{
     [](const Workspace& w) { return has_selected_keys(w) && w.time_view.hovered; },
-    "Select keys in the timeline first, and leave the pointer there."};
+    "Select keys in the timeline first and keep the pointer over it."};
 
-// What cannot be done is said, and changes nothing.
+// Reports an edit that fails, without a change.
 template <class Edit>
 void try_edit(Workspace& w, const char* what, Edit edit) {
   try {
@@ -108,10 +108,10 @@ void move_down(Workspace& w) {
   ++*w.chosen_pose;
 }
 
-// Opens the timeline, in which all keys are in sight if it was closed.
+// Opens the timeline, and fits all keys if it was closed.
 void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
-    const bool shown = w.remembered.layout.timeline && !w.document.timeline.empty();
+    const bool shown = w.preferences.layout.timeline && !w.document.timeline.empty();
     stop_playing(w);
     set();
     if (!shown) show_timeline(w);
@@ -123,7 +123,7 @@ template <class Key>
 std::string key_message(const std::vector<Key>& keys, const char* what, int frame) {
   const bool replaces = std::ranges::find(keys, frame, &Key::frame) != keys.end();
   const std::string at = std::to_string(frame);
-  return replaces ? std::string(what) + " at frame " + at + " replaced; undo brings the old one back."
+  return replaces ? std::string(what) + " at frame " + at + " replaced; undo restores the old one."
                   : std::string(what) + " set at frame " + at + '.';
 }
 
@@ -186,7 +186,7 @@ void change_play(Workspace& w, const auto& change) {
   set_play(w.document, play);
 }
 
-// What plays begins at the first key and ends at the last one.
+// Fits the playback range to the first and last key.
 void fit_range(Workspace& w) {
   const std::vector<int> frames = key_frames(w.document.timeline);
   change_play(w, [&](Play& play) { play.first = frames.front(), play.last = frames.back(); });
@@ -206,82 +206,80 @@ void choose_repeat(Workspace& w, Repeat repeat) {
 void change_mix(Workspace& w, const std::function<bool()>& change) {
   stop_playing(w);
   if (change()) return w.messages.succeeded("mix");
-  w.messages.error("the mix would leave what can be drawn; nothing was changed", {"mix"});
+  w.messages.error("these weights move the model too far to draw; nothing was changed", {"mix"});
 }
 
 void add_time_commands(CommandTable& table) {
   table.heading("Poses");
-  table.add("keep_pose", {"Keep this pose", "Keep pose"}, "Keep what is there now as a pose with a name.",
-            can_pose, keep);
-  table.add("apply_pose", {"Apply the chosen pose", "Apply"},
-            "Put shape, cage and probes into the chosen pose.", has_chosen_pose,
-            [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
-  table.add("update_pose", {"Update the chosen pose", "Update"}, "The chosen pose becomes what is there now.",
+  table.add("keep_pose", "Add pose", "Add the current pose to the list under a name.", can_pose, keep);
+  table.add("apply_pose", {"Apply pose", "Apply"}, "Set model, cage and probes to the chosen pose.",
+            has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
+  table.add("update_pose", {"Update pose", "Update"}, "Replace the chosen pose by the current one.",
             has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
-  table.add("duplicate_pose", {"Duplicate the chosen pose", "Duplicate"}, "Another pose like the chosen one.",
+  table.add("duplicate_pose", {"Duplicate pose", "Duplicate"}, "Add a copy of the chosen pose.",
             has_chosen_pose, duplicate);
-  table.add("remove_pose", {"Delete the chosen pose", "Delete"},
-            "Take the chosen pose out of the list; undo brings it back.", has_chosen_pose, remove);
-  table.add("pose_up", {"Move the chosen pose up", "Move up"}, "Move the chosen pose up in the list.",
-            is_not_first_pose, move_up);
-  table.add("pose_down", {"Move the chosen pose down", "Move down"}, "Move the chosen pose down in the list.",
+  table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
+            has_chosen_pose, remove);
+  table.add("pose_up", {"Move pose up", "Move up"}, "Move the chosen pose up in the list.", is_not_first_pose,
+            move_up);
+  table.add("pose_down", {"Move pose down", "Move down"}, "Move the chosen pose down in the list.",
             is_not_last_pose, move_down);
-  table.add("export_pose", {"Export the chosen pose", "Export pose"},
+  table.add("export_pose", {"Export chosen pose", "Export pose"},
             "Write the cage in the chosen pose to a mesh file.", can_export_pose, browse_to_save_named_pose);
-  table.add("clear_mix", "Clear mix", "All sliders back to 0 %: what was made by hand stays.", has_mix,
+  table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits stay.", has_mix,
             [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
-  table.add("average_mix", {"Average the mix", "Average"},
-            "Divide all sliders by their sum: the mean of the poses that are mixed, in log space.",
-            can_average,
+  table.add("average_mix", {"Average weighted poses", "Average"},
+            "Divide all weights by their sum, which gives the weighted mean of the poses.", can_average,
             [](Workspace& w) { change_mix(w, [&] { return average_mix(w.document, w.playback.vectors); }); });
-  table.add("toggle_mix_selected", {"Mix only into what is selected", "Only what is selected"},
-            "The slider of a pose moves only what is selected when it leaves 0 %; else, or where nothing is "
-            "selected, all of the cage.",
-            has_cage, switches(&Handling::mix_selected, &Workspace::handling));
+  table.add(
+      "toggle_mix_selected", {"Apply weights to selection only", "Selection only"},
+      "Apply a pose only to the elements selected when its weight leaves 0 %. Otherwise to the whole cage.",
+      has_cage, switches(&Handling::mix_selected, &Workspace::handling));
   table.heading("Time");
-  table.add("play", "Play", "Play what is keyed, or stop.", {Key::space}, has_time,
+  table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
             {play_or_stop, [](const Workspace& w) { return w.playback.playing; }});
-  table.add("set_key", "Set a key", "Keep what is there now as the key of this frame.", {key('I')}, can_pose,
+  table.add("set_key", "Set key", "Set a key for the current pose at this frame.", {key('I')}, can_pose,
             key_pose);
-  table.add("set_camera_key", {"Set a camera key", "Camera key"},
-            "Keep where one looks from as a key of this frame.", {key('I'), false, true}, can_key_camera,
+  table.add("set_camera_key", {"Set camera key", "Camera key"},
+            "Set a key for the current camera at this frame.", {key('I'), false, true}, can_key_camera,
             key_camera);
-  table.add("turntable", {"Turn the camera round", "Turntable"},
-            "The camera goes once round the model over what plays; its other keys give way.", can_key_camera,
-            key_turntable);
+  table.add("turntable", {"Set turntable", "Turntable"},
+            "Orbit the camera once around the model over the playback range. Replaces other camera keys.",
+            can_key_camera, key_turntable);
   table.add("delete_keys", {"Delete selected keys", "Delete keys"},
-            "Delete the selected keys; by its key while the pointer is over the timeline.", {Key::delete_key},
-            deletes_keys, delete_keys);
-  table.add("previous_frame", "Previous frame", "One frame back.", {Key::left}, shows_time, step<-1>);
-  table.add("next_frame", "Next frame", "One frame on.", {Key::right}, shows_time, step<1>);
-  table.add("previous_key", "Previous key", "Back to the last key before this frame.", {Key::down},
-            shows_keys, to_key<false>);
-  table.add("next_key", "Next key", "On to the next key.", {Key::up}, shows_keys, to_key<true>);
-  table.add("first_frame", "First frame", "To where playing begins.", {Key::left, false, true}, shows_time,
-            to_end<&Timeline::first>);
-  table.add("last_frame", "Last frame", "To where playing ends.", {Key::right, false, true}, shows_time,
-            to_end<&Timeline::last>);
-  table.add("fit_range", {"Play from first to last key", "Range of keys"},
-            "Play from the first key to the last one.", has_time, fit_range);
+            "Delete the selected keys. The shortcut works while the pointer is over the timeline.",
+            {Key::delete_key}, deletes_keys, delete_keys);
+  table.add("previous_frame", "Previous frame", "Go to the previous frame.", {Key::left}, shows_time,
+            step<-1>);
+  table.add("next_frame", "Next frame", "Go to the next frame.", {Key::right}, shows_time, step<1>);
+  table.add("previous_key", "Previous key", "Go to the previous key.", {Key::down}, shows_keys,
+            to_key<false>);
+  table.add("next_key", "Next key", "Go to the next key.", {Key::up}, shows_keys, to_key<true>);
+  table.add("first_frame", "First frame", "Go to the first frame of the playback range.",
+            {Key::left, false, true}, shows_time, to_end<&Timeline::first>);
+  table.add("last_frame", "Last frame", "Go to the last frame of the playback range.",
+            {Key::right, false, true}, shows_time, to_end<&Timeline::last>);
+  table.add("fit_range", {"Set range to keys", "Range to keys"},
+            "Set the playback range from the first to the last key.", has_time, fit_range);
   add_choices<Easing>(table, "Easing", has_pose_keys, choose_easing);
   add_choices<Repeat>(table, "After the last frame", has_model, choose_repeat);
   table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
-            "Whatever the hand changes becomes a key of this frame, once there is a key.", always,
+            "Set a key at this frame after each edit, once there is a key.", always,
             switches(&Playback::auto_key, &Workspace::playback));
-  table.add(
-      "toggle_straight", {"Straight lines between poses", "Straight lines"},
-      "Vertices of cage and model go straight from key to key, and in mixes, as in other programs; else the "
-      "logs of their maps are blended.",
-      has_model,
-      {[](Workspace& w) {
-         change_mix(
-             w, [&] { return set_straight(w.document, w.playback.vectors, !w.document.timeline.straight); });
-       },
-       [](const Workspace& w) { return w.document.timeline.straight; }});
-  table.add("toggle_timeline", {"Show the timeline", "Timeline"}, "Show or hide the timeline.",
+  table.add("toggle_straight", {"Linear interpolation", "Linear"},
+            "Interpolate vertex positions linearly between keys and in weighted poses. Otherwise "
+            "interpolates their maps in log space.",
+            has_model,
+            {[](Workspace& w) {
+               change_mix(w, [&] {
+                 return set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
+               });
+             },
+             [](const Workspace& w) { return w.document.timeline.straight; }});
+  table.add("toggle_timeline", {"Show timeline", "Timeline"}, "Show or hide the timeline.",
             {key('T'), false, true}, always,
-            {[](Workspace& w) { w.remembered.layout.timeline = !w.remembered.layout.timeline; },
-             [](const Workspace& w) { return w.remembered.layout.timeline; }});
+            {[](Workspace& w) { w.preferences.layout.timeline = !w.preferences.layout.timeline; },
+             [](const Workspace& w) { return w.preferences.layout.timeline; }});
 }
 
 }  // namespace viete::scene

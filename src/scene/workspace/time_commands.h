@@ -1,4 +1,4 @@
-// Commands of poses with names, and of time.
+// Commands for named poses and the timeline.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace viete::scene {
 
-/// Stops playing, mixes, and says so where that would have led too far.
+/// Stops playback and runs the change; shows a message if it would exceed the drawable range.
 void change_mix(Workspace& workspace, const std::function<bool()>& change);
 
 }  // namespace viete::scene

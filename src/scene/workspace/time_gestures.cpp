@@ -25,7 +25,7 @@ void toggle_frame(std::vector<int>& frames, int frame) {
   }
 }
 
-// Within what a timeline may have, and all by the same way.
+// Limits a shift of all frames to the timeline's range.
 int allowed_shift(const std::vector<int>& frames, int shift) {
   return std::clamp(shift, Timeline::least_frame - frames.front(), Timeline::largest_frame - frames.back());
 }
@@ -78,7 +78,7 @@ void press_keys(Workspace& w, double frame, std::optional<int> key, bool add) {
   }
   if (add) return toggle_frame(view.selected, *key);
   if (!has_frame(view.selected, *key)) view.selected = {*key};
-  if (in_hand(w)) return;
+  if (is_dragging(w)) return;
   view.drag = TimeView::Drag{
       .what = TimeView::What::keys, .pressed = frame, .before = w.document.timeline, .frames = view.selected};
 }

@@ -1,4 +1,4 @@
-// The mouse on the timeline: keys are selected and dragged, frames are gone to.
+// Mouse gestures on the timeline: selecting and dragging keys, scrubbing.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,22 @@
 
 namespace viete::scene {
 
-/// Selected frames that have a key.
+/// Selected frames with a key.
 std::vector<int> selected_keys(const Workspace& workspace);
-/// Those whose easing is shown and chosen: the selected ones that come to another, or else the last one at or
-/// before the frame that is shown.
+/// The keys whose easing is shown and edited: selected ones with a successor, or else the last one at or
+/// before the current frame.
 std::vector<int> eased_keys(const Workspace& workspace);
 
-/// A press on a frame: on a key (of either kind) it selects, `add` toggles, and a drag takes the selected
-/// along; anywhere else it begins a box.
+/// A press on a frame: on a key (of either kind) selects it, toggles it with `add`, and starts dragging the
+/// selection; elsewhere starts a box.
 void press_keys(Workspace& workspace, double frame, std::optional<int> key, bool add);
-/// In the ruler: goes there.
+/// In the ruler: goes to the frame.
 void press_ruler(Workspace& workspace, double frame);
 void press_pan(Workspace& workspace, double frame);
-/// The mouse is over that frame of the window as it was when it was pressed.
+/// `frame` is under the mouse, in terms of the frame window at the press.
 void drag_time(Workspace& workspace, double frame);
 void release_time(Workspace& workspace);
-/// Esc: as it was before the press.
+/// Esc: restores the state before the press.
 void cancel_time(Workspace& workspace);
 
 }  // namespace viete::scene

@@ -1,5 +1,4 @@
-// The timeline as it is looked at and held: which frames are seen, which keys are selected, what the mouse
-// drags.
+// State of the timeline panel: visible frames, selected keys, the running drag.
 #pragma once
 
 #include <optional>
@@ -9,7 +8,7 @@
 
 namespace viete::scene {
 
-/// The frames at its edges, which may lie between two.
+/// The frames at its edges, possibly fractional.
 struct FrameWindow {
   static constexpr double least_length = 4;
 
@@ -25,27 +24,27 @@ struct TimeView {
   enum class What { scrub, keys, box, pan };
   struct Drag {
     What what;
-    double pressed;             ///< the frame that was pressed
-    Timeline before{};          ///< What::keys: as it was then
-    std::vector<int> frames{};  ///< and what is dragged
+    double pressed;             ///< the frame at the press
+    Timeline before{};          ///< for What::keys: the timeline then
+    std::vector<int> frames{};  ///< for What::keys: the dragged frames
     bool moved = false;
-    FrameWindow seen{};           ///< What::pan: as it was then
-    std::vector<int> selected{};  ///< What::box: likewise
+    FrameWindow seen{};           ///< for What::pan: the window then
+    std::vector<int> selected{};  ///< for What::box: the selection then
   };
   FrameWindow seen;
   std::vector<int> selected;  ///< frames of pose and camera keys, ascending
   std::optional<Drag> drag;
-  bool hovered = false;  ///< the pointer is over it: Delete means keys
-  bool fitted = false;   ///< `seen` was chosen for this document
+  bool hovered = false;  ///< under the pointer: Delete applies to keys
+  bool fitted = false;   ///< `seen` was fitted to this document
 };
 
-/// All that plays and all keys, with a margin.
+/// The playback range and all keys, with a margin.
 FrameWindow fitting(const Timeline& timeline);
-/// About the frame at that share of the width; factor > 1 sees more.
+/// Zooms about the frame at that fraction of the width; factor > 1 zooms out.
 FrameWindow zoomed(const FrameWindow& seen, double share, double factor);
-/// Frames between lines of the ruler, so that there are about so many: 1, 2, 5, 10, 20 ...
+/// Frames between ruler lines, for about `lines` of them: 1, 2, 5, 10, 20 ...
 int ruler_step(const FrameWindow& seen, double lines);
 
-/// Frames that have a key of either kind, ascending.
+/// Frames with a key of either kind, ascending.
 std::vector<int> key_frames(const Timeline& timeline);
 }  // namespace viete::scene

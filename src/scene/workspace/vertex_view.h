@@ -1,4 +1,4 @@
-// The sum at a vertex that a person has picked, made ready to be drawn.
+// The vertex inspector's data for a picked vertex.
 #pragma once
 
 #include <array>
@@ -14,27 +14,27 @@
 namespace viete::scene {
 
 struct VertexView {
-  /// One element of the cage, and what it adds.
+  /// One element of the cage and its contribution.
   struct Term {
     std::uint32_t element;
     double weight;
-    glm::dmat3 map{1};                  ///< exp(Y) exp(X): what it would do alone
-    mesh::Point at;                     ///< the element's centre, file units
-    std::array<double, 3> eigenvalues;  ///< of the symmetric sum up to this term, ascending
+    glm::dmat3 map{1};                  ///< exp(Y) exp(X): its effect alone
+    mesh::Point at;                     ///< the element's center, file units
+    std::array<double, 3> eigenvalues;  ///< eigenvalues of the symmetric sum up to this term, ascending
   };
-  /// How a method takes the exponential of the whole sum.
+  /// The exponential of the whole sum by one method.
   struct Way {
     Method method;
     std::string route;
     double error;  ///< relative, against 106 bits
   };
 
-  std::optional<std::uint32_t> vertex;  ///< that was asked for
-  bool appearing = false;               ///< just now: its section is to be scrolled to
-  std::vector<Term> terms;              ///< the largest first
-  bool has_logs = false;                ///< else only weights are told
-  glm::dmat3 map{1};                    ///< of the whole sum
-  double degrees = 0;                   ///< that its rotation turns by
+  std::optional<std::uint32_t> vertex;  ///< the picked vertex
+  bool appearing = false;               ///< just picked: scroll to its section
+  std::vector<Term> terms;              ///< by decreasing weight
+  bool has_logs = false;                ///< false: weights only
+  glm::dmat3 map{1};                    ///< map of the whole sum
+  double degrees = 0;                   ///< rotation angle of the map
   std::vector<Way> ways;
 };
 

@@ -1,4 +1,4 @@
-// Commands of what is seen: panels, shading, maps and several views.
+// Commands for the display: panels, shading, maps and split views.
 #include <algorithm>
 #include <utility>
 
@@ -14,17 +14,17 @@ namespace viete::scene {
 
 namespace {
 
-// With the panels, where they are hidden.
+// Shows the panels too if they are hidden.
 template <Column Which>
 void toggle_column_of(Workspace& w) {
   const bool hidden = !std::exchange(w.view.panels, true);
-  if (!hidden || !(shown_columns(w.remembered.layout, w.viewport.window.x).of(Which) > 0))
-    toggle_column(w.remembered.layout, Which, w.viewport.window.x);
+  if (!hidden || !(shown_columns(w.preferences.layout, w.viewport.window.x).of(Which) > 0))
+    toggle_column(w.preferences.layout, Which, w.viewport.window.x);
 }
 
 template <Column Which>
 bool column_shown(const Workspace& w) {
-  return w.view.panels && shown_columns(w.remembered.layout, w.viewport.window.x).of(Which) > 0;
+  return w.view.panels && shown_columns(w.preferences.layout, w.viewport.window.x).of(Which) > 0;
 }
 
 void choose_shading(Workspace& w, Shading shading) {
@@ -50,103 +50,100 @@ void add_looks(CommandTable& table) {
     };
   };
   for (const auto& side : sides) {
-    const std::string text = std::string("Look ") + side.where;
+    const std::string text = std::string("View ") + side.where;
     table.add(side.name, {text, side.brief}, text + '.', side.shortcut, always, look(side.view))
-        .under("Look from");
+        .under("Viewpoint");
   }
   table
-      .add("view_home", {"Look from home", "Home"},
-           "Look from the front, to the right and above, at all of it.", {Key::home}, always, look(V::home))
+      .add("view_home", {"Home view", "Home"}, "Show the whole model from the front, right and above.",
+           {Key::home}, always, look(V::home))
       .or_by({Key::pad0})
-      .under("Look from");
+      .under("Viewpoint");
 }
 
 }  // namespace
 
 void add_camera_commands(CommandTable& table) {
   table.heading("View");
-  table.add("frame_all", "Frame all", "See the whole model and cage.", {key('F'), false, true}, has_model,
+  table.add("frame_all", "Frame all", "Show the whole model and cage.", {key('F'), false, true}, has_model,
             [](Workspace& w) { frame_all(w, true); });
-  table.add("frame_selection", "Frame selection", "See what is selected, or all if nothing is.", {key('F')},
-            has_model, [](Workspace& w) { frame_selection(w, true); });
+  table.add("frame_selection", "Frame selection", "Show the selection, or everything without a selection.",
+            {key('F')}, has_model, [](Workspace& w) { frame_selection(w, true); });
   add_looks(table);
   table
       .add("toggle_orthographic", {"Orthographic view", "Orthographic"},
-           "Look without perspective: equal lengths look equal.", {Key::pad5}, always,
+           "Show the scene without perspective.", {Key::pad5}, always,
            {[](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); },
             [](const Workspace& w) { return w.camera.pose().orthographic; }})
       .or_by({key('O')});
-  table.add("toggle_z_up", "Z up",
-            "Which axis of the file points up: Z, or Y. Files are written as they came.", {key('U')}, always,
+  table.add("toggle_z_up", "Z up", "Show Z as the up axis, otherwise Y. Saved files keep their axes.",
+            {key('U')}, always,
             {[](Workspace& w) { w.camera.set_up(w.camera.pose().up == UpAxis::z ? UpAxis::y : UpAxis::z); },
              [](const Workspace& w) { return w.camera.pose().up == UpAxis::z; }});
 }
 
 void add_view_commands(CommandTable& table) {
   table.heading("View");
-  table.add("toggle_wireframe", {"Show the wireframe", "Wireframe"}, "Show the edges of the mesh.",
+  table.add("toggle_wireframe", {"Show wireframe", "Wireframe"}, "Show the edges of the model.",
             {key('W'), false, true}, always, switches(&ViewOptions::wireframe));
   add_choices<Shading>(table, "Shading", always, choose_shading);
   table.add("next_shading", "Next shading",
-            "Show the mesh as clay, porcelain or jade, as it is, with a checker, by normals, with stripes, "
-            "and so on.",
+            "Switch to the next shading: clay, porcelain, jade, file colours, checker, normals, stripes.",
             {key('V')}, always, [](Workspace& w) { w.view.shading = next_choice(w.view.shading); });
-  table.add("toggle_model", {"Show the model", "Model"}, "Show the mesh.", {key('M')}, always,
+  table.add("toggle_model", {"Show model", "Model"}, "Show the model.", {key('M')}, always,
             switches(&ViewOptions::model));
-  table.add("toggle_deformed", {"Show the model deformed", "Deformed"},
-            "Let cage and probes move the mesh, or see it at rest meanwhile.", {key('N')}, always,
+  table.add("toggle_deformed", {"Show deformation", "Deformed"},
+            "Show the deformed model, otherwise the model at rest.", {key('N')}, always,
             switches(&ViewOptions::deformed));
-  table.add("toggle_cage", {"Show the cage", "Cage"}, "Show the cage and the probes.", {key('C')}, always,
+  table.add("toggle_cage", {"Show cage", "Cage"}, "Show the cage and the probes.", {key('C')}, always,
             switches(&ViewOptions::cage));
-  table.add("toggle_grid", {"Show the grid", "Grid"}, "Show the ground grid.", {key('G')}, always,
+  table.add("toggle_grid", {"Show grid", "Grid"}, "Show the ground grid.", {key('G')}, always,
             switches(&ViewOptions::grid));
-  table.add("toggle_axes", {"Show the axes", "Axes"}, "Show the axes at the top right.", {key('X')}, always,
-            switches(&ViewOptions::axes));
-  table.add("toggle_ghost", {"Show the cage at rest", "Rest ghost"},
-            "Show the cage at rest, faintly, while it is posed.", {key('H')}, always,
+  table.add("toggle_axes", {"Show axes", "Axes"}, "Show the axis widget at the top right.", {key('X')},
+            always, switches(&ViewOptions::axes));
+  table.add("toggle_ghost", {"Show rest cage", "Rest cage"},
+            "Show the cage at rest faintly behind the posed cage.", {key('H')}, always,
             switches(&ViewOptions::ghost));
   table.add("toggle_theme", "Dark theme", "Switch between the dark and the light theme.", {key('T')}, always,
-            {[](Workspace& w) { w.remembered.dark = w.view.dark = !w.view.dark; },
+            {[](Workspace& w) { w.preferences.dark = w.view.dark = !w.view.dark; },
              [](const Workspace& w) { return w.view.dark; }});
-  table.add(
-      "toggle_coarse_motion", "Coarse in motion",
-      "Draw what moves at half the resolution, and sharp again at rest: faster where a processor draws.",
-      always, {[](Workspace& w) { w.remembered.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
-  table.add("toggle_panels", {"Show the panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
+  table.add("toggle_coarse_motion", "Coarse in motion",
+            "Draw at half resolution while the view changes. Faster with software rendering.", always,
+            {[](Workspace& w) { w.preferences.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
+  table.add("toggle_panels", {"Show panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
             switches(&ViewOptions::panels));
-  table.add("toggle_full_screen", "Full screen", "Let the window fill the screen, or give it its size back.",
-            {Key::f11}, always,
+  table.add("toggle_full_screen", "Full screen", "Switch between full screen and window.", {Key::f11}, always,
             {[](Workspace& w) { w.full_screen = !w.full_screen; },
              [](const Workspace& w) { return w.full_screen; }});
-  table.add("toggle_tools", {"Show the tools column", "Tools column"},
+  table.add("toggle_tools", {"Show tools column", "Tools column"},
             "Show or hide the left column: model, cage, poses and tools.", always,
             {toggle_column_of<Column::tools>, column_shown<Column::tools>});
-  table.add("toggle_methods", {"Show the methods column", "Methods column"},
+  table.add("toggle_methods", {"Show methods column", "Methods column"},
             "Show or hide the right column: method, timings, deformer and analysis.", always,
             {toggle_column_of<Column::methods>, column_shown<Column::methods>});
 }
 
 void add_help_commands(CommandTable& table) {
   table.heading("Help");
-  table.add("help", {"Show every key", "Keys"}, "Show every key and mouse action.", {Key::f1}, always,
+  table.add("help", {"Show keys and mouse", "Keys"}, "Show all keys and mouse actions.", {Key::f1}, always,
             switches(&ViewOptions::help));
   table
-      .add("command_palette", {"Find a command", "Commands"},
-           "Find any command by a few letters of its name, and run it.", {key('K'), true}, always,
+      .add("command_palette", {"Find command", "Commands"}, "Find a command by its name and run it.",
+           {key('K'), true}, always,
            [](Workspace& w) {
              w.palette = {!w.palette.open, true, "", 0};
            })
       .or_by({Key::f3});
-  table.add("edit_keys", {"Change keys", "All keys"}, "Every command with its key, to give it another one.",
+  table.add("edit_keys", {"Change keys", "Change keys"}, "Show all commands with their keys and change them.",
             always, [](Workspace& w) {
               w.key_list = {!w.key_list.open, true, "", false, {}};
             });
-  table.add("show_messages", {"Show all messages", "Messages"},
-            "Show all that was said since the program was started, or hide it again.", always,
+  table.add("show_messages", {"Show messages", "Messages"},
+            "Show all messages since the start of the program.", always,
             [](Workspace& w) { w.show_messages = !w.show_messages; });
-  table.add("manual", {"Read the manual", "Manual"}, "Open the manual in the browser.", always,
+  table.add("manual", {"Open manual", "Manual"}, "Open the manual in the browser.", always,
             [](Workspace& w) { w.requests.manual = ""; });
-  table.add("first_steps", "First steps", "Open the chapter of the manual about the window.", always,
+  table.add("first_steps", "First steps", "Open the manual's chapter about the window.", always,
             [](Workspace& w) { w.requests.manual = "window"; });
 }
 
@@ -158,11 +155,11 @@ constexpr Condition has_map{[](const Workspace& w) { return w.field.values != nu
                             "Choose a map first (Analysis, Map)."};
 
 constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
-                               "Pick a vertex first."};
+                               "Inspect a vertex first."};
 
 void pick_vertex(Workspace& w) {
   const auto vertex = pointed_vertex(w, w.interaction.cursor.value_or(w.viewport.middle()));
-  if (!vertex) return w.messages.info("Point at the model to pick a vertex of it.");
+  if (!vertex) return w.messages.info("Point at a vertex of the model first.");
   show_sum_at(w, vertex);
 }
 
@@ -175,7 +172,7 @@ void choose_field(Workspace& w, Field field) {
 void show_sum_at(Workspace& w, std::optional<std::uint32_t> vertex) {
   w.vertex.vertex = vertex;
   w.vertex.appearing = true;
-  PanelLayout& layout = w.remembered.layout;
+  PanelLayout& layout = w.preferences.layout;
   for (const char* section : {"Analysis", "Vertex inspector"}) layout.sections[section] = true;
   if (shown_columns(layout, w.viewport.window.x).methods <= 0)
     toggle_column(layout, Column::methods, w.viewport.window.x);
@@ -191,31 +188,28 @@ std::optional<std::uint32_t> pointed_vertex(const Workspace& w, const glm::vec2&
 void add_map_commands(CommandTable& table) {
   table.heading("Map");
   add_choices<Field>(table, "Map", has_model, choose_field);
-  table.add("next_map", "Next map", "Colour the mesh by the next of the maps.", has_model,
+  table.add("next_map", "Next map", "Show the next map on the model.", has_model,
             [](Workspace& w) { w.view.field = next_choice(w.view.field); });
-  table.add("toggle_error_map", {"Show errors on the mesh", "Error on the mesh"},
-            "Colour the mesh by the relative error of the exponential at each vertex.",
-            {key('E'), false, true}, uses_method,
+  table.add("toggle_error_map", {"Show error map", "Error map"},
+            "Show the relative error of the exponential at each vertex as a map.", {key('E'), false, true},
+            uses_method,
             {[](Workspace& w) {
                const bool on = w.view.field == Field::exp_error;
                w.view.field = on ? Field::none : Field::exp_error;
              },
              [](const Workspace& w) { return w.view.field == Field::exp_error; }});
-  table.add("hold_map_range", "Hold the range",
-            "The colours keep the range that they have now, whatever the hand does.", has_map,
+  table.add("hold_map_range", "Lock range", "Keep the current colour range while the model changes.", has_map,
             {[](Workspace& w) { w.field.holds_range = !w.field.holds_range; },
              [](const Workspace& w) { return w.field.holds_range; }});
-  table.add("frame_worst", "Frame the worst vertex", "See the vertex where the map says most, from near.",
+  table.add("frame_worst", "Frame largest value", "Zoom to the vertex with the largest value of the map.",
             has_map, frame_worst);
-  table.add(
-      "pick_vertex", {"Pick a vertex to see its sum", "Pick"},
-      "Show what is summed at the vertex under the cursor: weights, maps, and how each method takes the "
-      "exponential.",
-      {key('Y'), false, false, true}, has_model, pick_vertex);
-  table.add("pick_worst", {"Pick the worst vertex of the map", "The worst of the map"},
-            "Show what is summed at the vertex where the map says most.", has_map,
+  table.add("pick_vertex", {"Inspect vertex", "Inspect"},
+            "Show weights, matrices and the result of each method for the vertex under the pointer.",
+            {key('Y'), false, false, true}, has_model, pick_vertex);
+  table.add("pick_worst", {"Inspect largest value", "Largest value"},
+            "Open the vertex inspector for the vertex with the largest value of the map.", has_map,
             [](Workspace& w) { show_sum_at(w, w.field.stats.worst); });
-  table.add("drop_vertex", {"Close the sum at a vertex", "Close"}, "Show no vertex's sum.", has_vertex,
+  table.add("drop_vertex", {"Close vertex inspector", "Close"}, "Close the vertex inspector.", has_vertex,
             [](Workspace& w) { w.vertex.vertex.reset(); });
 }
 
@@ -234,22 +228,21 @@ void add_split_commands(CommandTable& table) {
     const bool one = count == 1;
     table.choice(
         "views_" + std::to_string(count), "Views", labels[count - 1],
-        one ? "The view is whole."
-            : "Show the model in several ways at once, each blended, computed and coloured in its own.",
+        one ? "Show a single view." : "Split the view to compare deformers, methods and maps side by side.",
         has_model, [count](Workspace& w) {
           split_view(w, count);
           frame_all(w, true);
         });
   }
-  table.add("toggle_wipe", {"Wipe between two views", "Wipe"},
-            "Two views in one place, on either side of a line that can be dragged.", in_two,
+  table.add("toggle_wipe", {"Wipe two views", "Wipe"},
+            "Show two views in one area, separated by a draggable line.", in_two,
             {[](Workspace& w) {
                w.split.wipe = !w.split.wipe;
                frame_all(w, true);
              },
              [](const Workspace& w) { return w.split.wipes(); }});
-  table.add("toggle_linked_cameras", {"Link the cameras of the views", "Linked cameras"},
-            "All views are seen by one camera, or each by its own.", is_split,
+  table.add("toggle_linked_cameras", {"Link cameras", "Linked cameras"},
+            "Use one camera for all views, otherwise one each.", is_split,
             {[](Workspace& w) { w.split.linked = !w.split.linked; },
              [](const Workspace& w) { return w.split.linked; }});
 }

@@ -19,7 +19,7 @@ std::vector<glm::vec3> in_view(const Space& space, std::span<const mesh::Point> 
   return seen;
 }
 
-// The corners of the box that the used vertices fill: stray ones do not make the model small.
+// The corners of the box of used vertices: stray vertices must not enlarge it.
 std::vector<mesh::Point> corners(const mesh::Bounds& box) {
   std::vector<mesh::Point> points;
   for (int i = 0; i < 8; ++i) {
@@ -29,7 +29,7 @@ std::vector<mesh::Point> corners(const mesh::Bounds& box) {
   return points;
 }
 
-// Where the cage's elements are; vertices without any say nothing.
+// The positions used by the cage's elements; unused vertices are ignored.
 std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
   std::vector<bool> used(pose.positions.size());
   for (const auto& t : cage.surface.triangles) {
@@ -42,7 +42,7 @@ std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::
   return points;
 }
 
-// The corners of boxes around the selected ones, as wide as their largest radius.
+// The corners of boxes around the selected probes, with their largest radius.
 std::vector<mesh::Point> around_probes(const Document& document) {
   std::vector<mesh::Point> points;
   for (const auto i : document.selection.indices()) {
@@ -91,7 +91,7 @@ float offer_height(const Workspace& w) {
 void frame_all(Workspace& workspace, bool eased) {
   const Document& document = workspace.document;
   if (!document.model.surface) return;
-  // A cage encloses its model: its vertices say where both are.
+  // A cage encloses its model: its vertices cover both.
   const std::vector<mesh::Point> points =
       document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
   workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased, offer_height(workspace));
@@ -107,7 +107,7 @@ void frame_selection(Workspace& workspace, bool eased) {
 }
 
 void frame_worst(Workspace& w) {
-  constexpr double share = 0.06;  // of the model's diagonal, on either side
+  constexpr double share = 0.06;  // fraction of the model's diagonal, on either side
   const auto& surface = *w.document.model.surface;
   const std::size_t worst = w.field.stats.worst;
   if (worst >= surface.positions.size()) return;
@@ -117,18 +117,19 @@ void frame_worst(Workspace& w) {
   w.camera.frame(in_view(w.document.space, corners(box)), w.viewport, true);
 }
 
-void take_hold(Workspace& w) {
-  w.before_hold = {mark_of(w.document), w.handling, w.brush, w.making.wish, w.remembered.layout, w.opened};
+void begin_widget_edit(Workspace& w) {
+  w.before_widget_edit = {mark_of(w.document), w.handling,           w.brush,
+                          w.making.wish,       w.preferences.layout, w.opened};
 }
 
-// A cage that is being made follows its wish, and is no edit of the hand's.
-void call_off_hold(Workspace& w) {
-  if (!w.before_hold || w.before_hold->opened != w.opened) return;
-  BeforeHold before = *std::exchange(w.before_hold, std::nullopt);
+// Keeps a cage that is being generated: it follows the settings and is not part of the edit.
+void cancel_widget_edit(Workspace& w) {
+  if (!w.before_widget_edit || w.before_widget_edit->opened != w.opened) return;
+  BeforeWidgetEdit before = *std::exchange(w.before_widget_edit, std::nullopt);
   w.handling = before.handling;
   w.brush = before.brush;
   w.making.wish = before.wish;
-  w.remembered.layout = before.layout;
+  w.preferences.layout = before.layout;
   if (!w.making.open) take_back(w.document, std::move(before.document));
 }
 

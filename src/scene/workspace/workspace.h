@@ -1,5 +1,4 @@
-// The document and all that surrounds it while a person works on it: camera, view options, messages, what the
-// pointer is doing.
+// The document and its working state: camera, view options, messages, pointer interaction.
 #pragma once
 
 #include <array>
@@ -36,48 +35,48 @@
 #include "scene/workspace/frame_stats.h"
 #include "scene/workspace/messages.h"
 #include "scene/workspace/playback.h"
+#include "scene/workspace/preferences.h"
 #include "scene/workspace/question.h"
-#include "scene/workspace/remembered.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
 #include "scene/workspace/vertex_view.h"
 
 namespace viete::scene {
 
-/// What the pointer is over in the view, and the drag or box that it has begun.
+/// The elements under the pointer in the view, and the running drag or selection.
 struct Interaction {
-  std::optional<std::uint32_t> hovered;  ///< element or probe under the cursor, of the selection's kind
-  std::optional<glm::vec2> cursor;       ///< over the view, logical pixels
-  std::optional<Constraint> handle;      ///< of the gizmo, under the cursor
+  std::optional<std::uint32_t> hovered;  ///< element or probe of the selection's kind under the cursor
+  std::optional<glm::vec2> cursor;       ///< in the view, logical pixels
+  std::optional<Constraint> handle;      ///< gizmo handle under the cursor
   bool over_axes = false;                ///< the cursor is over the axis widget
-  std::optional<TransformDrag> drag;     ///< the selection is being moved, rotated or scaled
-  std::optional<mesh::Point> brush;      ///< where it meets the model, with Tool::paint
-  std::optional<MaskStroke> stroke;      ///< the mask is being painted
+  std::optional<TransformDrag> drag;     ///< the running transform of the selection
+  std::optional<mesh::Point> brush;      ///< brush position on the model, with Tool::paint
+  std::optional<MaskStroke> stroke;      ///< the running mask stroke
   struct Box {
     glm::vec2 corner, opposite;  ///< logical pixels
     SelectMode mode;
   };
-  std::optional<Box> box;              ///< a selection box is being drawn
-  std::optional<Lasso> lasso;          ///< or a lasso
-  std::optional<SelectMode> brushing;  ///< or the brush selects
-  std::optional<SelectShape> armed;    ///< the next left drag draws it, wherever it begins; the brush stays
-  float select_radius = 40;            ///< of the brush, logical pixels
-  bool crowded = false;           ///< elements are so close under the cursor that a drag on one draws a box
-  std::optional<glm::vec2> menu;  ///< the right button was clicked here: a menu is to open
-  glm::vec2 menu_at{0, 0};        ///< and that is what its commands are for
-  std::optional<Link> stage;      ///< of the deformation, under the cursor
-  bool placing_pivot = false;     ///< the next click says where
+  std::optional<Box> box;              ///< the running box selection
+  std::optional<Lasso> lasso;          ///< the running lasso selection
+  std::optional<SelectMode> brushing;  ///< the running brush selection
+  std::optional<SelectShape> armed;    ///< the next left drag draws this shape; the brush stays armed
+  float select_radius = 40;            ///< brush radius, logical pixels
+  bool crowded = false;                ///< elements under the cursor are so dense that a drag draws a box
+  std::optional<glm::vec2> menu;       ///< right click position: the context menu opens there
+  glm::vec2 menu_at{0, 0};             ///< the position the menu's commands act on
+  std::optional<Link> stage;           ///< stage of the deformation under the cursor in the timings
+  bool placing_pivot = false;          ///< the next click places the pivot
   struct Grab {
     Tool tool;
     Shape shape = Shape::none;
   };
-  std::optional<Grab> grab;    ///< the selection is to follow the cursor, without a button
-  std::string setting_key;     ///< the command that gets the next key that is pressed; empty: none
-  bool show_partners = false;  ///< of the whole cage in its mirror
+  std::optional<Grab> grab;    ///< the selection follows the cursor without a button
+  std::string setting_key;     ///< the command that gets the next pressed key; empty: none
+  bool show_partners = false;  ///< draw the mirror pairs of the whole cage
 };
 
-/// All that a slider or a handle of a panel changes, as it was when the mouse took hold of it.
-struct BeforeHold {
+/// Everything that a slider or a panel handle can change, saved at the mouse press.
+struct BeforeWidgetEdit {
   EditMark document;
   Handling handling;
   Brush brush;
@@ -86,70 +85,68 @@ struct BeforeHold {
   Revision opened;
 };
 
-/// What stands in a field while it is being edited.
+/// The text of a field being edited.
 struct TypedText {
   std::string text;
-  int frame = 0;  ///< in which it was seen last
+  int frame = 0;  ///< last drawn
 };
 
-/// A slider that is a field for its number, until that is left.
+/// A slider in text entry, until it loses the focus.
 struct TypedSlider {
   std::string name;
-  int frame = 0;  ///< in which it was seen last
-  int waits = 0;  ///< frames left to get the keyboard
+  int frame = 0;  ///< last drawn
+  int waits = 0;  ///< frames left to request the keyboard focus
 };
 
-/// What only the program around can do; it takes and clears these once a frame.
+/// Requests to the program, which handles and clears them once a frame.
 struct Requests {
   bool quit = false;
   bool screenshot = false;
-  bool stop_work = false;  ///< reading, binding or making a cage
+  bool stop_work = false;  ///< cancel reading, binding or cage generation
   bool stop_export = false;
-  bool frame_finding = false;  ///< move the camera to the finding that is shown
+  bool frame_finding = false;  ///< move the camera to the shown finding
   bool show_report = false, stop_report = false;
   std::optional<std::string> manual;  ///< the chapter to show; empty: the first page
   std::optional<OpenRequest> open;
   std::optional<std::filesystem::path> save_session, save_pose, save_named_pose, save_cage, save_model,
       save_animation;
-  std::optional<Answer> answer;  ///< to the question
+  std::optional<Answer> answer;  ///< to the open question
 };
 
-/// How far work is that is done aside and that a person waits for.
+/// Progress of background work that the user waits for.
 struct WorkState {
   bool running = false;
   std::string what;    ///< "Reading dragon.ply", "Binding 50,000 vertices to 148 faces, 72 MB"
   double done = 0;     ///< in [0, 1]
-  double seconds = 0;  ///< since this part of the work began
-  double age = 0;      ///< since all of it began
+  double seconds = 0;  ///< since this part began
+  double age = 0;      ///< since the whole began
 };
 
-/// How long work will still take: as fast as it was in the latter half of its time, which knows nothing of a
-/// slow beginning.
+/// Estimates the remaining time from the speed in the latter half of the elapsed time, ignoring a slow start.
 class TimeLeft {
 public:
-  /// Seconds; nothing while too little is known. Asked again and again while it goes on.
+  /// Seconds; nullopt while there is too little data. Call repeatedly while the work runs.
   std::optional<double> of(const WorkState& work);
 
 private:
   std::string what_;
-  std::vector<std::array<double, 2>> seen_;  // seconds, and what was done then
+  std::vector<std::array<double, 2>> seen_;  // seconds, and progress then
 };
 
-/// What is safe in files of the user's: edits that led away from it are unsaved.
+/// The state saved in the user's files: edits since then are unsaved.
 struct Saved {
-  std::filesystem::path session{};  ///< where Save writes; empty until there is one
+  std::filesystem::path session{};  ///< target of Save; empty until there is one
   std::optional<std::uint64_t>
-      content{};  ///< checksum of that file as it was read or written here; nothing: not known
-  DocumentState
-      state{};  ///< that was opened or saved last; the pose is the real one, empty for recovered work
-  unsigned long edits = 0;   ///< that had been recorded then
-  std::string first_edit{};  ///< since then, of recovered work
-  bool nowhere = false;      ///< recovered work, which is in no file of the user's
+      content{};             ///< checksum of that file when read or written here; nullopt: unknown
+  DocumentState state{};     ///< last opened or saved; with the real pose; empty for recovered work
+  unsigned long edits = 0;   ///< number of recorded edits then
+  std::string first_edit{};  ///< first edit of recovered work
+  bool recovered = false;    ///< recovered work that is in none of the user's files
 
   void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
-  void put_pose(deform::Pose pose) { state.pose = std::move(pose), nowhere = false, ++revision_; }
-  void begin_anew() { *this = Saved(revision_ + 1); }
-  /// Grows with each change of these.
+  void put_pose(deform::Pose pose) { state.pose = std::move(pose), recovered = false, ++revision_; }
+  void reset() { *this = Saved(revision_ + 1); }
+  /// Increases with each change.
   unsigned long revision() const { return revision_; }
 
   Saved() = default;
@@ -160,37 +157,37 @@ private:
   unsigned long revision_ = 0;
 };
 
-/// What runs, for the status bar and the help.
+/// Build and system information, for the status bar and the help.
 struct About {
   std::string version;    ///< "0.2.0"
   std::string build;      ///< build type and compiler
-  std::string kernel;     ///< of the exponential
-  std::string renderer;   ///< of OpenGL
-  bool software = false;  ///< a processor draws
+  std::string kernel;     ///< kernel of the matrix exponential
+  std::string renderer;   ///< OpenGL renderer
+  bool software = false;  ///< software rendering on the CPU
 };
 
-/// Every command by name, found by a few letters.
+/// The command palette: search among all commands.
 struct Palette {
   bool open = false;
-  bool appearing = false;  ///< the keyboard is to go there
+  bool appearing = false;  ///< request the keyboard focus
   std::string typed;
-  std::size_t highlighted = 0;  ///< among those that are found
+  std::size_t highlighted = 0;  ///< index among the matches
 };
 
-/// Every command with its keys, to give it others.
+/// The list of commands for changing their keys.
 struct KeyList {
   bool open = false;
-  bool appearing = false;                     ///< the keyboard is to go to its field
-  std::string typed;                          ///< which commands are shown, as in the palette
-  bool waiting = false;                       ///< in the last frame a command was waiting for its key
-  std::optional<Keymap::Changes> taken_back;  ///< all at once, while it is open
+  bool appearing = false;                     ///< request the keyboard focus for its field
+  std::string typed;                          ///< search text, as in the palette
+  bool waiting = false;                       ///< a command was waiting for its key in the last frame
+  std::optional<Keymap::Changes> taken_back;  ///< changes before "reset all", for undo while it is open
 };
 
-/// A pose of some vertices that was copied.
+/// A copied pose of some vertices.
 struct CopiedPose {
   std::shared_ptr<const deform::Cage> cage;
   std::vector<std::uint32_t> vertices;
-  std::vector<mesh::Point> positions;  ///< theirs
+  std::vector<mesh::Point> positions;  ///< one per vertex
 };
 
 struct Workspace {
@@ -202,15 +199,15 @@ struct Workspace {
   Interaction interaction;
   Tool tool = Tool::move;
   Handling handling;
-  KnownMirror mirror;  ///< that of the cage, as handling asks for it
+  MirrorCache mirror;  ///< cached mirror of the cage for `handling`
   CopiedPose copied;
   Playback playback;
   PinPosing pins;
-  std::optional<std::size_t> chosen_pose;  ///< of the library: what the commands of poses act on
+  std::optional<std::size_t> chosen_pose;  ///< index in the library: target of the pose commands
   TimeView time_view;
   PosePictures pose_pictures;
-  Brush brush;       ///< of Tool::paint
-  PosedModel posed;  ///< the model as it is drawn
+  Brush brush;       ///< used by Tool::paint
+  PosedModel posed;  ///< the model as drawn
   Requests requests;
   FrameStats stats;
   MethodStats methods;
@@ -218,53 +215,53 @@ struct Workspace {
   FieldView field;
   VertexView vertex;
   Split split;
-  double fused_error = 0;  ///< of the fused frame, or of what a stitched one follows, against double:
-                           ///< measured aside, in diagonals of the cage; 0 if staged
-  WorkState loading;       ///< opening files: reading them, then binding
-  WorkState binding;       ///< of what is open, to other coordinates
+  double fused_error =
+      0;  ///< error of the fused frame, or of its initial guess for a stitched model, against double, in
+          ///< diagonals of the cage; measured in the background; 0 if staged
+  WorkState loading;  ///< opening files: reading, then binding
+  WorkState binding;  ///< rebinding the open document with other weights
   WorkState exporting;
   WorkState making_cage;
-  TimeLeft time_left, export_left;  ///< of what is shown of these
+  TimeLeft time_left, export_left;  ///< remaining time of the displayed ones
   CageMaking making;
-  bool offer_cage = true;  ///< ways to get one are shown while the model has none
+  bool offer_cage = true;  ///< offer ways to get a cage while the model has none
   CheckState checks;
   WorkState reporting;
   Saved saved;
-  Remembered remembered;
-  std::vector<Leftover> leftovers;       ///< unsaved work that can be brought back, newest first
-  bool offers_leftovers = false;         ///< their notice is shown, until it is answered
-  float notice_height = 0;               ///< logical pixels of its row, as it was drawn last
-  std::filesystem::path example;         ///< session with poses and keys of the bundled model
-  std::filesystem::path recovered_from;  ///< the leftover that is open, until its work is safe elsewhere
-  Revision opened = 0;                   ///< another document was opened
-  std::vector<std::string> pose_notes;   ///< what the deformer had to decide in this pose, one line each
-  deform::LogReport pose_report;         ///< the same, to be marked at the cage
-  std::optional<Question> question;      ///< waits for an answer; nothing else is done meanwhile
-  std::optional<OpenRequest> unopened;   ///< what the question is of, when it is opened in another way
-  std::optional<Question::Kind> after_saving;  ///< what was answered with Save goes on when that is done
+  Preferences preferences;
+  std::vector<RecoveryFile> recovery_files;  ///< recoverable unsaved work, newest first
+  bool offers_recovery = false;              ///< their notice is shown until it is answered
+  float notice_height = 0;                   ///< last height of the notice row in logical pixels
+  std::filesystem::path example;             ///< session with poses and keys for the bundled model
+  std::filesystem::path recovered_from;      ///< the open recovery file, until its work is saved elsewhere
+  Revision opened = 0;                       ///< increases when another document is opened
+  std::vector<std::string> pose_notes;  ///< ambiguous decisions of the deformer in this pose, one line each
+  deform::LogReport pose_report;        ///< the same, for marking the cage
+  std::optional<Question> question;     ///< a modal question; blocks other actions
+  std::optional<OpenRequest> unopened;  ///< the request that the question is about
+  std::optional<Question::Kind> after_saving;  ///< the action to continue after saving
   FileBrowser browser;
   Palette palette;
   KeyList key_list;
-  bool show_messages = false;  ///< all of them, in a list
-  bool attended = true;        ///< somebody is there to read what is said; not so for pictures of a command
-  bool tools = true;           ///< gizmo, selection, hover and handles are drawn; not so in pictures
-  bool full_screen = false;    ///< the window is to fill the screen
-  bool ask_keys = false;       ///< the first start asks which keys the hands know
-  bool farewell = false;       ///< the window is about to close, and edits are kept
-  std::map<std::string, TypedText> typed;  ///< by the name of the field
+  bool show_messages = false;   ///< show the message list
+  bool has_user = true;         ///< a user can see messages; false for pictures rendered by a command
+  bool tools = true;            ///< draw gizmo, selection, hover and handles; false in pictures
+  bool full_screen = false;     ///< the window is to fill the screen
+  bool ask_keys = false;        ///< the first start asks for the keymap
+  bool closing_notice = false;  ///< the window is closing and edits are backed up
+  std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;
-  std::optional<BeforeHold> before_hold;  ///< since the mouse button went down
+  std::optional<BeforeWidgetEdit> before_widget_edit;  ///< since the mouse press
   ChoicePictures choice_pictures;
   About about;
 };
 
-/// True if what moves in the view is to be drawn at half the resolution: as was chosen, or where a processor
-/// draws.
+/// True if motion in the view is drawn at half the resolution: as chosen, or with software rendering.
 inline bool draws_coarsely(const Workspace& workspace) {
-  return workspace.remembered.coarse_motion.value_or(workspace.about.software);
+  return workspace.preferences.coarse_motion.value_or(workspace.about.software);
 }
 
-/// True if its frames are made link by link, in double.
+/// True if its frames are computed step by step, in double.
 bool shows_links(const Workspace& workspace);
 
 /// True if the mesh is coloured by its mask.
@@ -272,48 +269,47 @@ inline bool shows_mask(const Workspace& workspace) {
   return workspace.tool == Tool::paint && workspace.document.is_movable();
 }
 
-/// The pose of the list that commands act on; null: none is chosen.
+/// The pose that pose commands act on; null: none is chosen.
 inline const NamedPose* chosen_pose(const Workspace& w) {
   const auto& poses = w.document.library.poses;
   return w.chosen_pose && *w.chosen_pose < poses.size() ? &poses[*w.chosen_pose] : nullptr;
 }
 
-/// That of the open cage, in which the hand moves both sides; null: none.
+/// The mirror of the open cage if edits act on both sides; null: none.
 inline const Mirror* mirror_of(const Workspace& w) {
   return w.mirror.cage == w.document.cage ? w.mirror.get() : nullptr;
 }
 
-/// True if what can be selected is there to be seen: probes, or the cage.
+/// True if the selectable elements are displayed: probes, or the cage.
 inline bool shows_selectable(const Workspace& w) {
   const bool probes = w.document.selection.kind() == ElementKind::probe;
   return w.view.cage && (probes ? !w.document.probes.empty() : w.document.has_cage());
 }
 
-/// What the mesh is coloured by: what was asked for, or none where that does not exist.
+/// The field shown as colours; none if the chosen one is not available.
 lab::Field shown_field(const Workspace& workspace);
-/// The same of a view that asks for `field` and is blended so.
+/// The same for a view with this `field` and scheme.
 lab::Field shown_field(const Workspace& workspace, lab::Field field, const deform::Scheme& scheme);
 
-/// The mouse takes hold of a widget, maybe; and what it has done since never was.
-void take_hold(Workspace& workspace);
-void call_off_hold(Workspace& workspace);
+/// Starts a cancellable edit on mouse press; cancel_widget_edit() restores the state before it.
+void begin_widget_edit(Workspace& workspace);
+void cancel_widget_edit(Workspace& workspace);
 
-/// Logical pixels at the bottom of the view in which the offer of a cage stands; 0 where there is none.
+/// Height in logical pixels of the cage offer at the bottom of the view; 0 without one.
 float offer_height(const Workspace& workspace);
 
-/// Moves the camera to see the model and its posed cage, above the offer of one, or the selected vertices.
+/// Frames the model and its posed cage, above the cage offer, or the selected vertices.
 void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
-/// The vertex that is the worst of the map.
+/// Frames the vertex with the largest value of the map.
 void frame_worst(Workspace& workspace);
-/// Of the model, nearest to what is drawn at this place of the window; nothing where it is not.
+/// The model vertex nearest to the point drawn at this window position; nullopt: no model there.
 std::optional<std::uint32_t> pointed_vertex(const Workspace& workspace, const glm::vec2& at);
 
-/// Shows the sum at this vertex of the model, in its section, which is opened and scrolled to.
+/// Shows this vertex in the vertex inspector and scrolls to it.
 void show_sum_at(Workspace& workspace, std::optional<std::uint32_t> vertex);
 
-/// What the deformer had to decide in the frame of this pose: its turns become the pose's, and its notes are
-/// shown.
+/// Applies the deformer's report for the current pose: stores its turns in the pose and shows its notes.
 void take_report(Workspace& workspace, const deform::LogReport& report);
 
 }  // namespace viete::scene

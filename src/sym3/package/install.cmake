@@ -1,4 +1,4 @@
-# What a stranger's build finds after `cmake --install`: the library, its public headers, and how to link it by CMake or by pkg-config.
+# Files installed by `cmake --install`: the library, its public headers, and package files for CMake and pkg-config.
 # The library needs nothing else: Eigen and Highway are headers of its own sources only.
 include(CMakePackageConfigHelpers)
 

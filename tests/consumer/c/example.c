@@ -1,4 +1,4 @@
-/* The C header, from C: every layout gives the same, and what is wrong is refused. */
+/* Uses the C header from C: all layouts agree, and invalid arguments are rejected. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// A stranger's own loop in vector registers, as exp-inl.h says, compiled for one instruction set.
+// An external vectorised loop as documented in exp-inl.h, compiled for one instruction set.
 #define HWY_COMPILE_ONLY_SCALAR
 #include <viete/sym3/highway_targets.h>
 #define HWY_TARGET_INCLUDE "with_highway.cpp"

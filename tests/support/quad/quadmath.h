@@ -1,4 +1,4 @@
-// What the tests take of libquadmath, on machines whose long double has the same 113 bits (arm64) and whose GCC has no such library.
+// The part of libquadmath that tests use, for machines (arm64) whose long double has 113 bits and whose GCC lacks the library.
 #pragma once
 
 #include <cfloat>

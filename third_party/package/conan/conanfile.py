@@ -1,4 +1,4 @@
-"""viete::sym3 for Conan 2, of the sources that this recipe lies in."""
+"""viete::sym3 for Conan 2, built from this checkout."""
 import os
 
 from conan import ConanFile

@@ -1,4 +1,4 @@
-#include "scene/workspace/taking.h"
+#include "scene/workspace/apply_opened.h"
 
 #include <utility>
 
@@ -29,14 +29,14 @@ void report(Workspace& workspace, const Opened& opened) {
   for (const auto& warning : opened.warnings) workspace.messages.warn(warning, concern);
 }
 
-// Another cage of the same model: sets and poses are of the one before. Where they are in a file it is named.
-void tell_what_is_lost(Workspace& w, const std::string& poses, bool in_file) {
+// After a change of the cage: reports lost sets and poses, and the file that contains them, if any.
+void report_losses(Workspace& w, const std::string& poses, bool in_file) {
   const std::string file = w.saved.session.filename().string();
   const std::string where = in_file && !file.empty() ? "; " + file + " has them" : "";
   const Concern concern{.scope = Scope::cage};
   if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
-    w.messages.warn("Sets of the cage before are gone: " + sets + where, concern);
-  if (!poses.empty()) w.messages.warn("Poses of the cage before are gone: " + poses + where, concern);
+    w.messages.warn("Selection sets of the previous cage were removed: " + sets + where, concern);
+  if (!poses.empty()) w.messages.warn("Poses of the previous cage were removed: " + poses + where, concern);
 }
 
 void take_document(Workspace& w, Document&& document, bool keep_settings) {
@@ -45,7 +45,7 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
     document.method = old.method;
     document.scheme = old.scheme;
   }
-  document.take_place_of(old);
+  document.mark_replacing(old);
   w.document = std::move(document);
   w.interaction = {};
   w.making = {.wish = w.making.wish};
@@ -59,11 +59,11 @@ void take_document(Workspace& w, Document&& document, bool keep_settings) {
   w.vertex = {};
   forget_findings(w.checks);
   w.checks.badge.reset();
-  w.checks.put_away.clear();
+  w.checks.dismissed.clear();
   ++w.opened;
 }
 
-// Help stays as it is; the hints of the first start do not come back.
+// Keeps the help's state; the hints of the first start stay hidden.
 void take_view(Workspace& w, const Session& session) {
   const ViewOptions old = w.view;
   w.view = session.view;
@@ -72,7 +72,7 @@ void take_view(Workspace& w, const Session& session) {
   w.view.hints = old.hints && session.view.hints;
 }
 
-// A place or a plane of another model says nothing.
+// Resets pivots and planes, which are meaningless for another model.
 void take_handling(Workspace& w, const Opened& opened, bool same_model) {
   if (opened.session) {
     w.handling = opened.session->handling;
@@ -93,7 +93,7 @@ void take_shapes(Workspace& w, std::vector<NamedShape>&& shapes) {
   }
 }
 
-// What was read of poses is an edit. Says whether it was that.
+// Applies loaded poses as an edit. Returns false if there are none.
 bool take_poses(Workspace& w, Opened& opened) {
   const std::string name = opened.file.filename().string();
   if (!opened.poses.empty()) {
@@ -111,19 +111,19 @@ bool take_poses(Workspace& w, Opened& opened) {
   const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
   put_keys(w.document, std::move(opened.keys), "Import animation");
   show_timeline(w);
-  w.messages.info("Took " + base::counted(count, "key") + " of " + name +
-                  (before > 0 ? "; undo brings the " + std::to_string(before) + " before back." : "."));
+  w.messages.info("Imported " + base::counted(count, "key") + " of " + name +
+                  (before > 0 ? "; undo restores the previous " + std::to_string(before) + "." : "."));
   return true;
 }
 
 void take_pose(Workspace& w, deform::Pose&& pose) {
   const bool was_saved = !has_unsaved_edits(w);
   replace_pose(w, [&] { set_pose(w.document, std::move(pose)); });
-  if (was_saved) mark_pose_saved(w);  // nothing is lost with it: it stands in the file
+  if (was_saved) mark_pose_saved(w);  // the file contains it
 }
 
-// What is flat, its cage too, is seen from before, without perspective.
-void look_at_first(Workspace& w) {
+// Flat data is seen from the front without perspective.
+void frame_first(Workspace& w) {
   const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file.bounds : w.document.model.bounds;
   const bool z_up = w.camera.pose().up == UpAxis::z;
   const StandardView along[] = {StandardView::right, z_up ? StandardView::front : StandardView::top,
@@ -138,13 +138,14 @@ void look_at_first(Workspace& w) {
 
 }  // namespace
 
-void take(Workspace& w, Opened&& opened) {
+void apply_opened(Workspace& w, Opened&& opened) {
   if (opened.pose_of && opened.pose_of != w.document.cage)
     return w.messages.error(
-        opened.file.string() + ": the cage was changed while this pose was read; open it again", {"open"});
+        opened.file.string() + ": the cage changed while this pose was being read; open it again", {"open"});
   if (!opened.document && opened.shapes_of && opened.shapes_of != w.document.model.surface)
     return w.messages.error(
-        opened.file.string() + ": the model was changed while this shape was read; open it again", {"open"});
+        opened.file.string() + ": the model changed while this shape was being read; open it again",
+        {"open"});
   report(w, opened);
   if (opened.shapes_of) {
     w.playback.vectors.follow_model(opened.shapes_of);
@@ -154,9 +155,9 @@ void take(Workspace& w, Opened&& opened) {
   if (take_poses(w, opened)) return;
   if (opened.pose) return take_pose(w, std::move(*opened.pose));
   const bool same_model = opened.document->model.surface == w.document.model.surface;
-  if (same_model && !opened.session) tell_what_is_lost(w, opened.lost, !has_unsaved_edits(w));
+  if (same_model && !opened.session) report_losses(w, opened.lost, !has_unsaved_edits(w));
   take_document(w, std::move(*opened.document), !opened.has_settings);
-  w.saved.begin_anew();
+  w.saved.reset();
   w.recovered_from.clear();
   if (opened.session) {
     take_view(w, *opened.session);
@@ -164,25 +165,27 @@ void take(Workspace& w, Opened&& opened) {
     w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
   }
   take_handling(w, opened, same_model);
-  w.saved.nowhere = opened.recovered;
+  w.saved.recovered = opened.recovered;
   if (opened.recovered) {
     w.recovered_from = opened.file;
-    w.offers_leftovers = false;
-    std::erase_if(w.leftovers, [&](const Leftover& leftover) { return leftover.file == opened.file; });
+    w.offers_recovery = false;
+    std::erase_if(w.recovery_files,
+                  [&](const RecoveryFile& leftover) { return leftover.file == opened.file; });
     mark_edits_saved(w, opened.session->first_edit);
   } else {
     mark_saved(w);
-    if (opened.session) w.saved.state.scheme = opened.session->scheme;  // another one was asked for: unsaved
+    if (opened.session)
+      w.saved.state.scheme = opened.session->scheme;  // with settings from the request: unsaved
     if (!opened.session)
-      w.saved.state.mask = nullptr, w.saved.state.probes = {};  // made for another cage: in no file
-    w.remembered.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
-                                             : RecentFile{w.saved.session, {}});
+      w.saved.state.mask = nullptr, w.saved.state.probes = {};  // for another cage: in no file
+    w.preferences.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
+                                              : RecentFile{w.saved.session, {}});
   }
-  lead_back_to_unkeyed(w, opened.recovered);
+  add_unkeyed_to_undo(w, opened.recovered);
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
   if (same_model) return;
   w.camera.set_up(guessed_up(w.document.model));
-  look_at_first(w);  // as if nothing had been open before
+  frame_first(w);  // as after the first opening
   frame_all(w, false);
 }
 
@@ -190,7 +193,7 @@ bool open_now(Workspace& workspace, const OpenRequest& request) {
   try {
     Opened opened = open_files(request, workspace.document);
     check_drawable(opened);
-    take(workspace, std::move(opened));
+    apply_opened(workspace, std::move(opened));
     return true;
   } catch (const std::exception& error) {
     workspace.messages.error(error.what(), {"open"});
@@ -208,7 +211,7 @@ bool add_motion(Workspace& w, const std::filesystem::path& file) {
     };
     if (!document.has_cage() || !is_same(session.model, document.model.path) ||
         !is_same(session.cage, document.cage_file.path))
-      throw base::Error(file.string(), "its poses are of another model or cage",
+      throw base::Error(file.string(), "its poses belong to another model or cage",
                         "open " + session.model.string() + " in " + session.cage.string() + " first");
     fit_poses(session.library, session.timeline, document.cage.get(), *document.model.surface, file.string(),
               session.warnings);

@@ -1,4 +1,4 @@
-#include "scene/workspace/remembered.h"
+#include "scene/workspace/preferences.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ constexpr Column other(Column column) {
   return column == Column::tools ? Column::methods : Column::tools;
 }
 
-// As wide as it was made, or as there is room.
+// The chosen width, limited to the room.
 float fitted(float width, float room) {
   return std::min(width, std::max(PanelLayout::least_width, room));
 }
@@ -126,7 +126,7 @@ std::optional<glm::ivec2> size_of(const JsonReader& json) {
   return glm::ivec2(width, height);
 }
 
-// What no program of this version knows is passed over: a newer one may know it.
+// Ignores unknown commands, which a newer version may have written.
 Keymap keymap_of(const JsonReader& json) {
   Keymap keymap;
   if (const auto preset = json.find("preset"))
@@ -145,34 +145,34 @@ ordered_json to_json(const Keymap& keymap) {
   return json;
 }
 
-void put_arrangement(ordered_json& json, const Remembered& remembered) {
-  json["hints"] = remembered.hints;
-  json["ask_keys"] = remembered.ask_keys;
-  json["dark"] = remembered.dark;
-  json["layout"] = to_json(remembered.layout);
-  json["keys"] = to_json(remembered.keymap);
+void put_arrangement(ordered_json& json, const Preferences& preferences) {
+  json["hints"] = preferences.hints;
+  json["ask_keys"] = preferences.ask_keys;
+  json["dark"] = preferences.dark;
+  json["layout"] = to_json(preferences.layout);
+  json["keys"] = to_json(preferences.keymap);
 }
 
-void take_arrangement(Remembered& remembered, const JsonReader& json) {
-  if (const auto hints = json.find("hints")) remembered.hints = hints->boolean();
-  if (const auto ask = json.find("ask_keys")) remembered.ask_keys = ask->boolean();
-  if (const auto dark = json.find("dark")) remembered.dark = dark->boolean();
-  if (const auto layout = json.find("layout")) remembered.layout = layout_of(*layout);
-  if (const auto keys = json.find("keys")) remembered.keymap = keymap_of(*keys);
+void take_arrangement(Preferences& preferences, const JsonReader& json) {
+  if (const auto hints = json.find("hints")) preferences.hints = hints->boolean();
+  if (const auto ask = json.find("ask_keys")) preferences.ask_keys = ask->boolean();
+  if (const auto dark = json.find("dark")) preferences.dark = dark->boolean();
+  if (const auto layout = json.find("layout")) preferences.layout = layout_of(*layout);
+  if (const auto keys = json.find("keys")) preferences.keymap = keymap_of(*keys);
 }
 
-// What was there before comes behind, where it does not stand already.
-void append_missing(Remembered& to, const std::vector<RecentFile>& more) {
+// Appends older entries that are not in the list.
+void append_missing(Preferences& to, const std::vector<RecentFile>& more) {
   for (const auto& file : more) {
-    if (to.recent.size() >= Remembered::most) return;
+    if (to.recent.size() >= Preferences::most) return;
     if (std::find(to.recent.begin(), to.recent.end(), file) == to.recent.end()) to.recent.push_back(file);
   }
 }
 
-// A file that cannot be understood holds nothing worth keeping.
+// A damaged file has no entries worth keeping.
 std::vector<RecentFile> recent_in(const fs::path& file) {
   try {
-    return read_remembered(file).recent;
+    return read_preferences(file).recent;
   } catch (const base::Error&) {
     return {};
   }
@@ -180,33 +180,33 @@ std::vector<RecentFile> recent_in(const fs::path& file) {
 
 }  // namespace
 
-void Remembered::add(const RecentFile& file) {
+void Preferences::add(const RecentFile& file) {
   const RecentFile entry{from_root(file.file), from_root(file.cage)};
   std::erase(recent, entry);
   recent.insert(recent.begin(), entry);
   if (recent.size() > most) recent.resize(most);
 }
 
-Remembered read_remembered(const fs::path& file) {
-  Remembered remembered;
+Preferences read_preferences(const fs::path& file) {
+  Preferences preferences;
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) return remembered;
+  if (!fs::exists(file, ignored)) return preferences;
   const nlohmann::json whole = read_json(file);
   const JsonReader json(whole, file.string());
   std::vector<RecentFile> recent;
   if (const auto list = json.find("recent")) {
     for (std::size_t i = 0; i < list->size(); ++i) recent.push_back(recent_of(list->item(i)));
   }
-  append_missing(remembered, recent);
-  if (const auto folder = json.find("folder")) remembered.folder = folder->path();
-  take_arrangement(remembered, json);
-  if (const auto coarse = json.find("coarse_motion")) remembered.coarse_motion = coarse->boolean();
-  if (const auto window = json.find("window")) remembered.window = size_of(*window);
-  return remembered;
+  append_missing(preferences, recent);
+  if (const auto folder = json.find("folder")) preferences.folder = folder->path();
+  take_arrangement(preferences, json);
+  if (const auto coarse = json.find("coarse_motion")) preferences.coarse_motion = coarse->boolean();
+  if (const auto window = json.find("window")) preferences.window = size_of(*window);
+  return preferences;
 }
 
-void write_remembered(const fs::path& file, const Remembered& remembered) {
-  Remembered all = remembered;
+void write_preferences(const fs::path& file, const Preferences& preferences) {
+  Preferences all = preferences;
   append_missing(all, recent_in(file));
   ordered_json json = {{"format", "viete remembered"}, {"version", 1}};
   json["recent"] = ordered_json::array();

@@ -1,4 +1,4 @@
-// What of the cage is seen in a workspace, made anew where the view shows another picture.
+// Visibility of the cage in a workspace, recomputed when the view changes.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace viete::scene {
 
-/// Of the model as it is drawn and the faces of the cage.
+/// With the drawn model and the cage's faces as occluders.
 Sight sight_of(const Workspace& workspace);
 
-/// Makes it where the view shows another picture than the last time.
-class SightKeeper {
+/// Caches the Sight of the current view.
+class SightCache {
 public:
-  /// Null where all can be selected, seen or not.
+  /// Null if hidden elements can be selected too.
   const Sight* of(const Workspace& workspace);
 
 private:

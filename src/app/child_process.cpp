@@ -1,4 +1,4 @@
-#include "app/aside.h"
+#include "app/child_process.h"
 
 #include <charconv>
 #include <chrono>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// "37 %" is how far it is; whatever else is a sentence.
+// Separates progress lines, "37 %", from messages.
 struct Said {
   double done = 0;
   std::vector<std::string> sentences;
@@ -39,14 +39,14 @@ Said said_by(const base::ChildProgram& child) {
 
 }  // namespace
 
-// The first run says whether there is one.
+// The first process reports whether there is a browser.
 void open_in_browser(const fs::path& page) {
-  const std::string advice = "open the page by hand";
+  const std::string advice = "open the page yourself";
   base::ChildProgram({"xdg-open", "--version"}, advice).finish();
   base::ChildProgram({"setsid", "--fork", "xdg-open", page.string()}, advice).finish();
 }
 
-std::vector<std::string> run_aside(const std::vector<std::string>& words, base::Progress& progress) {
+std::vector<std::string> run_child(const std::vector<std::string>& words, base::Progress& progress) {
   constexpr auto look_again = std::chrono::milliseconds(50);
   base::ChildProgram child(words, "start this program again", {"VIETE_PROGRESS=1"});
   try {
@@ -69,18 +69,18 @@ std::vector<std::string> run_aside(const std::vector<std::string>& words, base::
   return sentences;
 }
 
-std::string show_report_aside(const fs::path& program, const fs::path& state, base::Progress& progress) {
+std::string create_and_show_report(const fs::path& program, const fs::path& state, base::Progress& progress) {
   const fs::path folder = (state.empty() ? fs::temp_directory_path() : state) / "report";
   std::error_code told_by_the_report;
   fs::create_directories(folder.parent_path(), told_by_the_report);
-  run_aside({program.string(), "report", "--quick", "--force", "-o", folder.string()}, progress);
+  run_child({program.string(), "report", "--quick", "--force", "-o", folder.string()}, progress);
   const fs::path page = folder / "index.html";
   try {
     open_in_browser(page);
   } catch (const base::Error& error) {
-    return "The report is " + page.string() + ". No browser was opened: " + error.what();
+    return "The report is " + page.string() + ". No browser could be opened: " + error.what();
   }
-  return "The report is open in the browser: " + page.string();
+  return "Opened the report in the browser: " + page.string();
 }
 
 }  // namespace viete::app

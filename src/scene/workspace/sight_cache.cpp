@@ -1,4 +1,4 @@
-#include "scene/workspace/sight_keeper.h"
+#include "scene/workspace/sight_cache.h"
 
 #include <span>
 
@@ -33,7 +33,7 @@ Sight sight_of(const Workspace& w) {
   if (w.document.has_cage()) {
     points.clear();
     for (const auto& p : w.document.pose.positions) points.push_back(project(p));
-    // What is hidden hides nothing.
+    // Hidden faces do not occlude.
     const auto hidden = hidden_elements(w.document, ElementKind::face);
     const mesh::Surface& cage = w.document.cage->surface;
     std::vector<mesh::Triangle> triangles;
@@ -45,7 +45,7 @@ Sight sight_of(const Workspace& w) {
   return sight;
 }
 
-const Sight* SightKeeper::of(const Workspace& w) {
+const Sight* SightCache::of(const Workspace& w) {
   if (!w.view.select_visible) return nullptr;
   const Picture now{w.camera.pose(),         w.viewport,   w.document.revisions(),  w.posed.frame,
                     w.posed.vertices.data(), w.view.model, w.document.groups.hidden};
