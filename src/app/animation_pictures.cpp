@@ -47,7 +47,7 @@ public:
     workspace().camera.set_pose(camera);
   }
 
-  // Panels and errors lag behind by some frames.
+  // Waits for panels and error maps, which take several frames to become current.
   render::Image picture() {
     const scene::ViewOptions& view = workspace().view;
     if (view.panels || view.field != lab::Field::none) {

@@ -95,7 +95,7 @@ bool Autosave::rested() const {
   return around_changed_ && base::wall_seconds() - *around_changed_ > surroundings_delay;
 }
 
-// Not edits: written only if a recovery file exists.
+// Camera, tool settings and frame are not edits: their changes are saved only if a recovery file exists.
 void Autosave::follow_surroundings(scene::Workspace& workspace) {
   const Surroundings now{workspace.camera.destination(), workspace.handling, workspace.document.frame};
   if (std::exchange(around_, now) != now) around_changed_ = base::wall_seconds();

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/worker_pool.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/scheme.h"
 

@@ -113,7 +113,7 @@ void CageMaker::stop(scene::Workspace& w) {
   if (!job_.running()) return;
   job_.cancel();
   wants_full_ = false;
-  w.messages.info("Cancelled making the cage; it is unchanged.");
+  w.messages.info("Cancelled; the cage is unchanged.");
 }
 
 }  // namespace viete::app

@@ -78,7 +78,7 @@ std::string create_and_show_report(const fs::path& program, const fs::path& stat
   try {
     open_in_browser(page);
   } catch (const base::Error& error) {
-    return "The report is " + page.string() + ". No browser could be opened: " + error.what();
+    return "Saved the report as " + page.string() + ". No browser could be opened: " + error.what();
   }
   return "Opened the report in the browser: " + page.string();
 }

@@ -33,7 +33,7 @@ void add_files(CLI::App& app, Inputs& inputs) {
 void add_amount_option(CLI::App& app, const std::string& name, const std::string& what,
                        std::optional<double>& amount) {
   add_percent_option(app, name, amount, deform::amount_from_percent, 200,
-                     "Amount of the cage's " + what + ", 0 to 200")
+                     "Scale the cage's " + what + ", 0 to 200")
       ->default_str("100");
 }
 
@@ -59,9 +59,10 @@ void add_input_options(CLI::App& app, Inputs& inputs) {
 void check_usage(const Inputs& inputs) {
   if (inputs.session()) {
     if (inputs.cage.empty() && inputs.pose.empty()) return;
-    throw CLI::ValidationError(inputs.cage.empty() ? "--pose" : "CAGE",
-                               "the session " + inputs.model.string() + " has its own: omit it" +
-                                   (inputs.cage.empty() ? "" : ", or replace it with --cage"));
+    throw CLI::ValidationError(
+        inputs.cage.empty() ? "--pose" : "CAGE",
+        "the session " + inputs.model.string() + " has its own " +
+            (inputs.cage.empty() ? "pose: omit --pose" : "cage: omit CAGE, or use --cage to replace it"));
   }
   if (!inputs.located.model.empty() || !inputs.located.cage.empty())
     throw CLI::ValidationError(inputs.located.model.empty() ? "--cage" : "--model",

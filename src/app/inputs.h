@@ -51,9 +51,9 @@ struct Inputs {
   std::vector<std::filesystem::path> files() const { return {model, cage, pose}; }
 };
 
-/// MODEL, CAGE, --pose, --model and --cage of a session, --method, --deformer or --weights and
-/// --blend, --radius, --turn and --stretch, --stitched and what holds a stitched mesh: those
-/// that the use has. The target must outlive parsing.
+/// Adds the options that the use of `inputs` needs: MODEL, CAGE, --pose, --model and --cage of a session,
+/// --method, --deformer or --weights and --blend, --radius, --turn, --stretch, --stitched and its
+/// constraints. The target must outlive parsing.
 void add_input_options(CLI::App& app, Inputs& inputs);
 
 /// Call after parsing. Throws CLI::ParseError if an input is missing or given in addition to a session that

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/maps.h"

@@ -59,8 +59,8 @@ public:
   struct Changed {
     bool document = false, cage = false;
   };
-  /// Call once per frame before deform(): installs a finished binding and starts a needed one. `made` may
-  /// bind another cage of the document.
+  /// Call once per frame before deform(): installs a finished binding and starts a new one if needed. `made`
+  /// is the binding of a newly made cage; it is ignored if it belongs to another cage.
   Changed follow(scene::Workspace& workspace, Bound made = {});
   /// Waits for the needed binding.
   void finish_binding(scene::Workspace& workspace);
@@ -79,7 +79,7 @@ public:
   /// True if the last frame was a warm-up.
   bool prepared() const { return prepared_; }
 
-  /// For the open document; null if it has none.
+  /// The deformer of the open document, or null.
   const deform::Deformer* deformer() const { return deformer_.get(); }
   const Bound& bound() const { return bound_; }
   /// Replaces the binding by one of the same weights that supports more methods, for later use.

@@ -6,7 +6,7 @@
 
 namespace viete::app {
 
-/// The page of a chapter, "cages"; empty: the first page. Next to the program, or in the install folder.
+/// The page file of chapter "cages", for example; empty: the first page. In the build or install folder.
 /// Throws base::Error for an unknown chapter, listing the existing ones, or if the pages were not built.
 std::filesystem::path manual_page(const std::string& chapter);
 

@@ -101,7 +101,7 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
 void print_missing(const scene::Workspace& w) {
   if (scene::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
-                 " here: it needs a cage and a blend in log space, or motion"});
+                 " here: some maps need a cage and a blend in log space, others a model that can move"});
   if (!w.field.problem.empty()) throw base::Error("", w.field.problem);
   for (const scene::SideView& side : w.split.sides)
     for (const std::string& problem : {side.problem, side.shown.problem})

@@ -142,7 +142,7 @@ void add_stitching_options(CLI::App& app, scene::RequestedSettings& asked) {
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
       "As-rigid-as-possible solve over the whole mesh");
   auto* number = app.add_option_function<int>(
-      "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: solves per frame");
+      "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: number of solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
   add_percent_option(app, "--pins", asked.pins, deform::share_from_percent, 100,
                      "Stitching: distance of attached vertices")
@@ -165,7 +165,7 @@ void add_digits_option(CLI::App& app, mesh::Digits& digits) {
       throw CLI::ValidationError("--digits", "needs a number from 0 to 17, or all, not " + text);
     }
   };
-  app.add_option_function<std::string>("--digits", take, "Decimals in text files, or all")
+  app.add_option_function<std::string>("--digits", take, "Decimal places in text files, 0 to 17, or all")
       ->option_text("NUMBER|all")
       ->default_str("as in MODEL");
 }

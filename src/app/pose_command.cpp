@@ -173,7 +173,7 @@ void add_pose_command(CLI::App& app, Action& action) {
   add_pins_option(*command, "--pull", false, "Vertex number and the position it is pulled to", o);
   auto* firmness = command->add_option("--firmness", o->firmness, "Strength of --pull");
   in_range(firmness, 1e-6, 1e6)->default_str("1");
-  auto* freedom = command->add_option("--freedom", o->settings.freedom, "Freedom to leave the examples");
+  auto* freedom = command->add_option("--freedom", o->settings.freedom, "Allowed deviation from examples");
   in_range(freedom, 0, 1)->default_str("0.3; 1 without examples");
   auto* restraint =
       command->add_option("--restraint", o->settings.restraint, "Regularisation of the example weights");

@@ -33,7 +33,7 @@ std::string words_of(Method method, const sym3::Route& route) {
     return degree + ", squared " + std::to_string(route.squarings) +
            (route.squarings == 1 ? " time" : " times");
   }
-  constexpr const char* cases[] = {"", "all equal: case 1", "two equal: case 2", "three distinct: case 3"};
+  constexpr const char* cases[] = {"", "case 1: all equal", "case 2: two equal", "case 3: all distinct"};
   return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
 }
 

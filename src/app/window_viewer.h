@@ -11,7 +11,7 @@ namespace viete::app {
 
 struct WindowOptions {
   Inputs inputs{Use::window};
-  float scale = 0;                   ///< device pixels per logical pixel; 0 asks the display
+  float scale = 0;                   ///< device pixels per logical pixel; 0: the display's scale
   int frames = 0;                    ///< stop after so many frames; 0: never
   std::filesystem::path first_pose;  ///< target of the motion at the first start; empty: none
 };

@@ -51,7 +51,7 @@ std::optional<double> free_memory();
 /// A memory requirement, with the texts of its base::Error.
 struct MemoryNeed {
   double bytes;
-  std::string taker;   ///< "1000 matrices take"
+  std::string taker;   ///< start of the message: "1000 matrices take"
   std::string advice;  ///< "give a smaller number"
   std::string place;
 };

@@ -34,8 +34,8 @@ public:
 
   int threads() const;
 
-  /// Seconds of processor time in all loops so far: of the thread that called for_blocks, and of the slowest
-  /// thread in each loop. The second estimates the time of a loop on an idle machine.
+  /// Seconds of processor time in all loops so far. caller: time of the thread that called for_blocks.
+  /// longest: time of the slowest thread, summed over loops; estimates their time on an idle machine.
   struct Cost {
     double caller = 0, longest = 0;
   };

@@ -30,7 +30,7 @@ struct AccuracyTable {
 /// first rounded to float, and the error refers to exp of the rounded input. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
-/// As Markdown, in units of the roundoff u: 2^-53, for float 2^-24.
+/// Prints the table as Markdown. Errors are in units of the roundoff u: 2^-53, or 2^-24 for float.
 void print(const AccuracyTable& table, bool in_float);
 
 nlohmann::json to_json(const std::vector<AccuracyTable>& tables);

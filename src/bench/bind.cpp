@@ -12,6 +12,7 @@
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "bench/table.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/point_weights.h"
 #include "deform/surface_weights.h"

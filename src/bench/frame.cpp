@@ -18,6 +18,7 @@
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "bench/table.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 
@@ -158,7 +159,7 @@ struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
-  std::function<deform::LinkTimes()> links;  ///< empty: none
+  std::function<deform::LinkTimes()> links;  ///< times of each link of `run`; may be empty
   std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
   std::size_t bytes = 0;                     ///< read once per frame
   int repeats = 1;                           ///< repetitions, for short cases

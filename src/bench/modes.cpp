@@ -17,6 +17,7 @@
 #include "bench/models.h"
 #include "bench/modes_table.h"
 #include "bench/table.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/pose_io.h"
@@ -252,7 +253,7 @@ public:
     frames_.push_back({&mode, std::move(frame)});
   }
 
-  // Times a few consecutive frames of each, as in a drag.
+  // Times a few consecutive frames of each mode, as in a drag.
   void time_frames(std::size_t rounds, base::Progress& progress) {
     constexpr std::size_t in_a_row = 4;
     std::vector<RoundCase> cases;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/modes.h"
+#include "bench/mode_comparison.h"
 
 namespace viete::bench {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "bench/modes.h"
+#include "bench/mode_comparison.h"
 
 namespace viete::bench {
 

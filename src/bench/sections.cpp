@@ -6,8 +6,8 @@
 #include "base/text.h"
 #include "bench/exp.h"
 #include "bench/figures.h"
+#include "bench/html.h"
 #include "bench/modes_table.h"
-#include "bench/page.h"
 #include "bench/plot.h"
 #include "sym3/exp.h"
 

@@ -6,8 +6,8 @@
 #include "base/text.h"
 #include "bench/figures.h"
 #include "bench/halfway.h"
+#include "bench/html.h"
 #include "bench/modes_table.h"
-#include "bench/page.h"
 #include "bench/plot.h"
 #include "bench/sections.h"
 

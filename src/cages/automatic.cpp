@@ -308,11 +308,11 @@ private:
     if (too_near_ > 0)
       made_.notes.push_back("the margin could not be kept at " + base::counted(too_near_, "triangle"));
     if (gap > wish_.gap && first_ && (first_->handles > last_.handles || first_->parts > last_.parts)) {
-      made_.notes.push_back("closed gaps up to " + percent(2 * gap) + " of the model's diagonal: of " +
-                            base::counted(first_->parts, "part") + " and " +
-                            base::counted(first_->handles, "handle") + " the cage keeps " +
-                            std::to_string(last_.parts) + " and " + std::to_string(last_.handles) +
-                            "; use more triangles to keep more");
+      made_.notes.push_back("closed gaps up to " + percent(2 * gap) +
+                            " of the model's diagonal: the cage keeps " + std::to_string(last_.parts) +
+                            " of " + base::counted(first_->parts, "part") + " and " +
+                            std::to_string(last_.handles) + " of " +
+                            base::counted(first_->handles, "handle") + "; use more triangles to keep more");
     }
   }
 

@@ -192,7 +192,7 @@ private:
     for (const int e : changed) push(Connectivity::EdgeHandle(e));
   }
 
-  // Such an edge would coincide with its mirror image.
+  // True if collapsing h makes an inner edge between mirror vertices, which would equal its mirror image.
   bool makes_chord(HalfEdgeId h) const {
     const VertexId from = mesh_.from_vertex_handle(h), to = mesh_.to_vertex_handle(h);
     if (!mesh_.is_boundary(to)) return false;

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "deform/bind_kernel.h"
+#include "deform/bind_jobs.h"
 #include "sym3/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -25,7 +25,7 @@ struct TiledBinding;
 /// order of the model; empty: all 1.
 using Shares = std::vector<double>;
 
-/// A painted share per vertex; null: all 1. Independent of the binding.
+/// The painted share of the deformation that each vertex follows; null: all 1. Independent of the binding.
 using Mask = std::shared_ptr<const std::vector<float>>;
 
 /// Vertex positions before the cage deformation, one per vertex; null: at rest. Weights stay those of the
@@ -71,21 +71,5 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
 
 /// The memory of a binding of this many bytes, with the text of the error if it is not available.
 base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles);
-
-/// Bytes that bind() requires before it begins, for n vertices and k handles; at most 2^63. For the fused
-/// engine an upper bound, or a quarter of it if weights can be compressed (those of affine maps); the
-/// compressed size is smaller. Weights along the surface are computed for all vertices before compression.
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
-                          const Weighting& weighting = {});
-
-/// Binds for the staged engine. Cost O(n k), shared over the pool; the result does not depend on the number
-/// of threads. Throws base::Cancelled; throws base::Error if free memory is insufficient, the model has no
-/// vertices or, for weights along its surface, no triangles.
-Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
-             base::Progress* progress = nullptr);
-
-/// Binds for this engine, sharing data of `known` (same model and cage, or null) if possible. As bind().
-Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
-             const Binding* known, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

@@ -25,8 +25,8 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges,
                                         std::span<const sym3::Mat3<double>> rotations);
 
-/// Number of whole turns about its own axis that `turn` has beyond `least`, the least rotation of the same
-/// pose.
+/// Number of whole turns by which the rotation vector `turn` exceeds `least`, the shortest rotation vector of
+/// the same pose.
 double whole_turns(const Vec3& turn, const Vec3& least);
 /// This many turns about an axis of length 1, plus the component of the least rotation along it.
 Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);

@@ -251,7 +251,7 @@ void add_elements(Cage& cage) {
                           " cage triangles have no area and no influence: " + listed(found));
 }
 
-// Largest distance of the surface from the plane of one of its triangles, in units of its diagonal.
+// Extent of the surface along the normal of its first triangle with an area, in diagonals of the cage.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
   const Corners t = corners(cage.surface, static_cast<std::size_t>(e));
@@ -283,7 +283,7 @@ void refuse_fins(const DualGraph& graph) {
   throw base::Error("",
                     "the cage has a fin: an odd number of triangles meet at edge " + std::to_string(a) + "-" +
                         std::to_string(b) + (others ? " and at " + std::to_string(others) + " more" : "") +
-                        " (vertices from 0), where inside and outside are undefined",
+                        " (vertices numbered from 0); inside and outside are undefined there",
                     "remove the faces that stick out");
 }
 

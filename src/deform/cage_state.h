@@ -48,7 +48,7 @@ public:
   /// cage must not be null.
   CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend)
       : CageState(std::move(cage), elements, row_form(elements, blend)) {}
-  /// Maps of points are the maps of the patches around them.
+  /// If elements are points, the map of a point is that of the patch around it.
   CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form);
 
   /// Throws base::Error unless pose.positions has one entry per cage vertex.

@@ -32,7 +32,7 @@ public:
   const Scheme& scheme() const { return scheme_; }
   /// Applies to the next frames; the rest of the scheme stays.
   void set_amounts(const Amounts& amounts);
-  /// Applies to the next frames. One share per vertex, 0 to 1; null: every vertex follows fully.
+  /// Sets the mask of the next frames: one factor per vertex, 0 (rests) to 1 (follows fully); null: all 1.
   void set_mask(Mask mask);
   const Mask& mask() const { return mask_; }
   /// The shape that the cage deforms in the next frames. Must fit the model; null: at rest.

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/maps.h"
 #include "deform/moments.h"
@@ -19,19 +20,6 @@
 #include "deform/weigher.h"
 
 namespace viete::deform {
-
-double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
-                      std::span<mesh::Point> positions) {
-  const std::size_t n = positions.size();
-  if (has_moments(rows.form)) {
-    place_by_moments(binding, binding.shares, rows, {}, 0, n, positions);
-    return 0;
-  }
-  std::vector<double> sums(n * rows.columns());
-  blend(binding, rows, 0, n, sums);
-  share_sums(binding, binding.shares, rows.form, 0, n, sums);
-  return place_sums(binding, rows.form, sums, rows.origin, method, positions, true);
-}
 
 namespace {
 

@@ -21,12 +21,6 @@
 
 namespace viete::deform {
 
-/// The staged links from the blend on, for all vertices of a binding: positions.size() of them. Returns the
-/// largest relative difference (Frobenius norm) between the method's exponentials and those of method `fast`,
-/// which is exact to 1e-15; infinity for NaN, 0 for `fast` and without exponentials.
-double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
-                      std::span<mesh::Point> positions);
-
 struct ExactModel {
   std::vector<mesh::Point> positions;  ///< one per vertex
   LogReport report;                    ///< as CageState::report()
@@ -51,8 +45,8 @@ public:
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
 
-  /// Probes are a layer after the cage, see ProbeLayer; the cage deforms the shape. Throws base::Error unless
-  /// the pose has one position per cage vertex, and base::Cancelled.
+  /// The cage deforms the shape (null: the rest model), then the probes deform the result, see ProbeLayer.
+  /// Throws base::Error unless the pose has one position per cage vertex, and base::Cancelled.
   ExactModel deform(const Pose& pose, const Probes& probes = {}, const SharedShape& shape = nullptr,
                     base::Progress* progress = nullptr);
 

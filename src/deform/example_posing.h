@@ -18,7 +18,6 @@ namespace viete::deform {
 struct PosingPin {
   std::uint32_t vertex;
   /// Pull strength; about 1 is the stiffness between neighbours; infinite: a hard constraint.
-  /// constraint.
   double firmness;
 
   friend bool operator==(const PosingPin&, const PosingPin&) = default;

@@ -7,7 +7,7 @@
 #define VIETE_DEFORM_FRAME_KERNEL_INL_H
 #endif
 
-#include "deform/frame_kernel.h"
+#include "deform/frame_jobs.h"
 #include "sym3/exp-inl.h"
 #include "sym3/rotation-inl.h"
 
@@ -191,7 +191,7 @@ static HWY_INLINE Vector3<T> load_offset(const TileRun<T>& run, const T* offsets
   return {hn::Mul(o.x, share), hn::Mul(o.y, share), hn::Mul(o.z, share)};
 }
 
-// Vectors that are blended together go through each step in turn, which hides its latency.
+// Each step processes all vectors of a batch before the next step starts, which hides latency.
 #if HWY_TARGET <= HWY_AVX3
 template <class T>
 using Batch = lanes::Two<hn::Vec<Tag<T>>>;

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "deform/exact.h"
 #include "deform/maps.h"
 #include "deform/moments.h"
 
@@ -402,7 +401,7 @@ TileRun<float> FusedEngine::frame_run(std::size_t leaf) const {
 
 void FusedEngine::place_vertices() {
   const TiledBinding& b = *binding_;
-  // The next frame may not keep positions that the layer moved.
+  // Positions moved by the layer must be recomputed in the next frame.
   const bool placed = dragging_ && std::exchange(drag_.placed, !layer_);
   for_leaves([&](std::size_t leaf) {
     leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);

@@ -20,7 +20,7 @@ Eigen::Vector3d eigen(const Vec3& v) {
   return {v[0], v[1], v[2]};
 }
 
-// The affine map that fits the displacements of weighted vertices: way = mean + slope (x - center).
+// The affine map that fits the displacements of weighted vertices: mean + slope (x - center).
 struct AffineFit {
   Vec3 center{0, 0, 0};
   Eigen::Matrix3d inverse_spread = Eigen::Matrix3d::Zero();  // of the places, where they are spread

@@ -38,7 +38,7 @@ bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   return !(doubled_area(sides) > thin_triangle * longest_squared(sides));
 }
 
-// The cotangent between two sides at a corner is their product over twice the area.
+// The cotangent of a corner is the dot product of its two sides over twice the area of the triangle.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   const auto s = scaled_sides(a, b, c);
   const double counted = std::max(doubled_area(s), thin_triangle * longest_squared(s));

@@ -55,9 +55,9 @@ inline constexpr std::uint16_t closed_ring = 0x8000;  ///< added to the length o
 /// of neighbours in other leaves, padded to whole groups. Leaf l has positions [position_starts[l],
 /// position_starts[l + 1]), and its neighbour indices are relative to the first of them.
 struct Rings {
-  std::vector<std::uint32_t> position_starts;  ///< one more than leaves
-  std::vector<std::uint32_t> ghosts;  ///< copied positions; leaf l's begin at position_starts[l] - begin(l)
-  std::vector<std::uint32_t> neighbour_starts;  ///< one more than leaves
+  std::vector<std::uint32_t> position_starts;  ///< size: number of leaves + 1
+  std::vector<std::uint32_t> ghosts;  ///< copied positions; first of leaf l: position_starts[l] - begin(l)
+  std::vector<std::uint32_t> neighbour_starts;  ///< size: number of leaves + 1
   std::vector<std::uint16_t> neighbours;        ///< [group][neighbour][slot of the group]
   std::vector<std::uint16_t> lengths;  ///< number of neighbours per group, plus closed_ring for closed groups
 

@@ -70,8 +70,8 @@ struct MapSplit {
   double least, largest;       ///< stretches; least < 0 for a mirroring map, NaN for one that is not finite
 };
 
-/// Splits maps of `elements` in double vector code; other splits stay. Each depends on its own map alone, to
-/// the last bit. Error of rotation and stretch: sym3/polar.h, sym3/log.h.
+/// Splits the maps of `elements` in double precision; leaves other splits unchanged. Each split depends only
+/// on its own map, bit for bit. Errors of rotation and stretch: see sym3/polar.h and sym3/log.h.
 void split_maps(std::span<const AffineMap> maps, std::span<const std::uint32_t> elements,
                 std::span<MapSplit> splits);
 

@@ -7,7 +7,7 @@
 #define VIETE_DEFORM_MEAN_VALUE_KERNEL_INL_H
 #endif
 
-#include "deform/bind_kernel.h"
+#include "deform/bind_jobs.h"
 #include "sym3/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

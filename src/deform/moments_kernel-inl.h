@@ -79,7 +79,7 @@ static HWY_INLINE lanes::Three<V> times(const lanes::Nine<V>& m, const lanes::Th
           lanes::sum_of_products(m.zx, u.x, m.zy, u.y, m.zz, u.z)};
 }
 
-// M o for each form.
+// Each form of map M, applied to the offset o.
 struct AffineFit {
   static constexpr bool rotates = false;
   template <class V>

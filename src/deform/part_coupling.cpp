@@ -19,7 +19,7 @@ constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // relativ
 constexpr double farther = 4;  // relative to the distance of the nearest part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size
-// Chosen by the gaps that models of 2 to 30,000 parts open in bends, drags and twists (bench modes, torn).
+// Tuned on gaps between parts, in bends, drags and twists of models of 2 to 30,000 parts (bench modes, torn).
 constexpr double of_filled_gap = 2;
 
 struct Neighbour {

@@ -159,7 +159,7 @@ constexpr double in_plane = 1e-8;  // sine of the angle below which p may count 
 constexpr double negligible = 1e-14;  // relative to a mean vector, off that plane
 constexpr double vanishing = 1e-9;    // relative to the sum of absolute weights
 
-// A triangle seen from p: directions to its corners, and the cross products of opposite pairs.
+// A triangle seen from p: directions to its corners, and for each corner the cross product of the other two.
 struct View {
   Vec3 u[3];       // unit directions
   double d[3];     // distances

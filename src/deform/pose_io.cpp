@@ -97,7 +97,7 @@ void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::
   if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;
   throw base::Error(file,
                     std::string(format->name) +
-                        " keeps no order of the vertices, so that they cannot be matched to the cage",
+                        " files do not preserve the vertex order, so they cannot be matched to the cage",
                     "export the pose as " + mesh::format_names(mesh::keeps_order));
 }
 

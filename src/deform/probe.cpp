@@ -40,7 +40,7 @@ constexpr ProbeMixEntry mixes[] = {
 
 constexpr std::array parts = {&ProbeWeights::turn, &ProbeWeights::stretch, &ProbeWeights::move};
 
-// Divides by the sum: always, or only if that is above 1.
+// Divides the weights by their sum; unless `always`, only if the sum is above 1.
 void share_out(std::span<ProbeWeights> weights, double ProbeWeights::*part, bool always) {
   double sum = 0;
   for (const auto& w : weights) sum += w.*part;

@@ -19,9 +19,9 @@ namespace viete::deform {
 ///
 ///     x' = x + (exp(sum a Y) exp(sum b X) - I) (x - p) + sum c t,    p = sum u q,
 ///
-/// with the probes' turns Y, stretches X and moves t; their weights a, b, c and u at the vertex at rest (see
-/// probe_weights()); and q, the carried place of each probe: its rest place moved along with the nearest
-/// vertex of the model. Probes therefore follow the cage, and a probe at rest changes no bit. A mask scales
+/// Each probe has a rotation vector Y, log stretch X and translation t; weights a, b, c and u at the vertex
+/// at rest (see probe_weights()); and a position q, which moves along with the model's vertex nearest to it
+/// at rest. Probes therefore follow the cage. A probe at rest leaves all bits of x unchanged. A mask scales
 /// a, b and c.
 ///
 /// Results do not depend on the number of threads.

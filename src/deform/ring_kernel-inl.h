@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-#include "deform/frame_kernel.h"
+#include "deform/frame_jobs.h"
 #include "sym3/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -73,7 +73,7 @@ static HWY_INLINE Points inverse_lengths(OnePoint, const Points (&areas)[4]) {
   return {inverse[0], inverse[1], inverse[2], inverse[3]};
 }
 
-// Normalises z x y 0 to unit x y z 0.
+// Normalises vectors and reorders their lanes from z x y 0 to x y z 0.
 static HWY_INLINE void normalise(OnePoint, const Points& inverse_length, Points (&areas)[4]) {
   const float scale[4] = {inverse_length.x, inverse_length.y, inverse_length.z, inverse_length.w};
   for (int k = 0; k < 4; ++k) {
@@ -184,7 +184,7 @@ static HWY_INLINE V inverse_lengths(D d, const V (&areas)[4]) {
   return hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
 }
 
-// Normalises z x y 0 to unit x y z 0.
+// Normalises vectors and reorders their lanes from z x y 0 to x y z 0.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void normalise(D d, V inverse_length, V (&areas)[4]) {
   const bool all_have_area = hn::AllFalse(d, hn::Eq(inverse_length, hn::Zero(d)));

@@ -212,7 +212,7 @@ Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen) {
     throw base::Error("--radius", "these weights have no radius", "omit it, or choose --weights cutoff");
   if ((asked.turn || asked.stretch) && !scheme.has_maps()) {
     throw base::Error(asked.turn ? "--turn" : "--stretch",
-                      "the cage vertices of this deformer only move, without rotation or stretch",
+                      "this deformer does not use rotation or stretch of the cage",
                       "omit it, or choose another deformer or blend");
   }
   scheme.amounts.turn = asked.turn.value_or(scheme.amounts.turn);

@@ -55,7 +55,7 @@ private:
   /// Splits of the maps to a shape.
   struct Splits {
     std::vector<sym3::Mat3<double>> rotations;
-    std::vector<double> least, largest;  ///< stretches
+    std::vector<double> least, largest;  ///< smallest and largest stretch of each triangle
     sym3::Mat3<double> sum{};            ///< area-weighted sum of the maps
   };
   class Folds;

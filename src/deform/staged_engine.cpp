@@ -32,7 +32,7 @@ void product(const double* weights, const double* table, std::size_t handles, do
   }
 }
 
-// Calls store(vertex, sums) for every vertex of [begin, end); this many rows at once fill the registers.
+// Calls store(vertex, sums) for every vertex of [begin, end). `Rows` rows at once should fill the registers.
 template <std::size_t Rows, std::size_t Columns, class Store>
 void for_rows(const Binding& binding, const double* table, std::size_t begin, std::size_t end,
               const Store& store) {
@@ -169,6 +169,19 @@ double place_sums(const Binding& binding, RowForm form, Sums sums, const Vec3& o
   sym3::exp<double>(logs, stretches, method);
   apply(binding, binding.shares, form, sums, stretches, origin, 0, n, positions);
   return error && method != sym3::Method::fast ? worst_difference(stretches, logs) : 0;
+}
+
+double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
+                      std::span<mesh::Point> positions) {
+  const std::size_t n = positions.size();
+  if (has_moments(rows.form)) {
+    place_by_moments(binding, binding.shares, rows, {}, 0, n, positions);
+    return 0;
+  }
+  std::vector<double> sums(n * rows.columns());
+  blend(binding, rows, 0, n, sums);
+  share_sums(binding, binding.shares, rows.form, 0, n, sums);
+  return place_sums(binding, rows.form, sums, rows.origin, method, positions, true);
 }
 
 namespace {

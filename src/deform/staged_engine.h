@@ -39,6 +39,12 @@ void apply(const Binding& binding, const Shares& shares, RowForm form, std::span
 double place_sums(const Binding& binding, RowForm form, std::span<const double> sums, const Vec3& origin,
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
+/// Runs the links from the blend on for all vertices of a binding; positions has one per vertex. Returns the
+/// largest relative difference (Frobenius norm) between the method's exponentials and those of method `fast`,
+/// which is exact to 1e-15; infinity for NaN, 0 for `fast` and without exponentials.
+double place_vertices(const Binding& binding, const Rows& rows, sym3::Method method,
+                      std::span<mesh::Point> positions);
+
 class StagedEngine : public Engine {
 public:
   /// binding must have the weights of the staged frame.

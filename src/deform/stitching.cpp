@@ -264,7 +264,7 @@ std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, 
 }
 
 std::size_t stitching_bytes(std::size_t vertices) {
-  // factors by n log n; gradients, loads and stretches of two triangles a vertex; lists; right sides
+  // factors: n log n; gradients, loads and stretches: two triangles per vertex; lists; right-hand sides
   const auto n = static_cast<double>(vertices);
   return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80));
 }

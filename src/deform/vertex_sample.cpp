@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "deform/exact.h"
 #include "deform/maps.h"
 #include "deform/point_weights.h"
 #include "deform/scheme.h"
+#include "deform/staged_engine.h"
 
 namespace viete::deform {
 

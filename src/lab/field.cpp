@@ -116,7 +116,7 @@ std::vector<double> differences(const FieldInput& in) {
   return distances(in.drawn, in.first, in.strain->diagonal());
 }
 
-// Signed along the normal of the first view.
+// Differences from the first view, signed along its normals.
 std::vector<double> signed_differences(const FieldInput& in) {
   std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
   for (double& value : values) value /= in.strain->diagonal();

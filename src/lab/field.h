@@ -50,7 +50,7 @@ enum class Source : unsigned char {
   matrices,  ///< symmetric logs that vertices blend; needs a blend that uses exponentials
   frame,     ///< positions as displayed, and in double precision
   shares,    ///< share of the selection's motion at each vertex
-  first,     ///< positions as displayed, here and in the first of several views
+  first,     ///< displayed positions in this view and in the first view
 };
 
 struct FieldInput {
@@ -70,7 +70,7 @@ struct FieldEntry {
   std::string_view unit{};  ///< shown with the title: "in diagonals"
   Source source = Source::nothing;
   Scale scale = Scale::plain;
-  bool symmetric = false;  ///< 0 is the value at rest, at the middle of the colours
+  bool symmetric = false;  ///< 0 is the value at rest and gets the middle colour
   double least_range = 1;  ///< minimum span of the colours
   double floor = 0;        ///< lower clamp before taking logarithms
   bool worst_is_least = false;

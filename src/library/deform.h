@@ -58,8 +58,8 @@ struct CageWish {
 /// A closed cage around the model, without self-intersections.
 Mesh make_cage(const Mesh& model, const CageWish& wish = {}, const Watch& watch = {});
 
-/// How the cage moves the model, in the words and numbers of `viete deform`. Members left empty take the
-/// value of `way`.
+/// How the cage moves the model, with the names used by `viete deform`. Empty members take the value of the
+/// deformer `way`.
 struct Blending {
   std::string way = "smooth";               ///< "smooth", "paper", "mean-value", "rigid", "arap", "local"
   std::string weights{}, blend{};           ///< override those of `way`; empty: not overridden

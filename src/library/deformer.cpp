@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/process.h"
 #include "base/worker_pool.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/exact.h"

@@ -16,7 +16,7 @@ bool is_fan(std::span<const Point> corners);
 /// ear clipping with exact signs along the normal, shortest cuts first. Handles every simple polygon, nearly
 /// planar ones, and polygons that touch themselves (bridges to holes, repeated corners); makes triangles
 /// without area only where unavoidable. Scaling or mirroring about the first corner does not change the
-/// result. Self-crossing polygons get as many triangles. O(n log n), except for ears that span many corners.
+/// result. Self-crossing polygons get n - 2 too. O(n log n), except for ears that span many corners.
 std::vector<Triangle> triangulation(std::span<const Point> corners);
 
 /// Triangulates all polygons at their current positions. Fills every triangle member of Surface from corners

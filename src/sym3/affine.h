@@ -7,9 +7,9 @@
 // axis. These get a bounded logarithm that exp does not invert. Input that is not finite gives NaN.
 // Thread-safe; no allocation, no throw.
 //
-// combine() does not depend on the order of maps, commutes with inversion and with conjugation: inverses give
-// the inverse, C A C^-1 gives C combine C^-1, so no coordinates are special. interpolate() and mean() are
-// also bi-invariant: C A D gives C mean D; inverses give the inverse.
+// combine() does not depend on the order of maps and commutes with inversion and conjugation: inverse maps
+// give the inverse, and maps C A C^-1 give C combine() C^-1, whatever the coordinates. interpolate() and
+// mean() are also bi-invariant: maps C A D give C mean() D, and inverse maps give the inverse.
 #pragma once
 
 #include <span>

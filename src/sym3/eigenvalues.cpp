@@ -5,7 +5,7 @@
 
 #include "sym3/call_kernel.h"
 #include "sym3/eigen.h"
-#include "sym3/exp_paper.h"
+#include "sym3/trigonometric.h"
 #include "sym3/small_matrices.h"
 
 namespace viete::sym3 {

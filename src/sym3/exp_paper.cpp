@@ -1,4 +1,5 @@
 #include "sym3/exp_paper.h"
+#include "sym3/trigonometric.h"
 
 #include <Eigen/Eigenvalues>
 #include <array>

@@ -317,7 +317,7 @@ struct InRange {
   double shift;
 };
 
-// NaN if an entry is not finite. 0 counts as I times the smallest number.
+// All NaN if an entry is not finite. The zero matrix is replaced by the smallest positive number times I.
 InRange in_range(const Mat3<double>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::abs(x) + 0 * x);
@@ -371,7 +371,7 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   const InRange r = in_range(m);
   const Polar<double> p = polar(r.m);
   const Vec3<double> turn = log_rotation(p.rotation);
-  // For a reference of 0 both half turns are equally near: keeps that of the rotation.
+  // If the reference is 0, both directions of a half turn are equally near; keeps that of log_rotation().
   Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);

@@ -25,8 +25,8 @@ static HWY_INLINE void put(D d, V v, T* p) {
   }
 }
 
-/// Load and store of a register of items, the i-th and later ones, for a view: entry k in e[k]; i must be a
-/// multiple of the lanes. prefetch() requests the data that is `bytes` bytes per entry ahead.
+/// Loads and stores one register per entry: entry k of items i, i + 1, ... of a view is in e[k]; i must be a
+/// multiple of the lane count. prefetch() fetches later items into the cache, `bytes` bytes per entry.
 struct InPlanes {
   template <class D, class T, int N, class V>
   static HWY_INLINE void load(D d, const View<const T, N>& v, std::size_t i, V (&e)[N]) {

@@ -1,4 +1,5 @@
 #include "sym3/route.h"
+#include "sym3/trigonometric.h"
 
 #include <cmath>
 

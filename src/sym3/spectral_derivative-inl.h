@@ -43,7 +43,7 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// A replacement for zero that changes no number of size 1 and whose square is in range.
+/// A tiny positive number, added to avoid divisions by 0. 1 plus it rounds to 1; its square is in range.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   using T = hn::TFromD<D>;

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "scene/workspace/menus.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -5,7 +5,7 @@
 
 #include "scene/workspace/file_browser.h"
 #include "ui/format.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

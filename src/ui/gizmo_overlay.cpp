@@ -84,7 +84,7 @@ private:
     if (gizmo_.tool == scene::Tool::scale) {
       painter_.line(square(gizmo_.center, scene::gizmo_center - 1), c, width, true);
     } else {
-      // Not a ring, which marks the hovered vertex.
+      // A diamond, because a ring marks the hovered vertex.
       painter_.line(diamond(gizmo_.center, scene::gizmo_center + 1), c, width, true);
     }
   }

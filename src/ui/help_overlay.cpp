@@ -7,7 +7,7 @@
 
 #include "scene/workspace/command.h"
 #include "scene/workspace/menus.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -169,7 +169,7 @@ void help_overlay(const Context& ui) {
   if (!open) ui.workspace.view.help = false;
 }
 
-// The list of commands with their keys: search, and a new key by a click and a key press.
+// The searchable list of commands and keys. A click on a key, then a key press, changes it.
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "scene/files/recovery.h"
 #include "scene/workspace/check_view.h"
 #include "scene/workspace/command.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

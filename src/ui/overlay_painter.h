@@ -34,7 +34,7 @@ public:
   void line(const glm::vec2& a, const glm::vec2& b, ImU32 color, float width, float opacity = 1);
   void circle(const glm::vec2& center, float radius, ImU32 color, float width, float opacity = 1);
   void disc(const glm::vec2& center, float radius, ImU32 color, float opacity = 1);
-  /// Convex only.
+  /// Filled polygon; must be convex.
   void polygon(std::span<const glm::vec2> corners, ImU32 color, float opacity = 1);
   /// Filled polygon without halo, to tint the background.
   void tint(std::span<const glm::vec2> corners, ImU32 color);

@@ -214,7 +214,7 @@ float words(const Context& ui, const std::string& title, const std::string& what
 void ways_to_a_cage(const Context& ui) {
   const scene::Workspace& w = ui.workspace;
   const float width =
-      words(ui, "This model has no cage", "A cage is the coarse mesh around it that you drag.");
+      words(ui, "This model has no cage", "A cage is a coarse mesh around the model. Drag it to deform.");
   if (!w.document.cage_beside.empty()) {
     text_in(ui.colors.text, w.document.cage_beside.filename().string() + " is in the same folder.");
     command_button(ui, "open_cage_beside", width);
@@ -225,7 +225,7 @@ void ways_to_a_cage(const Context& ui) {
 
 void ways_around_it(const Context& ui, const scene::Finding& finding) {
   words(ui, scene::title(finding),
-        finding.turned ? "The cage must enclose the model; rotated, it fits clearly better."
+        finding.turned ? "The cage must enclose the model. Rotated, the cage fits clearly better."
                        : "The cage must enclose the model.");
   if (finding.turned) command_row(ui, {"fit_cage", "fit_cage_turned"});
   command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});

@@ -128,7 +128,7 @@ void fit_buttons(const Context& ui) {
   }
   note(ui,
        outside + "Enclose moves the cage outward there; Fit moves and scales the whole cage" +
-           (found.turned ? "; rotated, it fits clearly better." : "."),
+           (found.turned ? ". Rotated, the cage fits clearly better." : "."),
        ui.colors.warn);
   if (!found.turned) return command_row(ui, {"show_outside", "enclose_model", "fit_cage"});
   command_row(ui, {"show_outside", "enclose_model"});

@@ -122,7 +122,7 @@ bool amount_slider(const Context& ui, const char* name, const char* label, doubl
   const std::string percent = std::to_string(std::lround(100 * shown)) + " %";
   const Slid slid = stops(ui, name, label, stop, static_cast<int>(std::lround(scene::largest_amount / step)),
                           used, {100 * shown, 0, 100 * scene::largest_amount}, percent,
-                          used ? what : "Not available: the cage vertices of this deformer only move.");
+                          used ? what : "Not available: this deformer does not use rotation or stretch.");
   if (slid.moved) amount = std::round(100 * step * stop) / 100;
   if (slid.typed) amount = 0.01 * *slid.typed;
   return slid.moved || slid.typed;

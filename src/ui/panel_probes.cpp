@@ -76,8 +76,8 @@ void freedom(const Context& ui) {
   if (slid.moved) value = 0.01 * std::round(static_cast<double>(percent));
   if (slid.typed) value = 0.01 * *slid.typed;
   hint(
-      "How freely pins may leave the shapes in the pose list: 0 % follows them, 100 % is as rigid as "
-      "possible.");
+      "How far pins may take the model from the shapes in the pose list: 0 % blends the shapes, 100 % is as "
+      "rigid as possible.");
   value_beside(right, std::to_string(std::lround(100 * value)) + " %");
 }
 

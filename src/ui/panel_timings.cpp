@@ -184,7 +184,7 @@ Stage bar(const Context& ui, std::size_t index, double longest) {
   }
   if (all.measured)
     ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint,
-                                        "large weights: choose this method to measure it");
+                                        "needs much memory: choose it to measure it");
   return std::nullopt;
 }
 

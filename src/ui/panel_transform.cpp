@@ -138,8 +138,8 @@ void soft_rows(const Context& ui) {
   const scene::SoftSelection& soft = ui.workspace.handling.soft;
   const float left = ImGui::GetCursorPosX(), column = left + transform_label;
   command_toggle(ui, "toggle_soft", soft.on);
-  ImGui::SameLine(column);
   ImGui::BeginDisabled(!soft.on);
+  ImGui::SetCursorPosX(column);
   soft_radius(ui, -1);
   ImGui::SetCursorPosX(column);
   const float width = half_of_rest();

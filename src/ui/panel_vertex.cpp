@@ -100,7 +100,9 @@ void partial_sums(const Context& ui, const VertexView& view) {
 void ways(const Context& ui, const VertexView& view) {
   for (const auto& way : view.ways) {
     value_row(ui, (method_label(way.method) + ": " + way.route).c_str(), error(way.error));
-    hint("Path the method takes for this matrix. Errors are relative to 106-bit results.");
+    hint(
+        "Path the method takes for this matrix; cases depend on how many eigenvalues are equal. Errors are "
+        "relative to 106-bit results.");
   }
 }
 

@@ -7,7 +7,7 @@
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -5,7 +5,7 @@
 
 #include "scene/workspace/command.h"
 #include "scene/workspace/menus.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

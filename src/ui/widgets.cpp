@@ -10,7 +10,7 @@
 #include "scene/document/edit.h"
 #include "scene/hand/number_entry.h"
 #include "scene/workspace/command.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 
 namespace viete::ui {
 
@@ -309,7 +309,7 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
   text_in(ui.colors.faint, label);
 }
 
-// InputDouble rejects commas, and older versions support EnterReturnsTrue for text only.
+// Uses InputText because InputDouble rejects commas and, in older versions, lacks EnterReturnsTrue.
 std::optional<double> number_field(const Context& ui, const std::string& name, double value) {
   const std::string shown = printed(value, ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x);
   char text[64] = "";

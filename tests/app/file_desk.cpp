@@ -402,7 +402,7 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
   d.desk->finish_loading(d.workspace);
   REQUIRE(d.workspace.document.has_cage());
   CHECK(d.workspace.document.cage->surface.positions.size() == 8);
-  CHECK(d.last_message().find("1 face of fin.obj that stuck out were removed") != std::string::npos);
+  CHECK(d.last_message().find("removed 1 protruding face of fin.obj") != std::string::npos);
 }
 
 TEST_CASE("an_export_overwrites_no_open_file") {

@@ -1,4 +1,4 @@
-// The bundled shapes of the dragon: halfway to them it is whole in log space, and is not in straight lines.
+// The dragon's bundled shapes: halfway to each, log space keeps edge lengths and linear blending does not.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -48,7 +48,7 @@ TEST_CASE("pictures_of_hostile_size_are_refused_before_they_are_decoded") {
   const std::string jpeg = "\xff\xd8\xff\xc0\0\x0b\x08\xff\xdc\xff\xdc\1\1\x11\0"s;
   CHECK(refusal(jpeg).find("65500 x 65500 pixels") != std::string::npos);
   CHECK(refusal(png("\0\0\0\2\0\0\0\2"s)).find("damaged") != std::string::npos);
-  // Sixteen counts of 255 codes each, before the size, after it, and at the end of other segments.
+  // Damaged Huffman tables (16 counts of 255 codes each) before and after the size and after other segments.
   const std::string head = "\xff\xd8"s, counts = "\xff\xc4\x00\x13\x10"s + std::string(16, '\xff');
   const std::string start = "\xff\xc0\0\x0b\x08\0\1\0\1\1\1\x11\0"s, other = "\xff\xfe\0\4ab"s;
   for (const std::string& bad :

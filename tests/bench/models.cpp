@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "bench/models.h"
 #include "bench/reference_frame.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/shapes.h"

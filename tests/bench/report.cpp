@@ -213,9 +213,9 @@ TEST_CASE("readme_statements_on_deformers_match_the_recorded_report") {
   };
   const auto smooth = distortion(recorded_report(), "smooth"), paper = distortion(recorded_report(), "paper");
   CHECK(test::mentions(
-      readme, said("\n%.2f times as much as with mean value coordinates, in the median, %.2f times at worst",
+      readme, said("\n%.2f times as much as with mean value coordinates (median; worst pose: %.2f times)",
                    smooth.first, smooth.second)));
-  CHECK(test::mentions(readme, said("have %.1f and %.1f (`viete report`)", paper.first, paper.second)));
+  CHECK(test::mentions(readme, said("ratios are %.1f and %.1f (`viete report`)", paper.first, paper.second)));
 }
 
 TEST_CASE("numbers_of_readme_and_manual_match_the_recorded_report") {
@@ -224,7 +224,7 @@ TEST_CASE("numbers_of_readme_and_manual_match_the_recorded_report") {
   const auto readme = rows_of("README.md"), manual = rows_of("assets/manual/figures.md");
   check_exponentials(readme, report);
   check_exponentials(manual, report);
-  const auto head = [](const Cells& c) { return c[0] == "plain rebuild of published tools"; };
+  const auto head = [](const Cells& c) { return c[0] == "published method, unoptimised"; };
   const auto frames = std::ranges::find_if(readme, head);
   REQUIRE(frames != readme.end());
   check_frames(*(frames + 2), report, 300);

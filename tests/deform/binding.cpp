@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "deform/bind.h"
 #include "deform/bind_kernel.h"
 #include "deform/binding.h"
 #include "deform/bound.h"

@@ -5,6 +5,7 @@
 #include <memory>
 #include <numeric>
 
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/scheme.h"

@@ -1,6 +1,7 @@
 // Properties that every scheme must have.
 #include <doctest/doctest.h>
 
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"

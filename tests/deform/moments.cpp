@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/shapes.h"

@@ -32,7 +32,7 @@ Probe probe_at(const Vec3& place, const Influence& influence) {
   return {place, influence, influence, influence, false, {}};
 }
 
-// All three parts far from the identity.
+// A pose whose rotation, stretch and translation are all large.
 ProbePose strong() {
   return {{0.7, -1.9, 1.1}, {0.3, 0.1, -0.2, -0.4, 0.15, 0.25}, {0.2, -0.1, 0.4}};
 }

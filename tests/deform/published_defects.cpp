@@ -66,6 +66,7 @@
 #include <utility>
 
 #include "deform/all_maps.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/polar.h"
@@ -89,7 +90,7 @@ mesh::Surface scene_at(mesh::Surface surface, const Vec3& way) {
   return surface;
 }
 
-// One weighting of each kind among all schemes.
+// The distinct weightings of all schemes.
 std::vector<Weighting> all_weightings() {
   std::vector<Weighting> all;
   for (const Scheme& s : whole_schemes()) {
@@ -398,7 +399,7 @@ TEST_CASE("a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights
     CHECK(static_cast<double>(binding_bytes(800'000, 300, EngineKind::fused, weighting)) <
           800e3 * (300 * pair / 4 + 200));
   }
-  // The final size, including a few empty slots.
+  // The size after binding includes a few empty slots.
   const auto model = tube(51, 50, 0.3, 1.4);
   const Cage cage = make_cage(tube(12, 12, 0.5, 1.8));
   base::WorkerPool pool(2);

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "base/error.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/bound.h"
 #include "deform/exact.h"
@@ -250,7 +251,7 @@ TEST_CASE("models_without_triangles_are_refused_and_solving_can_be_cancelled") {
   points.positions = wavy_sphere(8, 8).positions;
   const Cage cage = make_cage(box({2, 2, 2}));
   base::WorkerPool pool(1);
-  CHECK_THROWS_WITH_AS(bind(points, cage, harmonics, pool), doctest::Contains("need a model with triangles"),
+  CHECK_THROWS_WITH_AS(bind(points, cage, harmonics, pool), doctest::Contains("the model has no triangles"),
                        base::Error);
   CHECK_THROWS_AS(bind_tiles(points, cage, biharmonics, pool), base::Error);
   base::Progress progress;

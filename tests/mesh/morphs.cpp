@@ -469,11 +469,11 @@ TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
     const auto clip = clip_of(input, *way == 'S' ? plain : cubic, way);
     CHECK(clip->at_key(0)[0] == Point{0, 0, 1});
     CHECK(clip->at_key(1)[0] == Point{0, 0, 5});
-    CHECK(holds(clip->notes().at(0), "straight"));
+    CHECK(holds(clip->notes().at(0), "linearly"));
     CHECK(clip->targets() == std::vector<std::string>{"target 1", "target 2"});
   }
   CHECK_THROWS_WITH_AS(clip_of(back, plain, "LINEAR"), doctest::Contains("do not ascend"), base::Error);
-  CHECK_THROWS_WITH_AS(clip_of(input, nan, "LINEAR"), doctest::Contains("no number"), base::Error);
+  CHECK_THROWS_WITH_AS(clip_of(input, nan, "LINEAR"), doctest::Contains("not finite"), base::Error);
   CHECK_THROWS_WITH_AS(clip_of(input, cubic, "LINEAR"),
                        doctest::Contains("12 weights for 2 times and 2 targets"), base::Error);
   CHECK_THROWS_AS(clip_of(99, plain, "LINEAR"), base::Error);

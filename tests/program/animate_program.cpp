@@ -219,7 +219,7 @@ TEST_CASE("files_of_an_earlier_run_outside_the_frames_are_noted") {
   CHECK_FALSE(mentions(files.animate("-o f_##.ply --frames 1-6"), "existed"));
   CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply already existed"));
   CHECK(mentions(files.animate("-o f_##.ply --frames 2-6 --step 2 --force"),
-                 "3 files from f_01.ply to f_05.ply were there"));
+                 "3 files from f_01.ply to f_05.ply already existed"));
   CHECK_FALSE(mentions(files.animate("-o s_##.png --frames 4-6 --size 64x48 --no-grid"), "existed"));
   CHECK(mentions(files.animate("-o s_##.png --frames 4-5 --size 64x48 --no-grid --force"),
                  "s_06.png already existed"));

@@ -181,7 +181,7 @@ TEST_CASE("a_shape_of_a_file_that_holds_several_is_named_behind_a_colon") {
   CHECK(distance(f.read("m.ply"), frown) < 1e-6);
   f.refused("mix rest.obj --shape face.glb=1 -o m.ply", 1,
             "face.glb: it contains several shapes; append one of these names after a colon: smile, a:b=c");
-  f.refused("mix rest.obj --shape face.glb:grin=1 -o m.ply", 1, "it contains no shape named grin; name one");
+  f.refused("mix rest.obj --shape face.glb:grin=1 -o m.ply", 1, "it contains no shape named grin; append one");
   f.done("between rest.obj a.obj -o c.pc2 --frames 20");
   f.done("mix rest.obj --shape 'c.pc2:frame 20=1' -o m.ply");
   CHECK(distance(f.read("m.ply"), f.shape(100)) < 1e-6);
@@ -205,7 +205,7 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
             "points.obj: all faces of this model have zero area");
   f.refused("mix flat.obj --shape flat.obj=1 -o m.ply", 1,
             "flat.obj: all faces of this model have zero area");
-  f.refused("between c.pc2 -o m.ply --at 1", 1, "c.pc2: a point cache has no faces; name the model");
+  f.refused("between c.pc2 -o m.ply --at 1", 1, "c.pc2: a point cache has no faces; give its model");
   f.refused("between s.viete a.obj -o m.ply --at 1", 1, "s.viete: this is a session");
   f.refused("mix s.viete --shape a.obj=1 -o m.ply", 1, "s.viete: this is a session");
   f.refused("between rest.obj -o m.ply --at 1", 1, "a single shape cannot be interpolated");

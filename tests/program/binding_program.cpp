@@ -3,6 +3,7 @@
 #include <fstream>
 #include <thread>
 
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"

@@ -152,7 +152,7 @@ public:
       if (unfold_custom(widget)) return;
     }
   }
-  /// Unfolds the custom deformer settings. True if the widget is there then.
+  /// Unfolds the custom deformer settings. Returns whether the widget exists afterwards.
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
                                                 "pins",    "hold",  "formula"};

@@ -220,7 +220,7 @@ TEST_CASE("an_export_reports_the_error_of_its_method") {
   d.viewer().finish_exports();
   const auto& all = d.workspace().messages.all();
   CHECK(std::any_of(all.begin(), all.end(), [](const scene::Message& m) {
-    return m.severity == scene::Severity::warning && m.text.find("by method sd are off") != std::string::npos;
+    return m.severity == scene::Severity::warning && m.text.find("by method sd have errors up to") != std::string::npos;
   }));
   CHECK(all.back().text.starts_with(saved));
 }

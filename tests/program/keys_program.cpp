@@ -176,7 +176,7 @@ TEST_CASE("mouse_help_matches_the_preset") {
   keymap(d).change("help", {scene::Key::f7});
   CHECK(ui::key_or_label(keymap(d), "help") == "F7");
   keymap(d).change("help", {});
-  CHECK(ui::key_or_label(keymap(d), "help") == "\"Show every key\"");
+  CHECK(ui::key_or_label(keymap(d), "help") == "\"Show keys and mouse\"");
   for (const auto preset : presets) {
     choose_preset(d, preset);
     scene::find_command("help")->run(d.workspace());

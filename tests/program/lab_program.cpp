@@ -179,7 +179,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
     CHECK(error_of_side(d, i) < 2e-5);
   }
   scene::enter_view(d.workspace(), 0);
-  // And during a drag of the cage, in any view.
+  // The errors also stay small after a drag of the cage in another view.
   const glm::vec2 first = glm::round(d.vertex(d.free_vertex()));
   const auto& v = d.workspace().viewport;
   const glm::vec2 second = first + glm::vec2(0.5f * v.size.x, 0.5f * v.size.y);
@@ -320,7 +320,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.settle();
   CHECK_FALSE(d.workspace().vertex.vertex);
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
-  // A click on a term of the formula opens it too.
+  // A click on a term of the formula also opens the vertex inspector.
   d.place_of("formula");
   const auto formula = d.viewer().recorder().find("formula");
   d.click(d.place_of("formula") - glm::vec2(0.5f * (formula->x1 - formula->x0) - 6, 0));

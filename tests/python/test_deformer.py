@@ -251,7 +251,7 @@ class Arrays(WithFolder):
             (lambda: d.deform(self.pose[:-1]), viete.Error, "7 places for 8 vertices"),
             (lambda: d.deform(nan), viete.Error, "vertex 3 has a coordinate that is not finite"),
             (lambda: d.deform(self.pose[:, :2]), ValueError, "(n, 3)"),
-            (lambda: d.deform(self.pose.astype(complex)), TypeError, "float32 or float64"),
+            (lambda: d.deform(self.pose.astype(complex)), TypeError, "float32, float64 or integers"),
             (lambda: d.deform("pose"), TypeError, ""),
             (lambda: d.deform(None), TypeError, ""),
             (lambda: d.deform(self.pose, out=np.empty((count, 4))), ValueError, "out has shape"),

@@ -291,7 +291,7 @@ class Means(unittest.TestCase):
             (lambda: viete.mean(pair, [1]), ValueError, "there are 2 matrices; weights have shape"),
             (lambda: viete.affine_mean(pair, [[1, 1], [1e308, -1e308]]), ValueError, "sum to 0"),
             (lambda: viete.mean(pair, [1, np.nan]), ValueError, "not finite"),
-            (lambda: viete.interpolate(pair[0], pair[1], None), TypeError, "float32 or float64"),
+            (lambda: viete.interpolate(pair[0], pair[1], None), TypeError, "float32, float64 or integers"),
             (lambda: viete.interpolate(pair[0], pair[1], np.inf), ValueError, "not finite"),
             (lambda: viete.affine_mean(pair, [0, 0]), ValueError, "sum to 0"),
             (lambda: viete.affine_combine(pair, [0, np.nan]), ValueError, "not finite"),

@@ -19,26 +19,26 @@ namespace fs = std::filesystem;
 using Budget = std::map<std::string, std::size_t>;
 
 const Budget lines_of_src = {
-    {"app", 8112},        {"base", 2019},          {"bench", 6044},           {"blender", 630},
-    {"cages", 4032},      {"deform", 13066},       {"deform/sparse", 1240},   {"lab", 835},
-    {"library", 1119},    {"mesh", 3061},          {"mesh/formats", 8940},    {"platform", 1095},
-    {"python", 1943},     {"render", 2229},        {"scene/document", 6041},  {"scene/files", 4566},
-    {"scene/hand", 2798}, {"scene/pictures", 734}, {"scene/workspace", 6414}, {"sym3", 6570},
-    {"ui", 7247},
+    {"app", 8115},        {"base", 2019},          {"bench", 6082},           {"blender", 630},
+    {"cages", 4032},      {"deform", 13112},       {"deform/sparse", 1250},   {"lab", 835},
+    {"library", 1120},    {"mesh", 3061},          {"mesh/formats", 8940},    {"platform", 1095},
+    {"python", 1943},     {"render", 2229},        {"scene/document", 6042},  {"scene/files", 4566},
+    {"scene/hand", 2798}, {"scene/pictures", 734}, {"scene/workspace", 6409}, {"sym3", 6582},
+    {"ui", 7260},
 };
-constexpr std::size_t all_lines_of_src = 88'735;
+constexpr std::size_t all_lines_of_src = 88'854;
 
 // support has helpers that were in scene, mesh and deform, each of them twice.
 const Budget lines_of_tests = {
-    {"app", 1657},    {"assets", 366},   {"base", 941},      {"bench", 747},   {"blender", 432},
-    {"cages", 1317},  {"consumer", 530}, {"deform", 8796},   {"fuzz", 365},    {"lab", 316},
-    {"mesh", 5692},   {"platform", 358}, {"program", 10390}, {"python", 994},  {"releases", 184},
-    {"render", 1272}, {"rules", 977},    {"scene", 11313},   {"support", 803}, {"sym3", 4014},
+    {"app", 1657},    {"assets", 366},   {"base", 941},      {"bench", 748},   {"blender", 432},
+    {"cages", 1317},  {"consumer", 530}, {"deform", 8805},   {"fuzz", 365},    {"lab", 316},
+    {"mesh", 5692},   {"platform", 358}, {"program", 10391}, {"python", 994},  {"releases", 184},
+    {"render", 1272}, {"rules", 977},    {"scene", 11314},   {"support", 803}, {"sym3", 4014},
     {"ui", 13},
 };
-constexpr std::size_t all_lines_of_tests = 51'477;
+constexpr std::size_t all_lines_of_tests = 51'489;
 
-constexpr std::size_t words_of_readme = 894, words_of_manual_and_rooms = 15'126;
+constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 15'187;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

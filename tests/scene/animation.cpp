@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/worker_pool.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "scene/document/pose_edit.h"

@@ -167,7 +167,7 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
     cube.document.scheme = way.scheme;
     const AnimationExport what = animation_export_of(cube.document, cube / "a.pc2");
     const std::string summary = write_animation(what).summary;
-    constexpr std::string_view words = "off by up to ";
+    constexpr std::string_view words = "error up to ";
     const auto at = summary.find(words);
     if (at == summary.npos) continue;
     ++in_float;

@@ -139,7 +139,7 @@ TEST_CASE("a_folder_of_posed_cages_is_poses_in_the_order_of_their_numbers") {
   CHECK(read.poses[1].name == "p_2");
   CHECK(read.poses[2].name == "p_10");
   CHECK(read.warnings.size() == 1);
-  CHECK(test::mentions(read.warnings.back(), "left out"));
+  CHECK(test::mentions(read.warnings.back(), "skipped"));
   fs::create_directory(m / "empty");
   folder = m / "empty";
   CHECK_THROWS_AS(read_poses(std::span(&folder, 1), *m.document.cage), base::Error);

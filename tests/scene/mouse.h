@@ -1,4 +1,4 @@
-// A mouse over the view of a workspace.
+// A simulated mouse over the view of a workspace.
 #pragma once
 
 #include <utility>

@@ -45,7 +45,7 @@ TEST_CASE("two_dropped_files_are_model_and_cage_in_either_order") {
     REQUIRE(drop(w, pair));
     CHECK(w.document.model.path == files.model);
     CHECK(w.document.cage_file.path == files.cage);
-    CHECK(said(w, "Took model.obj as the model and cage.obj as its cage"));
+    CHECK(said(w, "Imported model.obj as the model and cage.obj as its cage"));
   }
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose") {
   REQUIRE(drop(w, {files.pose}));
   CHECK(w.document.model.path == files.model);
   CHECK(w.document.pose.positions == test::cube(2).positions);
-  CHECK(said(w, "Took pose.obj as a pose"));
+  CHECK(said(w, "Imported pose.obj as a pose"));
   CHECK(test::edit_count(w.document.history) == 1);
   CHECK_FALSE(has_unsaved_edits(w));
 }
@@ -130,11 +130,11 @@ TEST_CASE("a_dropped_surface_around_a_model_without_cage_is_its_cage_and_anythin
   const test::CubeFiles files;
   Workspace w;
   REQUIRE(drop(w, {files.model}));
-  CHECK(said(w, "Took model.obj as a new model"));
+  CHECK(said(w, "Imported model.obj as a new model"));
   REQUIRE(drop(w, {files.cage}));
   CHECK(w.document.model.path == files.model);
   CHECK(w.document.cage_file.path == files.cage);
-  CHECK(said(w, "Took cage.obj as the cage"));
+  CHECK(said(w, "Imported cage.obj as the cage"));
   REQUIRE(drop(w, {files.model}));
   CHECK_FALSE(w.document.has_cage());
 }
@@ -404,7 +404,7 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
       CHECK(opened.document->cage->closed);
       CHECK(opened.document->cage_file.path.empty());
       CHECK(test::mentions(opened.warnings.at(0),
-                           std::to_string(fins) + (fins == 1 ? " face of" : " faces of")));
+                           std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
     }
   }
   CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, Fins::removed}, {})

@@ -470,7 +470,7 @@ TEST_CASE("a_session_of_an_older_program_and_one_with_odd_keys_opens_too") {
     test::put_file(files / "a.viete", with("cage_content", odd));
     const auto said = said_on_opening(files / "a.viete");
     REQUIRE(said.size() == 1);
-    CHECK_MESSAGE((mentions(said[0], "a.viete: cage_content: ") && mentions(said[0], "is not known")),
+    CHECK_MESSAGE((mentions(said[0], "a.viete: cage_content: ") && mentions(said[0], "it is unknown")),
                   said[0]);
   }
 }

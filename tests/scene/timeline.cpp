@@ -13,7 +13,7 @@ using namespace viete::scene;
 
 namespace {
 
-// Keys with a single number, each a pose.
+// A timeline that interpolates one number: the value of each key stands for its pose.
 struct EasedKeys {
   Timeline timeline;
   std::vector<double> values;

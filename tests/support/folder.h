@@ -1,4 +1,4 @@
-// A scratch folder for a test, and whole files in and out.
+// A temporary folder for a test, and functions that read and write whole files.
 #pragma once
 
 #include <doctest/doctest.h>

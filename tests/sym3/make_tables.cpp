@@ -103,7 +103,7 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// The number near x of which 1 is most nearly a multiple by a number of T, so that f(0) = 1 is exact.
+/// The number just below x whose product with a number of T comes closest to 1, so that f(0) = 1 is exact.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;

@@ -7,7 +7,7 @@
 #define VIETE_SPARSE_FRONT_KERNEL_INL_H
 #endif
 
-#include "deform/sparse/sparse_kernel.h"
+#include "deform/sparse/sparse_jobs.h"
 #include "sym3/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

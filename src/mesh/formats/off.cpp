@@ -64,7 +64,7 @@ struct OffColor {
   Color color{0, 0, 0, 1};
   bool whole = true;  // integers, except for the opacity
 
-  // From three or four numbers.
+  // numbers: red, green, blue and optionally opacity.
   explicit OffColor(std::span<const OffNumber> numbers) {
     for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i) {
       color[i] = static_cast<float>(std::clamp(numbers[i].value, 0.0, 255.0));

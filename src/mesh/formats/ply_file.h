@@ -84,7 +84,7 @@ struct PlyHeader {
 /// with a warning. Throws base::Error also if the declared elements exceed the rest of the file.
 PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder);
 
-/// Sequential values of a text body: words; a row ends with its line.
+/// Reads the values of a text body in sequence. A value is a word; a row is a line.
 class PlyTextValues {
 public:
   explicit PlyTextValues(const TextCursor& text) : text_(text) {}
@@ -122,7 +122,7 @@ private:
   std::size_t longer_rows_ = 0, first_longer_ = 0;
 };
 
-/// The same interface for binary bodies; places are element names and numbers.
+/// The interface of PlyTextValues for binary bodies. Errors name the element and its number.
 class PlyBinaryValues {
 public:
   PlyBinaryValues(const Source& source, std::size_t start, std::endian order)

@@ -60,7 +60,7 @@ TextCursor::TextCursor(const Source& source, TextRules rules)
   if (source.bytes.starts_with("\xEF\xBB\xBF")) at_ += 3;
 }
 
-// Accepts blanks after the backslash, which editors do not show.
+// Accepts blanks after the backslash, because editors do not show them.
 std::size_t TextCursor::continuation_length() const {
   const char* to = at_ + 1;
   while (to != end_ && is_blank(*to)) ++to;

@@ -48,7 +48,7 @@ public:
   /// The next word of this line, empty if there is none.
   std::string_view word();
 
-  /// The rest of this line, including comments, trimmed, without continuation lines. Stays in the line.
+  /// The rest of this line, trimmed, with comments, without continuation lines. Stops before the line end.
   std::string_view rest_of_line();
 
   /// The next word as a coordinate: finite, at most 1e100 in size so that volumes stay finite.

@@ -1,6 +1,7 @@
 #include "scene/document/binding_plan.h"
 
 #include "base/text.h"
+#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/cage_state.h"
 

@@ -49,8 +49,8 @@ class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Vertices nearer than half the radius to the center get this share; the effect falls off to 0 at the
-  /// radius. The document shows it at once.
+  /// Sets the mask to `share` within half the radius of the center; the effect falls off to 0 at the radius.
+  /// The document shows it at once.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
   /// One undoable edit; no edit if nothing was painted.

@@ -40,7 +40,7 @@ struct Follow {
   mesh::Vec3 operator()(const mesh::Vec3& way) const {
     return {mesh::dot(linear[0], way), mesh::dot(linear[1], way), mesh::dot(linear[2], way)};
   }
-  // A rotation vector: its axis is transformed, its length, the angle, is kept.
+  // Transforms the axis of a rotation vector and keeps its angle.
   mesh::Vec3 turn(const mesh::Vec3& rotation) const {
     const mesh::Vec3 now = (*this)(rotation);
     const double length = mesh::norm(now);

@@ -184,8 +184,8 @@ void Camera::look(StandardView view) {
   ease_to(goal);
 }
 
-// Centers the points in the uncovered area: `raised` is its center above that of the free part, the target's
-// position, as a slope of rays.
+// Centers the points in the uncovered area. `raised` is the height of that area's center above the center of
+// the view, where the target appears, as a slope of view rays.
 void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;

@@ -178,8 +178,8 @@ OpenedSurface without_fins(OpenedSurface cage) {
   if (removed == 0) return cage;
   OpenedSurface made = generated_surface(std::move(rest), name_of(cage) + ", without its fins");
   made.warnings = std::move(cage.warnings);
-  made.warnings.push_back(base::counted(removed, "face") + " of " + name_of(cage) +
-                          " that stuck out were removed; save the cage to keep this");
+  made.warnings.push_back("removed " + base::counted(removed, "protruding face") + " of " + name_of(cage) +
+                          "; save the cage to keep this change");
   return made;
 }
 

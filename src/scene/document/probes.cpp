@@ -67,7 +67,7 @@ std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, 
   return nearest;
 }
 
-// The rest position of a drawn point: the same offset from the nearest vertex.
+// The rest position of a point near the displayed model: keeps its offset from the nearest vertex.
 mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   const std::uint32_t v = nearest_vertex(document, posed, at);

@@ -41,8 +41,8 @@ void set_locked(Document& document, bool locked);
 
 /// One part of a probe's motion, with its falloff.
 using Part = deform::Influence deform::Probe::*;
-/// For the selected unlocked probes. Consecutive changes of the radius of the same part and probes are one
-/// edit.
+/// Sets the falloff of all selected unlocked probes. Consecutive changes of the radius for the same part and
+/// probes are one edit.
 void set_falloff(Document& document, Part part, deform::Falloff falloff);
 void set_radius(Document& document, Part part, double radius);
 void set_mix(Document& document, deform::ProbeMix mix);

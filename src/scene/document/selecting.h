@@ -1,5 +1,5 @@
-// Selections derived from selections: grow, shrink, loops, similar elements, one side of the model. Work on
-// any cage, open or non-manifold too. Probes stay unchanged.
+// Operations on selections: grow, shrink, loops, similar elements, one side of the model. They work on any
+// cage, including open and non-manifold ones, and leave selected probes unchanged.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace viete::scene {
 
-/// Grow by one ring: vertices connected by an edge; edges and faces that share a vertex.
+/// Grows by one ring: adds vertices connected by an edge, or edges or faces that share a vertex.
 Selection grown(const deform::Cage& cage, const Selection& selection);
-/// Shrink by one ring. Boundaries of an open cage stay.
+/// Shrinks by one ring. Boundaries of an open cage stay.
 Selection shrunk(const deform::Cage& cage, const Selection& selection);
 
 /// Extends the selection to loops, which start at edges, at two vertices joined by an edge, or at two

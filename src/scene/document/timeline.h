@@ -94,8 +94,8 @@ struct KeyShare {
   std::size_t key;
   double factor;
 };
-/// The shares of a frame: at most four keys. from and to are the surrounding keys, equal if a single key
-/// applies.
+/// The factors of the keys at a frame: at most four. from and to are the surrounding keys, equal if a single
+/// key applies.
 struct Moment {
   std::vector<KeyShare> shares;
   std::size_t from = 0, to = 0;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/memory.h"
-#include "deform/binding.h"
+#include "deform/bind.h"
 #include "deform/scheme.h"
 #include "deform/tiled_binding.h"
 #include "scene/document/checks.h"

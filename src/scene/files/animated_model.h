@@ -22,10 +22,10 @@ public:
   /// Double precision, or the window's float engine with unchanged weights.
   enum class Precision { exact, fast };
 
-  /// Ignores model.pose. `wish` may be overridden: the engine is exact if the method or a stitched model does
-  /// not support `fast`, its weights need more than half of the free memory, or its error exceeds `most`
-  /// (diagonals of the cage) at one of the frames `tried`. model and pool must outlive it; timeline must have
-  /// keys. progress may be null. Throws base::Error and base::Cancelled.
+  /// Ignores model.pose. Replaces the precision `fast` by `exact` if the method or stitching does not support
+  /// it, its weights need more than half of the free memory, or its error exceeds `most` (in diagonals of the
+  /// cage) at one of the frames `tried`. model and pool must outlive this object; timeline must have keys.
+  /// progress may be null. Throws base::Error and base::Cancelled.
   AnimatedModel(const Export& model, const Timeline& timeline, Precision wish, double most,
                 std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress = nullptr);
 

@@ -33,7 +33,7 @@ struct Export {
   mesh::Digits digits = {};
 };
 
-/// Requires that something moves the model. The up axis is guessed from its file.
+/// document.is_movable() must be true. Guesses the up axis from the model's file.
 Export export_of(const Document& document, const std::filesystem::path& file);
 
 /// Deforms the model in double and writes it in the format of the extension. Atomic: on any error an existing

@@ -68,9 +68,9 @@ struct Opened {
   std::string taken_as;  ///< dropped files: how each was interpreted
 };
 
-/// Reads the request. `current` is the open document: a cage needs its model, a pose its cage; it is not
-/// changed, so errors leave everything as it was. progress may be null. Throws base::Error (for sessions also
-/// SessionFileError) and base::Cancelled. Thread-safe.
+/// Reads the requested files. `current`, the open document, supplies the model of a requested cage and the
+/// cage of a requested pose, and is never changed. progress may be null. Throws base::Error (for sessions
+/// also SessionFileError) and base::Cancelled. Thread-safe.
 ///
 /// Dropped files are identified by content and number. One file: a session; a point cache, as keys or, if it
 /// fits the model, as shapes; a pose, if it has the vertex count and faces of the open cage; a shape, if it

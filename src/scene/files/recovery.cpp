@@ -104,7 +104,7 @@ RecoveryFile describe_recovery_file(const fs::path& file) {
     leftover.folder = of.parent_path();
     leftover.first_edit = session.first_edit;
   } catch (const std::exception&) {
-    // Keep its own name; opening it reports the error.
+    // Keep the name of the recovery file; opening the file reports the error.
   }
   return leftover;
 }

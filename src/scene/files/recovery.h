@@ -35,7 +35,7 @@ RecoveryFile describe_recovery_file(const std::filesystem::path& file);
 /// folder does not exist.
 std::vector<RecoveryFile> find_recovery_files(const std::filesystem::path& folder);
 
-/// "today 14:32", "yesterday 14:32", "May 03, 14:32", "May 03 2024, 14:32".
+/// The time in words: "today 14:32", "yesterday 14:32", "May 03, 14:32", "May 03 2024, 14:32".
 std::string when(std::time_t time, std::time_t now);
 
 }  // namespace viete::scene

@@ -149,7 +149,7 @@ deform::Probes probes_of(const JsonReader& json, std::vector<std::string>& warni
 
 namespace {
 
-// As typed: 29 instead of 28.999999999999996.
+// Rounded to the number the user typed: 29 instead of 28.999999999999996.
 double percent(double amount) {
   return std::round(1e8 * amount) / 1e6;
 }

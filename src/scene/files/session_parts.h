@@ -1,4 +1,4 @@
-// Parts of a session: handling, probes, and the scheme.
+// JSON of parts of a session: transform settings, probes, and the deformer's scheme.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

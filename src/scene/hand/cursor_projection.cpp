@@ -67,7 +67,7 @@ glm::dvec2 CursorProjection::motion(const glm::dvec3& d) const {
   return glm::dvec2(moved.x, -moved.y) / per_pixel_;
 }
 
-// The projected axis is a straight line; on it, from the point, u = t |m| / (1 + t n / z), solved for t.
+// A move by t along the axis shifts the point by u = t |m| / (1 + t n / z) on screen; solved for t.
 double CursorProjection::along(const glm::dvec3& axis, const glm::dvec2& cursor) const {
   const glm::dvec2 m = motion(axis);
   const double speed = glm::length(m);

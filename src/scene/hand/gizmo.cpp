@@ -21,8 +21,8 @@ float smooth(float low, float high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Points at pixel distances from the center: small relative to the depth, so that lines stay straight, but in
-// perspective.
+// Converts offsets from the center, in pixels, to screen points. Offsets are small relative to the depth, so
+// lines stay straight but are in perspective.
 struct Layout {
   const glm::dvec3& center;
   const glm::dmat3& axes;

@@ -11,7 +11,7 @@ namespace viete::scene {
 
 namespace {
 
-// Hidden vertices stay.
+// Moves vertex v of the pose unless it is hidden.
 void put_visible(Document& document, std::span<const std::uint8_t> hidden, std::uint32_t v,
                  const mesh::Point& place) {
   if (v >= hidden.size() || !hidden[v]) document.pose.positions[v] = place;

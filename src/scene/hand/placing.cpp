@@ -45,7 +45,7 @@ struct Motion {
     }
   }
 
-  // Each whole turn adds the same amount: one is followed, the others are multiples.
+  // Follows one whole turn and multiplies its effect: every whole turn adds the same amount.
   void follow_whole(double from, int count) {
     if (count == 0) return;
     auto& turns = document.pose.turns;

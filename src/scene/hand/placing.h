@@ -26,7 +26,7 @@ void count_whole_turns(Document& document, const DocumentState& before, const Gr
 /// false, without a change, if it would leave the range of a pose.
 bool transform_selection(Document& document, Tool tool, const Grip& grip, const Transform& transform);
 
-/// "rotate 3 faces".
+/// The name of the edit in the history, such as "rotate 3 faces".
 std::string edit_label(Tool tool, const Selection& selection);
 
 /// Transforms the probes selected in `before` from their places then. Returns false, without a change, if one

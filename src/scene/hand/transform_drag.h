@@ -61,7 +61,7 @@ public:
   const Transform& transform() const { return transform_; }
   glm::vec2 press() const { return press_; }
   /// The amount as a text: "X 0.125", "Z 405.0\u00b0", "1.20"; a number being typed ends with an underscore.
-  /// Notes if the amount exceeds the range of a pose, in which case nothing moves.
+  /// Ends with "too far" if the amount exceeds the range of a pose; then nothing moves.
   std::string readout() const;
 
 private:

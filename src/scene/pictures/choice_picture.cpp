@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "deform/binding.h"
+#include "deform/bind.h"
 #include "deform/exact.h"
 #include "mesh/triangulation.h"
 

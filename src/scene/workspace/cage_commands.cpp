@@ -186,8 +186,8 @@ void add_blend_commands(CommandTable& table) {
             "pass in single precision.",
             uses_method, switches(&ViewOptions::same_path));
   table.add("show_report", {"Make report", "Make report"},
-            "Measure the figures of the paper on the dragon and open them in the browser. Takes about half a "
-            "minute.",
+            "Repeat the measurements of the paper on the dragon and open the report in the browser. Takes "
+            "about half a minute.",
             is_not_reporting, [](Workspace& w) { w.requests.show_report = true; });
   table.add("stop_report", {"Cancel report", "Cancel"}, "Stop measuring without a report.", is_reporting,
             passing([](Workspace& w) { w.requests.stop_report = true; }));

@@ -243,10 +243,10 @@ void add_tool_commands(CommandTable& table) {
             "neighbourhood.",
             {key('P')}, has_probe_room, add_in_view<add_probe>);
   table.add("add_pin", {"Pin vertex", "Pin"},
-            "Pin the model's vertex under the pointer. Dragged pins pose the model by the shapes in the pose "
-            "list, otherwise as rigidly as possible.",
+            "Pin the model's vertex under the pointer. Drag pins to pose the model from the listed shapes, "
+            "or as rigidly as possible without shapes.",
             {key('P'), false, false, true}, has_probe_room, add_in_view<add_pin>);
-  table.add("toggle_pulls", {"Pull with pins", "Pulls"},
+  table.add("toggle_pulls", {"Make pins soft", "Soft pins"},
             "Let the selected pins pull their vertices softly. Otherwise they fix them exactly.",
             has_pins_selected,
             {[](Workspace& w) { set_pulls(w.document, !all_pull(w)); },

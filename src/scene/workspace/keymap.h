@@ -72,7 +72,7 @@ private:
   std::map<std::string_view, Shortcuts> keys_;  // by command name
 };
 
-/// True if both may have the same key, in different modes.
+/// True if the two commands may share a key because they apply in different modes.
 bool shares_keys(std::string_view command, std::string_view other);
 
 }  // namespace viete::scene

@@ -431,7 +431,7 @@ void Pointer::release(Workspace& workspace, const PointerInput& input) {
   finish(workspace, Gesture::none);
 }
 
-// A click on a handle selects what is below it, or keeps the selection if nothing is.
+// A click on a gizmo handle selects the element below it. Without one, the selection is unchanged.
 void Pointer::click(Workspace& workspace) {
   clicked_ = !again_;
   if (std::exchange(again_, false) && workspace.document.model.surface) {
@@ -447,7 +447,7 @@ void Pointer::click(Workspace& workspace) {
   set_selection(workspace.document, std::move(selection));
 }
 
-// For the selection, which then includes the element under the cursor.
+// Requests the context menu of the selection; selects the element under the cursor first if it is unselected.
 void Pointer::ask_for_menu(Workspace& workspace) {
   const auto hovered = workspace.interaction.hovered;
   if (hovered && !workspace.document.selection.contains(*hovered)) {

@@ -30,8 +30,8 @@ struct PointerInput {
   std::string typed;  ///< characters typed in this frame
 };
 
-/// Arms a selection tool: the next left drag draws its shape, even on vertices and the gizmo; the same shape
-/// again disarms. The brush stays armed.
+/// Arms a selection tool: the next left drag draws its shape, even on vertices and the gizmo. Arming the same
+/// shape again disarms it. The brush stays armed after a drag.
 void arm(Workspace& workspace, SelectShape shape);
 /// Ends the armed tool.
 void disarm(Workspace& workspace);
@@ -52,15 +52,14 @@ public:
   static constexpr float drag_threshold = 4;  ///< logical pixels before a press becomes a drag
 
   /// Call once per frame. Left click selects (Shift adds, Ctrl removes). Left drag on a gizmo handle
-  /// transforms, on an element moves the selection, elsewhere draws a box. With Shift or Ctrl it always draws
-  /// a box, which adds or removes; also on an unselected element if it is a face or elements are too dense to
-  /// click between. An armed tool has priority. Middle, right or Alt+left drag orbits, with Shift pans, with
-  /// Ctrl zooms; the wheel zooms to the cursor. Right click requests the context menu. With Tool::paint left
-  /// drag paints the mask, with Ctrl the full share; Shift and wheel change the radius. A double click
-  /// centers the view on the point under it. Interaction::grab makes the selection follow the cursor until a
-  /// click, or, if begun on a shape's handle, until the button is released. During a transform characters set
-  /// constraint and amount, Ctrl snaps, Shift slows down, Enter confirms, and Esc or the right button
-  /// cancels.
+  /// transforms, on an element moves the selection, elsewhere draws a box. It also draws a box on unselected
+  /// faces, on unselected elements too dense to click between, and with Shift (adds) or Ctrl (removes). An
+  /// armed tool has priority. Middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; the
+  /// wheel zooms to the cursor. Right click requests the context menu. With Tool::paint left drag paints the
+  /// mask, with Ctrl the full share; Shift and wheel change the radius. A double click centers the view on
+  /// the point under it. Interaction::grab makes the selection follow the cursor until a click, or, if begun
+  /// on a shape's handle, until the button is released. During a transform characters set constraint and
+  /// amount, Ctrl snaps, Shift slows down, Enter confirms, and Esc or the right button cancels.
   void frame(Workspace& workspace, const PointerInput& input);
 
   /// True during a gesture that began in the view.

@@ -26,7 +26,7 @@ struct PanelLayout {
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};
   Column last = Column::methods;         ///< last opened: the one shown if only one fits
-  bool timeline = false;                 ///< below the view, between the columns
+  bool timeline = false;                 ///< shown below the view, between the columns
   std::map<std::string, bool> sections;  ///< opened or closed sections by title; true: open
 
   bool is_folded(Column column) const { return folded[static_cast<std::size_t>(column)]; }

@@ -81,8 +81,8 @@ void select_ring(Workspace& w) {
   Selection ring = ringed(*w.document.cage, w.document.selection);
   if (ring == w.document.selection)
     w.messages.info(
-        "No ring found: select an edge or two neighbouring vertices of a quad or of two triangles that form "
-        "one.");
+        "No ring found: select an edge, or two neighbouring vertices, of a quad. Two triangles may form the "
+        "quad.");
   set_selection(w.document, std::move(ring));
 }
 
@@ -189,7 +189,7 @@ void add_select_commands(CommandTable& table) {
   table.add("select_similar", {"Select similar", "Similar"},
             "Select vertices with equal valence, edges of similar length or faces of similar area.",
             {key('S'), false, true}, without_drag<has_selection_of_cage>, select_like<similar>);
-  table.add("select_facing", {"Select facing alike", "Facing"},
+  table.add("select_facing", {"Select same direction", "Same direction"},
             "Select faces with similar normals or parallel edges, within 15 degrees.",
             without_drag<has_selection_of_cage>, select_like<facing>);
   for (const int axis : {0, 1, 2}) {

@@ -8,7 +8,7 @@
 
 namespace viete::scene {
 
-/// Named keys; letters, digits and . , - = / are their uppercase ASCII character.
+/// Named keys. The value of letters (uppercase), digits and . , - = / is their ASCII code.
 enum class Key : int {
   none = 0,
   escape = 256,

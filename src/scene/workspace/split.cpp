@@ -1,9 +1,5 @@
 #include "scene/workspace/split.h"
 
-#include <algorithm>
-#include <utility>
-#include "deform/scheme.h"
-#include "scene/workspace/workspace.h"
 namespace viete::scene {
 
 namespace {

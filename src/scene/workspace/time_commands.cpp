@@ -267,8 +267,8 @@ void add_time_commands(CommandTable& table) {
             "Set a key at this frame after each edit, once there is a key.", always,
             switches(&Playback::auto_key, &Workspace::playback));
   table.add("toggle_straight", {"Linear interpolation", "Linear"},
-            "Interpolate vertex positions linearly between keys and in weighted poses. Otherwise "
-            "interpolates their maps in log space.",
+            "Interpolate vertex positions linearly between keys and in weighted poses. When off, rotations "
+            "and stretches are interpolated in log space.",
             has_model,
             {[](Workspace& w) {
                change_mix(w, [&] {

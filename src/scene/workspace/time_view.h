@@ -34,7 +34,7 @@ struct TimeView {
   FrameWindow seen;
   std::vector<int> selected;  ///< frames of pose and camera keys, ascending
   std::optional<Drag> drag;
-  bool hovered = false;  ///< under the pointer: Delete applies to keys
+  bool hovered = false;  ///< the pointer is over the timeline, so Delete removes keys
   bool fitted = false;   ///< `seen` was fitted to this document
 };
 

@@ -107,7 +107,7 @@ void add_view_commands(CommandTable& table) {
   table.add("toggle_theme", "Dark theme", "Switch between the dark and the light theme.", {key('T')}, always,
             {[](Workspace& w) { w.preferences.dark = w.view.dark = !w.view.dark; },
              [](const Workspace& w) { return w.view.dark; }});
-  table.add("toggle_coarse_motion", "Coarse in motion",
+  table.add("toggle_coarse_motion", "Half resolution in motion",
             "Draw at half resolution while the view changes. Faster with software rendering.", always,
             {[](Workspace& w) { w.preferences.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
   table.add("toggle_panels", {"Show panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,

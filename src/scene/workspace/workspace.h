@@ -222,7 +222,7 @@ struct Workspace {
   WorkState binding;  ///< rebinding the open document with other weights
   WorkState exporting;
   WorkState making_cage;
-  TimeLeft time_left, export_left;  ///< remaining time of the displayed ones
+  TimeLeft time_left, export_left;  ///< displayed estimates: of the current task, of an export
   CageMaking making;
   bool offer_cage = true;  ///< offer ways to get a cage while the model has none
   CheckState checks;

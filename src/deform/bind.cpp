@@ -1,0 +1,148 @@
+#include "deform/bind.h"
+
+#include <atomic>
+#include <new>
+#include <stdexcept>
+
+#include "base/error.h"
+#include "deform/cage_state.h"
+#include "deform/maps.h"
+#include "deform/point_weights.h"
+#include "deform/surface_proxy.h"
+#include "deform/surface_weights.h"
+#include "deform/tiled_binding.h"
+#include "mesh/normals.h"
+
+namespace viete::deform {
+
+namespace {
+
+constexpr std::size_t rows_per_block = 64;
+
+void allocate(Binding& binding) {
+  const auto bytes = static_cast<double>(
+      binding_bytes(binding.vertices, binding.handles, EngineKind::staged, binding.weighting));
+  const auto need = binding_memory(bytes, binding.vertices, binding.handles);
+  base::require_memory(need);
+  try {
+    binding.weights.resize(binding.vertices * binding.handles);
+    binding.offsets.resize(binding.vertices);
+    if (binding.weighting.partial()) binding.shares.resize(binding.vertices);
+  } catch (const std::bad_alloc&) {
+    base::refuse_memory(need);
+  } catch (const std::length_error&) {
+    base::refuse_memory(need);
+  }
+}
+
+// Weights of rows [begin, end), handles relative to origin; returns how many have no mean value coordinates.
+std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec3& origin, std::size_t begin,
+                      std::size_t end, Binding& b) {
+  std::size_t failed = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
+    switch (b.weighting.weights) {
+      case Weights::inverse: inverse_distance_weights(cage, b.rest[i], row, b.weighting.elements); break;
+      case Weights::cut_off:
+        b.shares[i] = share_of_motion(cut_off_weights(cage, b.rest[i], b.weighting, row));
+        break;
+      case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
+      case Weights::harmonic:
+      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // already solved
+    }
+    b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
+  }
+  return failed;
+}
+
+void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding& b, base::WorkerPool& pool,
+                           base::Progress* progress) {
+  constexpr double factored = 0.3;  // share of the time
+  if (b.vertices > most_solved_vertices) {
+    const ProxyWeights proxy(model, cage, b.weighting, pool, progress, factored);
+    return pool.for_blocks(b.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        proxy.row(static_cast<std::uint32_t>(v), std::span(b.weights).subspan(v * b.handles, b.handles));
+    });
+  }
+  const SurfaceSystem system(model, cage, b.weighting, pool, progress, factored);
+  const auto store = [&](const SurfaceSystem::Solved& solved) {
+    for (std::size_t v = 0; v < b.vertices; ++v)
+      std::copy_n(solved.of(v), solved.count, b.weights.data() + v * b.handles + solved.first);
+  };
+  system.solve(store, pool, progress, factored);
+}
+
+std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, base::Progress* progress) {
+  std::atomic<std::size_t> done{0}, failed{0};
+  const auto centers = handle_centers(cage, binding.weighting.elements);
+  const Vec3 origin = binding.rest_origin;
+  const auto handles = relative_to(origin, {centers.begin(), centers.end()});
+  pool.for_blocks(binding.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
+    failed += fill_rows(cage, handles, origin, begin, end, binding);
+    done += end - begin;
+    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(binding.vertices));
+  });
+  return failed;
+}
+
+}  // namespace
+
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine,
+                          const Weighting& weighting) {
+  const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
+  const double slots = n + slot_block - 1;
+  const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
+  // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and adjacency of
+  // vertices
+  const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
+  // weights; rest, offset, position, vertex, neighbours; rest in double
+  const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
+  double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
+  if (entry(weighting.weights).on_surface)
+    bytes += surface_system_bytes(vertices) +
+             (engine == EngineKind::fused && vertices <= most_solved_vertices ? 4 * n * k : 0);
+  return static_cast<std::size_t>(std::min(0x1p63, bytes));
+}
+
+Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
+             base::Progress* progress) {
+  return bind(model, cage, weighting, EngineKind::staged, nullptr, pool, progress);
+}
+
+Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
+             const Binding* known, base::WorkerPool& pool, base::Progress* progress) {
+  if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
+  if (weighting.weights == Weights::mean_value && cage.sides.triangles.empty())
+    throw base::Error("",
+                      "mean value coordinates need a cage with an outside; faces of this cage are not "
+                      "consistently oriented",
+                      "flip or remove the faces that disagree, or use other weights");
+  Binding binding;
+  binding.weighting = weighting;
+  binding.vertices = model.positions.size();
+  binding.handles = handle_count(cage, weighting.elements);
+  if (engine == EngineKind::staged) allocate(binding);
+  binding.rest = model.positions;
+  if (known) binding.tiles = known->tiles;
+  std::size_t failed = 0;
+  if (engine == EngineKind::staged) {
+    binding.rest_origin = middle(cage.surface.positions);
+    binding.triangles = model.triangles;
+    binding.around = mesh::vertex_triangles(binding.vertices, model.triangles);
+    const bool on_surface = entry(weighting.weights).on_surface;
+    if (on_surface) solve_surface_weights(model, cage, binding, pool, progress);
+    failed = fill(cage, binding, pool, on_surface ? nullptr : progress);
+  } else {
+    if (!binding.tiles) {
+      binding.tiles = std::make_shared<const TiledBinding>(
+          bind_tiles(model, cage, weighting, pool, usual_tolerance, progress));
+    }
+    failed = binding.tiles->failed;
+  }
+  drop_whole(binding.shares);
+  binding.warnings = weight_warnings(cage, weighting.weights, failed, binding.vertices);
+  return binding;
+}
+
+}  // namespace viete::deform
