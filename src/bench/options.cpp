@@ -143,7 +143,7 @@ void add_frame_bench(CLI::App& command, Action& action) {
   auto& options = bench->options;
   auto* cage = add_model_and_cage(command, options, "generated cages, see --faces");
   auto* counts =
-      command.add_option("--count", options.counts,
+      command.add_option("--vertices", options.counts,
                          "Numbers of vertices, comma-separated; 200000 and 800000 subdivide the model");
   whole_in_range(counts, 1, most_vertices)->delimiter(',')->allow_extra_args(false)->default_str("all");
   auto* faces = command.add_option("--faces", options.faces, "Numbers of cage triangles, comma-separated");
@@ -163,7 +163,7 @@ void add_bind_bench(CLI::App& command, Action& action) {
   auto bench = std::make_shared<ModelBench<BindOptions>>();
   auto& options = bench->options;
   auto* cage = add_model_and_cage(command, options, "a generated cage, see --faces");
-  auto* count = command.add_option("--count", options.count, "Minimum number of vertices, by subdivision");
+  auto* count = command.add_option("--vertices", options.count, "Minimum number of vertices, by subdivision");
   whole_in_range(count, 1, most_vertices)->default_str("all");
   auto* faces = command.add_option("--faces", options.faces, "Number of cage triangles");
   whole_in_range(faces, 8, 10'000)->default_str("300")->excludes(cage);

@@ -23,7 +23,7 @@ struct BenchFiles {
 /// --rounds, 1 to 1,000.
 void add_rounds_option(CLI::App& app, std::size_t& rounds, const char* usual);
 /// Limit of the subdivision of a benchmark's model.
-constexpr std::int64_t most_vertices = 10'000'000;
+constexpr std::int64_t most_vertices = 20'000'000;
 /// Adds --json, --force and, if requested, --plot.
 void add_bench_files(CLI::App& app, BenchFiles& files, bool has_plot = false);
 

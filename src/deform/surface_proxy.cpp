@@ -24,9 +24,9 @@ namespace {
 using mesh::none;
 
 constexpr int most_halvings = 5;
-constexpr double least_mass = 0.15;  // of the mean cluster's: smaller ones join a neighbour
-constexpr double reach = 1.9;        // of the mean distance to neighbours
-// Keeps fits to few clusters regular; of the diagonal of the normal equations.
+constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
+constexpr double reach = 1.9;        // in mean distances to the neighbours
+// Regularises fits to few clusters, relative to the diagonal of the normal equations.
 constexpr double ridge_linear = 1e-4, ridge_quadratic = 1e-3;
 
 std::uint64_t mixed(std::uint64_t x) {
@@ -35,7 +35,7 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Each edge of a closed surface is passed once in each direction, so that the sums over a vertex cancel.
+// On a closed surface each edge occurs once in each direction, so the sums at a vertex cancel.
 std::vector<bool> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
   std::vector<std::uint64_t> sums(vertices, 0);
   for (const auto& t : triangles) {
@@ -55,10 +55,6 @@ double area(const mesh::Surface& model, const mesh::Triangle& t) {
 }
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-Pair ordered(std::uint32_t a, std::uint32_t b) {
-  return {std::min(a, b), std::max(a, b)};
-}
 
 template <class T>
 void sort_unique(std::vector<T>& all) {
@@ -85,8 +81,10 @@ public:
   std::size_t divide(double cell) {
     cell_ = cell;
     sets_.reset(level_.size());
+    std::vector<std::uint64_t> cells(level_.size());
+    for (std::uint32_t v = 0; v < cells.size(); ++v) cells[v] = cell_of(v);
     for (const auto& t : triangles_) {
-      const std::array keys = {key(t[0]), key(t[1]), key(t[2])};
+      const std::array keys = {cells[t[0]], cells[t[1]], cells[t[2]]};
       for (std::size_t k = 0; k < 3; ++k) {
         if (keys[k] == keys[(k + 1) % 3]) sets_.join(t[k], t[(k + 1) % 3]);
       }
@@ -94,10 +92,10 @@ public:
     return join_small();
   }
 
-  /// Halves the cells of clusters that meet a neighbour without a corner, or meet none. True if there are
-  /// any.
+  /// Halves the cells of clusters that share an edge but no corner with a neighbour or have no triangle.
+  /// Returns false if there are no such clusters.
   bool refine() {
-    std::vector<Pair> met, cornered;
+    std::vector<std::uint64_t> met, cornered;
     std::vector<bool> has_triangle(level_.size(), false);
     for (const auto& t : triangles_) {
       const std::uint32_t a = sets_.find(t[0]), b = sets_.find(t[1]), c = sets_.find(t[2]);
@@ -105,15 +103,15 @@ public:
       const bool corner = a != b && b != c && c != a;
       auto& pairs = corner ? cornered : met;
       for (const auto& [i, j] : {Pair{a, b}, Pair{b, c}, Pair{c, a}}) {
-        if (i != j) pairs.push_back(ordered(i, j));
+        if (i != j) pairs.push_back(std::uint64_t{std::min(i, j)} << 32 | std::max(i, j));
       }
       if (corner) has_triangle[a] = has_triangle[b] = has_triangle[c] = true;
     }
     sort_unique(met), sort_unique(cornered);
-    std::vector<Pair> loose;
+    std::vector<std::uint64_t> loose;
     std::ranges::set_difference(met, cornered, std::back_inserter(loose));
     std::vector<bool> coarse(level_.size(), false);
-    for (const auto& [a, b] : loose) coarse[a] = coarse[b] = true;
+    for (const auto pair : loose) coarse[pair >> 32] = coarse[pair & 0xffffffff] = true;
     bool any = false;
     for (std::uint32_t v = 0; v < level_.size(); ++v) {
       const auto set = sets_.find(v);
@@ -126,8 +124,8 @@ public:
   std::uint32_t find(std::uint32_t v) { return sets_.find(v); }
 
 private:
-  std::uint64_t key(std::uint32_t v) const {
-    const double scale = std::ldexp(1 / cell_, level_[v]);
+  std::uint64_t cell_of(std::uint32_t v) const {
+    const double scale = (1u << level_[v]) / cell_;
     std::uint64_t key = level_[v];
     for (std::size_t i = 0; i < 3; ++i)
       key = key << 20 | (static_cast<std::uint64_t>((model_.positions[v][i] - low_[i]) * scale) & 0xfffff);
@@ -141,7 +139,7 @@ private:
     for (const double m : mass) count += m > 0;
     std::vector<std::uint32_t> best(level_.size(), none);
     const auto is_small = [&](std::uint32_t set) {
-      return mass[set] < least_mass * cell_ * cell_ * std::ldexp(1.0, -2 * level_[set]);
+      return mass[set] * (1u << 2 * level_[set]) < least_mass * cell_ * cell_;
     };
     for (const auto& t : triangles_) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -268,7 +266,7 @@ void SurfaceProxy::find_neighbours() {
   }
 }
 
-// Springs hold the plate where the model is nearest to a handle, as without a proxy.
+// The plate's springs must be at the model's vertex nearest to each handle, as without a proxy.
 void SurfaceProxy::move_to_handles(const Cage& cage, Elements elements, base::WorkerPool& pool) {
   const std::size_t n = surface_.positions.size();
   std::vector<std::uint32_t> starts(n + 1, 0), members(of_vertex_.size());
@@ -381,12 +379,15 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const W
 
 void ProxyWeights::row(std::uint32_t vertex, std::span<double> row) const {
   thread_local std::vector<SurfaceProxy::Term> terms;
+  thread_local std::vector<float> sums;
   proxy_.terms(vertex, terms);
-  std::ranges::fill(row, 0.0);
+  sums.assign(handles_, 0);
   for (const auto& [cluster, factor] : terms) {
     const float* from = weights_.data() + cluster * handles_;
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] += factor * static_cast<double>(from[j]);
+    const auto f = static_cast<float>(factor);
+    for (std::size_t j = 0; j < handles_; ++j) sums[j] += f * from[j];
   }
+  std::ranges::copy(sums, row.begin());
   normalise(row, true);
 }
 

@@ -1,4 +1,4 @@
-// A coarse copy of a large model, on which weights along the surface are solved.
+// A coarse copy of a large model for computing weights along the surface.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,23 @@
 
 namespace viete::deform {
 
-/// The vertices of a proxy, about.
+/// Approximate number of vertices of a proxy.
 inline constexpr std::size_t proxy_vertices = 40'000;
-/// Models with more vertices solve their weights along the surface on a proxy: below, a proxy saves little
-/// time.
+/// Weights along the surface of models with more vertices are solved on a proxy. For smaller models a proxy
+/// saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
-/// Clusters of neighbouring vertices of a model, as vertices of a coarser surface.
+/// A coarser surface whose vertices are clusters of neighbouring vertices of a model.
 ///
-/// A cluster is a connected piece of the surface in one cell of a grid, so that layers and parts stay apart.
-/// Where clusters meet without a common corner (a tube that is thinner than a cell) their cells are halved,
-/// up to five times. A cluster's vertex is the mean of its members, on an open edge the mean of those on the
-/// edge, and next to a handle of the cage the nearest vertex of the model. The triangles of the proxy are the
-/// triangles of the model whose corners lie in three clusters.
+/// A cluster is a connected piece of the surface in one cell of a grid, so layers and parts stay apart.
+/// Cells whose clusters meet without a common corner (a tube thinner than a cell) are halved, up to five
+/// times. A cluster's position is the mean of its members. On an open edge it is the mean of the members on
+/// the edge, and next to a handle of the cage the nearest vertex of the model. The proxy's triangles are the
+/// model's triangles with corners in three clusters.
 ///
-/// Values at the proxy's vertices are carried to the model by moving least squares: around each vertex of the
-/// model a quadratic polynomial in its tangent plane is fitted to the clusters nearby. This is smooth and
-/// reproduces linear functions of the tangent plane.
+/// Values at clusters are interpolated at the model's vertices by moving least squares: a quadratic
+/// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth and
+/// reproduces linear functions on the tangent plane.
 class SurfaceProxy {
 public:
   /// About `target` clusters. The model must outlive the proxy. Throws base::Error when the model has no
@@ -41,8 +41,8 @@ public:
   /// Clusters and the triangles between them.
   const mesh::Surface& surface() const { return surface_; }
 
-  /// The value at a vertex of the model is the sum of factor times the value at the cluster. Factors sum to 1
-  /// up to rounding. Thread-safe.
+  /// The interpolated value at a vertex is the sum of factor times value at cluster. Factors sum to 1 up to
+  /// rounding. Thread-safe.
   struct Term {
     std::uint32_t cluster;
     double factor;
@@ -57,24 +57,24 @@ private:
   void adopt_loose_vertices();
 
   const mesh::Surface& model_;
-  std::vector<mesh::Triangle> triangles_;  // of the model, welded
-  std::vector<std::uint32_t> of_vertex_;   // the cluster of each vertex
+  std::vector<mesh::Triangle> triangles_;  // the model's, welded
+  std::vector<std::uint32_t> of_vertex_;   // cluster of each vertex
   mesh::Surface surface_;
-  std::vector<Vec3> normals_;                   // of the clusters, unit length or 0
-  std::vector<double> radii_;                   // the reach of each cluster
+  std::vector<Vec3> normals_;                   // one per cluster, unit length or 0
+  std::vector<double> radii_;                   // radius of influence per cluster
   std::vector<std::uint32_t> nearby_, starts_;  // clusters within two rings, itself first
 };
 
-/// Weights along the surface of a large model: one row for each cluster of its proxy.
+/// Weights along the surface of a large model, stored per cluster of its proxy.
 class ProxyWeights {
 public:
-  /// Solves for the weights on a proxy of about so many clusters; reports up to `done`. See SurfaceSystem for
-  /// errors.
+  /// Solves on a proxy of about `clusters` clusters; reports progress up to `done`. Errors: see
+  /// SurfaceSystem.
   ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                base::WorkerPool& pool, base::Progress* progress, double done,
                std::size_t clusters = proxy_vertices);
 
-  /// The weights of a vertex of the model: not below 0, of sum 1. Thread-safe.
+  /// Weights of a vertex of the model, at least 0, sum 1. row.size() == number of handles. Thread-safe.
   void row(std::uint32_t vertex, std::span<double> row) const;
 
 private:

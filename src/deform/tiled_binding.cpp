@@ -147,7 +147,7 @@ private:
                   std::span(b_.sample).subspan(s * b_.handles, b_.handles));
   }
 
-  // As Weigher::weigh_tiles(), of the vertices of a leaf.
+  // As Weigher::weigh_tiles(), for the vertices of a leaf.
   void gather(std::size_t leaf, float* rows, std::span<Vec3> sums) const {
     const auto& kernel = bind_kernel(sym3::kernel());
     const auto handles = weigher_.handle_positions();
@@ -355,9 +355,9 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   TiledBinding b_;
-  base::AlignedVector<float> surface_weights_;  // of all vertices, where weights live on the surface
-  std::optional<ProxyWeights> proxy_;           // the same of large models
-  double solved_ = 0;                           // the share of the work that they took
+  base::AlignedVector<float> surface_weights_;  // all vertices, for weights along the surface
+  std::optional<ProxyWeights> proxy_;           // instead of surface_weights_ for large models
+  double solved_ = 0;                           // their share of the work
 };
 
 }  // namespace

@@ -40,14 +40,14 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
   const TemporaryFolder scratch;
   const fs::path json = scratch / "frame.json";
   const std::string files = quoted(dragon) + " " + quoted(cage);
-  for (const std::string what : {"frame --count 500 ", "bind "}) {
+  for (const std::string what : {"frame --vertices 500 ", "bind "}) {
     const auto outcome = run("bench " + what + "--rounds 1 " + files + " --json " + quoted(json));
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
     CHECK(mentions(outcome, "148 cage triangles"));  // its own
     std::ifstream in(json);
     CHECK(nlohmann::json::parse(in)["bars"].empty());  // bars are only written for generated cages
   }
-  const auto made = run("bench frame --rounds 1 --count 500,600 --faces 8 " + quoted(dragon));
+  const auto made = run("bench frame --rounds 1 --vertices 500,600 --faces 8 " + quoted(dragon));
   CHECK_MESSAGE(mentions(made, "500 vertices, 8 cage triangles"), made.text);
   CHECK(run("bench frame --faces 8 " + files).code == 2);
   CHECK(mentions(run("bench bind --json " + quoted(cage) + " " + files), "is an input file"));
