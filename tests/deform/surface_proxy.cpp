@@ -18,10 +18,13 @@ using namespace viete;
 
 namespace {
 
-// A torus of about `count` vertices inside a box.
+// A torus of about `count` vertices, tilted so that each side of the box has one nearest point.
 mesh::Surface ring(std::size_t count) {
   const auto across = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count) / 3));
-  return test::torus(3 * across, across);
+  mesh::Surface torus = test::torus(3 * across, across);
+  for (auto& p : torus.positions)
+    p = {0.9 * p[0] + 0.2 * p[2], p[1] + 0.1 * p[2], 0.95 * p[2] - 0.15 * p[0] + 0.07 * p[1]};
+  return torus;
 }
 
 const deform::Cage& box_cage() {
