@@ -115,7 +115,7 @@ void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t>
   auto bench = add_model_bench(command, rounds, "generated cages, see --faces");
   ModelOptions& options = bench->options;
   options.faces = std::move(faces);
-  whole_in_range(command.add_option("--count", options.count,
+  whole_in_range(command.add_option("--vertices", options.count,
                                     "Number of vertices: the model is truncated or subdivided to about it"),
                  1, 10'000'000)
       ->default_str("all");

@@ -16,7 +16,6 @@
 #include "bench/matrix_array.h"
 #include "bench/table.h"
 #include "deform/maps.h"
-#include "deform/polar.h"
 #include "sym3/derivative.h"
 #include "sym3/eigen.h"
 #include "sym3/exp.h"

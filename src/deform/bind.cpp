@@ -8,6 +8,7 @@
 #include "deform/cage_state.h"
 #include "deform/maps.h"
 #include "deform/point_weights.h"
+#include "deform/surface_proxy.h"
 #include "deform/surface_weights.h"
 #include "deform/tiled_binding.h"
 #include "mesh/normals.h"
@@ -57,6 +58,13 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
 void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding& b, base::WorkerPool& pool,
                            base::Progress* progress) {
   constexpr double factored = 0.3;  // share of the time
+  if (b.vertices > most_solved_vertices) {
+    const ProxyWeights proxy(model, cage, b.weighting, pool, progress, factored);
+    return pool.for_blocks(b.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        proxy.row(static_cast<std::uint32_t>(v), std::span(b.weights).subspan(v * b.handles, b.handles));
+    });
+  }
   const SurfaceSystem system(model, cage, b.weighting, pool, progress, factored);
   const auto store = [&](const SurfaceSystem::Solved& solved) {
     for (std::size_t v = 0; v < b.vertices; ++v)
@@ -92,7 +100,8 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
   if (entry(weighting.weights).on_surface)
-    bytes += surface_system_bytes(vertices) + (engine == EngineKind::fused ? 4 * n * k : 0);
+    bytes += surface_system_bytes(vertices) +
+             (engine == EngineKind::fused && vertices <= most_solved_vertices ? 4 * n * k : 0);
   return static_cast<std::size_t>(std::min(0x1p63, bytes));
 }
 

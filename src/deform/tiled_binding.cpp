@@ -8,6 +8,7 @@
 #include "deform/cage_state.h"
 #include "deform/factoring.h"
 #include "deform/frame_kernel.h"
+#include "deform/surface_proxy.h"
 #include "deform/surface_weights.h"
 #include "deform/weigher.h"
 
@@ -117,6 +118,7 @@ private:
   void solve_surface_weights() {
     constexpr double factored = 0.3, share = 0.7;  // fractions of the time
     const std::size_t n = b_.leaves.vertices, k = b_.handles;
+    if (n > most_solved_vertices) return solve_on_proxy();
     base::require_memory(binding_memory(
         surface_system_bytes(n) + 4.0 * static_cast<double>(n) * static_cast<double>(k), n, k));
     const auto sampled = spread_vertices(n, error_sample);
@@ -135,6 +137,16 @@ private:
     solved_ = share;
   }
 
+  void solve_on_proxy() {
+    solved_ = 0.3;
+    proxy_.emplace(model_, weigher_.cage(), b_.weighting, pool_, progress_, solved_);
+    const auto sampled = spread_vertices(b_.leaves.vertices, error_sample);
+    b_.sample.resize(sampled.size() * b_.handles);
+    for (std::size_t s = 0; s < sampled.size(); ++s)
+      proxy_->row(static_cast<std::uint32_t>(sampled[s]),
+                  std::span(b_.sample).subspan(s * b_.handles, b_.handles));
+  }
+
   // As Weigher::weigh_tiles(), for the vertices of a leaf.
   void gather(std::size_t leaf, float* rows, std::span<Vec3> sums) const {
     const auto& kernel = bind_kernel(sym3::kernel());
@@ -143,10 +155,15 @@ private:
     std::vector<double> weights(b_.handles * bind_lanes), row(b_.handles);
     for (std::size_t s = 0; s < slots(leaf); s += bind_lanes) {
       for (std::size_t l = 0; l < bind_lanes; ++l) {
-        const float* from = surface_weights_.data() + b_.leaves.order[begin + s + l] * solved_columns;
-        for (std::size_t j = 0; j < b_.handles; ++j)
-          row[j] = from[j / solved_columns * solved_columns * n + j % solved_columns];
-        if (b_.weighting.clamped()) normalise(row, true);
+        const auto vertex = b_.leaves.order[begin + s + l];
+        if (proxy_) {
+          proxy_->row(vertex, row);
+        } else {
+          const float* from = surface_weights_.data() + vertex * solved_columns;
+          for (std::size_t j = 0; j < b_.handles; ++j)
+            row[j] = from[j / solved_columns * solved_columns * n + j % solved_columns];
+          if (b_.weighting.clamped()) normalise(row, true);
+        }
         for (std::size_t j = 0; j < b_.handles; ++j) weights[j * bind_lanes + l] = row[j];
       }
       double sum[3][lanes];
@@ -160,7 +177,7 @@ private:
   // number of vertices without mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
     w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
-    if (!surface_weights_.empty()) {
+    if (proxy_ || !surface_weights_.empty()) {
       gather(leaf, rows, w.sums);
       return 0;
     }
@@ -339,6 +356,7 @@ private:
   base::Progress* progress_;
   TiledBinding b_;
   base::AlignedVector<float> surface_weights_;  // all vertices, for weights along the surface
+  std::optional<ProxyWeights> proxy_;           // instead of surface_weights_ for large models
   double solved_ = 0;                           // their share of the work
 };
 

@@ -14,7 +14,7 @@
 
 namespace viete {
 
-namespace {
+namespace library {
 
 // Poses or shapes in order of motion, with their vectors.
 struct Sequence {
@@ -61,6 +61,10 @@ struct Sequence {
   }
 };
 
+}  // namespace library
+
+namespace {
+
 std::vector<Point3> sum_outside(const std::vector<mesh::Point>& sum) {
   library::check_finite(sum, "weights", "use weights nearer to 0");
   return library::outside(sum);
@@ -68,7 +72,7 @@ std::vector<Point3> sum_outside(const std::vector<mesh::Point>& sum) {
 
 }  // namespace
 
-struct ShapeSpace::Impl : Sequence {
+struct ShapeSpace::Impl : library::Sequence {
   Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all, int threads, base::Progress* progress)
       : rest(std::make_shared<const mesh::Surface>(library::deformable_surface_of(mesh, "the mesh at rest"))),
         pool(library::checked_threads(threads)) {
@@ -141,7 +145,7 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
   return library::outside(posing.positions());
 }
 
-struct PoseSpace::Impl : Sequence {
+struct PoseSpace::Impl : library::Sequence {
   Impl(const Mesh& mesh, std::span<const std::vector<Point3>> all)
       : cage(std::make_shared<const deform::Cage>(
             deform::make_cage(library::deformable_surface_of(mesh, "the cage")))) {

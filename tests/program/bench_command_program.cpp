@@ -18,7 +18,7 @@ TEST_CASE("small_benchmarks_run_and_write_json") {
   const WorkFolder f;
   const std::pair<std::string, std::vector<const char*>> cases[] = {
       {"sym3 --count 2000", {"copy"}},
-      {"frame --count 2000", {"one vertex dragged"}},
+      {"frame --vertices 2000", {"one vertex dragged"}},
       {"bind --faces 8 --rounds 1", {"50,000 vertices, 8 cage triangles", "plain loops", ">= 45"}}};
   for (const auto& [words, said] : cases) {
     const auto outcome = f.done("bench " + words + " --json a.json");
@@ -29,12 +29,12 @@ TEST_CASE("small_benchmarks_run_and_write_json") {
 
 TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named") {
   const WorkFolder f;
-  for (const std::string what : {"frame --count 500 ", "bind "}) {
+  for (const std::string what : {"frame --vertices 500 ", "bind "}) {
     CHECK(mentions(f.done("bench " + what + "--rounds 1 " + in_cage + " --json a.json"),
                    "148 cage triangles"));                                   // its own
     CHECK(nlohmann::json::parse(file_bytes(f / "a.json"))["bars"].empty());  // only for generated cages
   }
-  const auto made = f.done("bench frame --rounds 1 --count 500 --faces 8,10 " + quoted(dragon));
+  const auto made = f.done("bench frame --rounds 1 --vertices 500 --faces 8,10 " + quoted(dragon));
   CHECK_MESSAGE(mentions(made, "500 vertices, 8 cage triangles"), made.text);
   f.refused("bench frame --faces 8 " + in_cage, 2, "excludes");
   f.refused("bench bind --json " + quoted(cage) + " " + in_cage, 1, "is an input file");

@@ -147,7 +147,6 @@ static void code(const JsonField& f, Handling& handling) {
   f.unless(usual.soft.curve, "curve", soft.curve);
   f.unless(usual.soft.distance, "distance", soft.distance);
   f.unless(usual.freedom, "freedom", handling.freedom, percent(0, 1));
-  f.unless(usual.mix_selected, "mix_selected", handling.mix_selected);
 }
 
 // A probe's motion, members of the object that it is part of; "stretched" is the log of the stretch.
@@ -247,7 +246,6 @@ static void code(const JsonField& f, NamedPose& named) {
   f.needed("name", named.name);
   if (named.name.size() > PoseLibrary::longest_name) f.in().at("name").fail("this name is too long");
   f.unless(0, "weight", named.weight, mix_weights);
-  f.unless({}, "part", named.part);
   code(f, named.pose);
 }
 
@@ -478,10 +476,8 @@ void check_poses(const DocumentState& state, const deform::Cage* cage, const mes
         pose->cage.positions.size() != vertices || pose->cage.turns.size() > parts)
       refuse(file, key, what + " is of another cage or model");
   };
-  for (const NamedPose& named : state.library.poses) {
+  for (const NamedPose& named : state.library.poses)
     check("poses", mesh::in_quotes(named.name), named.pose);
-    check_indices(file, "poses", named.part, ElementKind::vertex, vertices);
-  }
   if (state.library.unmixed) check("unmixed", "this pose", state.library.unmixed);
   for (const auto* keys : {&state.timeline.keys, &state.timeline.unkeyed})
     for (const PoseKey& key : *keys)

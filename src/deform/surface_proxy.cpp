@@ -1,0 +1,394 @@
+#include "deform/surface_proxy.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+#include "deform/cage_state.h"
+#include "deform/point_weights.h"
+#include "deform/surface_weights.h"
+#include "mesh/point_tree.h"
+#include "mesh/repair.h"
+#include "mesh/triangle.h"
+#include "mesh/union_find.h"
+
+namespace viete::deform {
+
+namespace {
+
+using mesh::none;
+
+constexpr int most_halvings = 5;
+constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
+constexpr double reach = 1.9;        // in mean distances to the neighbours
+// Regularises fits to few clusters, relative to the diagonal of the normal equations.
+constexpr double ridge_linear = 1e-4, ridge_quadratic = 1e-3;
+
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+// On a closed surface each edge occurs once in each direction, so the sums at a vertex cancel.
+std::vector<bool> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
+  std::vector<std::uint64_t> sums(vertices, 0);
+  for (const auto& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = t[k], b = t[(k + 1) % 3];
+      sums[a] += mixed(b + 1), sums[b] -= mixed(a + 1);
+    }
+  }
+  std::vector<bool> open(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) open[v] = sums[v] != 0;
+  return open;
+}
+
+double area(const mesh::Surface& model, const mesh::Triangle& t) {
+  const auto& p = model.positions;
+  return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
+}
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+template <class T>
+void sort_unique(std::vector<T>& all) {
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+}
+
+/// Assigns vertices to connected pieces of grid cells.
+class Clusters {
+public:
+  Clusters(const mesh::Surface& model, std::span<const mesh::Triangle> triangles)
+      : model_(model), triangles_(triangles), level_(model.positions.size(), 0), masses_(level_.size(), 0) {
+    low_ = mesh::bounds(model.positions).low;
+    for (const auto& t : triangles) {
+      const double third = area(model, t) / 3;
+      area_ += 3 * third;
+      for (const auto v : t) masses_[v] += third;
+    }
+  }
+
+  double total_area() const { return area_; }
+
+  /// Returns the number of clusters with vertices of triangles.
+  std::size_t divide(double cell) {
+    cell_ = cell;
+    sets_.reset(level_.size());
+    std::vector<std::uint64_t> cells(level_.size());
+    for (std::uint32_t v = 0; v < cells.size(); ++v) cells[v] = cell_of(v);
+    for (const auto& t : triangles_) {
+      const std::array keys = {cells[t[0]], cells[t[1]], cells[t[2]]};
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (keys[k] == keys[(k + 1) % 3]) sets_.join(t[k], t[(k + 1) % 3]);
+      }
+    }
+    return join_small();
+  }
+
+  /// Halves the cells of clusters that share an edge but no corner with a neighbour or have no triangle.
+  /// Returns false if there are no such clusters.
+  bool refine() {
+    std::vector<std::uint64_t> met, cornered;
+    std::vector<bool> has_triangle(level_.size(), false);
+    for (const auto& t : triangles_) {
+      const std::uint32_t a = sets_.find(t[0]), b = sets_.find(t[1]), c = sets_.find(t[2]);
+      if (a == b && b == c) continue;
+      const bool corner = a != b && b != c && c != a;
+      auto& pairs = corner ? cornered : met;
+      for (const auto& [i, j] : {Pair{a, b}, Pair{b, c}, Pair{c, a}}) {
+        if (i != j) pairs.push_back(std::uint64_t{std::min(i, j)} << 32 | std::max(i, j));
+      }
+      if (corner) has_triangle[a] = has_triangle[b] = has_triangle[c] = true;
+    }
+    sort_unique(met), sort_unique(cornered);
+    std::vector<std::uint64_t> loose;
+    std::ranges::set_difference(met, cornered, std::back_inserter(loose));
+    std::vector<bool> coarse(level_.size(), false);
+    for (const auto pair : loose) coarse[pair >> 32] = coarse[pair & 0xffffffff] = true;
+    bool any = false;
+    for (std::uint32_t v = 0; v < level_.size(); ++v) {
+      const auto set = sets_.find(v);
+      if (masses_[v] > 0 && (coarse[set] || !has_triangle[set]) && level_[v] < most_halvings)
+        ++level_[v], any = true;
+    }
+    return any;
+  }
+
+  std::uint32_t find(std::uint32_t v) { return sets_.find(v); }
+
+private:
+  std::uint64_t cell_of(std::uint32_t v) const {
+    const double scale = (1u << level_[v]) / cell_;
+    std::uint64_t key = level_[v];
+    for (std::size_t i = 0; i < 3; ++i)
+      key = key << 20 | (static_cast<std::uint64_t>((model_.positions[v][i] - low_[i]) * scale) & 0xfffff);
+    return key;
+  }
+
+  std::size_t join_small() {
+    std::vector<double> mass(level_.size(), 0);
+    std::size_t count = 0;
+    for (std::uint32_t v = 0; v < level_.size(); ++v) mass[sets_.find(v)] += masses_[v];
+    for (const double m : mass) count += m > 0;
+    std::vector<std::uint32_t> best(level_.size(), none);
+    const auto is_small = [&](std::uint32_t set) {
+      return mass[set] * (1u << 2 * level_[set]) < least_mass * cell_ * cell_;
+    };
+    for (const auto& t : triangles_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto a = sets_.find(t[k]), b = sets_.find(t[(k + 1) % 3]);
+        if (a == b) continue;
+        for (const auto& [set, other] : {Pair{a, b}, Pair{b, a}}) {
+          if (is_small(set) && (best[set] == none || mass[other] > mass[best[set]])) best[set] = other;
+        }
+      }
+    }
+    for (std::uint32_t set = 0; set < best.size(); ++set) {
+      if (best[set] != none && sets_.join(set, best[set])) --count;
+    }
+    return count;
+  }
+
+  const mesh::Surface& model_;
+  std::span<const mesh::Triangle> triangles_;
+  std::vector<std::uint8_t> level_;
+  std::vector<double> masses_;
+  mesh::UnionFind sets_;
+  mesh::Point low_;
+  double area_ = 0, cell_ = 0;
+};
+
+}  // namespace
+
+SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Elements elements,
+                           std::size_t target, base::WorkerPool& pool, base::Progress* progress)
+    : model_(model) {
+  const auto place = mesh::lowest_in_place(model.positions);
+  for (auto t : model.triangles) {
+    for (auto& v : t) v = place[v];
+    if (!mesh::repeats_corner(t)) triangles_.push_back(t);
+  }
+  cluster(target, place, progress);
+  place_clusters();
+  find_neighbours();
+  move_to_handles(cage, elements, pool);
+  find_neighbours();
+  adopt_loose_vertices();
+}
+
+void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>& place,
+                           base::Progress* progress) {
+  Clusters clusters(model_, triangles_);
+  double cell = std::sqrt(1.3 * clusters.total_area() / static_cast<double>(target));
+  for (int tries = 0; tries < 6; ++tries) {
+    if (progress) progress->report(0);
+    std::size_t count = clusters.divide(cell);
+    while (count <= target && clusters.refine()) count = clusters.divide(cell);
+    if (count <= target) break;
+    cell *= 1.03 * std::sqrt(static_cast<double>(count) / static_cast<double>(target));
+  }
+  std::vector<bool> used(place.size(), false);
+  for (const auto& t : triangles_) used[t[0]] = used[t[1]] = used[t[2]] = true;
+  std::vector<std::uint32_t> number(place.size(), none);
+  of_vertex_.assign(place.size(), none);
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < place.size(); ++v) {
+    if (!used[place[v]]) continue;
+    auto& n = number[clusters.find(place[v])];
+    if (n == none) n = count++;
+    of_vertex_[v] = n;
+  }
+  surface_.positions.resize(count);
+}
+
+void SurfaceProxy::place_clusters() {
+  const std::size_t n = surface_.positions.size();
+  const auto open = on_open_edges(triangles_, of_vertex_.size());
+  std::vector<std::uint32_t> members(n, 0);
+  std::vector<bool> has_open(n, false);
+  for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+    if (of_vertex_[v] != none && open[v]) has_open[of_vertex_[v]] = true;
+  }
+  for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+    const auto c = of_vertex_[v];
+    if (c == none || (has_open[c] && !open[v])) continue;
+    surface_.positions[c] = surface_.positions[c] + model_.positions[v];
+    ++members[c];
+  }
+  for (std::size_t c = 0; c < n; ++c)
+    surface_.positions[c] = (1.0 / std::max(1u, members[c])) * surface_.positions[c];
+  std::vector<mesh::Triangle> triangles;
+  for (const auto& t : triangles_) {
+    mesh::Triangle u = {of_vertex_[t[0]], of_vertex_[t[1]], of_vertex_[t[2]]};
+    if (mesh::repeats_corner(u)) continue;
+    std::ranges::rotate(u, std::ranges::min_element(u));
+    triangles.push_back(u);
+  }
+  sort_unique(triangles);
+  surface_ = mesh::from_triangles(std::move(surface_.positions), triangles);
+}
+
+void SurfaceProxy::find_neighbours() {
+  const auto& p = surface_.positions;
+  normals_.assign(p.size(), Vec3{0, 0, 0});
+  std::vector<std::vector<std::uint32_t>> ring(p.size());
+  for (const auto& t : surface_.triangles) {
+    const Vec3 normal = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      normals_[t[k]] = normals_[t[k]] + normal;
+      ring[t[k]].push_back(t[(k + 1) % 3]), ring[t[k]].push_back(t[(k + 2) % 3]);
+    }
+  }
+  radii_.assign(p.size(), 0);
+  for (std::size_t c = 0; c < p.size(); ++c) {
+    sort_unique(ring[c]);
+    for (const auto other : ring[c]) radii_[c] += norm(p[other] - p[c]);
+    if (!ring[c].empty()) radii_[c] *= reach / static_cast<double>(ring[c].size());
+    if (const double length = norm(normals_[c]); length > 0) normals_[c] = (1 / length) * normals_[c];
+  }
+  std::vector<std::uint32_t> found;
+  nearby_.clear(), starts_ = {0};
+  for (std::uint32_t c = 0; c < p.size(); ++c) {
+    found = ring[c];
+    for (const auto other : ring[c]) found.insert(found.end(), ring[other].begin(), ring[other].end());
+    sort_unique(found);
+    std::erase(found, c);
+    nearby_.push_back(c);
+    nearby_.insert(nearby_.end(), found.begin(), found.end());
+    starts_.push_back(static_cast<std::uint32_t>(nearby_.size()));
+  }
+}
+
+// The plate's springs must be at the model's vertex nearest to each handle, as without a proxy.
+void SurfaceProxy::move_to_handles(const Cage& cage, Elements elements, base::WorkerPool& pool) {
+  const std::size_t n = surface_.positions.size();
+  std::vector<std::uint32_t> starts(n + 1, 0), members(of_vertex_.size());
+  for (const auto c : of_vertex_) {
+    if (c != none) ++starts[c + 1];
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  auto end = starts;
+  for (std::uint32_t v = 0; v < of_vertex_.size(); ++v) {
+    if (of_vertex_[v] != none) members[end[of_vertex_[v]]++] = v;
+  }
+  const auto& x = cage.surface.positions;
+  const OwnedVertices owned = owned_vertices(surface_, cage, elements, pool);
+  for (std::size_t h = 0; h < owned.of_handle.size(); ++h) {
+    const auto own = owned.of_handle[h];
+    if (own == OwnedVertices::none) continue;
+    const auto [a, b, c] = handle_shape(cage, elements, h).corners;
+    double least = std::numeric_limits<double>::infinity();
+    std::uint32_t nearest = none;
+    for (std::size_t i = starts_[own]; i < starts_[own + 1]; ++i) {
+      for (std::size_t m = starts[nearby_[i]]; m < starts[nearby_[i] + 1]; ++m) {
+        const auto closest = mesh::closest_on_triangle(model_.positions[members[m]], x[a], x[b], x[c]);
+        if (closest.squared_distance < least) least = closest.squared_distance, nearest = members[m];
+      }
+    }
+    surface_.positions[of_vertex_[nearest]] = model_.positions[nearest];
+  }
+}
+
+// Vertices without a triangle belong to the nearest cluster.
+void SurfaceProxy::adopt_loose_vertices() {
+  if (std::ranges::find(of_vertex_, none) == of_vertex_.end()) return;
+  std::vector<std::uint32_t> all(surface_.positions.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const mesh::PointTree tree(surface_.positions, std::move(all));
+  for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+    if (of_vertex_[v] == none) of_vertex_[v] = tree.nearest(model_.positions[v]);
+  }
+}
+
+void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  const auto own = of_vertex_[vertex];
+  const std::span near(nearby_.data() + starts_[own], nearby_.data() + starts_[own + 1]);
+  const mesh::Point& p = model_.positions[vertex];
+  terms.clear();
+  Vec3 normal{0, 0, 0};
+  for (const auto c : near) {
+    const double part = squared_norm(surface_.positions[c] - p) / (radii_[c] * radii_[c]);
+    if (!(part < 1)) continue;
+    const double left = 1 - part;
+    terms.push_back({c, left * left * left});
+    normal = normal + terms.back().factor * normals_[c];
+  }
+  if (terms.size() < 3) {
+    terms.assign(1, {own, 1});
+    return;
+  }
+  // Axes of the tangent plane, scaled by the reach of the vertex's cluster.
+  const std::size_t least = static_cast<std::size_t>(
+      std::ranges::min_element(normal, {}, [](double x) { return std::abs(x); }) - normal.begin());
+  Vec3 axis{0, 0, 0};
+  axis[least] = 1;
+  Vec3 u = cross(normal, axis);
+  const double length = norm(u);
+  if (!(length > 0)) {
+    terms.assign(1, {own, 1});
+    return;
+  }
+  u = (1 / (length * radii_[own])) * u;
+  const Vec3 v = (1 / norm(normal)) * cross(normal, u);
+  Eigen::Matrix<double, 6, 6> m = Eigen::Matrix<double, 6, 6>::Zero();
+  std::array<Vector6, 64> basis;
+  terms.resize(std::min(terms.size(), basis.size()));
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const Vec3 d = surface_.positions[terms[i].cluster] - p;
+    const double x = dot(u, d), y = dot(v, d);
+    basis[i] << 1, x, y, x * x, x * y, y * y;
+    const double facing = std::max(0.0, dot(normals_[terms[i].cluster], normal) / norm(normal));
+    terms[i].factor *= facing;
+    m.selfadjointView<Eigen::Lower>().rankUpdate(basis[i], terms[i].factor);
+  }
+  if (!(m(0, 0) > 0)) {
+    terms.assign(1, {own, 1});
+    return;
+  }
+  for (int k = 1; k < 6; ++k) m(k, k) += (k < 3 ? ridge_linear : ridge_quadratic) * m(0, 0);
+  const Vector6 fit = m.selfadjointView<Eigen::Lower>().ldlt().solve(Vector6::Unit(0));
+  for (std::size_t i = 0; i < terms.size(); ++i) terms[i].factor *= fit.dot(basis[i]);
+}
+
+ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
+                           base::WorkerPool& pool, base::Progress* progress, double done,
+                           std::size_t clusters)
+    : proxy_(model, cage, weighting.elements, clusters, pool, progress),
+      handles_(handle_count(cage, weighting.elements)) {
+  const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress, done / 2);
+  const std::size_t n = proxy_.surface().positions.size();
+  weights_.resize(n * handles_);
+  const auto store = [&](const SurfaceSystem::Solved& solved) {
+    for (std::size_t c = 0; c < n; ++c) {
+      const double* from = solved.of(c);
+      std::transform(from, from + solved.count,
+                     weights_.begin() + static_cast<std::ptrdiff_t>(c * handles_ + solved.first),
+                     [](double w) { return static_cast<float>(w); });
+    }
+  };
+  system.solve(store, pool, progress, done / 2, done);
+}
+
+void ProxyWeights::row(std::uint32_t vertex, std::span<double> row) const {
+  thread_local std::vector<SurfaceProxy::Term> terms;
+  thread_local std::vector<float> sums;
+  proxy_.terms(vertex, terms);
+  sums.assign(handles_, 0);
+  for (const auto& [cluster, factor] : terms) {
+    const float* from = weights_.data() + cluster * handles_;
+    const auto f = static_cast<float>(factor);
+    for (std::size_t j = 0; j < handles_; ++j) sums[j] += f * from[j];
+  }
+  std::ranges::copy(sums, row.begin());
+  normalise(row, true);
+}
+
+}  // namespace viete::deform

@@ -1,0 +1,105 @@
+#include "deform/surface_proxy.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "deform/binding.h"
+#include "deform/bound.h"
+#include "deform/cage_state.h"
+#include "deform/shapes.h"
+#include "deform/surface_weights.h"
+#include "deform/tiled_binding.h"
+#include "mesh/shapes.h"
+
+using namespace viete;
+
+namespace {
+
+// A torus of about `count` vertices, tilted so that each side of the box has one nearest point.
+mesh::Surface ring(std::size_t count) {
+  const auto across = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count) / 3));
+  mesh::Surface torus = test::torus(3 * across, across);
+  for (auto& p : torus.positions)
+    p = {0.9 * p[0] + 0.2 * p[2], p[1] + 0.1 * p[2], 0.95 * p[2] - 0.15 * p[0] + 0.07 * p[1]};
+  return torus;
+}
+
+const deform::Cage& box_cage() {
+  static const deform::Cage cage = deform::make_cage(test::box({3, 3, 1}));
+  return cage;
+}
+
+constexpr deform::Weighting biharmonic{deform::Elements::face, deform::Weights::biharmonic};
+
+}  // namespace
+
+TEST_CASE("factors_of_a_proxy_sum_to_one_and_reproduce_positions") {
+  base::WorkerPool pool(1);
+  const mesh::Surface model = ring(20'000);
+  const deform::SurfaceProxy proxy(model, box_cage(), deform::Elements::face, 2000, pool);
+  CHECK(proxy.surface().positions.size() <= 2100);
+  CHECK(proxy.surface().positions.size() > 500);
+  std::vector<deform::SurfaceProxy::Term> terms;
+  const double size = mesh::bounds(model.positions).diagonal();
+  double worst = 0;
+  for (std::uint32_t v = 0; v < model.positions.size(); v += 7) {
+    proxy.terms(v, terms);
+    double sum = 0;
+    mesh::Point place{0, 0, 0};
+    for (const auto& [cluster, factor] : terms)
+      sum += factor, place = place + factor * proxy.surface().positions[cluster];
+    CHECK(sum == doctest::Approx(1).epsilon(1e-9));
+    worst = std::max(worst, norm(place - model.positions[v]));
+  }
+  CHECK(worst < 2e-3 * size);
+}
+
+TEST_CASE("weights_by_a_proxy_are_near_those_of_the_whole_model") {
+  base::WorkerPool pool;
+  const mesh::Surface model = ring(30'000);
+  const deform::Cage& cage = box_cage();
+  const deform::Binding whole = deform::bind(model, cage, biharmonic, pool);
+  const deform::ProxyWeights weights(model, cage, biharmonic, pool, nullptr, 1, 4000);
+  std::vector<double> row(whole.handles);
+  double worst = 0;
+  for (std::uint32_t v = 0; v < whole.vertices; v += 11) {
+    weights.row(v, row);
+    CHECK(std::accumulate(row.begin(), row.end(), 0.0) == doctest::Approx(1).epsilon(1e-9));
+    for (std::size_t j = 0; j < row.size(); ++j)
+      worst = std::max(worst, std::abs(row[j] - whole.weights[v * whole.handles + j]));
+  }
+  CHECK(worst < 0.02);
+}
+
+TEST_CASE("layers_closer_than_a_cell_stay_apart_in_a_proxy") {
+  base::WorkerPool pool(1);
+  mesh::Surface model = ring(10'000);
+  const std::size_t first = model.positions.size();
+  mesh::Surface other = model;
+  for (auto& p : other.positions) p[2] += 1e-4;
+  model = test::both(model, other);
+  const deform::SurfaceProxy proxy(model, box_cage(), deform::Elements::face, 1000, pool);
+  std::vector<deform::SurfaceProxy::Term> terms;
+  std::vector<int> layer(proxy.surface().positions.size(), 0);
+  for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
+    proxy.terms(v, terms);
+    for (const auto& term : terms) layer[term.cluster] |= v < first ? 1 : 2;
+  }
+  CHECK(std::ranges::count(layer, 3) == 0);
+}
+
+TEST_CASE("a_large_model_at_rest_stays_at_rest_with_weights_of_a_proxy") {
+  base::WorkerPool pool;
+  const mesh::Surface model = ring(deform::most_solved_vertices + 10'000);
+  REQUIRE(model.positions.size() > deform::most_solved_vertices);
+  const deform::TiledBinding tiles = deform::bind_tiles(model, box_cage(), biharmonic, pool);
+  std::vector<double> row(tiles.handles);
+  for (std::size_t slot = 0; slot < tiles.leaves.slot_count(); slot += 101) {
+    tiles.kept_row(slot, row);
+    CHECK(std::accumulate(row.begin(), row.end(), 0.0) == doctest::Approx(1).epsilon(1e-4));
+    CHECK(*std::ranges::min_element(row) > -1e-3);
+  }
+}
