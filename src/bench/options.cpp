@@ -117,7 +117,7 @@ void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t>
   options.faces = std::move(faces);
   whole_in_range(command.add_option("--vertices", options.count,
                                     "Number of vertices: the model is truncated or subdivided to about it"),
-                 1, 10'000'000)
+                 1, 20'000'000)
       ->default_str("all");
   std::string usual;
   for (const std::size_t count : options.faces) usual += (usual.empty() ? "" : ",") + std::to_string(count);

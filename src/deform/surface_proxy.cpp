@@ -25,7 +25,7 @@ using mesh::none;
 
 constexpr int most_halvings = 5;
 constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
-constexpr double reach = 1.9;        // in mean distances to the neighbours
+constexpr double fit_reach = 1.9;    // in mean distances to the neighbours
 // Regularises fits to few clusters, relative to the diagonal of the normal equations.
 constexpr double ridge_linear = 1e-4, ridge_quadratic = 1e-3;
 
@@ -250,7 +250,7 @@ void SurfaceProxy::find_neighbours() {
   for (std::size_t c = 0; c < p.size(); ++c) {
     sort_unique(ring[c]);
     for (const auto other : ring[c]) radii_[c] += norm(p[other] - p[c]);
-    if (!ring[c].empty()) radii_[c] *= reach / static_cast<double>(ring[c].size());
+    if (!ring[c].empty()) radii_[c] *= fit_reach / static_cast<double>(ring[c].size());
     if (const double length = norm(normals_[c]); length > 0) normals_[c] = (1 / length) * normals_[c];
   }
   std::vector<std::uint32_t> found;
