@@ -84,8 +84,8 @@ TEST_CASE("the_map_follows_a_drag_and_is_hidden_for_deformers_without_exponentia
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(150, 60));
   d.settle();
-  CHECK(d.workspace().field.stats.most != before);
-  CHECK(d.workspace().field.stats.most < -14);
+  CHECK(d.workspace().split.views[0].shown.stats.most != before);
+  CHECK(d.workspace().split.views[0].shown.stats.most < -14);
   d.choose("weights", "weights_mean_value");
   d.settle();
   CHECK(scene::shown_field(d.workspace()) == lab::Field::none);

@@ -109,8 +109,8 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   d.click("hold_map_range");
   d.press_key('Z', true);
   d.settle();
-  CHECK(d.workspace().field.stats.most < 1e-6);
-  CHECK(d.workspace().field.stats.high == stats.high);
+  CHECK(d.workspace().split.views[0].shown.stats.most < 1e-6);
+  CHECK(d.workspace().split.views[0].shown.stats.high == stats.high);
   d.click("hold_map_range");
   d.press_key('Z', true, true);
   d.settle();
@@ -164,8 +164,8 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.choose("side/2/way", "side/2/way_paper");
   d.choose("side/2/method", "side/2/method_SD");
   d.settle();
-  CHECK(deform::way_of(split.sides[0].scheme) == deform::Way::rigid);
-  CHECK(split.sides[1].method == sym3::Method::sd);
+  CHECK(deform::way_of(split.sides()[0].scheme) == deform::Way::rigid);
+  CHECK(split.sides()[1].method == sym3::Method::sd);
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
   scene::enter_view(d.workspace(), 0);
   // The errors also stay small after a drag of the cage in another view.
@@ -185,39 +185,6 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.settle();
   CHECK(split.sides().empty());
   CHECK(d.workspace().viewport.pane_size == glm::vec2(1, 1));
-}
-
-TEST_CASE("a_wipe_shows_on_either_side_what_the_view_would_show_alone") {
-  auto options = Driver::default_options();
-  options.size = {700, 460};
-  Driver d(options, test::with_pixels);
-  d.open_dragon("pose_alert");
-  const auto smooth = deform::scheme_of(deform::Way::smooth), rigid = deform::scheme_of(deform::Way::rigid);
-  d.workspace().view.panels = d.workspace().view.hints = false;
-  const auto alone = [&](const deform::Scheme& scheme) {
-    d.document().put_scheme(scheme);
-    d.settle();
-    return d.picture();
-  };
-  const auto right = alone(rigid), left = alone(smooth);
-  CHECK(differing(left, right, 0, 1) > 0.001);
-  scene::split_view(d.workspace(), 2);
-  auto& split = d.workspace().split;
-  split.sides[0].scheme = rigid;
-  split.wipe = true;
-  split.line = 0.5f;
-  d.move({1, 1});
-  d.settle();
-  const auto wiped = d.picture();
-  CHECK(differing(left, wiped, 0, 0.48) == 0);
-  CHECK(differing(right, wiped, 0.52, 1) == 0);
-  CHECK(differing(left, wiped, 0.52, 1) > 0);
-  // Drags the line.
-  d.drag(d.place_of("wipe_line"), d.place_of("wipe_line") + glm::vec2(140, 0));
-  CHECK(split.line == doctest::Approx(0.7).epsilon(0.02));
-  d.move({1, 1});
-  d.settle();
-  CHECK(differing(left, d.picture(), 0, 0.66) == 0);
 }
 
 TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document") {

@@ -3,7 +3,7 @@
 
 #include "program/kept_work.h"
 #include "scene/workspace/saving.h"
-#include "support/longer.h"
+#include "support/skip.h"
 #include "support/pictures.h"
 
 using namespace viete;

@@ -26,7 +26,7 @@
 #include "scene/workspace/saving.h"
 #include "scene/workspace/split.h"
 #include "support/grips.h"
-#include "support/longer.h"
+#include "support/skip.h"
 #include "support/open.h"
 #include "support/text.h"
 
