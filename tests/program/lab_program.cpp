@@ -53,16 +53,6 @@ double error_of_side(Driver& d, std::size_t side) {
   return apart(d, shown(d), exact);
 }
 
-// The share of differing pixels in a range of columns, below the captions.
-double differing(const render::Image& a, const render::Image& b, double from, double to) {
-  const int top = 70;
-  const int left = static_cast<int>(from * a.width), right = static_cast<int>(to * a.width);
-  std::size_t count = 0;
-  for (int y = top; y < a.height; ++y)
-    for (int x = left; x < right; ++x) count += a.pixel(x, y) != b.pixel(x, y);
-  return static_cast<double>(count) / ((a.height - top) * (right - left));
-}
-
 }  // namespace
 
 TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
