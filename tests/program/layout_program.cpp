@@ -9,7 +9,6 @@
 #include "scene/workspace/preferences.h"
 #include "scene/workspace/saving.h"
 #include "support/folder.h"
-#include "support/full_disk.h"
 #include "support/pictures.h"
 
 using namespace viete;
