@@ -15,6 +15,7 @@
 #include "deform/part_coupling.h"
 #include "deform/staged_engine.h"
 #include "mesh/edge_paths.h"
+#include "mesh/point_index.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"

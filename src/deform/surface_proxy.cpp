@@ -13,7 +13,7 @@
 #include "deform/point_weights.h"
 #include "deform/surface_weights.h"
 #include "mesh/point_tree.h"
-#include "mesh/repair.h"
+#include "mesh/point_index.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
 

@@ -13,6 +13,7 @@
 #include "deform/sparse/sparse_kernel.h"
 #include "deform/surface_proxy.h"
 #include "mesh/point_tree.h"
+#include "mesh/point_index.h"
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"

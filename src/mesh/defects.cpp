@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "mesh/half_edges.h"
-#include "mesh/repair.h"
+#include "mesh/point_index.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/union_find.h"

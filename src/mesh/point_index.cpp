@@ -40,4 +40,21 @@ std::uint32_t PointIndex::find_or_add(const Point& p, const std::vector<Point>& 
   return static_cast<std::uint32_t>(used_ - 1);
 }
 
+std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions) {
+  std::vector<std::uint32_t> lowest(positions.size()), first;
+  std::vector<Point> distinct;
+  PointIndex index;
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    Point p = positions[v];
+    for (double& x : p) x += 0.0;  // -0 becomes 0
+    const auto found = index.find_or_add(p, distinct);
+    if (found == distinct.size()) {
+      distinct.push_back(p);
+      first.push_back(v);
+    }
+    lowest[v] = first[found];
+  }
+  return lowest;
+}
+
 }  // namespace viete::mesh

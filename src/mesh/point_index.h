@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/surface.h"
@@ -21,5 +22,8 @@ private:
   std::vector<std::uint32_t> slots_;  // vertex + 1, or 0 where free; the size is a power of two
   std::size_t used_ = 0;
 };
+
+/// For each vertex the lowest vertex at exactly the same position. Linear.
+std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions);
 
 }  // namespace viete::mesh

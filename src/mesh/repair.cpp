@@ -164,23 +164,6 @@ void turn_parts(Surface& joined, const std::vector<std::vector<std::uint32_t>>& 
 
 }  // namespace
 
-std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions) {
-  std::vector<std::uint32_t> lowest(positions.size()), first;
-  std::vector<Point> distinct;
-  PointIndex index;
-  for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    Point p = positions[v];
-    for (double& x : p) x += 0.0;  // -0 becomes 0
-    const auto found = index.find_or_add(p, distinct);
-    if (found == distinct.size()) {
-      distinct.push_back(p);
-      first.push_back(v);
-    }
-    lowest[v] = first[found];
-  }
-  return lowest;
-}
-
 Surface welded(const Surface& surface) {
   const auto lowest = lowest_in_place(surface.positions);
   Surface result = surface;

@@ -9,9 +9,6 @@
 
 namespace viete::mesh {
 
-/// For each vertex the lowest vertex at exactly the same position. Linear.
-std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions);
-
 /// Replaces each corner by the lowest vertex at its position. Positions and numbering stay.
 Surface welded(const Surface& surface);
 

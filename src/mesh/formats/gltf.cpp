@@ -16,7 +16,7 @@
 #include "mesh/formats/gltf_scene.h"
 #include "mesh/formats/printed.h"
 #include "mesh/formats/surface_builder.h"
-#include "mesh/repair.h"
+#include "mesh/point_index.h"
 
 namespace viete::mesh {
 

@@ -45,8 +45,8 @@ struct Ray {
   glm::dvec3 origin, direction;
 };
 
-/// Where the line of a ray meets a triangle, from either side: the distance from the origin, negative behind
-/// it, and the barycentric coordinates.
+/// The intersection of a ray's line with a triangle, from either side: its distance from the origin, negative
+/// behind it, and the barycentric coordinates.
 struct RayHit {
   double distance;
   std::array<double, 3> shares;
