@@ -1,6 +1,4 @@
 // Binding in the background: the view stays responsive, and a cancelled or failed binding changes nothing.
-#include <fstream>
-
 #include "base/text.h"
 #include "deform/bind.h"
 #include "deform/binding.h"
@@ -50,15 +48,6 @@ struct Bound : Driver {
   }
 };
 
-// Free memory in bytes, as reported by the system.
-double free_memory() {
-  std::ifstream in("/proc/meminfo");
-  std::string key, rest;
-  double kilobytes = 0;
-  while (in >> key >> kilobytes && key != "MemAvailable:") std::getline(in, rest);
-  return 1024 * kilobytes;
-}
-
 }  // namespace
 
 TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
@@ -73,25 +62,6 @@ TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
   CHECK(test::edit_count(d.document().history) == 1);
   CHECK(d.positions() == before);
   CHECK(d.workspace().messages.all().back().text.starts_with("Cancelled "));
-}
-
-TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_stays" *
-          doctest::test_suite(test::if_present)) {
-  const double needed = static_cast<double>(deform::binding_bytes(3000, 8u << 16, deform::EngineKind::fused));
-  if (0.9 * free_memory() > needed) return test::skip("this machine has room for it");
-  Bound d;
-  const auto* cage = d.document().cage.get();
-  const auto before = d.positions();
-  d.open_ball(8, [] {});
-  CHECK(d.document().cage.get() == cage);
-  CHECK(d.positions() == before);
-  CHECK(test::edit_count(d.document().history) == 1);
-  const auto& message = d.workspace().messages.all().back();
-  CHECK(message.severity == scene::Severity::error);
-  for (const char* part :
-       {"3000 vertices", "524288 cage elements", " GB of memory", "are free", "coarser cage"}) {
-    CHECK_MESSAGE(message.text.find(part) != std::string::npos, message.text);
-  }
 }
 
 TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps_them") {

@@ -148,19 +148,10 @@ TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
   d.key('X', true);  // a shortcut in other situations
   d.type("x");
   d.key('X', false);
-  d.type("-0.125");
   CHECK(d.workspace().view.axes == axes);
-  CHECK(d.pose()[v] == mesh::Point{d.rest()[v][0] - 0.125, d.rest()[v][1], d.rest()[v][2]});
-  d.press_key(scene::Key::backspace);
-  CHECK(d.pose()[v][0] == d.rest()[v][0] - 0.12);
-  for (int i = 0; i < 5; ++i) d.press_key(scene::Key::backspace);
-  d.type("99999999999");
-  CHECK(d.moved().empty());
-  CHECK(d.workspace().interaction.drag->readout().ends_with("   too far"));
   d.press_key(scene::Key::escape);
   d.button(0, false);
   CHECK(d.moved().empty());
-  CHECK(d.edits() == 0);
 }
 
 TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
@@ -261,27 +252,6 @@ TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
   d.enter("transform_y", "90");
   CHECK(d.pose()[v] == d.rest()[v]);
   CHECK(d.moved().size() + 1 == d.pose().size());
-}
-
-TEST_CASE("a_session_stores_handling_and_another_model_resets_the_pivot") {
-  const test::TemporaryFolder folder;
-  Hand d;
-  scene::Handling& hand = d.workspace().handling;
-  const scene::Handling chosen = {scene::Pivot::point,
-                                  mesh::Point{0.25, 1, -3},
-                                  scene::Axes::view,
-                                  scene::MirrorPlane::x,
-                                  {true, 0.4, scene::SoftCurve::sharp, scene::SoftDistance::space}};
-  hand = chosen;
-  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
-  hand = {};
-  REQUIRE(d.open({folder / "a.viete"}));
-  CHECK(hand == chosen);
-  test::put_file(folder / "other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  REQUIRE(d.open({folder / "other.obj"}));
-  CHECK(hand.pivot == scene::Pivot::median);
-  CHECK_FALSE(hand.point);
-  CHECK(hand.mirror == scene::MirrorPlane::none);
 }
 
 TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_the_move") {
@@ -416,12 +386,6 @@ TEST_CASE("a_right_click_in_the_palette_changes_a_key") {
   REQUIRE(d.workspace().interaction.setting_key == "undo");
   d.press_key('U', true);
   CHECK(d.workspace().interaction.setting_key.empty());
-  const auto v = d.free_vertex();
-  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
-  d.press_key('Z', true);
-  CHECK(d.moved().size() == 1);
-  d.press_key('U', true);
-  CHECK(d.moved().empty());
 }
 
 TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once") {
@@ -448,9 +412,6 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
     return count;
   };
   CHECK(amber() == 0);
-  d.press_key('3');
-  CHECK(d.document().selection.kind() == scene::ElementKind::face);
-  d.press_key('1');
   d.press_key('B');
   d.drag({400, 100}, {640, 700});
   const std::size_t few = selected();
@@ -459,22 +420,14 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
   CHECK(d.moved().empty());
   CHECK(amber() > 50);
   d.click("save_set");
-  d.press_key(scene::Key::up, true);
-  CHECK(selected() > few);
   d.press_key('A', false, true);
   CHECK(selected() == 0);
   d.click("set/0/select");
   CHECK(selected() == few);
   d.press_key('H', false, true);
   CHECK(amber() == 0);
-  d.press_key('A');
-  CHECK(selected() == d.pose().size() - few);
-  d.press_key('H', true);
-  CHECK(d.document().groups.hidden.empty());
   d.click("set/0/remove");
   CHECK(d.document().groups.sets.empty());
-  d.press_key('Z', true);
-  CHECK(d.document().groups.sets.size() == 1);
 }
 
 TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
@@ -493,13 +446,11 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   d.key(Driver::left_shift, false);
   d.frame(2);
   CHECK(d.workspace().brush.radius > 1.2f * radius);
-  const auto stroke = [&] { d.drag(middle, middle + glm::vec2(60, 10)); };
-  stroke();
+  d.drag(middle, middle + glm::vec2(60, 10));
   d.settle();
   const auto painted = d.document().mask;
   REQUIRE(painted);
-  const auto stays = std::ranges::count(*painted, 0.0f);
-  CHECK(stays > 20);
+  CHECK(std::ranges::count(*painted, 0.0f) > 20);
   deform::Pose pose = d.document().pose;
   for (auto& p : pose.positions) p[1] += 1;
   scene::set_pose(d.document(), pose);
@@ -507,22 +458,15 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   const auto moved = d.mesh();
   for (std::size_t v = 0; v < rest.size(); ++v)
     CHECK(std::abs(moved[v][1] - rest[v][1] - double((*painted)[v])) < 1e-12);
-  d.key(Driver::left_ctrl, true);
-  stroke();
-  d.key(Driver::left_ctrl, false);
-  const auto after = d.document().mask;
-  CHECK((!after || std::ranges::count(*after, 0.0f) < stays));
-  d.press_key('Z', true);
-  CHECK(d.document().mask == painted);
+  d.key(Driver::left_ctrl, true);  // erases
   d.press_and_move(middle, middle - glm::vec2(60, 10));
+  d.key(Driver::left_ctrl, false);
   CHECK(d.document().mask != painted);
   d.press_key(scene::Key::escape);
   d.button(0, false);
   CHECK(d.document().mask == painted);
   d.click("brush_share");  // in its center
   CHECK(d.workspace().brush.share == doctest::Approx(0.5).epsilon(0.1));
-  d.click("mask_invert");
-  CHECK(d.document().mask != painted);
   d.click("mask_clear");
   CHECK_FALSE(d.document().mask);
 }

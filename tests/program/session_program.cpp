@@ -180,42 +180,6 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
   CHECK(other.document().pose.positions == pose.positions);
 }
 
-TEST_CASE("a_damaged_session_and_a_bomb_are_refused_with_their_place") {
-  const test::TemporaryFolder folder;
-  const std::string head = R"({"format": "viete session", "version": 1, "model": ")" + dragon.string() +
-                           R"(", "cage": ")" + dragon_cage.string() + R"(", )";
-  test::put_file(folder / "a.viete", head + R"("camera": {"target": [0, null, 0], "distance": 1}})");
-  const std::string said = run_viete("render a.viete -o a.png", folder.path());
-  CHECK_MESSAGE(said.starts_with("1 viete: a.viete: camera.target[1]: found null"), said);
-  const std::string bombs[] = {
-      std::string(20 << 20, '['), head + "\"pose\": " + std::string(1 << 20, '['),
-      R"({"format": "viete session", "version": 1, "model": ")" + std::string(50 << 20, 'x') + "\"}"};
-  for (const std::string& bomb : bombs) {
-    test::put_file(folder / "b.viete", bomb);
-    const std::string refused = run_viete("deform b.viete -o b.obj", folder.path());
-    CHECK_MESSAGE((refused.starts_with("1 viete: b.viete: ") && refused.size() < 300),
-                  refused.substr(0, 300));
-  }
-}
-
-TEST_CASE("the_command_line_refuses_a_permuted_pose_and_notes_a_mirrored_one") {
-  const test::TemporaryFolder folder;
-  mesh::Surface pose = mesh::read(dragon_cage).surface;
-  mesh::write(folder / "pose.stl", pose);
-  for (auto& p : pose.positions) p[0] = -p[0];
-  mesh::write(folder / "mirrored.obj", pose);
-  const auto deform = [&](const std::string& with) {
-    return run_viete(
-        "deform " + dragon.string() + " " + dragon_cage.string() + " --pose " + with + " -o a.obj",
-        folder.path());
-  };
-  const std::string permuted = deform("pose.stl"), mirrored = deform("mirrored.obj");
-  CHECK_MESSAGE((permuted.starts_with("1 ") &&
-                 permuted.find("pose.stl: STL files do not preserve the vertex order") < permuted.size()),
-                permuted);
-  CHECK_MESSAGE((mirrored.starts_with("0 ") && mirrored.find("mirrored") < mirrored.size()), mirrored);
-}
-
 TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
@@ -268,49 +232,4 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   d.frame(2);
   d.press_key(scene::Key::escape);
   CHECK_FALSE(d.workspace().browser.open);
-}
-
-TEST_CASE("replacing_a_file_is_said_before_it_is_done") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  const std::string precious = "ply\nformat ascii 1.0\nend_header\n";
-  test::put_file(folder / "small_deformed.ply", precious);
-  Driver d;
-  REQUIRE(d.open({small.model, small.cage}));
-  d.settle();
-  d.press_key(scene::key('E'), true);
-  d.frame(2);
-  CHECK_FALSE(d.viewer().recorder().find("file_replaces"));
-  d.click("format_ply");
-  d.frame(2);
-  CHECK(d.viewer().recorder().find("file_replaces"));
-  d.click("file_cancel");
-  CHECK(test::file_bytes(folder / "small_deformed.ply") == precious);
-  d.press_key(scene::key('E'), true);
-  d.frame(2);
-  d.click("format_ply");
-  d.click("file_choose");
-  d.settle();
-  CHECK(mesh::read(folder / "small_deformed.ply").surface.positions.size() ==
-        d.document().model.summary.vertices);
-}
-
-TEST_CASE("recent_files_and_the_seen_hints_are_remembered_from_run_to_run") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  {
-    Driver d(remembering(folder / "state"));
-    CHECK(d.workspace().view.hints);
-    REQUIRE(d.open({small.model, small.cage}));
-    d.settle();
-    drag_some_vertex(d, {30, 20});
-  }
-  Driver d(remembering(folder / "state"));
-  CHECK_FALSE(d.workspace().view.hints);
-  REQUIRE(d.workspace().preferences.recent.size() == 1);
-  d.frame(3);
-  d.click("recent/0");
-  d.settle();
-  CHECK(d.document().model.path == small.model);
-  CHECK(d.document().cage_file.path == small.cage);
 }

@@ -247,15 +247,6 @@ TEST_CASE("esc_in_a_field_leaves_its_number_and_name") {
   }
 }
 
-TEST_CASE("the_buttons_above_the_poses_stay_where_they_are") {
-  Held d;
-  const glm::vec2 before = d.place_of("keep_pose");
-  d.click("keep_pose");
-  d.frame(2);
-  CHECK(d.document().library.poses.size() == 2);
-  CHECK(d.place_of("keep_pose") == before);
-}
-
 TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
   const test::TemporaryFolder folder;
   fs::create_directory(folder / "inner");
@@ -293,7 +284,7 @@ TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
   CHECK(d.document().has_cage());
 }
 
-TEST_CASE("two_clicks_on_a_file_to_save_under_replace_nothing") {
+TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   const test::TemporaryFolder folder;
   test::put_file(folder / "precious.obj", "precious");
   Driver d;
@@ -310,6 +301,10 @@ TEST_CASE("two_clicks_on_a_file_to_save_under_replace_nothing") {
   d.frame(3);
   CHECK(browser.open);
   CHECK(test::file_bytes(folder / "precious.obj") == "precious");
+  d.press_key(scene::Key::enter);
+  d.settle();
+  CHECK_FALSE(browser.open);
+  CHECK(fs::file_size(folder / "precious.obj") > 1000);
 }
 
 TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a_click") {

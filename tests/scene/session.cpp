@@ -26,8 +26,8 @@
 #include "scene/workspace/saving.h"
 #include "scene/workspace/split.h"
 #include "support/grips.h"
-#include "support/longer.h"
 #include "support/open.h"
+#include "support/skip.h"
 #include "support/text.h"
 
 using namespace viete;
