@@ -245,10 +245,7 @@ TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_st
   d.frame(2);
   const auto& rest = d.document().model.surface->positions;
   const auto is_at_rest = [&] {
-    double largest = 0;
-    const auto shown = d.viewer().deformer()->positions();
-    for (std::size_t i = 0; i < rest.size(); ++i) largest = std::max(largest, mesh::norm(rest[i] - shown[i]));
-    return largest < 2e-5 * d.document().model.bounds.diagonal();
+    return test::largest_distance(rest, d.viewer().deformer()->positions()) < 2e-5 * d.document().model.bounds.diagonal();
   };
   CHECK(is_at_rest());
   d.button(0, false);

@@ -16,20 +16,16 @@
 #include "app/offscreen_viewer.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
+#include "program/dragon.h"
 #include "program/no_pixels.h"
 #include "scene/files/export.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/picking.h"
 #include "scene/workspace/command.h"
-#include "support/data.h"
+#include "support/distance.h"
 #include "ui/input.h"
 
 namespace viete::test {
-
-/// The bundled model, and a version with 3,000 vertices for tests without reference pictures.
-inline const std::filesystem::path bundled_dragon = assets_dir() / "dragon" / "dragon.ply",
-                                   dragon = source_dir() / "tests" / "program" / "dragon.ply",
-                                   dragon_cage = assets_dir() / "dragon" / "cage.obj";
 
 /// The context for drivers of tests that need pixels.
 struct WithPixels {
@@ -207,12 +203,7 @@ public:
 
   /// The largest distance of the drawn model's vertices from the exact ones, in model diagonals.
   double drawn_error() {
-    const auto exact = exact_positions(), shown = viewer().deformer()->positions();
-    REQUIRE(exact.size() == shown.size());
-    double largest = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i)
-      largest = std::max(largest, mesh::norm(exact[i] - shown[i]));
-    return largest / document().model.bounds.diagonal();
+    return largest_distance(exact_positions(), viewer().deformer()->positions()) / document().model.bounds.diagonal();
   }
 
   glm::vec2 vertex(std::uint32_t i) {

@@ -66,12 +66,6 @@ struct Hand : Driver {
   }
 };
 
-double farthest_apart(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, mesh::norm(a[i] - b[i]));
-  return largest;
-}
-
 constexpr double radians = std::numbers::pi / 180;
 
 // The points rotated about a vertical line.
@@ -115,7 +109,7 @@ TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_ri
   CHECK(d.workspace().interaction.drag->readout().starts_with("Y 84"));
   d.button(0, false);
   d.frame();
-  CHECK(farthest_apart(d.mesh(), turned(rest, center, degrees)) < 1e-12);
+  CHECK(test::largest_distance(d.mesh(), turned(rest, center, degrees)) < 1e-12);
   d.press_key('Z', true);
   CHECK(d.mesh() == rest);
   d.press_key('Z', true, true);
@@ -179,7 +173,7 @@ TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
   d.click("strip/tool_rotate");
   const auto before = d.mesh();
   d.enter("transform_y", "90");
-  CHECK(farthest_apart(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
+  CHECK(test::largest_distance(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
   d.enter("transform_y", "1e15");
   CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum at once");
 }
@@ -305,7 +299,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
     if (axis) shaping.hinge = *scene::hinge_near(seen, *axis);
     std::vector<mesh::Point> expected = d.rest();
     for (auto& p : expected) p = scene::shaped(shaping, degrees, p);
-    return farthest_apart(d.pose(), expected) < 1e-9 * d.document().space.diagonal();
+    return test::largest_distance(d.pose(), expected) < 1e-9 * d.document().space.diagonal();
   };
   d.move({760, 300});
   d.type("y");

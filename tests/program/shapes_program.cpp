@@ -73,11 +73,7 @@ TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
     d.workspace().requests.save_model = file;
     d.frame();
     REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-    const auto written = mesh::read(file).surface.positions;
-    const auto exact = d.exact_positions();
-    REQUIRE(written.size() == exact.size());
-    double off = 0;
-    for (std::size_t v = 0; v < exact.size(); ++v) off = std::max(off, mesh::norm(written[v] - exact[v]));
+    const double off = test::largest_distance(mesh::read(file).surface.positions, d.exact_positions());
     CHECK(off < 1e-6 * d.document().model.bounds.diagonal());
   }
 }

@@ -14,15 +14,9 @@
 #include "support/pictures.h"
 
 using namespace viete;
-using test::Driver;
+using test::Driver, test::largest_distance;
 
 namespace {
-
-double largest_distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, mesh::norm(a[i] - b[i]));
-  return largest;
-}
 
 double diagonal(Driver& d) {
   return 2 / d.document().space.scale;

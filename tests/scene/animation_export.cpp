@@ -16,12 +16,14 @@
 #include "scene/animated_cube.h"
 #include "scene/ball.h"
 #include "scene/files/animated_model.h"
+#include "support/distance.h"
 #include "support/folder.h"
 #include "support/gltf.h"
 #include "support/text.h"
 
 using namespace viete;
 using namespace viete::scene;
+using test::largest_distance;
 namespace fs = std::filesystem;
 
 namespace {
@@ -34,13 +36,6 @@ std::vector<mesh::Point> exact_frame(const test::AnimatedCube& cube, double fram
   const auto positions = mesh::read(cube / "one.ply").surface.positions;
   fs::remove(cube / "one.ply");
   return positions;
-}
-
-double farthest(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  REQUIRE(a.size() == b.size());
-  double worst = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) worst = std::max(worst, mesh::norm(a[v] - b[v]));
-  return worst;
 }
 
 // glTF does not preserve order: the index of each model vertex among those read.
@@ -125,7 +120,7 @@ TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
       CHECK(cache.head().frames == 17);
       CHECK(cache.head().points == cube.document.model.surface->positions.size());
       for (std::size_t i = 0; i < 17; ++i)
-        CHECK(farthest(cache.frame(i), exact_frame(cube, 1 + double(i))) < 2e-6);
+        CHECK(largest_distance(cache.frame(i), exact_frame(cube, 1 + double(i))) < 2e-6);
     }
   }
   CHECK(mesh::PointCache(cube / "a.pc2").head().start == 1);
@@ -156,7 +151,7 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
     AnimatedModel exact(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool);
     const mesh::PointCache cache(cube / "a.pc2");
     for (std::size_t i = 0; i < 17; i += 2)
-      CHECK(farthest(cache.frame(i), exact.positions(1 + double(i))) <= stated);
+      CHECK(largest_distance(cache.frame(i), exact.positions(1 + double(i))) <= stated);
   }
   CHECK(in_float >= 4);
 }
@@ -191,7 +186,7 @@ TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
       const double t = (at - seconds[key]) / (seconds[key + 1] - seconds[key]);
       std::vector<mesh::Point> line(a.size());
       for (std::size_t v = 0; v < a.size(); ++v) line[v] = a[v] + t * (b[v] - a[v]);
-      worst = std::max(worst, farthest(line, exact_frame(cube, frame)));
+      worst = std::max(worst, largest_distance(line, exact_frame(cube, frame)));
     }
     CHECK(worst < tolerance * diagonal);
   }
@@ -253,7 +248,7 @@ TEST_CASE("probes_without_a_cage_move_the_model_in_time") {
     CHECK(positions[7][0] == doctest::Approx(1 + 0.25 * (frame - 1)));
     CHECK(positions[0][2] == doctest::Approx(-0.75));
     const auto exact = mesh::read(base::NumberedName(cube / "p_#.ply").file(frame)).surface.positions;
-    CHECK(farthest(positions, exact) < 1e-6);
+    CHECK(largest_distance(positions, exact) < 1e-6);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "scene/files/animation_export.h"
 #include "scene/files/open.h"
 #include "scene/workspace/apply_opened.h"
+#include "support/distance.h"
 #include "support/text.h"
 
 using namespace viete;
@@ -55,11 +56,7 @@ struct CageMotion : test::AnimatedCube {
 };
 
 double farthest(const deform::Pose& a, const deform::Pose& b) {
-  REQUIRE(a.positions.size() == b.positions.size());
-  double worst = 0;
-  for (std::size_t v = 0; v < a.positions.size(); ++v)
-    worst = std::max(worst, mesh::norm(a.positions[v] - b.positions[v]));
-  return worst;
+  return test::largest_distance(a.positions, b.positions);
 }
 
 }  // namespace
