@@ -89,19 +89,6 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   CHECK(files_in(d.state) == 0);
 }
 
-TEST_CASE("an_opened_document_has_looks_and_a_binding_returned_once") {
-  Desk d;
-  d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model, d.files.cage}};
-  d.frame();
-  CHECK_FALSE(d.workspace.requests.open);
-  d.desk->finish_loading(d.workspace);
-  REQUIRE(d.workspace.document.has_cage());
-  CHECK_FALSE(d.workspace.loading.running);
-  CHECK(d.desk->shading().surface == d.workspace.document.model.surface);
-  CHECK(d.desk->take_bound().binds(d.workspace.document));
-  CHECK_FALSE(d.desk->take_bound().binding);
-}
-
 TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   Desk d;
   d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model}};

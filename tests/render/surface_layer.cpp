@@ -74,15 +74,6 @@ TEST_CASE("model_far_from_the_origin_looks_the_same") {
   CHECK(test::difference(here, far_scene.picture(), 2) < 0.001);
 }
 
-TEST_CASE("wireframe_darkens_edges_only") {
-  Scene scene(test::ball(9, {0, 0, 0}, 6));
-  const render::Image plain = scene.picture(), wired = scene.picture({.wireframe = 0.5F});
-  const double changed = test::difference(plain, wired, 8) * 320 * 200;
-  CHECK(changed > 500);
-  CHECK(changed < 0.3 * static_cast<double>(test::count_not_black(plain)));
-  CHECK(test::lit_area(wired) < test::lit_area(plain));
-}
-
 TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belongs") {
   Scene scene(test::ball(4));
   scene.stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);

@@ -193,25 +193,12 @@ TEST_CASE("a_selected_file_fills_the_name_and_a_folder_keeps_it") {
   highlight(browser, 1000);
   CHECK(browser.highlighted == 0);
   show(browser, FileBrowser::Purpose::save_model, folder.path(), "new.obj");
+  CHECK(browser.highlighted == FileBrowser::none);
   REQUIRE(shown(browser)[0]->folder);
   highlight(browser, 0);
   CHECK(browser.path == browser.folder / "new.obj");
   highlight(browser, shown(browser).size() - 1);
   CHECK(browser.path == browser.folder / shown(browser).back()->name);
-}
-
-TEST_CASE("saving_highlights_no_entry_until_arrow_keys_are_used") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::save_model, folder.path(), "new.obj");
-  CHECK(browser.highlighted == FileBrowser::none);
-  move_highlight(browser, 1);
-  CHECK(browser.highlighted == 0);
-  set_format(browser, "ply");
-  CHECK(browser.highlighted == FileBrowser::none);
-  show(browser, FileBrowser::Purpose::model, folder.path());
-  CHECK(browser.highlighted == 0);
 }
 
 TEST_CASE("an_unwritable_name_is_detected_before_the_work") {

@@ -34,6 +34,7 @@ TEST_CASE("in_every_preset_a_key_runs_one_command") {
   for (std::size_t i = 0; i < choices(KeyPreset{}).size(); ++i) {
     Keymap keymap;
     keymap.set_preset(static_cast<KeyPreset>(i));
+    CHECK(text(keys_of(keymap, "view_home").first) == "Home");
     for (const Command& command : commands()) {
       const Shortcuts keys = keymap.of(command);
       for (const Shortcut& key : {keys.first, keys.second}) {
