@@ -102,22 +102,6 @@ TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   CHECK(d.workspace.document.model.surface);
 }
 
-TEST_CASE("a_file_that_cannot_be_opened_is_a_message_and_changes_nothing") {
-  Desk d;
-  d.open_cubes();
-  d.edit();
-  const auto posed = d.workspace.document.pose.positions;
-  for (const What what : {What::model, What::cage, What::pose, What::dropped, What::recovery}) {
-    d.workspace.messages.clear();
-    d.open({d.files.broken}, what);
-    REQUIRE_FALSE(d.workspace.messages.all().empty());
-    CHECK(d.workspace.messages.all().back().severity == scene::Severity::error);
-    CHECK(d.last_message().find("broken.obj:") != std::string::npos);
-    CHECK(d.workspace.document.model.path == d.files.model);
-    CHECK(d.workspace.document.pose.positions == posed);
-  }
-}
-
 TEST_CASE("without_edits_or_with_edits_that_are_kept_the_program_closes_at_once") {
   for (const bool edited : {false, true}) {
     Desk d;

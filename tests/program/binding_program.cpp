@@ -22,16 +22,11 @@ namespace fs = std::filesystem;
 struct Bound : Driver {
   test::TemporaryFolder folder;
 
-  Bound() : Driver(small_window()) {
+  Bound() : Driver(default_options({640, 400})) {
     open_dragon();
     const glm::vec2 at = glm::round(vertex(free_vertex()));
     drag(at, at + glm::vec2(40, 20));
     scene::mark_saved(workspace());  // so that replacing the cage needs no question
-  }
-  static app::ViewerOptions small_window() {
-    auto options = default_options();
-    options.size = {640, 400};
-    return options;
   }
   // Opens a cage of 8 * 4^levels triangles around the dragon; acts after the first frame.
   template <class Act>

@@ -64,9 +64,7 @@ struct Maker : Driver {
 TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
   for (const int height : {800, 560}) {
     CAPTURE(height);
-    auto options = Driver::default_options();
-    options.size = {1280, height};
-    Driver d(options);
+    Driver d(Driver::default_options({1280, height}));
     REQUIRE(d.open({test::bundled_dragon}));
     d.settle();
     const auto& v = d.workspace().viewport;

@@ -52,9 +52,10 @@ public:
   static std::optional<WithPixels> pictures_wanted() {
     return std::getenv("VIETE_PICTURES") ? std::optional(with_pixels) : std::nullopt;
   }
-  static app::ViewerOptions default_options() {
+  static app::ViewerOptions default_options() { return default_options({1280, 800}); }
+  static app::ViewerOptions default_options(glm::ivec2 size) {
     app::ViewerOptions options;
-    options.size = {1280, 800};
+    options.size = size;
     options.builtin_font = true;
     options.probe = false;
     return options;
@@ -206,10 +207,11 @@ public:
     return largest_distance(exact_positions(), viewer().deformer()->positions()) / document().model.bounds.diagonal();
   }
 
-  glm::vec2 vertex(std::uint32_t i) {
+  glm::vec2 on_screen(const mesh::Point& p) {
     const scene::Projector project(document().space, workspace().camera, workspace().viewport);
-    return glm::vec2(*project(document().pose.positions[i]));
+    return glm::vec2(*project(p));
   }
+  glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose.positions[i]); }
   /// A cage vertex near the camera (so that it is visible), isolated on screen, and not far from the center.
   std::uint32_t free_vertex();
 

@@ -27,9 +27,8 @@ struct LargeModel : Driver {
     drag_some_vertex(*this, {20, 10});
   }
   static app::ViewerOptions small_window() {
-    auto options = Driver::default_options();
+    auto options = Driver::default_options({640, 400});
     options.program = build_dir() / "viete";
-    options.size = {640, 400};
     return options;
   }
   void ask_for(const fs::path& file) {

@@ -155,18 +155,9 @@ TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
   d.enter("transform_y", "1,5");
   const mesh::Point placed{d.rest()[v][0], 1.5, d.rest()[v][2]};
   CHECK(d.pose()[v] == placed);
-  d.click("transform_x");
-  d.press_key(scene::Key::enter);  // unchanged
-  const struct {
-    const char *number, *said;
-  } refused[] = {{"1.234,5", "\"1.234.5\" is not a number; nothing was changed"},
-                 {"1e150", "too far"},
-                 {"-1e9", "too far"}};
-  for (const auto& [number, said] : refused) {
-    d.enter("transform_y", number);
-    CHECK(d.pose()[v] == placed);
-    CHECK_MESSAGE(d.last_message().find(said) != std::string::npos, d.last_message());
-  }
+  d.enter("transform_y", "1.234,5");
+  CHECK(d.pose()[v] == placed);
+  CHECK(d.last_message().find("\"1.234.5\" is not a number; nothing was changed") != std::string::npos);
   CHECK(d.edits() == 1);
   d.run("undo");
   d.click("select_all");
@@ -206,26 +197,6 @@ TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {
   d.click("strip/tool_scale");
   CHECK(d.pose()[v][1] == 3);
   CHECK(d.edits() == 2);
-}
-
-TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
-  Hand d;
-  d.press_key('S');
-  REQUIRE(d.workspace().handling.soft.on);
-  const auto v = d.free_vertex();
-  const double before = d.workspace().handling.soft.radius;
-  d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(30, -20));
-  const auto few = d.moved();
-  for (int i = 0; i < 8; ++i) d.wheel(1);
-  CHECK(d.workspace().handling.soft.radius == doctest::Approx(before * std::pow(1.1, 8)));
-  CHECK(d.moved().size() > few.size());
-  CHECK(d.drawn_error() < 2e-5);
-  for (int i = 0; i < 60; ++i) d.wheel(-1);
-  CHECK(d.moved() == std::vector<std::uint32_t>{v});
-  d.button(0, false);
-  d.frame(2);
-  CHECK(d.edits() == 1);
-  CHECK(d.drawn_error() < 2e-5);
 }
 
 TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
@@ -268,9 +239,6 @@ TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_
   CHECK_FALSE(d.workspace().interaction.drag);
   CHECK(is_applied());
   CHECK(d.edits() == 1);
-  d.press_key('R');
-  d.move({700, 200});
-  d.press_key(scene::Key::escape);
   d.press_key('G');
   d.move({800, 300});
   d.button(1, true);
@@ -283,11 +251,6 @@ TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_
 TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   Hand d;
   d.press_key('A');
-  d.click("twist");
-  d.press_key(scene::Key::escape);
-  d.move({700, 300});
-  d.frame();
-  CHECK_FALSE(d.workspace().interaction.drag);
   d.click("bend");
   CHECK_FALSE(d.workspace().interaction.drag);
   d.move({700, 300});

@@ -185,9 +185,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
 }
 
 TEST_CASE("a_wipe_shows_on_either_side_what_the_view_would_show_alone") {
-  auto options = Driver::default_options();
-  options.size = {700, 460};
-  Driver d(options, test::with_pixels);
+  Driver d(Driver::default_options({700, 460}), test::with_pixels);
   d.open_dragon("pose_alert");
   const auto smooth = deform::scheme_of(deform::Way::smooth), rigid = deform::scheme_of(deform::Way::rigid);
   d.workspace().view.panels = d.workspace().view.hints = false;

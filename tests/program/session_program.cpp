@@ -53,9 +53,8 @@ TEST_CASE("a_session_opens_to_the_same_picture_also_elsewhere") {
 
 TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   const WorkFolder folder;
-  auto options = Driver::default_options();
+  auto options = Driver::default_options({800, 500});
   options.samples = 4;
-  options.size = {800, 500};
   Driver d(options, test::with_pixels);
   d.workspace().view.panels = false;
   d.open_dragon();

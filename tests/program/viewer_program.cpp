@@ -123,14 +123,12 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
 
 TEST_CASE("a_model_of_any_size_looks_the_same") {
   const test::TemporaryFolder folder;
-  auto options = Driver::default_options();
-  options.size = {400, 300};
   std::vector<render::Image> pictures;
   for (const double scale : {1.0, 1e30, 1e-30}) {
     auto cage = mesh::read(test::dragon_cage).surface;
     for (auto& p : cage.positions) p = {scale * p[0], scale * p[1], scale * p[2]};
     mesh::write(folder / "cage.obj", cage);
-    Driver d(options, test::with_pixels);
+    Driver d(Driver::default_options({400, 300}), test::with_pixels);
     d.workspace().view.panels = d.workspace().view.hints = d.workspace().view.grid = false;
     REQUIRE(d.open({folder / "cage.obj"}));
     d.settle();

@@ -18,12 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-app::ViewerOptions sized(glm::ivec2 size) {
-  app::ViewerOptions options = Driver::default_options();
-  options.size = size;
-  return options;
-}
-
 // Everything a slider can change, without derived data.
 auto state(const scene::Workspace& w) {
   return std::tuple(w.document.scheme, w.document.library, w.document.timeline, w.document.pose.positions,
@@ -38,7 +32,7 @@ bool has_tooltip() {
 }
 
 struct Held : Driver {
-  Held() : Driver(sized({1440, 1000})) {
+  Held() : Driver(default_options({1440, 1000})) {
     open_dragon("pose_alert");
     workspace().view.model = false;  // drawing it takes long
     for (const char* section : {"Poses", "Probes"}) workspace().preferences.layout.sections[section] = true;
@@ -310,7 +304,7 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
 TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a_click") {
   for (const auto& [size, scale] :
        {std::pair{glm::ivec2(1440, 900), 1.0f}, std::pair{glm::ivec2(512, 320), 2.0f}}) {
-    auto options = sized(size);
+    auto options = Driver::default_options(size);
     options.scale = scale;
     Driver d(options);
     d.workspace().preferences.layout.sections.clear();
@@ -334,7 +328,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
 }
 
 TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_during_a_drag") {
-  auto options = sized({1440, 900});
+  auto options = Driver::default_options({1440, 900});
   options.probe = true;
   Driver d(options);
   d.open_dragon("pose_alert", test::bundled_dragon);
@@ -359,7 +353,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
 
 TEST_CASE("the_first_start_asks_once_for_the_keymap") {
   for (const bool chooses : {true, false}) {
-    Driver d(sized({1024, 640}));
+    Driver d(Driver::default_options({1024, 640}));
     d.open_dragon();
     CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
     d.workspace().ask_keys = true;
@@ -373,7 +367,7 @@ TEST_CASE("the_first_start_asks_once_for_the_keymap") {
 }
 
 TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
-  Driver d(sized({1440, 900}), test::with_pixels);
+  Driver d(Driver::default_options({1440, 900}), test::with_pixels);
   d.open_dragon();
   d.workspace().preferences.layout.sections["Checks"] = true;
   d.settle();
@@ -400,7 +394,7 @@ TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
 
 TEST_CASE("notices_are_whole_and_cover_no_tool") {
   for (const glm::ivec2 size : {glm::ivec2(1024, 640), glm::ivec2(1440, 900)}) {
-    Driver d(sized(size));
+    Driver d(Driver::default_options(size));
     d.open_dragon();
     scene::Workspace& w = d.workspace();
     std::string text = "A warning that is so long that two lines do not hold it:";

@@ -45,8 +45,7 @@ struct Offscreen : Driver {
     settle();
   }
   static app::ViewerOptions options() {
-    auto options = default_options();
-    options.size = {1440, 900};
+    auto options = default_options({1440, 900});
     options.samples = 4;
     return options;
   }

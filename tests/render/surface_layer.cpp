@@ -52,18 +52,6 @@ TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
   CHECK(back > test::brightness(image.pixel(140, 80)) / 2);
 }
 
-TEST_CASE("moved_positions_move_the_pixels") {
-  test::Ball ball = test::ball(3);
-  Scene scene(ball);
-  const render::Image before = scene.picture();
-  for (Point& p : ball.positions) p[0] += 8;
-  scene.surface.set_positions(ball.positions, ball.normals);
-  const render::Image after = scene.picture();
-  CHECK(test::brightness(before.pixel(160, 100)) > 0);
-  CHECK(test::brightness(after.pixel(160, 100)) == 0);
-  CHECK(after.pixel(240, 100) == before.pixel(160, 100));
-}
-
 TEST_CASE("model_far_from_the_origin_looks_the_same") {
   Scene near_scene(test::ball(7));
   const render::Image here = near_scene.picture();

@@ -543,25 +543,6 @@ TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
   }
 }
 
-TEST_CASE("playing_is_no_work_that_could_be_lost_and_a_hand_that_moves_something_is") {
-  const test::CubeFiles files;
-  Workspace w = animated(files);
-  w.document.timeline.straight = false;
-  clear_mix(w.document, w.playback.vectors);
-  go_to_frame(w, 1);
-  REQUIRE(save_session(w, files / "a.viete"));
-  for (const double frame : {11.0, 20.5, 90.0, 1.0}) {
-    go_to_frame(w, frame);
-    follow_time(w, 0);
-    CHECK_FALSE(has_unsaved_edits(w));
-  }
-  go_to_frame(w, 11);
-  record_edit(w.document, "move");
-  w.document.pose.positions[0][0] += 0.1;
-  follow_time(w, 0);
-  CHECK(has_unsaved_edits(w));
-}
-
 TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_recovered") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
@@ -596,20 +577,6 @@ TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_rec
     CHECK(again.document.pose.positions == test::turned_cube(33).positions);
     CHECK(again.document.timeline.unkeyed.empty());
   }
-}
-
-TEST_CASE("poses_in_no_key_go_along_to_another_cage_and_lose_probes_that_are_removed") {
-  const test::CubeFiles files;
-  Workspace w = animated(files);
-  forget_probe(w.document, 0);
-  for (const PoseKey& left : w.document.timeline.unkeyed) CHECK(left.pose->probes.empty());
-  carry_poses(w.document, [](deform::Pose pose) {
-    pose.positions.emplace_back();
-    return pose;
-  });
-  for (const PoseKey& left : w.document.timeline.unkeyed) CHECK(left.pose->cage.positions.size() == 9);
-  drop_poses(w.document, *w.document.cage);
-  CHECK(w.document.timeline.unkeyed.empty());
 }
 
 TEST_CASE("another_document_that_is_opened_does_not_play_on") {
