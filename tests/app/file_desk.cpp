@@ -248,6 +248,8 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   Desk d;
   d.open_cubes();
   d.edit();
+  d.frame();
+  d.workspace.document.put_method(sym3::Method::sd);  // kept with the edit
   const auto posed = d.workspace.document.pose.positions;
   d.quit();
   REQUIRE(d.desk->closed());
@@ -256,6 +258,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   CHECK(d.workspace.offers_recovery);
 
   restore(d);
+  CHECK(d.workspace.document.method == sym3::Method::sd);
   CHECK(d.workspace.recovery_files.empty());
   CHECK_FALSE(d.workspace.offers_recovery);
   SUBCASE("closed without further edits, they are kept where they were and not offered again") {

@@ -74,6 +74,7 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   CHECK(again.red / again.pixels == doctest::Approx(plain.red / plain.pixels).epsilon(0.01));
   d.workspace().view.field = lab::Field::exp_error;
   d.choose("weights", "weights_mean_value");
+  d.settle();
   CHECK(scene::shown_field(d.workspace()) == lab::Field::none);
 }
 

@@ -108,8 +108,6 @@ TEST_CASE("attributes_of_the_model_are_kept_between_shapes") {
   f.done("mix quad.obj --shape lifted.obj=0.5 -o m.obj --straight");
   lifted.replace(lifted.find("v 1 1 4"), 7, "v 1 1 2");
   CHECK(file_bytes(f / "m.obj") == lifted + end);
-  f.done("mix quad.obj --shape lifted.obj=0.5 -o m.obj");
-  CHECK(test::mentions(file_bytes(f / "m.obj"), end));
 }
 
 TEST_CASE("the_shapes_of_a_mix_are_options_with_their_weights_and_any_name") {

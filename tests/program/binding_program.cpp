@@ -1,11 +1,8 @@
 // Binding in the background: the view stays responsive, and a cancelled or failed binding changes nothing.
-#include "base/text.h"
-#include "deform/bind.h"
 #include "deform/binding.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "program/driver.h"
-#include "scene/document/binding_plan.h"
 #include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
@@ -76,12 +73,4 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps
   test::run_command(d.workspace(), "weights_mean_value");
   d.settle();
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
-}
-
-TEST_CASE("the_cost_of_a_binding_is_known_before_it_starts") {
-  Bound d;
-  const std::string plan = scene::binding_plan(d.document(), {deform::Elements::point});
-  const std::size_t bytes =
-      deform::binding_bytes(3000, 76, deform::EngineKind::fused, {deform::Elements::point});
-  CHECK(plan == "Binding 3,000 vertices to 76 vertices, " + base::memory_size(static_cast<double>(bytes)));
 }

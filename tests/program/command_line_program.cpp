@@ -140,16 +140,11 @@ TEST_CASE("a_size_near_the_end_of_the_range_deforms_to_the_same_bits_and_one_bey
     CHECK(mesh::read(f / "out.obj").surface.positions == scaled);
   }
   fs::remove(f / "out.obj");
-  for (const double scale : {1e-90, 1e-61, 1e61, 1e90}) {
+  for (const double scale : {1e-61, 1e61}) {
     scale_to(scale);
     f.refused(deform, 1, "cannot be deformed; scale it to something between 1e-60 and 1e+60");
     CHECK_FALSE(fs::exists(f / "out.obj"));
     CHECK(mentions(f.viete("info model.obj"), "cannot be deformed"));
-  }
-  for (const double scale : {1e-40, 1e40}) {
-    scale_to(scale);
-    f.refused("render model.obj -o a.png", 1, "cannot be drawn");
-    CHECK(mentions(run("model.obj", without_display(f.path())), "cannot be drawn"));
   }
 }
 

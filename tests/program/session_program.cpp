@@ -193,8 +193,4 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   d.press_key(scene::Key::enter);
   d.settle();
   CHECK(d.document().model.path.filename() == "small.ply");
-  d.press_key(scene::key('O'), true);
-  d.frame(2);
-  d.press_key(scene::Key::escape);
-  CHECK_FALSE(d.workspace().browser.open);
 }

@@ -256,14 +256,6 @@ TEST_CASE("removing_the_last_probe_is_an_unsaved_edit") {
   CHECK_FALSE(has_unsaved_edits(p.w));
   CHECK(test::run_command(p.w, "remove_probe"));
   CHECK(has_unsaved_edits(p.w));
-  // Recovered work is in none of the user's files.
-  test::put_file(p.files / "kept.viete", session_text(session_of(p.w), p.files / "kept.viete", false));
-  Workspace back;
-  REQUIRE(open_now(back, {OpenRequest::What::recovery, {p.files / "kept.viete"}}));
-  CHECK(back.document.probes.empty());
-  CHECK(has_unsaved_edits(back));
-  REQUIRE(save_session(back, p.files / "b.viete"));
-  CHECK_FALSE(has_unsaved_edits(back));
 }
 
 TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {

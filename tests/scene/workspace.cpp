@@ -55,34 +55,6 @@ TEST_CASE("cancelling_merged_steps_keeps_the_older_edit_and_leaves_another_docum
   CHECK(w.brush.radius == 99);
 }
 
-TEST_CASE("the_time_left_is_right_soon_after_the_speed_has_changed") {
-  struct Phase {
-    double until, rate;
-  };
-  const std::vector<std::vector<Phase>> works = {{{1, 0.05}, {6, 0.95 / 5}},  // slow, then fast
-                                                 {{1, 0.6}, {9, 0.05}},       // fast, then slow
-                                                 {{10, 0.1}}};                // constant
-  for (const auto& work : works) {
-    TimeLeft left;
-    double began = 0, done = 0;
-    for (const auto& [until, rate] : work) {
-      for (double seconds = began; seconds < until; seconds += 0.016) {
-        const auto known = left.of({true, "binding", done + rate * (seconds - began), seconds, seconds});
-        const double truth = work.back().until - seconds;
-        if (until < work.back().until || seconds < 2 * began || seconds < 1) continue;
-        REQUIRE(known);
-        CHECK(*known / truth == doctest::Approx(1).epsilon(0.15));
-      }
-      done += rate * (until - began);
-      began = until;
-    }
-  }
-  TimeLeft left;
-  CHECK_FALSE(left.of({true, "reading", 0.5, 0.1, 0.1}));
-  CHECK(left.of({true, "reading", 0.5, 4, 4}));
-  CHECK_FALSE(left.of({true, "binding", 0.01, 0.6, 5}));
-}
-
 TEST_CASE("a_repeated_message_is_counted_and_visible_again_and_the_last_200_stay") {
   Messages messages;
   for (int i = 0; i < 1000; ++i) messages.warn("again");
