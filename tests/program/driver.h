@@ -204,7 +204,8 @@ public:
 
   /// The largest distance of the drawn model's vertices from the exact ones, in model diagonals.
   double drawn_error() {
-    return largest_distance(exact_positions(), viewer().deformer()->positions()) / document().model.bounds.diagonal();
+    return largest_distance(exact_positions(), viewer().deformer()->positions()) /
+           document().model.bounds.diagonal();
   }
 
   glm::vec2 on_screen(const mesh::Point& p) {

@@ -137,8 +137,6 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK_FALSE(d.workspace().browser.pictures->panels);
   d.workspace().browser.pictures->width = 200;
   d.workspace().browser.pictures->height = 120;
-  if (const char* pictures = std::getenv("VIETE_PICTURES"))
-    render::write_png(fs::path(pictures) / "picture_export.png", d.picture());
   d.press_key(scene::Key::enter);
   d.frame(2);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));

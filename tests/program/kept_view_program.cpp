@@ -4,8 +4,8 @@
 #include "program/small_scene.h"
 #include "scene/hand/cursor_projection.h"
 #include "support/commands.h"
-#include "support/skip.h"
 #include "support/pictures.h"
+#include "support/skip.h"
 
 using namespace viete;
 using test::Driver, test::small_options, test::SmallScene;

@@ -148,10 +148,6 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   d.frame(2);
   CHECK(d.document().history.position() == 45);
   CHECK(scene::find_command("undo")->label_now(d.workspace()) == "Undo Rotate 45");
-  menu("Edit", "history");
-  d.click("history/50");
-  d.frame(2);
-  CHECK(d.document().history.position() == 50);
   scene::mark_saved(d.workspace());
   menu("File", "recent");
   const auto file = d.workspace().preferences.recent.at(1).file;

@@ -110,9 +110,6 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   CHECK_FALSE(d.viewer().recorder().find("add_example"));
   d.press_key(scene::Key::right);
   CHECK(d.document().frame == 2);
-  d.press_key('T', false, true);  // hides the timeline
-  d.press_key(scene::Key::left);
-  CHECK(d.document().frame == 2);
   d.press_key('Z', true);
   REQUIRE(d.timeline().empty());
 

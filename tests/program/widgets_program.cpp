@@ -133,16 +133,17 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     std::function<double()> value;
     double expected;
     bool twice = true;
-  } cases[] = {{"", "turn", "33", [&] { return scheme.amounts.turn; }, 0.33},
-               {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
-               {"", "pose_weight/0", "12.5", pose_weight, 0.125},
-               {"", "pose_weight/0", "999", pose_weight, scene::PoseLibrary::largest_weight, false},
-               {"", "soft_radius", "0.5", [&] { return w.handling.soft.radius; }, 0.5 / diagonal},
-               {"toggle_stitched", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
-               {"", "pins", "4", [&] { return scheme.holding.radius; }, 0.04},
-               {"", "hold", "500", [&] { return scheme.holding.weight; }, 1},
-               {"tool_paint", "brush_radius", "77", [&] { return double(w.brush.radius); }, 77},
-               {"", "brush_share", "35", [&] { return double(w.brush.share); }, 0.35, false}};
+  } cases[] = {
+      {"", "turn", "33", [&] { return scheme.amounts.turn; }, 0.33},
+      {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
+      {"", "pose_weight/0", "12.5", pose_weight, 0.125},
+      {"", "pose_weight/0", "999", pose_weight, scene::PoseLibrary::largest_weight, false},
+      {"", "soft_radius", "0.5", [&] { return w.handling.soft.radius; }, 0.5 / diagonal},
+      {"toggle_stitched", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
+      {"", "pins", "4", [&] { return scheme.holding.radius; }, 0.04},
+      {"", "hold", "500", [&] { return scheme.holding.weight; }, 1},
+      {"tool_paint", "brush_radius", "77", [&] { return double(w.brush.radius); }, 77},
+      {"", "brush_share", "35", [&] { return double(w.brush.share); }, 0.35, false}};
   for (const auto& c : cases) {
     if (*c.command) d.run(c.command);
     type(c.slider, c.text, c.twice);

@@ -62,27 +62,20 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-// Cancels at this progress.
-class CancelledAt {
-public:
-  explicit CancelledAt(double share) : share_(share) {}
-  bool write(const AnimationExport& what) {
-    base::Progress progress;
-    std::jthread watcher([&](const std::stop_token& stop) {
-      while (!stop.stop_requested() && progress.done() < share_) std::this_thread::yield();
-      progress.cancel();
-    });
-    try {
-      write_animation(what, &progress);
-      return false;
-    } catch (const base::Cancelled&) {
-      return true;
-    }
+// Cancels at this progress; returns whether that ended the export.
+bool cancelled_at(double share, const AnimationExport& what) {
+  base::Progress progress;
+  std::jthread watcher([&](const std::stop_token& stop) {
+    while (!stop.stop_requested() && progress.done() < share) std::this_thread::yield();
+    progress.cancel();
+  });
+  try {
+    write_animation(what, &progress);
+    return false;
+  } catch (const base::Cancelled&) {
+    return true;
   }
-
-private:
-  double share_;
-};
+}
 
 std::string problem_of(const AnimationExport& what) {
   return test::problem_of([&] { write_animation(what); });
@@ -322,10 +315,10 @@ TEST_CASE("a_cancelled_export_leaves_whole_files_or_none") {
   cube.document.timeline.keys.back().frame = 400;
   cube.document.timeline.last = 400;
   const auto before = names_in(cube.path());
-  REQUIRE(CancelledAt(0.5).write(animation_export_of(cube.document, cube / "a.pc2")));
+  REQUIRE(cancelled_at(0.5, animation_export_of(cube.document, cube / "a.pc2")));
   CHECK(names_in(cube.path()) == before);
   const AnimationExport what = animation_export_of(cube.document, cube / "f_###.ply");
-  REQUIRE(CancelledAt(0.3).write(what));
+  REQUIRE(cancelled_at(0.3, what));
   const auto files = base::NumberedName(what.model.file).find();
   CHECK(files.size() > 50);
   CHECK(files.size() < 400);

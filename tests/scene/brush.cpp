@@ -5,8 +5,6 @@
 #include "deform/maps.h"
 #include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/workspace/apply_opened.h"
-#include "scene/workspace/saving.h"
 #include "scene/workspace/workspace.h"
 #include "support/commands.h"
 #include "support/edits.h"

@@ -33,10 +33,7 @@ bool drop(Workspace& w, std::vector<fs::path> files) {
 }
 
 bool said(const Workspace& w, const std::string& part) {
-  for (const auto& message : w.messages.all()) {
-    if (message.text.find(part) != std::string::npos) return true;
-  }
-  return false;
+  return std::ranges::any_of(w.messages.all(), [&](const Message& m) { return test::mentions(m.text, part); });
 }
 
 }  // namespace
@@ -382,24 +379,20 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   w.document.selection.select_all(8);
   save_set(w.document);
   keep_pose(w.document, "stand");
-  const auto said = [&](const std::string& words) {
-    return std::ranges::any_of(w.messages.all(),
-                               [&](const Message& m) { return test::mentions(m.text, words); });
-  };
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Selection sets of the previous cage were removed: \"Set 1\"; kept.viete has them"));
-    CHECK(said("Poses of the previous cage were removed: 1 pose; kept.viete has them"));
+    CHECK(said(w, "Selection sets of the previous cage were removed: \"Set 1\"; kept.viete has them"));
+    CHECK(said(w, "Poses of the previous cage were removed: 1 pose; kept.viete has them"));
   }
   SUBCASE("nowhere") {
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Poses of the previous cage were removed: 1 pose"));
-    CHECK_FALSE(said("has them"));
+    CHECK(said(w, "Poses of the previous cage were removed: 1 pose"));
+    CHECK_FALSE(said(w, "has them"));
   }
   SUBCASE("another_model_is_no_loss_that_would_have_to_be_told") {
     REQUIRE(open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
-    CHECK_FALSE(said("were removed"));
+    CHECK_FALSE(said(w, "were removed"));
   }
   CHECK(w.document.groups.sets.empty());
 }

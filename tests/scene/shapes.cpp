@@ -220,11 +220,6 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   std::size_t shapes = 0;
   for (std::size_t at = 0; (at = text.find("\"float", at)) != std::string::npos; ++at) ++shapes;
   CHECK(shapes == 3);
-  // A shape of another model.
-  test::put_file(f / "bar.obj", test::file_bytes(f.cage_file()));
-  Workspace other;
-  CHECK(!open_now(other, {What::model, {file}}));
-  CHECK(mentions(other.messages.all().back().text, "all.viete: shape: it is of 68 vertices"));
 }
 
 TEST_CASE("shapes_stay_when_the_model_gets_a_cage_and_poses_of_another_cage_go") {
