@@ -64,6 +64,10 @@ public:
   app::Viewer& viewer() { return offscreen_.viewer(); }
   scene::Workspace& workspace() { return viewer().workspace(); }
   scene::Document& document() { return workspace().document; }
+  std::string last_message() {
+    const auto& all = workspace().messages.all();
+    return all.empty() ? "" : all.back().text;
+  }
   void settle() { offscreen_.settle(); }
   render::Image picture() { return viewer().picture(); }
 

@@ -35,10 +35,6 @@ struct LargeModel : Driver {
     workspace().requests.save_model = file;
     frame();
   }
-  std::string last_message() {
-    const auto& all = workspace().messages.all();
-    return all.empty() ? "" : all.back().text;
-  }
 };
 
 }  // namespace

@@ -40,10 +40,6 @@ struct Hand : Driver {
     return all;
   }
   std::size_t edits() { return test::edit_count(document().history); }
-  std::string last_message() {
-    const auto& all = workspace().messages.all();
-    return all.empty() ? "" : all.back().text;
-  }
   void select_whole_cage() {
     press_key('A');
     press_key('E');

@@ -281,7 +281,8 @@ TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
 
 TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   const test::TemporaryFolder folder;
-  test::put_file(folder / "precious.obj", "precious");
+  const std::string precious = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  test::put_file(folder / "precious.obj", precious);
   Driver d;
   d.open_dragon();
   scene::FileBrowser& browser = d.workspace().browser;
@@ -295,7 +296,7 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   d.press_key(scene::Key::enter);  // the first warns, the second confirms
   d.frame(3);
   CHECK(browser.open);
-  CHECK(test::file_bytes(folder / "precious.obj") == "precious");
+  CHECK(test::file_bytes(folder / "precious.obj") == precious);
   d.press_key(scene::Key::enter);
   d.settle();
   CHECK_FALSE(browser.open);
