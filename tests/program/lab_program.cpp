@@ -192,14 +192,13 @@ TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document
   d.frame(2);
   CHECK(d.workspace().camera.pose() != second);
   CHECK(scene::camera_of(d.workspace(), 1) == second);
-  const auto sides = [&] { return d.workspace().split.sides(); };
-  for (auto& side : sides()) side.field = Field::signed_difference;
+  for (auto& side : d.workspace().split.sides()) side.field = Field::signed_difference;
   REQUIRE(d.open({test::dragon}));
   d.settle();
-  REQUIRE(sides().size() == 1);
-  CHECK(sides()[0].shown.values);
+  REQUIRE(d.workspace().split.sides().size() == 1);
+  CHECK(d.workspace().split.sides()[0].shown.values);
   d.open_dragon("pose_coil");
-  CHECK(sides()[0].shown.stats.most > 1e-4);
+  CHECK(d.workspace().split.sides()[0].shown.stats.most > 1e-4);
 }
 
 TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {

@@ -77,8 +77,7 @@ Workspace worked(const test::CubeFiles& files) {
                 Axes::selection,
                 MirrorPlane::y,
                 {true, 0.29, SoftCurve::linear, SoftDistance::space},
-                0.25,
-                true};
+                0.25};
   put_ways(w.split, {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, lab::Field::area, true},
                       {deform::scheme_of(deform::Way::arap)}},
                      {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
@@ -131,10 +130,10 @@ void check_same(const Workspace& a, const Workspace& b) {
   CHECK(ways_of(a) == ways_of(b));
   for (std::size_t view = 0; view < a.split.count(); ++view) CHECK(camera_of(a, view) == camera_of(b, view));
   CHECK(a.document.model.surface->positions == b.document.model.surface->positions);
-  CHECK(std::ranges::equal(
-      a.document.library.poses, b.document.library.poses, [](const NamedPose& x, const NamedPose& y) {
-        return *x.pose == *y.pose && x.name == y.name && x.weight == y.weight && x.part == y.part;
-      }));
+  CHECK(std::ranges::equal(a.document.library.poses, b.document.library.poses,
+                           [](const NamedPose& x, const NamedPose& y) {
+                             return *x.pose == *y.pose && x.name == y.name && x.weight == y.weight;
+                           }));
   Timeline s = a.document.timeline, t = b.document.timeline;
   CHECK(same_keys(s.keys, t.keys));
   CHECK(same_keys(s.unkeyed, t.unkeyed));
@@ -335,7 +334,6 @@ TEST_CASE("a_damaged_session_is_refused_with_its_file_and_key") {
       {R"("poses": {})", "a.viete: poses: found an object where a list belongs"},
       {named + turns + positions() + "}]", "a.viete: poses: \"a\" is of another cage or model"},
       {named + "\"weight\": 1e9}]", "a.viete: poses[0].weight: "},
-      {named + "\"part\": [8], " + positions() + "}]", "a.viete: poses: vertex 8 is named"},
       {named + "\"shape\": 0, " + positions() + "}]", "a.viete: poses[0].shape: there is no such shape"},
       {named + positions("[1e40, 0, 0]") + "}]", "the pose \"a\""},
       {R"("poses": [{"positions": []}])", "a.viete: poses[0]: the key \"name\" is missing"},
