@@ -89,19 +89,6 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   CHECK(files_in(d.state) == 0);
 }
 
-TEST_CASE("an_opened_document_has_looks_and_a_binding_returned_once") {
-  Desk d;
-  d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model, d.files.cage}};
-  d.frame();
-  CHECK_FALSE(d.workspace.requests.open);
-  d.desk->finish_loading(d.workspace);
-  REQUIRE(d.workspace.document.has_cage());
-  CHECK_FALSE(d.workspace.loading.running);
-  CHECK(d.desk->shading().surface == d.workspace.document.model.surface);
-  CHECK(d.desk->take_bound().binds(d.workspace.document));
-  CHECK_FALSE(d.desk->take_bound().binding);
-}
-
 TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   Desk d;
   d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model}};
@@ -113,22 +100,6 @@ TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   CHECK_FALSE(d.workspace.document.model.surface);
   d.desk->finish_loading(d.workspace);
   CHECK(d.workspace.document.model.surface);
-}
-
-TEST_CASE("a_file_that_cannot_be_opened_is_a_message_and_changes_nothing") {
-  Desk d;
-  d.open_cubes();
-  d.edit();
-  const auto posed = d.workspace.document.pose.positions;
-  for (const What what : {What::model, What::cage, What::pose, What::dropped, What::recovery}) {
-    d.workspace.messages.clear();
-    d.open({d.files.broken}, what);
-    REQUIRE_FALSE(d.workspace.messages.all().empty());
-    CHECK(d.workspace.messages.all().back().severity == scene::Severity::error);
-    CHECK(d.last_message().find("broken.obj:") != std::string::npos);
-    CHECK(d.workspace.document.model.path == d.files.model);
-    CHECK(d.workspace.document.pose.positions == posed);
-  }
 }
 
 TEST_CASE("without_edits_or_with_edits_that_are_kept_the_program_closes_at_once") {
@@ -277,6 +248,8 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   Desk d;
   d.open_cubes();
   d.edit();
+  d.frame();
+  d.workspace.document.put_method(sym3::Method::sd);  // kept with the edit
   const auto posed = d.workspace.document.pose.positions;
   d.quit();
   REQUIRE(d.desk->closed());
@@ -285,6 +258,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   CHECK(d.workspace.offers_recovery);
 
   restore(d);
+  CHECK(d.workspace.document.method == sym3::Method::sd);
   CHECK(d.workspace.recovery_files.empty());
   CHECK_FALSE(d.workspace.offers_recovery);
   SUBCASE("closed without further edits, they are kept where they were and not offered again") {

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <string>
 #include <utility>
 
 #include "scene/document/edit.h"
@@ -89,37 +88,4 @@ TEST_CASE("it_is_bound_as_what_is_open_or_as_the_session_says") {
   const Result session = loaded(loader, {What::model, {files / "a.viete"}}, current);
   REQUIRE(session.value);
   CHECK(session.value->bound.binding->weighting.radius == 0.2);
-}
-
-TEST_CASE("files_that_cannot_be_opened_are_a_problem_that_names_them") {
-  const test::CubeFiles files;
-  app::Loader loader;
-  for (const What what : {What::model, What::cage, What::pose, What::dropped, What::recovery}) {
-    const Result result = loaded(loader, {what, {files.broken}});
-    CHECK_FALSE(result.value);
-    CHECK_FALSE(result.stopped);
-    CHECK_MESSAGE(result.problem.find("broken.obj") != std::string::npos, result.problem);
-    CHECK_FALSE(loaded(loader, {what, {}}).value);
-  }
-}
-
-TEST_CASE("cancelled_reading_shows_a_message") {
-  const test::TemporaryFolder folder;
-  std::string text;
-  app::Loader loader;
-  bool stopped = false;
-  // 6 MB of text; fast machines get more.
-  for (std::size_t lines = 200'000; !stopped; lines *= 2) {
-    REQUIRE(lines < 5'000'000);
-    while (text.size() < 30 * lines) text += "v 0.123456789 1 2\nv 1 0 0.5\n";
-    test::put_file(folder / "large.obj", text + "f 1 2 3\n");
-    app::start_loading(loader, {What::model, {folder / "large.obj"}}, {});
-    CHECK(loader.state().what == "Reading large.obj");
-    loader.stop();
-    const auto result = loader.poll(true);
-    REQUIRE(result);
-    stopped = result->stopped;
-    CHECK(stopped != result->value.has_value());
-  }
-  CHECK_FALSE(loader.running());
 }

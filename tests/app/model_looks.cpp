@@ -68,24 +68,6 @@ TEST_CASE("triangles_of_a_material_come_together_with_their_texture_points") {
   CHECK(looks.has_looks);
 }
 
-TEST_CASE("an_oversized_image_is_skipped_external_or_embedded") {
-  using namespace std::string_literals;
-  const std::string tga = "\0\0\2\0\0\0\0\0\0\0\0\0\xff\xff\xff\xff\x20\0\0\0\0"s;
-  const test::TemporaryFolder folder;
-  test::put_file(folder / "huge.tga", tga);
-  BentStrip strip(0);
-  strip.attributes.materials = {{.name = "grey", .base_color_image = 0}};
-  strip.attributes.groups = {group(0, 0)};
-  for (const bool within : {false, true}) {
-    strip.attributes.images = {within ? mesh::ImageFile{{}, std::make_shared<const std::string>(tga), "huge"}
-                                      : mesh::ImageFile{folder / "huge.tga", nullptr, "huge"}};
-    const app::ModelLooks looks = strip.looks();
-    REQUIRE(looks.warnings.size() == 1);
-    CHECK(looks.warnings[0].find("65535 x 65535 pixels") != std::string::npos);
-    CHECK(looks.looks.images.empty());
-  }
-}
-
 TEST_CASE("colours_of_faces_are_those_of_their_corners_unless_vertices_have_some") {
   BentStrip strip(0);
   strip.attributes.polygon_colors = {{1, 0, 0, 1}, {0, 0, 1, 1}};
@@ -110,8 +92,11 @@ TEST_CASE("grey_materials_are_ignored_and_a_bad_image_is_skipped") {
   strip.attributes.groups = {group(0, 0)};
   CHECK_FALSE(strip.looks().has_looks);
   strip.attributes.materials[0].base_color_image = 0;
-  for (const char* name : {"bad.png", "missing.png"}) {
-    strip.attributes.images = {{folder / name, nullptr, ""}};
+  const auto text = std::make_shared<const std::string>("no picture");
+  for (const auto& [image, name] : {std::pair{mesh::ImageFile{folder / "bad.png", nullptr, ""}, "bad.png"},
+                                    {{folder / "missing.png", nullptr, ""}, "missing.png"},
+                                    {{{}, text, "within"}, "within"}}) {
+    strip.attributes.images = {image};
     const app::ModelLooks looks = strip.looks();
     REQUIRE(looks.warnings.size() == 1);
     CHECK(looks.warnings[0].find(name) != std::string::npos);

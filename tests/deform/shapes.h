@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "deform/cage.h"
+#include "support/distance.h"
 #include "support/random.h"
 #include "sym3/rotation.h"
 
@@ -142,15 +143,6 @@ struct Twist {
     return Affine{sym3::exp_rotation<double>(w), center}(x - center);
   }
 };
-
-inline double largest_distance(std::span<const mesh::Point> a, std::span<const mesh::Point> b) {
-  double largest = a.size() == b.size() ? 0 : HUGE_VAL;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    const double d = norm(a[i] - b[i]);
-    largest = d <= largest ? largest : d;  // keeps NaN
-  }
-  return largest;
-}
 
 /// The largest ratio of a triangle edge's length to its length at rest; tears increase it.
 inline double largest_edge_stretch(const mesh::Surface& rest, std::span<const mesh::Point> posed) {

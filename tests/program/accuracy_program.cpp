@@ -72,20 +72,7 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   d.settle();
   const Shown again = shown(d, empty);
   CHECK(again.red / again.pixels == doctest::Approx(plain.red / plain.pixels).epsilon(0.01));
-}
-
-TEST_CASE("the_map_follows_a_drag_and_is_hidden_for_deformers_without_exponentials") {
-  Driver d;
-  open_posed_dragon(d);
-  d.workspace().view.cage = true;
   d.workspace().view.field = lab::Field::exp_error;
-  d.settle();
-  const auto before = d.workspace().split.views[0].shown.stats.most;
-  const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
-  d.drag(at, at + glm::vec2(150, 60));
-  d.settle();
-  CHECK(d.workspace().split.views[0].shown.stats.most != before);
-  CHECK(d.workspace().split.views[0].shown.stats.most < -14);
   d.choose("weights", "weights_mean_value");
   d.settle();
   CHECK(scene::shown_field(d.workspace()) == lab::Field::none);

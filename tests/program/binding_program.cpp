@@ -1,13 +1,8 @@
 // Binding in the background: the view stays responsive, and a cancelled or failed binding changes nothing.
-#include <fstream>
-
-#include "base/text.h"
-#include "deform/bind.h"
 #include "deform/binding.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "program/driver.h"
-#include "scene/document/binding_plan.h"
 #include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
@@ -24,16 +19,11 @@ namespace fs = std::filesystem;
 struct Bound : Driver {
   test::TemporaryFolder folder;
 
-  Bound() : Driver(small_window()) {
+  Bound() : Driver(default_options({640, 400})) {
     open_dragon();
     const glm::vec2 at = glm::round(vertex(free_vertex()));
     drag(at, at + glm::vec2(40, 20));
     scene::mark_saved(workspace());  // so that replacing the cage needs no question
-  }
-  static app::ViewerOptions small_window() {
-    auto options = default_options();
-    options.size = {640, 400};
-    return options;
   }
   // Opens a cage of 8 * 4^levels triangles around the dragon; acts after the first frame.
   template <class Act>
@@ -50,15 +40,6 @@ struct Bound : Driver {
   }
 };
 
-// Free memory in bytes, as reported by the system.
-double free_memory() {
-  std::ifstream in("/proc/meminfo");
-  std::string key, rest;
-  double kilobytes = 0;
-  while (in >> key >> kilobytes && key != "MemAvailable:") std::getline(in, rest);
-  return 1024 * kilobytes;
-}
-
 }  // namespace
 
 TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
@@ -73,25 +54,6 @@ TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
   CHECK(test::edit_count(d.document().history) == 1);
   CHECK(d.positions() == before);
   CHECK(d.workspace().messages.all().back().text.starts_with("Cancelled "));
-}
-
-TEST_CASE("a_binding_that_does_not_fit_is_refused_with_numbers_and_everything_stays" *
-          doctest::test_suite(test::if_present)) {
-  const double needed = static_cast<double>(deform::binding_bytes(3000, 8u << 16, deform::EngineKind::fused));
-  if (0.9 * free_memory() > needed) return test::skip("this machine has room for it");
-  Bound d;
-  const auto* cage = d.document().cage.get();
-  const auto before = d.positions();
-  d.open_ball(8, [] {});
-  CHECK(d.document().cage.get() == cage);
-  CHECK(d.positions() == before);
-  CHECK(test::edit_count(d.document().history) == 1);
-  const auto& message = d.workspace().messages.all().back();
-  CHECK(message.severity == scene::Severity::error);
-  for (const char* part :
-       {"3000 vertices", "524288 cage elements", " GB of memory", "are free", "coarser cage"}) {
-    CHECK_MESSAGE(message.text.find(part) != std::string::npos, message.text);
-  }
 }
 
 TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps_them") {
@@ -111,12 +73,4 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps
   test::run_command(d.workspace(), "weights_mean_value");
   d.settle();
   CHECK(d.viewer().deformer()->sample_matrices(10).empty());
-}
-
-TEST_CASE("the_cost_of_a_binding_is_known_before_it_starts") {
-  Bound d;
-  const std::string plan = scene::binding_plan(d.document(), {deform::Elements::point});
-  const std::size_t bytes =
-      deform::binding_bytes(3000, 76, deform::EngineKind::fused, {deform::Elements::point});
-  CHECK(plan == "Binding 3,000 vertices to 76 vertices, " + base::memory_size(static_cast<double>(bytes)));
 }

@@ -94,14 +94,6 @@ TEST_CASE("a_click_on_a_finding_highlights_its_elements_which_follow_the_cage") 
   CHECK(c.highlighted() == 0);
 }
 
-TEST_CASE("frames_do_not_wait_for_checks") {
-  Driver d;
-  REQUIRE(d.open({test::dragon, test::dragon_cage}));
-  d.frame();
-  CHECK(d.until([&] { return !d.viewer().checking(); }));
-  CHECK(!d.workspace().checks.running);
-}
-
 TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   Checked c;
   Driver& d = c.d;

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <string>
 
-#include "support/data.h"
+#include "program/dragon.h"
 #include "support/folder.h"
 #include "support/text.h"
 
@@ -71,9 +71,7 @@ inline bool mentions(const Outcome& outcome, const std::string& text) {
   return test::mentions(outcome.text, text);
 }
 
-/// The bundled model with 3,000 vertices.
-const fs::path dragon = source_dir() / "tests" / "program" / "dragon.ply",
-               cage = assets_dir() / "dragon" / "cage.obj", pose = assets_dir() / "dragon" / "pose_alert.obj";
+const fs::path cage = dragon_cage, pose = assets_dir() / "dragon" / "pose_alert.obj";
 const std::string in_cage = quoted(dragon) + " " + quoted(cage),
                   posed = "deform " + in_cage + " --pose " + quoted(pose);
 

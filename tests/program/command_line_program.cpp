@@ -98,33 +98,6 @@ TEST_CASE("an_invalid_stream_names_the_pose") {
   }
 }
 
-TEST_CASE("commands_work_with_the_threads_that_a_limit_on_processes_leaves") {
-  const WorkFolder f;
-  fs::permissions(f.path(), fs::perms::all);  // root ignores the permission
-  const std::string user = geteuid() == 0 ? "setpriv --reuid=64321 --clear-groups " : "";
-  const auto limited = [&](const std::string& arguments, int processes) {
-    return run(arguments, "cd " + quoted(f.path()) +
-                              " && env -u XDG_STATE_HOME -u XDG_CACHE_HOME HOME=$PWD " + user +
-                              "prlimit --nproc=" + std::to_string(processes));
-  };
-  if (limited("--version", 1).code != 0) {
-    MESSAGE("another user cannot run the program here");
-    return;
-  }
-  const std::pair<std::string, std::string> lines[] = {
-      {posed + " -o ", ".ply"},
-      {"cage " + quoted(cage) + " --triangles 60 -o ", ".obj"},
-      {"render " + in_cage + " --size 64x48 -o ", ".png"}};
-  for (const auto& [line, extension] : lines) {
-    f.done(line + "all" + extension);
-    for (const int processes : {1, 2, 3}) {
-      const Outcome outcome = limited(line + "few" + extension + " --force", processes);
-      CHECK_MESSAGE(outcome.code == 0, outcome.text);
-      CHECK(file_bytes(f / ("few" + extension)) == file_bytes(f / ("all" + extension)));
-    }
-  }
-}
-
 TEST_CASE("a_mask_holds_vertices_and_is_checked") {
   const WorkFolder f;
   const auto model = mesh::read(dragon).surface.positions;
@@ -167,16 +140,11 @@ TEST_CASE("a_size_near_the_end_of_the_range_deforms_to_the_same_bits_and_one_bey
     CHECK(mesh::read(f / "out.obj").surface.positions == scaled);
   }
   fs::remove(f / "out.obj");
-  for (const double scale : {1e-90, 1e-61, 1e61, 1e90}) {
+  for (const double scale : {1e-61, 1e61}) {
     scale_to(scale);
     f.refused(deform, 1, "cannot be deformed; scale it to something between 1e-60 and 1e+60");
     CHECK_FALSE(fs::exists(f / "out.obj"));
     CHECK(mentions(f.viete("info model.obj"), "cannot be deformed"));
-  }
-  for (const double scale : {1e-40, 1e40}) {
-    scale_to(scale);
-    f.refused("render model.obj -o a.png", 1, "cannot be drawn");
-    CHECK(mentions(run("model.obj", without_display(f.path())), "cannot be drawn"));
   }
 }
 

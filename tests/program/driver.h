@@ -16,20 +16,16 @@
 #include "app/offscreen_viewer.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
+#include "program/dragon.h"
 #include "program/no_pixels.h"
 #include "scene/files/export.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/picking.h"
 #include "scene/workspace/command.h"
-#include "support/data.h"
+#include "support/distance.h"
 #include "ui/input.h"
 
 namespace viete::test {
-
-/// The bundled model, and a version with 3,000 vertices for tests without reference pictures.
-inline const std::filesystem::path bundled_dragon = assets_dir() / "dragon" / "dragon.ply",
-                                   dragon = source_dir() / "tests" / "program" / "dragon.ply",
-                                   dragon_cage = assets_dir() / "dragon" / "cage.obj";
 
 /// The context for drivers of tests that need pixels.
 struct WithPixels {
@@ -56,9 +52,10 @@ public:
   static std::optional<WithPixels> pictures_wanted() {
     return std::getenv("VIETE_PICTURES") ? std::optional(with_pixels) : std::nullopt;
   }
-  static app::ViewerOptions default_options() {
+  static app::ViewerOptions default_options() { return default_options({1280, 800}); }
+  static app::ViewerOptions default_options(glm::ivec2 size) {
     app::ViewerOptions options;
-    options.size = {1280, 800};
+    options.size = size;
     options.builtin_font = true;
     options.probe = false;
     return options;
@@ -67,6 +64,10 @@ public:
   app::Viewer& viewer() { return offscreen_.viewer(); }
   scene::Workspace& workspace() { return viewer().workspace(); }
   scene::Document& document() { return workspace().document; }
+  std::string last_message() {
+    const auto& all = workspace().messages.all();
+    return all.empty() ? "" : all.back().text;
+  }
   void settle() { offscreen_.settle(); }
   render::Image picture() { return viewer().picture(); }
 
@@ -207,18 +208,15 @@ public:
 
   /// The largest distance of the drawn model's vertices from the exact ones, in model diagonals.
   double drawn_error() {
-    const auto exact = exact_positions(), shown = viewer().deformer()->positions();
-    REQUIRE(exact.size() == shown.size());
-    double largest = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i)
-      largest = std::max(largest, mesh::norm(exact[i] - shown[i]));
-    return largest / document().model.bounds.diagonal();
+    return largest_distance(exact_positions(), viewer().deformer()->positions()) /
+           document().model.bounds.diagonal();
   }
 
-  glm::vec2 vertex(std::uint32_t i) {
+  glm::vec2 on_screen(const mesh::Point& p) {
     const scene::Projector project(document().space, workspace().camera, workspace().viewport);
-    return glm::vec2(*project(document().pose.positions[i]));
+    return glm::vec2(*project(p));
   }
+  glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose.positions[i]); }
   /// A cage vertex near the camera (so that it is visible), isolated on screen, and not far from the center.
   std::uint32_t free_vertex();
 

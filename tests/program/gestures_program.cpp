@@ -15,6 +15,7 @@
 #include "support/edits.h"
 #include "support/folder.h"
 #include "support/grips.h"
+#include "support/pictures.h"
 #include "ui/panels.h"
 
 using namespace viete;
@@ -39,10 +40,6 @@ struct Hand : Driver {
     return all;
   }
   std::size_t edits() { return test::edit_count(document().history); }
-  std::string last_message() {
-    const auto& all = workspace().messages.all();
-    return all.empty() ? "" : all.back().text;
-  }
   void select_whole_cage() {
     press_key('A');
     press_key('E');
@@ -66,12 +63,6 @@ struct Hand : Driver {
   }
 };
 
-double farthest_apart(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, mesh::norm(a[i] - b[i]));
-  return largest;
-}
-
 constexpr double radians = std::numbers::pi / 180;
 
 // The points rotated about a vertical line.
@@ -82,14 +73,6 @@ std::vector<mesh::Point> turned(std::vector<mesh::Point> points, const glm::dvec
     p = {center.x + c * x + s * z, p[1], center.z - s * x + c * z};
   }
   return points;
-}
-
-std::size_t differing(const render::Image& a, const render::Image& b) {
-  std::size_t count = 0;
-  for (int y = 60; y < 760; ++y) {
-    for (int x = 330; x < 950; ++x) count += a.pixel(x, y) != b.pixel(x, y);
-  }
-  return count;
 }
 
 }  // namespace
@@ -115,7 +98,7 @@ TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_ri
   CHECK(d.workspace().interaction.drag->readout().starts_with("Y 84"));
   d.button(0, false);
   d.frame();
-  CHECK(farthest_apart(d.mesh(), turned(rest, center, degrees)) < 1e-12);
+  CHECK(test::largest_distance(d.mesh(), turned(rest, center, degrees)) < 1e-12);
   d.press_key('Z', true);
   CHECK(d.mesh() == rest);
   d.press_key('Z', true, true);
@@ -148,19 +131,10 @@ TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
   d.key('X', true);  // a shortcut in other situations
   d.type("x");
   d.key('X', false);
-  d.type("-0.125");
   CHECK(d.workspace().view.axes == axes);
-  CHECK(d.pose()[v] == mesh::Point{d.rest()[v][0] - 0.125, d.rest()[v][1], d.rest()[v][2]});
-  d.press_key(scene::Key::backspace);
-  CHECK(d.pose()[v][0] == d.rest()[v][0] - 0.12);
-  for (int i = 0; i < 5; ++i) d.press_key(scene::Key::backspace);
-  d.type("99999999999");
-  CHECK(d.moved().empty());
-  CHECK(d.workspace().interaction.drag->readout().ends_with("   too far"));
   d.press_key(scene::Key::escape);
   d.button(0, false);
   CHECK(d.moved().empty());
-  CHECK(d.edits() == 0);
 }
 
 TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
@@ -170,25 +144,16 @@ TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
   d.enter("transform_y", "1,5");
   const mesh::Point placed{d.rest()[v][0], 1.5, d.rest()[v][2]};
   CHECK(d.pose()[v] == placed);
-  d.click("transform_x");
-  d.press_key(scene::Key::enter);  // unchanged
-  const struct {
-    const char *number, *said;
-  } refused[] = {{"1.234,5", "\"1.234.5\" is not a number; nothing was changed"},
-                 {"1e150", "too far"},
-                 {"-1e9", "too far"}};
-  for (const auto& [number, said] : refused) {
-    d.enter("transform_y", number);
-    CHECK(d.pose()[v] == placed);
-    CHECK_MESSAGE(d.last_message().find(said) != std::string::npos, d.last_message());
-  }
+  d.enter("transform_y", "1.234,5");
+  CHECK(d.pose()[v] == placed);
+  CHECK(d.last_message().find("\"1.234.5\" is not a number; nothing was changed") != std::string::npos);
   CHECK(d.edits() == 1);
   d.run("undo");
   d.click("select_all");
   d.click("strip/tool_rotate");
   const auto before = d.mesh();
   d.enter("transform_y", "90");
-  CHECK(farthest_apart(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
+  CHECK(test::largest_distance(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
   d.enter("transform_y", "1e15");
   CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum at once");
 }
@@ -223,26 +188,6 @@ TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {
   CHECK(d.edits() == 2);
 }
 
-TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
-  Hand d;
-  d.press_key('S');
-  REQUIRE(d.workspace().handling.soft.on);
-  const auto v = d.free_vertex();
-  const double before = d.workspace().handling.soft.radius;
-  d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(30, -20));
-  const auto few = d.moved();
-  for (int i = 0; i < 8; ++i) d.wheel(1);
-  CHECK(d.workspace().handling.soft.radius == doctest::Approx(before * std::pow(1.1, 8)));
-  CHECK(d.moved().size() > few.size());
-  CHECK(d.drawn_error() < 2e-5);
-  for (int i = 0; i < 60; ++i) d.wheel(-1);
-  CHECK(d.moved() == std::vector<std::uint32_t>{v});
-  d.button(0, false);
-  d.frame(2);
-  CHECK(d.edits() == 1);
-  CHECK(d.drawn_error() < 2e-5);
-}
-
 TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
   Hand d;
   const auto v = d.free_vertex();
@@ -261,27 +206,6 @@ TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
   d.enter("transform_y", "90");
   CHECK(d.pose()[v] == d.rest()[v]);
   CHECK(d.moved().size() + 1 == d.pose().size());
-}
-
-TEST_CASE("a_session_stores_handling_and_another_model_resets_the_pivot") {
-  const test::TemporaryFolder folder;
-  Hand d;
-  scene::Handling& hand = d.workspace().handling;
-  const scene::Handling chosen = {scene::Pivot::point,
-                                  mesh::Point{0.25, 1, -3},
-                                  scene::Axes::view,
-                                  scene::MirrorPlane::x,
-                                  {true, 0.4, scene::SoftCurve::sharp, scene::SoftDistance::space}};
-  hand = chosen;
-  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
-  hand = {};
-  REQUIRE(d.open({folder / "a.viete"}));
-  CHECK(hand == chosen);
-  test::put_file(folder / "other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  REQUIRE(d.open({folder / "other.obj"}));
-  CHECK(hand.pivot == scene::Pivot::median);
-  CHECK_FALSE(hand.point);
-  CHECK(hand.mirror == scene::MirrorPlane::none);
 }
 
 TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_the_move") {
@@ -304,9 +228,6 @@ TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_
   CHECK_FALSE(d.workspace().interaction.drag);
   CHECK(is_applied());
   CHECK(d.edits() == 1);
-  d.press_key('R');
-  d.move({700, 200});
-  d.press_key(scene::Key::escape);
   d.press_key('G');
   d.move({800, 300});
   d.button(1, true);
@@ -319,11 +240,6 @@ TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_
 TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   Hand d;
   d.press_key('A');
-  d.click("twist");
-  d.press_key(scene::Key::escape);
-  d.move({700, 300});
-  d.frame();
-  CHECK_FALSE(d.workspace().interaction.drag);
   d.click("bend");
   CHECK_FALSE(d.workspace().interaction.drag);
   d.move({700, 300});
@@ -335,7 +251,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
     if (axis) shaping.hinge = *scene::hinge_near(seen, *axis);
     std::vector<mesh::Point> expected = d.rest();
     for (auto& p : expected) p = scene::shaped(shaping, degrees, p);
-    return farthest_apart(d.pose(), expected) < 1e-9 * d.document().space.diagonal();
+    return test::largest_distance(d.pose(), expected) < 1e-9 * d.document().space.diagonal();
   };
   d.move({760, 300});
   d.type("y");
@@ -401,10 +317,11 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   d.choose("mirror", "mirror_x");
   REQUIRE(scene::mirror_of(d.workspace()));
   const auto without = picture_at(aside);
-  CHECK(differing(without, picture_at(d.place_of("mirror"))) > 20000);  // a whole plane, not only lines
+  const double plane = 0.0195;  // a share of the pixels: not only lines
+  CHECK(test::difference(without, picture_at(d.place_of("mirror")), 0) > plane);
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(12, 0));
   d.settle();
-  CHECK(differing(without, d.picture()) > 20000);
+  CHECK(test::difference(without, d.picture(), 0) > plane);
 }
 
 TEST_CASE("a_right_click_in_the_palette_changes_a_key") {
@@ -416,12 +333,6 @@ TEST_CASE("a_right_click_in_the_palette_changes_a_key") {
   REQUIRE(d.workspace().interaction.setting_key == "undo");
   d.press_key('U', true);
   CHECK(d.workspace().interaction.setting_key.empty());
-  const auto v = d.free_vertex();
-  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
-  d.press_key('Z', true);
-  CHECK(d.moved().size() == 1);
-  d.press_key('U', true);
-  CHECK(d.moved().empty());
 }
 
 TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once") {
@@ -448,9 +359,6 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
     return count;
   };
   CHECK(amber() == 0);
-  d.press_key('3');
-  CHECK(d.document().selection.kind() == scene::ElementKind::face);
-  d.press_key('1');
   d.press_key('B');
   d.drag({400, 100}, {640, 700});
   const std::size_t few = selected();
@@ -459,22 +367,14 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
   CHECK(d.moved().empty());
   CHECK(amber() > 50);
   d.click("save_set");
-  d.press_key(scene::Key::up, true);
-  CHECK(selected() > few);
   d.press_key('A', false, true);
   CHECK(selected() == 0);
   d.click("set/0/select");
   CHECK(selected() == few);
   d.press_key('H', false, true);
   CHECK(amber() == 0);
-  d.press_key('A');
-  CHECK(selected() == d.pose().size() - few);
-  d.press_key('H', true);
-  CHECK(d.document().groups.hidden.empty());
   d.click("set/0/remove");
   CHECK(d.document().groups.sets.empty());
-  d.press_key('Z', true);
-  CHECK(d.document().groups.sets.size() == 1);
 }
 
 TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
@@ -493,13 +393,11 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   d.key(Driver::left_shift, false);
   d.frame(2);
   CHECK(d.workspace().brush.radius > 1.2f * radius);
-  const auto stroke = [&] { d.drag(middle, middle + glm::vec2(60, 10)); };
-  stroke();
+  d.drag(middle, middle + glm::vec2(60, 10));
   d.settle();
   const auto painted = d.document().mask;
   REQUIRE(painted);
-  const auto stays = std::ranges::count(*painted, 0.0f);
-  CHECK(stays > 20);
+  CHECK(std::ranges::count(*painted, 0.0f) > 20);
   deform::Pose pose = d.document().pose;
   for (auto& p : pose.positions) p[1] += 1;
   scene::set_pose(d.document(), pose);
@@ -507,22 +405,15 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   const auto moved = d.mesh();
   for (std::size_t v = 0; v < rest.size(); ++v)
     CHECK(std::abs(moved[v][1] - rest[v][1] - double((*painted)[v])) < 1e-12);
-  d.key(Driver::left_ctrl, true);
-  stroke();
-  d.key(Driver::left_ctrl, false);
-  const auto after = d.document().mask;
-  CHECK((!after || std::ranges::count(*after, 0.0f) < stays));
-  d.press_key('Z', true);
-  CHECK(d.document().mask == painted);
+  d.key(Driver::left_ctrl, true);  // erases
   d.press_and_move(middle, middle - glm::vec2(60, 10));
+  d.key(Driver::left_ctrl, false);
   CHECK(d.document().mask != painted);
   d.press_key(scene::Key::escape);
   d.button(0, false);
   CHECK(d.document().mask == painted);
   d.click("brush_share");  // in its center
   CHECK(d.workspace().brush.share == doctest::Approx(0.5).epsilon(0.1));
-  d.click("mask_invert");
-  CHECK(d.document().mask != painted);
   d.click("mask_clear");
   CHECK_FALSE(d.document().mask);
 }

@@ -4,8 +4,8 @@
 #include "program/small_scene.h"
 #include "scene/hand/cursor_projection.h"
 #include "support/commands.h"
-#include "support/skip.h"
 #include "support/pictures.h"
+#include "support/skip.h"
 
 using namespace viete;
 using test::Driver, test::small_options, test::SmallScene;
@@ -116,18 +116,6 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   d.press_key(scene::Key::enter);
   d.frame();
   CHECK(d.viewer().views_drawn() > views);
-}
-
-TEST_CASE("an_unchanged_view_is_not_drawn") {
-  SmallScene scene;
-  Driver& d = scene.d;
-  d.settle();
-  const auto views = d.viewer().views_drawn();
-  d.frame(3);
-  d.move(d.place_of("method_sd"));
-  d.frame();
-  d.move(d.place_of("method_sd") + glm::vec2(1, 0));  // still over the same button
-  CHECK(d.viewer().views_drawn() == views);
   d.viewer().resize({690, 420});
   d.frame();
   CHECK(d.viewer().has_drawn());

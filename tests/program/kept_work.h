@@ -11,9 +11,8 @@
 namespace viete::test {
 
 inline app::ViewerOptions remembering(const fs::path& state, glm::ivec2 size = {1280, 800}) {
-  auto options = Driver::default_options();
+  auto options = Driver::default_options(size);
   options.state = state;
-  options.size = size;
   return options;
 }
 

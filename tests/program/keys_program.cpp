@@ -38,30 +38,6 @@ bool says(const std::vector<ui::MouseLine>& lines, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("in_every_preset_the_home_key_does_what_the_home_button_does") {
-  Driver d;
-  d.open_dragon();
-  const auto wander = [&] {
-    d.drag({800, 100}, {900, 160}, 2);
-    d.move({800, 300});
-    d.wheel(2);
-    d.settle();
-  };
-  d.run("view_home");
-  d.settle();
-  const auto home = d.workspace().camera.pose();
-  for (const auto preset : {scene::KeyPreset::viete, scene::KeyPreset::blender, scene::KeyPreset::maya,
-                            scene::KeyPreset::viewer}) {
-    CAPTURE(scene::entry_of(preset).word);
-    choose_preset(d, preset);
-    wander();
-    REQUIRE(d.workspace().camera.pose().yaw != home.yaw);
-    d.press_key(scene::Key::home);
-    d.settle();
-    CHECK(d.workspace().camera.pose() == home);
-  }
-}
-
 TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   Driver d;
   d.open_dragon();

@@ -35,10 +35,7 @@ std::vector<mesh::Point> shown(Driver& d) {
 
 // The largest distance, in diagonals of the model.
 double apart(Driver& d, const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  REQUIRE(a.size() == b.size());
-  double largest = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, mesh::norm(a[v] - b[v]));
-  return largest / d.document().model.bounds.diagonal();
+  return test::largest_distance(a, b) / d.document().model.bounds.diagonal();
 }
 
 // The distance of a view's vertices from the result in double.

@@ -1,6 +1,5 @@
 // The viewer without a display: a picture, and a line with its path.
 #include <algorithm>
-#include <vector>
 
 #include "program/command_line.h"
 #include "render/image.h"
@@ -41,23 +40,6 @@ TEST_CASE("nothing_is_announced_of_a_file_that_cannot_be_opened") {
   CHECK_MESSAGE(mentions(outcome, "none.obj: "), outcome.text);
   CHECK_FALSE(mentions(outcome, "picture"));
   CHECK(scratch.entries() == 0);
-}
-
-TEST_CASE("the_viewer_starts_with_the_settings_of_its_command_line") {
-  const TemporaryFolder scratch;
-  const std::string here = without_display(scratch.path());
-  const std::string scene = "view " + quoted(dragon) + " " + quoted(cage) + " --pose " + quoted(pose);
-  std::vector<std::vector<std::uint8_t>> pictures;
-  for (const char* settings : {"", " --deformer mean-value"}) {
-    const auto outcome = run(scene + settings, here);
-    REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-    pictures.push_back(test::read_png(scratch / "viete.png").rgba);
-    fs::remove(scratch / "viete.png");
-  }
-  CHECK(pictures[0] != pictures[1]);
-  const auto both = run("view --deformer mean-value --radius 3", here);
-  CHECK(both.code == 1);
-  CHECK(mentions(both, "these weights have no radius"));
 }
 
 TEST_CASE("the_bundled_model_is_found_from_any_working_directory") {

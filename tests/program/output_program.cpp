@@ -77,28 +77,11 @@ TEST_CASE("dependencies_and_key_files_are_not_overwritten") {
   files.done(animate + "p_#.obj -o m_##.obj --frames 1-4");
 }
 
-TEST_CASE("a_result_replaces_only_a_file_of_its_kind") {
-  const SmallFiles files;
-  const std::string render = "render model.obj --size 64x64 -o ";
-  for (const std::string& line :
-       {render + "a.png", std::string("bench exp --json a.txt"), std::string("bench exp --json s.viete")}) {
-    put_file(files / "a.txt", "precious");
-    put_file(files / "a.png", "precious");
-    files.refused(line, 1, "and would be replaced; choose another name");
-    CHECK(file_bytes(files / "a.txt") == "precious");
-    CHECK(file_bytes(files / "a.png") == "precious");
-  }
-  for (const std::string& line :
-       {render + "a.png --force", render + "a.png", std::string("bench exp --count 64 --json b.json")})
-    files.done(line);
-  put_file(files / "empty", "");
-  files.done("bench exp --count 64 --json empty");
-}
-
 TEST_CASE("outputs_are_checked_before_the_work") {
   const SmallFiles files;
   put_file(files / "locked.obj", "precious");
   fs::permissions(files / "locked.obj", fs::perms::owner_read);
+  for (const char* name : {"letter.png", "letter.json"}) put_file(files / name, "precious");
   for (const auto& [line, reason] :
        {std::pair{"deform none.obj cage.obj --pose pose.obj -o none/a.obj", "none/a.obj: cannot be written"},
         {"deform none.obj cage.obj --pose pose.obj -o a.txt", "a.txt: unknown extension .txt"},
@@ -106,6 +89,8 @@ TEST_CASE("outputs_are_checked_before_the_work") {
          "locked.obj: this file is write-pro"},
         {"render none.obj -o none/a.png", "none/a.png: cannot be written"},
         {"render none.obj -o a.jpg", "a.jpg: pictures can only be written as PNG"},
+        {"render none.obj -o letter.png", "and would be replaced; choose another name"},
+        {"bench exp --json letter.json", "and would be replaced; choose another name"},
         {"bench exp --json none/a", "none/a: cannot be written"},
         {"bench frame --json none/a", "none/a: cannot be written"},
         {"bench bind --json none/a", "none/a: cannot be written"}})

@@ -136,8 +136,7 @@ void visit_panels(Driver& d) {
 
 TEST_CASE("no_panel_leaves_the_window_or_covers_another_at_any_scale") {
   for (const float scale : {1.0f, 2.0f}) {
-    auto options = Driver::default_options();
-    options.size = {1280, 1500};
+    auto options = Driver::default_options({1280, 1500});
     options.scale = scale;
     options.probe = false;
     Driver d(options);
@@ -147,8 +146,7 @@ TEST_CASE("no_panel_leaves_the_window_or_covers_another_at_any_scale") {
 
 TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_view_nor_columns") {
   for (const glm::ivec2 size : {glm::ivec2(512, 320), glm::ivec2(640, 400), glm::ivec2(1024, 640)}) {
-    auto options = Driver::default_options();
-    options.size = size;
+    auto options = Driver::default_options(size);
     options.scale = 2;
     Driver d(options);
     d.open_dragon();

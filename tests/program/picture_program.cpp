@@ -51,8 +51,7 @@ struct Picture {
 };
 
 void compare(const Picture& p) {
-  auto options = Driver::default_options();
-  options.size = p.size;
+  auto options = Driver::default_options(p.size);
   options.scale = p.scale;
   Driver d(options, test::with_pixels);
   d.workspace().has_user = false;  // versions of ImGui move text

@@ -4,7 +4,6 @@
 #include "program/kept_work.h"
 #include "scene/workspace/saving.h"
 #include "support/skip.h"
-#include "support/pictures.h"
 
 using namespace viete;
 using namespace test;
@@ -50,34 +49,6 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
     drag_some_vertex(d, {-30, 20});
   }
   CHECK_MESSAGE(kept_files(state).size() == 1, "quitting without saving keeps the work");
-}
-
-TEST_CASE("opening_another_file_over_unsaved_edits_sets_them_aside_and_restore_brings_them_back") {
-  const test::TemporaryFolder folder;
-  const SmallModel small(folder.path());
-  Driver d(remembering(folder / "state"), test::with_pixels);
-  REQUIRE(d.open({small.model, small.cage}));
-  d.settle();
-  drag_some_vertex(d, {30, 20});
-  const auto posed = d.document().pose.positions;
-  const auto picture = rest_picture(d);
-  d.open_dragon();
-  CHECK(d.document().model.path == dragon);
-  REQUIRE(d.workspace().recovery_files.size() == 1);
-  CHECK(d.workspace().recovery_files[0].name == "small.ply");
-
-  d.frame(3);
-  CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));  // not requested
-  d.press_key(scene::key('B'), true);
-  d.frame(3);
-  d.click("restore_leftover");
-  d.settle();
-  CHECK(d.document().pose.positions == posed);
-  CHECK(d.workspace().recovery_files.empty());
-  CHECK(scene::has_unsaved_edits(d.workspace()));
-  CHECK(test::difference(picture, rest_picture(d), 0) == 0);
-  CHECK(wait_until([&] { return kept_files(folder / "state").size() == 1; }));
-  CHECK(scene::read_session(kept_files(folder / "state").front()).pose.positions == posed);
 }
 
 TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_offered") {
@@ -178,28 +149,12 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   CHECK_FALSE(d.viewer().closed());
 
   ask();
-  SUBCASE("saved") {
-    d.click("question_save");
-    d.frame(3);
-    REQUIRE(d.workspace().browser.open);
-    d.press_key(scene::Key::enter);
-    d.frame(3);
-    CHECK(scene::read_session(folder / "small.viete").pose.positions == posed);
-  }
-  SUBCASE("closed without saving") {
-    d.press_key(left);
-    d.press_key(scene::Key::enter);
-    d.frame(3);
-    CHECK_FALSE(d.viewer().keeping());
-  }
-  SUBCASE("kept again") {
-    d.click("question_cancel");
-    fs::remove(recovery);
-    quit(d);
-    CHECK(d.viewer().keeping());
-    REQUIRE(kept_files(state).size() == 1);
-    CHECK(scene::read_session(kept_files(state).front()).pose.positions == posed);
-  }
+  d.click("question_save");
+  d.frame(3);
+  REQUIRE(d.workspace().browser.open);
+  d.press_key(scene::Key::enter);
+  d.frame(3);
+  CHECK(scene::read_session(folder / "small.viete").pose.positions == posed);
   CHECK(d.viewer().closed());
 }
 

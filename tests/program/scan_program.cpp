@@ -8,9 +8,7 @@ using test::Driver;
 TEST_CASE("a_scan_of_537374_vertices_loads_binds_and_is_dragged" * doctest::test_suite(test::if_present)) {
   const auto folder = test::shared_data("igea-1m");
   if (folder.empty()) return;
-  auto options = Driver::default_options();
-  options.size = {640, 400};
-  Driver d(options);
+  Driver d(Driver::default_options({640, 400}));
   d.workspace().requests.open =
       scene::OpenRequest{scene::OpenRequest::What::model, {folder / "mesh.ply", folder / "cage.obj"}};
   REQUIRE(d.until([&] { return d.document().has_cage() && !d.viewer().loading(); }));

@@ -8,10 +8,8 @@
 
 namespace viete::test {
 
-inline app::ViewerOptions small_options() {
-  auto options = Driver::default_options();
-  options.size = {700, 420};
-  return options;
+inline app::ViewerOptions small_options(glm::ivec2 size = {700, 420}) {
+  return Driver::default_options(size);
 }
 
 // A ball of 642 vertices in a larger one of 42.

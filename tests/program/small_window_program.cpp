@@ -49,8 +49,7 @@ TEST_CASE("all_of_strip_and_timeline_is_in_the_window_or_in_the_menu_at_its_end"
   for (const auto& [device, scale] : sizes) {
     CAPTURE(device.x);
     CAPTURE(device.y);
-    auto options = small_options();
-    options.size = glm::vec2(device) / scale;
+    auto options = small_options(glm::vec2(device) / scale);
     options.scale = scale;
     SmallScene scene(options);
     Driver& d = scene.d;
@@ -77,9 +76,7 @@ TEST_CASE("all_of_strip_and_timeline_is_in_the_window_or_in_the_menu_at_its_end"
 }
 
 TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
-  auto options = small_options();
-  options.size = {1024, 640};
-  SmallScene scene(options);
+  SmallScene scene(small_options({1024, 640}));
   Driver& d = scene.d;
   d.workspace().preferences.layout.timeline = true;
   d.frame(3);

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/memory.h"
 #include "program/command_line.h"
 
 using namespace viete;
@@ -129,12 +128,4 @@ TEST_CASE("every_number_has_a_range_without_nan_and_infinity_and_says_it_in_shor
   }
   CHECK(run("bench exp --count 10000000000").code == 2);
   CHECK(mentions(run("bench frame --faces 8,nan"), "needs a whole number from 8 to 10,000, not nan"));
-}
-
-TEST_CASE("more_matrices_than_memory_holds_are_refused_with_both_sizes") {
-  const auto free = base::free_memory();
-  if (!free || *free > 150e9) return;
-  const Outcome outcome = run("bench exp --count 1000000000");
-  CHECK(outcome.code == 1);
-  CHECK_MESSAGE(mentions(outcome, "1,000,000,000 matrices take 160.0 GB of memory, of which "), outcome.text);
 }

@@ -18,12 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-app::ViewerOptions sized(glm::ivec2 size) {
-  app::ViewerOptions options = Driver::default_options();
-  options.size = size;
-  return options;
-}
-
 // Everything a slider can change, without derived data.
 auto state(const scene::Workspace& w) {
   return std::tuple(w.document.scheme, w.document.library, w.document.timeline, w.document.pose.positions,
@@ -38,7 +32,7 @@ bool has_tooltip() {
 }
 
 struct Held : Driver {
-  Held() : Driver(sized({1440, 1000})) {
+  Held() : Driver(default_options({1440, 1000})) {
     open_dragon("pose_alert");
     workspace().view.model = false;  // drawing it takes long
     for (const char* section : {"Poses", "Probes"}) workspace().preferences.layout.sections[section] = true;
@@ -139,16 +133,17 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     std::function<double()> value;
     double expected;
     bool twice = true;
-  } cases[] = {{"", "turn", "33", [&] { return scheme.amounts.turn; }, 0.33},
-               {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
-               {"", "pose_weight/0", "12.5", pose_weight, 0.125},
-               {"", "pose_weight/0", "999", pose_weight, scene::PoseLibrary::largest_weight, false},
-               {"", "soft_radius", "0.5", [&] { return w.handling.soft.radius; }, 0.5 / diagonal},
-               {"toggle_stitched", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
-               {"", "pins", "4", [&] { return scheme.holding.radius; }, 0.04},
-               {"", "hold", "500", [&] { return scheme.holding.weight; }, 1},
-               {"tool_paint", "brush_radius", "77", [&] { return double(w.brush.radius); }, 77},
-               {"", "brush_share", "35", [&] { return double(w.brush.share); }, 0.35, false}};
+  } cases[] = {
+      {"", "turn", "33", [&] { return scheme.amounts.turn; }, 0.33},
+      {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
+      {"", "pose_weight/0", "12.5", pose_weight, 0.125},
+      {"", "pose_weight/0", "999", pose_weight, scene::PoseLibrary::largest_weight, false},
+      {"", "soft_radius", "0.5", [&] { return w.handling.soft.radius; }, 0.5 / diagonal},
+      {"toggle_stitched", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
+      {"", "pins", "4", [&] { return scheme.holding.radius; }, 0.04},
+      {"", "hold", "500", [&] { return scheme.holding.weight; }, 1},
+      {"tool_paint", "brush_radius", "77", [&] { return double(w.brush.radius); }, 77},
+      {"", "brush_share", "35", [&] { return double(w.brush.share); }, 0.35, false}};
   for (const auto& c : cases) {
     if (*c.command) d.run(c.command);
     type(c.slider, c.text, c.twice);
@@ -247,15 +242,6 @@ TEST_CASE("esc_in_a_field_leaves_its_number_and_name") {
   }
 }
 
-TEST_CASE("the_buttons_above_the_poses_stay_where_they_are") {
-  Held d;
-  const glm::vec2 before = d.place_of("keep_pose");
-  d.click("keep_pose");
-  d.frame(2);
-  CHECK(d.document().library.poses.size() == 2);
-  CHECK(d.place_of("keep_pose") == before);
-}
-
 TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
   const test::TemporaryFolder folder;
   fs::create_directory(folder / "inner");
@@ -293,9 +279,10 @@ TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
   CHECK(d.document().has_cage());
 }
 
-TEST_CASE("two_clicks_on_a_file_to_save_under_replace_nothing") {
+TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   const test::TemporaryFolder folder;
-  test::put_file(folder / "precious.obj", "precious");
+  const std::string precious = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  test::put_file(folder / "precious.obj", precious);
   Driver d;
   d.open_dragon();
   scene::FileBrowser& browser = d.workspace().browser;
@@ -309,13 +296,17 @@ TEST_CASE("two_clicks_on_a_file_to_save_under_replace_nothing") {
   d.press_key(scene::Key::enter);  // the first warns, the second confirms
   d.frame(3);
   CHECK(browser.open);
-  CHECK(test::file_bytes(folder / "precious.obj") == "precious");
+  CHECK(test::file_bytes(folder / "precious.obj") == precious);
+  d.press_key(scene::Key::enter);
+  d.settle();
+  CHECK_FALSE(browser.open);
+  CHECK(fs::file_size(folder / "precious.obj") > 1000);
 }
 
 TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a_click") {
   for (const auto& [size, scale] :
        {std::pair{glm::ivec2(1440, 900), 1.0f}, std::pair{glm::ivec2(512, 320), 2.0f}}) {
-    auto options = sized(size);
+    auto options = Driver::default_options(size);
     options.scale = scale;
     Driver d(options);
     d.workspace().preferences.layout.sections.clear();
@@ -339,7 +330,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
 }
 
 TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_during_a_drag") {
-  auto options = sized({1440, 900});
+  auto options = Driver::default_options({1440, 900});
   options.probe = true;
   Driver d(options);
   d.open_dragon("pose_alert", test::bundled_dragon);
@@ -364,7 +355,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
 
 TEST_CASE("the_first_start_asks_once_for_the_keymap") {
   for (const bool chooses : {true, false}) {
-    Driver d(sized({1024, 640}));
+    Driver d(Driver::default_options({1024, 640}));
     d.open_dragon();
     CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
     d.workspace().ask_keys = true;
@@ -378,7 +369,7 @@ TEST_CASE("the_first_start_asks_once_for_the_keymap") {
 }
 
 TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
-  Driver d(sized({1440, 900}), test::with_pixels);
+  Driver d(Driver::default_options({1440, 900}), test::with_pixels);
   d.open_dragon();
   d.workspace().preferences.layout.sections["Checks"] = true;
   d.settle();
@@ -405,7 +396,7 @@ TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
 
 TEST_CASE("notices_are_whole_and_cover_no_tool") {
   for (const glm::ivec2 size : {glm::ivec2(1024, 640), glm::ivec2(1440, 900)}) {
-    Driver d(sized(size));
+    Driver d(Driver::default_options(size));
     d.open_dragon();
     scene::Workspace& w = d.workspace();
     std::string text = "A warning that is so long that two lines do not hold it:";

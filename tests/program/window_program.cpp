@@ -45,8 +45,7 @@ struct Offscreen : Driver {
     settle();
   }
   static app::ViewerOptions options() {
-    auto options = default_options();
-    options.size = {1440, 900};
+    auto options = default_options({1440, 900});
     options.samples = 4;
     return options;
   }
@@ -192,23 +191,6 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     CHECK(viewer.exit_code() == 0);
     CHECK(test::file_bytes(log).find("kept") == std::string::npos);
   }
-}
-
-TEST_CASE("real_keys_find_commands_and_files" * doctest::test_suite(test::if_present)) {
-  if (test::no_desktop()) return;
-  RealSession hand;
-  // A slowly drawn window needs some frames to get the keyboard focus.
-  hand.desktop.xdotool_seen("key ctrl+k");
-  hand.desktop.xdotool_seen("type --delay 60 wire");
-  hand.desktop.xdotool_seen("key Return");
-  CHECK(hand.saved().view.wireframe);
-
-  hand.desktop.xdotool_seen("key ctrl+shift+s");
-  hand.desktop.xdotool_seen("key ctrl+a");
-  hand.desktop.xdotool_seen("type b");
-  hand.act("key Return");
-  CHECK(wait_until([&] { return fs::exists(hand.desktop.folder / "b.viete"); }));
-  hand.quit();
 }
 
 TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::test_suite(test::if_present)) {

@@ -138,21 +138,6 @@ TEST_CASE("hidden_parts_are_fainter_than_visible_ones") {
   CHECK(image.pixel(210, 100)[0] < 128);
 }
 
-TEST_CASE("line_that_lies_on_a_surface_is_visible") {
-  test::Stage stage;
-  const Wall wall(stage.gl);
-  render::LineLayer lines(stage.gl);
-  set_line(lines, {2, -5, 1}, {12, 7, 1});
-  render::LineStyle style;
-  style.width = 4;
-  const render::Image image = stage.picture([&] {
-    wall.draw(stage.view);
-    lines.draw(stage.view, style);
-  });
-  const glm::ivec2 middle = stage.pixel_of({7, 1, 1});
-  CHECK(image.pixel(middle.x, middle.y)[0] == 255);
-}
-
 TEST_CASE("line_through_the_near_plane_is_cut_there") {
   test::Stage stage;
   stage.view.projection = perspective;

@@ -52,18 +52,6 @@ TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
   CHECK(back > test::brightness(image.pixel(140, 80)) / 2);
 }
 
-TEST_CASE("moved_positions_move_the_pixels") {
-  test::Ball ball = test::ball(3);
-  Scene scene(ball);
-  const render::Image before = scene.picture();
-  for (Point& p : ball.positions) p[0] += 8;
-  scene.surface.set_positions(ball.positions, ball.normals);
-  const render::Image after = scene.picture();
-  CHECK(test::brightness(before.pixel(160, 100)) > 0);
-  CHECK(test::brightness(after.pixel(160, 100)) == 0);
-  CHECK(after.pixel(240, 100) == before.pixel(160, 100));
-}
-
 TEST_CASE("model_far_from_the_origin_looks_the_same") {
   Scene near_scene(test::ball(7));
   const render::Image here = near_scene.picture();
@@ -72,15 +60,6 @@ TEST_CASE("model_far_from_the_origin_looks_the_same") {
   far_scene.stage.view.view =
       far_scene.stage.view.view * glm::translate(glm::dmat4(1), glm::dvec3(-far[0], -far[1], -far[2]));
   CHECK(test::difference(here, far_scene.picture(), 2) < 0.001);
-}
-
-TEST_CASE("wireframe_darkens_edges_only") {
-  Scene scene(test::ball(9, {0, 0, 0}, 6));
-  const render::Image plain = scene.picture(), wired = scene.picture({.wireframe = 0.5F});
-  const double changed = test::difference(plain, wired, 8) * 320 * 200;
-  CHECK(changed > 500);
-  CHECK(changed < 0.3 * static_cast<double>(test::count_not_black(plain)));
-  CHECK(test::lit_area(wired) < test::lit_area(plain));
 }
 
 TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belongs") {

@@ -211,18 +211,3 @@ TEST_CASE("overshoot_beyond_the_drawable_range_shows_the_previous_key") {
   }
   CHECK(stayed);
 }
-
-TEST_CASE("vectors_of_poses_are_taken_once_and_forgotten_with_the_pose") {
-  Keyed k;
-  const Timeline t = test::three_keys();
-  { const Animation a = k.animation(t); }
-  const auto known = k.vectors.of(t.keys[1].pose);
-  CHECK(k.vectors.of(t.keys[1].pose) == known);
-  k.vectors.follow(k.document.cage);
-  CHECK(k.vectors.of(t.keys[1].pose) == known);
-  k.vectors.follow(std::make_shared<const deform::Cage>(deform::make_cage(test::cube(1.5))));
-  CHECK(k.vectors.of(t.keys[1].pose) != known);
-  CHECK_THROWS(k.vectors.of(test::whole({{{0, 0, 0}}, {}})));
-  k.vectors.follow(nullptr);
-  CHECK(k.vectors.of(t.keys[1].pose) == nullptr);
-}

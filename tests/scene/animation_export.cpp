@@ -16,12 +16,14 @@
 #include "scene/animated_cube.h"
 #include "scene/ball.h"
 #include "scene/files/animated_model.h"
+#include "support/distance.h"
 #include "support/folder.h"
 #include "support/gltf.h"
 #include "support/text.h"
 
 using namespace viete;
 using namespace viete::scene;
+using test::largest_distance;
 namespace fs = std::filesystem;
 
 namespace {
@@ -34,13 +36,6 @@ std::vector<mesh::Point> exact_frame(const test::AnimatedCube& cube, double fram
   const auto positions = mesh::read(cube / "one.ply").surface.positions;
   fs::remove(cube / "one.ply");
   return positions;
-}
-
-double farthest(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  REQUIRE(a.size() == b.size());
-  double worst = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) worst = std::max(worst, mesh::norm(a[v] - b[v]));
-  return worst;
 }
 
 // glTF does not preserve order: the index of each model vertex among those read.
@@ -67,27 +62,20 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-// Cancels at this progress.
-class CancelledAt {
-public:
-  explicit CancelledAt(double share) : share_(share) {}
-  bool write(const AnimationExport& what) {
-    base::Progress progress;
-    std::jthread watcher([&](const std::stop_token& stop) {
-      while (!stop.stop_requested() && progress.done() < share_) std::this_thread::yield();
-      progress.cancel();
-    });
-    try {
-      write_animation(what, &progress);
-      return false;
-    } catch (const base::Cancelled&) {
-      return true;
-    }
+// Cancels at this progress; returns whether that ended the export.
+bool cancelled_at(double share, const AnimationExport& what) {
+  base::Progress progress;
+  std::jthread watcher([&](const std::stop_token& stop) {
+    while (!stop.stop_requested() && progress.done() < share) std::this_thread::yield();
+    progress.cancel();
+  });
+  try {
+    write_animation(what, &progress);
+    return false;
+  } catch (const base::Cancelled&) {
+    return true;
   }
-
-private:
-  double share_;
-};
+}
 
 std::string problem_of(const AnimationExport& what) {
   return test::problem_of([&] { write_animation(what); });
@@ -125,7 +113,7 @@ TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
       CHECK(cache.head().frames == 17);
       CHECK(cache.head().points == cube.document.model.surface->positions.size());
       for (std::size_t i = 0; i < 17; ++i)
-        CHECK(farthest(cache.frame(i), exact_frame(cube, 1 + double(i))) < 2e-6);
+        CHECK(largest_distance(cache.frame(i), exact_frame(cube, 1 + double(i))) < 2e-6);
     }
   }
   CHECK(mesh::PointCache(cube / "a.pc2").head().start == 1);
@@ -156,7 +144,7 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
     AnimatedModel exact(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool);
     const mesh::PointCache cache(cube / "a.pc2");
     for (std::size_t i = 0; i < 17; i += 2)
-      CHECK(farthest(cache.frame(i), exact.positions(1 + double(i))) <= stated);
+      CHECK(largest_distance(cache.frame(i), exact.positions(1 + double(i))) <= stated);
   }
   CHECK(in_float >= 4);
 }
@@ -191,7 +179,7 @@ TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
       const double t = (at - seconds[key]) / (seconds[key + 1] - seconds[key]);
       std::vector<mesh::Point> line(a.size());
       for (std::size_t v = 0; v < a.size(); ++v) line[v] = a[v] + t * (b[v] - a[v]);
-      worst = std::max(worst, farthest(line, exact_frame(cube, frame)));
+      worst = std::max(worst, largest_distance(line, exact_frame(cube, frame)));
     }
     CHECK(worst < tolerance * diagonal);
   }
@@ -253,7 +241,7 @@ TEST_CASE("probes_without_a_cage_move_the_model_in_time") {
     CHECK(positions[7][0] == doctest::Approx(1 + 0.25 * (frame - 1)));
     CHECK(positions[0][2] == doctest::Approx(-0.75));
     const auto exact = mesh::read(base::NumberedName(cube / "p_#.ply").file(frame)).surface.positions;
-    CHECK(farthest(positions, exact) < 1e-6);
+    CHECK(largest_distance(positions, exact) < 1e-6);
   }
 }
 
@@ -327,10 +315,10 @@ TEST_CASE("a_cancelled_export_leaves_whole_files_or_none") {
   cube.document.timeline.keys.back().frame = 400;
   cube.document.timeline.last = 400;
   const auto before = names_in(cube.path());
-  REQUIRE(CancelledAt(0.5).write(animation_export_of(cube.document, cube / "a.pc2")));
+  REQUIRE(cancelled_at(0.5, animation_export_of(cube.document, cube / "a.pc2")));
   CHECK(names_in(cube.path()) == before);
   const AnimationExport what = animation_export_of(cube.document, cube / "f_###.ply");
-  REQUIRE(CancelledAt(0.3).write(what));
+  REQUIRE(cancelled_at(0.3, what));
   const auto files = base::NumberedName(what.model.file).find();
   CHECK(files.size() > 50);
   CHECK(files.size() < 400);

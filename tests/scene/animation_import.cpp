@@ -13,6 +13,7 @@
 #include "scene/files/animation_export.h"
 #include "scene/files/open.h"
 #include "scene/workspace/apply_opened.h"
+#include "support/distance.h"
 #include "support/text.h"
 
 using namespace viete;
@@ -26,21 +27,12 @@ struct CageMotion : test::AnimatedCube {
   void write(const fs::path& file) const {
     std::vector<std::vector<mesh::Point>> frames;
     for (int frame = 1; frame <= 17; ++frame) frames.push_back(pose(frame).cage.positions);
+    if (mesh::point_cache_format(file)) return test::write_cache(file, frames, 24);
     test::MorphAnimation animation;
     for (std::size_t i = 0; i < frames.size(); ++i)
       animation.keys.push_back({static_cast<double>(i) / 24, "frame " + std::to_string(i + 1), frames[i]});
-    const auto format = mesh::point_cache_format(file);
     const mesh::Surface& cage = document.cage->surface;
-    if (!format) return void(test::write_morphs(file, {cage, cage.positions, {}}, nullptr, animation));
-    mesh::PointCacheHead head{*format, 8, frames.size(), 1, 1};
-    for (const auto& key : animation.keys) head.seconds.push_back(static_cast<float>(key.seconds));
-    std::vector<float> numbers;
-    mesh::write_point_cache(file, head, [&](std::size_t i) {
-      numbers.clear();
-      for (const mesh::Point& p : frames[i])
-        for (const double x : p) numbers.push_back(static_cast<float>(x));
-      return std::span<const float>(numbers);
-    });
+    test::write_morphs(file, {cage, cage.positions, {}}, nullptr, animation);
   }
   void write_poses() const {
     for (const int frame : {1, 9, 17})
@@ -55,11 +47,7 @@ struct CageMotion : test::AnimatedCube {
 };
 
 double farthest(const deform::Pose& a, const deform::Pose& b) {
-  REQUIRE(a.positions.size() == b.positions.size());
-  double worst = 0;
-  for (std::size_t v = 0; v < a.positions.size(); ++v)
-    worst = std::max(worst, mesh::norm(a.positions[v] - b.positions[v]));
-  return worst;
+  return test::largest_distance(a.positions, b.positions);
 }
 
 }  // namespace

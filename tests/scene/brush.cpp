@@ -5,8 +5,6 @@
 #include "deform/maps.h"
 #include "scene/document/edit.h"
 #include "scene/files.h"
-#include "scene/workspace/apply_opened.h"
-#include "scene/workspace/saving.h"
 #include "scene/workspace/workspace.h"
 #include "support/commands.h"
 #include "support/edits.h"
@@ -90,26 +88,6 @@ TEST_CASE("masks_are_cleared_and_inverted_by_commands") {
   CHECK(test::run_command(p.w, "mask_clear"));
   CHECK_FALSE(d.mask);
   CHECK(test::edit_count(d.history) == 4);
-}
-
-TEST_CASE("a_mask_is_unsaved_until_its_session_is_and_comes_back_to_the_last_bit") {
-  Painted p;
-  CHECK_FALSE(has_unsaved_edits(p.w));
-  p.paint(0, 0.6 * p.w.document.model.bounds.diagonal(), 0.3f);
-  CHECK(has_unsaved_edits(p.w));
-  REQUIRE(save_session(p.w, p.files / "a.viete"));
-  CHECK_FALSE(has_unsaved_edits(p.w));
-  Workspace back = test::opened({p.files / "a.viete"});
-  REQUIRE(back.document.mask);
-  CHECK(*back.document.mask == *p.w.document.mask);
-  CHECK_FALSE(has_unsaved_edits(back));
-  // Opening another cage keeps it; another model has none.
-  REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
-  CHECK(back.document.mask);
-  CHECK(has_unsaved_edits(back));  // no file contains it together with this cage
-  REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
-  CHECK_FALSE(back.document.mask);
-  CHECK_FALSE(has_unsaved_edits(back));
 }
 
 TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {

@@ -260,17 +260,6 @@ TEST_CASE("opening_a_pose_ends_cage_editing") {
   CHECK(document.pose.positions == pose.positions);
 }
 
-TEST_CASE("a_cage_is_not_saved_where_its_vertices_would_not_come_back_in_their_order") {
-  const test::TemporaryFolder folder;
-  Workspace w = test::cube_workspace();
-  const auto before = w.document.cage_file.path;
-  for (const char* name : {"cage.stl", "cage.glb", "cage.gltf"}) {
-    CHECK_FALSE(save_cage(w, folder / name));
-    CHECK_FALSE(std::filesystem::exists(folder / name));
-    CHECK(w.document.cage_file.path == before);
-  }
-}
-
 TEST_CASE("a_file_that_now_holds_another_cage_is_not_that_of_earlier_ones") {
   const test::TemporaryFolder folder;
   Workspace w = test::cube_workspace();

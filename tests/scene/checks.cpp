@@ -9,6 +9,7 @@
 #include "mesh/triangulation.h"
 #include "scene/cube.h"
 #include "scene/workspace/workspace.h"
+#include "support/text.h"
 
 using namespace viete;
 using namespace viete::scene;
@@ -64,10 +65,6 @@ std::vector<std::string> notes(deform::Cage cage, std::size_t mapped, auto map) 
                           deform::Blend::srl);
   state.set_pose(pose);
   return pose_notes(state.report(), state.cage(), pose);
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -221,15 +218,15 @@ TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
 TEST_CASE("mirrored_cages_and_parts_are_reported_and_turned_stretched_or_torn_ones_are_not") {
   const auto is_mirrored = [](auto map) {
     const auto said = notes(cage_of(1), 8, map);
-    return said.size() == 1 && holds(said[0], "The cage is mirrored in this pose");
+    return said.size() == 1 && test::mentions(said[0], "The cage is mirrored in this pose");
   };
   for (int axis = 0; axis < 3; ++axis) CHECK(is_mirrored([&](mesh::Point& p) { p[axis] = -2 * p[axis]; }));
   CHECK(is_mirrored([](mesh::Point& p) { p = {-p[0], -p[1], -p[2]}; }));
   CHECK(notes(cage_of(1), 8, [](mesh::Point& p) { p = {-p[0], -p[1], p[2]}; }).empty());
   CHECK(notes(cage_of(1), 8, [](mesh::Point& p) { p[0] *= 30; }).empty());
   const auto torn = notes(cage_of(1), 4, [](mesh::Point& p) { p = {-p[0], -p[1], p[2]}; });
-  for (const auto& note : torn) CHECK_FALSE(holds(note, "mirror"));
+  for (const auto& note : torn) CHECK_FALSE(test::mentions(note, "mirror"));
   const auto said = notes(cage_of(2), 8, [](mesh::Point& p) { p[1] = -p[1]; });
   REQUIRE_FALSE(said.empty());
-  CHECK_MESSAGE(holds(said[0], "1 of 2 parts of the cage is mirrored"), said[0]);
+  CHECK_MESSAGE(test::mentions(said[0], "1 of 2 parts of the cage is mirrored"), said[0]);
 }

@@ -32,8 +32,12 @@ TEST_CASE("names_and_shortcuts_are_unique_and_every_command_has_a_hint") {
   }
 }
 
-TEST_CASE("an_unknown_command_is_not_found_and_a_disabled_one_does_nothing") {
+TEST_CASE("an_unknown_command_is_not_found_a_disabled_one_does_nothing_and_a_toggle_is_on_or_off") {
   Workspace empty;
+  for (const bool on : {true, false}) {
+    CHECK(find_command("toggle_grid")->on(empty) == on);
+    empty.view.grid = false;
+  }
   CHECK(find_command("no_such") == nullptr);
   CHECK_FALSE(test::run_command(empty, "undo"));
   CHECK_FALSE(test::run_command(empty, "reset_pose"));
@@ -252,12 +256,4 @@ TEST_CASE("a_few_letters_find_a_command_and_the_best_comes_first") {
   const auto all = find_commands(w, "");
   CHECK(all.size() > 80);
   for (const Command* command : all) CHECK_FALSE(command->passing);
-}
-
-TEST_CASE("a_toggle_returns_its_state") {
-  Workspace w;
-  CHECK(find_command("toggle_grid")->on(w));
-  w.view.grid = false;
-  CHECK_FALSE(find_command("toggle_grid")->on(w));
-  CHECK_FALSE(bool(find_command("undo")->is_on));
 }

@@ -14,11 +14,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void put_files(const test::TemporaryFolder& folder) {
-  fs::create_directories(folder / "Sub");
-  for (const char* name : {"Beta.obj", "alpha.ply", "gamma.viete", "notes.txt", ".hidden.obj"})
-    test::put_file(folder / name, "x");
-}
+// Files of several kinds, listed.
+struct Listed : test::TemporaryFolder {
+  FileBrowser browser;
+
+  explicit Listed(FileBrowser::Purpose purpose = FileBrowser::Purpose::model, const std::string& name = "") {
+    fs::create_directories(*this / "Sub");
+    for (const char* file : {"Beta.obj", "alpha.ply", "gamma.viete", "notes.txt", ".hidden.obj"})
+      test::put_file(*this / file, "x");
+    show(browser, purpose, path(), name);
+  }
+};
 
 std::string names(const FileBrowser& browser) {
   std::string all;
@@ -29,10 +35,8 @@ std::string names(const FileBrowser& browser) {
 }  // namespace
 
 TEST_CASE("folders_come_first_then_fitting_files_without_regard_to_case") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::model, folder.path());
+  Listed folder;
+  FileBrowser& browser = folder.browser;
   CHECK(names(browser) == "Sub alpha.ply Beta.obj gamma.viete ");
   show(browser, FileBrowser::Purpose::pose, folder.path());
   CHECK(names(browser) == "Sub alpha.ply Beta.obj ");
@@ -66,10 +70,8 @@ TEST_CASE("stl_is_offered_for_surfaces_but_not_for_poses") {
 }
 
 TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its_file") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::model, folder.path());
+  Listed folder;
+  FileBrowser& browser = folder.browser;
   highlight(browser, 2);
   const std::string path = browser.path;
   const auto listed_anew = [&](const std::string& all, std::size_t highlighted) {
@@ -93,10 +95,8 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
 }
 
 TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::model, folder.path());
+  Listed folder;
+  FileBrowser& browser = folder.browser;
   move_highlight(browser, 100);
   CHECK(browser.highlighted == 3);
   move_highlight(browser, -1);
@@ -132,10 +132,8 @@ TEST_CASE("a_path_may_be_typed_as_a_filter_and_begin_at_home") {
 }
 
 TEST_CASE("the_file_to_save_gets_the_extension_it_lacks_and_an_existing_one_is_known") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::save_session, folder.path(), "gamma.viete");
+  Listed folder(FileBrowser::Purpose::save_session, "gamma.viete");
+  FileBrowser& browser = folder.browser;
   CHECK(browser.replaces());
   browser.path = "walk";
   CHECK(chosen_file(browser) == browser.folder / "walk.viete");
@@ -178,11 +176,9 @@ TEST_CASE("an_animation_is_a_cache_or_gets_a_place_for_the_number_of_the_frame")
 }
 
 TEST_CASE("a_selected_file_fills_the_name_and_a_folder_keeps_it") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
+  Listed folder;
+  FileBrowser& browser = folder.browser;
   std::filesystem::create_directory(folder / "a folder");
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::model, folder.path());
   for (std::size_t i = 0; i < shown(browser).size(); ++i) {
     highlight(browser, i);
     CHECK(browser.highlighted == i);
@@ -193,6 +189,7 @@ TEST_CASE("a_selected_file_fills_the_name_and_a_folder_keeps_it") {
   highlight(browser, 1000);
   CHECK(browser.highlighted == 0);
   show(browser, FileBrowser::Purpose::save_model, folder.path(), "new.obj");
+  CHECK(browser.highlighted == FileBrowser::none);
   REQUIRE(shown(browser)[0]->folder);
   highlight(browser, 0);
   CHECK(browser.path == browser.folder / "new.obj");
@@ -200,25 +197,9 @@ TEST_CASE("a_selected_file_fills_the_name_and_a_folder_keeps_it") {
   CHECK(browser.path == browser.folder / shown(browser).back()->name);
 }
 
-TEST_CASE("saving_highlights_no_entry_until_arrow_keys_are_used") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::save_model, folder.path(), "new.obj");
-  CHECK(browser.highlighted == FileBrowser::none);
-  move_highlight(browser, 1);
-  CHECK(browser.highlighted == 0);
-  set_format(browser, "ply");
-  CHECK(browser.highlighted == FileBrowser::none);
-  show(browser, FileBrowser::Purpose::model, folder.path());
-  CHECK(browser.highlighted == 0);
-}
-
 TEST_CASE("an_unwritable_name_is_detected_before_the_work") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
-  FileBrowser browser;
-  show(browser, FileBrowser::Purpose::save_pose, folder.path(), "pose.obj");
+  Listed folder(FileBrowser::Purpose::save_pose, "pose.obj");
+  FileBrowser& browser = folder.browser;
   CHECK(problem_of_name(browser).empty());
   browser.path = "pose.xyz";
   CHECK(problem_of_name(browser).find("OBJ, PLY or OFF") != std::string::npos);
@@ -232,12 +213,11 @@ TEST_CASE("an_unwritable_name_is_detected_before_the_work") {
 }
 
 TEST_CASE("files_in_use_are_neither_proposed_nor_accepted") {
-  const test::TemporaryFolder folder;
-  put_files(folder);
+  Listed folder;
+  FileBrowser& browser = folder.browser;
   FilesInUse in_use;
   in_use.add(folder / "Beta.obj", "the model");
   in_use.add(folder / "alpha.ply", "the cage");
-  FileBrowser browser;
   show(browser, FileBrowser::Purpose::save_model, folder.path(), "Beta.obj", in_use);
   CHECK(chosen_file(browser).filename() == "Beta-2.obj");
   CHECK_FALSE(browser.replaces());

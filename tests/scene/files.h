@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "mesh/formats/point_cache.h"
 #include "mesh/formats/write.h"
 #include "scene/cube.h"
 #include "scene/workspace/apply_opened.h"
@@ -41,6 +42,21 @@ struct CubeFiles : TemporaryFolder {
     return mesh::from_triangles(std::move(surface.positions), triangles);
   }
 };
+
+/// A point cache in the format of its extension.
+inline void write_cache(const std::filesystem::path& file,
+                        const std::vector<std::vector<mesh::Point>>& frames, double rate = 1) {
+  mesh::PointCacheHead head{*mesh::point_cache_format(file), frames.front().size(), frames.size(), 1, 1};
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    head.seconds.push_back(static_cast<float>(static_cast<double>(i) / rate));
+  std::vector<float> numbers;
+  mesh::write_point_cache(file, head, [&](std::size_t i) {
+    numbers.clear();
+    for (const mesh::Point& p : frames[i])
+      for (const double x : p) numbers.push_back(static_cast<float>(x));
+    return std::span<const float>(numbers);
+  });
+}
 
 // A session, or a model with its cage.
 inline scene::Workspace opened(std::vector<std::filesystem::path> files) {

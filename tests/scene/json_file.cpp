@@ -75,14 +75,6 @@ TEST_CASE("foreign_files_are_refused_before_memory_is_allocated") {
                 "nor is it written");
 }
 
-TEST_CASE("places_of_a_list_are_read_or_the_first_damaged_one_is_named") {
-  const json whole = {{"good", {{1, 2, 3}, {1, 2, -1e9}}}, {"bad", {{1, 2, 3}, {1, "x", 3}}}};
-  const JsonReader reader(whole, "f");
-  CHECK(reader.at("good").places(1e9) == std::vector<mesh::Vec3>{{1, 2, 3}, {1, 2, -1e9}});
-  CHECK(test::problem_of([&] { reader.at("good").places(3); }).starts_with("f: good[1]: "));
-  CHECK(test::problem_of([&] { reader.at("bad").places(3); }).starts_with("f: bad[1][1]: found a text"));
-}
-
 TEST_CASE("a_wrong_type_names_file_and_key_and_both_types") {
   const json whole = {
       {"camera", {{"distance", "far"}, {"target", {1, 2}}}}, {"list", {1, -2, 3.5}}, {"null", nullptr}};

@@ -33,43 +33,33 @@ bool drop(Workspace& w, std::vector<fs::path> files) {
 }
 
 bool said(const Workspace& w, const std::string& part) {
-  for (const auto& message : w.messages.all()) {
-    if (message.text.find(part) != std::string::npos) return true;
-  }
-  return false;
+  return std::ranges::any_of(w.messages.all(), [&](const Message& m) { return test::mentions(m.text, part); });
 }
 
 }  // namespace
 
-TEST_CASE("two_dropped_files_are_model_and_cage_in_either_order") {
-  const test::CubeFiles files;
-  for (const auto& pair : {std::vector{files.model, files.cage}, std::vector{files.cage, files.model}}) {
-    Workspace w;
-    REQUIRE(drop(w, pair));
-    CHECK(w.document.model.path == files.model);
-    CHECK(w.document.cage_file.path == files.cage);
-    CHECK(said(w, "Imported model.obj as the model and cage.obj as its cage"));
-  }
-}
-
-TEST_CASE("the_surface_that_encloses_is_the_cage_even_with_more_vertices") {
-  const test::CubeFiles files;
-  mesh::write(files / "small.obj", test::cube(0.5));
-  Workspace w;
-  REQUIRE(drop(w, {files.model, files / "small.obj"}));
-  CHECK(w.document.cage_file.path == files.model);
-  CHECK(said(w, "encloses it"));
-}
-
-TEST_CASE("if_neither_encloses_the_surface_with_fewer_vertices_is_the_cage") {
+TEST_CASE("the_enclosing_one_of_two_dropped_files_is_the_cage_or_else_the_one_with_fewer_vertices") {
   const test::CubeFiles files;
   auto aside = test::cube(1.5);
   for (auto& p : aside.positions) p[0] += 2;
   mesh::write(files / "aside.obj", aside);
-  Workspace w;
-  REQUIRE(drop(w, {files / "aside.obj", files.model}));
-  CHECK(w.document.cage_file.path == files / "aside.obj");
-  CHECK(said(w, "does not enclose it"));
+  mesh::write(files / "small.obj", test::cube(0.5));
+  const struct {
+    std::vector<fs::path> dropped;
+    fs::path cage;
+    const char* said;
+  } cases[] = {
+      {{files.model, files.cage}, files.cage, "Imported model.obj as the model and cage.obj as its cage"},
+      {{files.cage, files.model}, files.cage, "Imported model.obj as the model and cage.obj as its cage"},
+      {{files.model, files / "small.obj"}, files.model, "encloses it"},
+      {{files / "aside.obj", files.model}, files / "aside.obj", "does not enclose it"}};
+  for (const auto& c : cases) {
+    Workspace w;
+    REQUIRE(drop(w, c.dropped));
+    CHECK(w.document.cage_file.path == c.cage);
+    CHECK(w.document.model.path == c.dropped[c.dropped[0] == c.cage]);
+    CHECK(said(w, c.said));
+  }
 }
 
 TEST_CASE("a_cage_with_most_of_the_model_outside_is_reported_for_either_orientation") {
@@ -109,24 +99,18 @@ TEST_CASE("vertices_of_the_cage_that_have_no_face_do_not_move_the_view_away") {
   CHECK(with_stray.camera.pose().distance == doctest::Approx(plain.camera.pose().distance));
 }
 
-TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose") {
+TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose_and_as_unsaved_as_the_one_before") {
   const test::CubeFiles files;
-  Workspace w = test::opened({files.model, files.cage});
-  REQUIRE(drop(w, {files.pose}));
-  CHECK(w.document.model.path == files.model);
-  CHECK(w.document.pose.positions == test::cube(2).positions);
-  CHECK(said(w, "Imported pose.obj as a pose"));
-  CHECK(test::edit_count(w.document.history) == 1);
-  CHECK_FALSE(has_unsaved_edits(w));
-}
-
-TEST_CASE("a_pose_over_unsaved_edits_stays_unsaved") {
-  const test::CubeFiles files;
-  Workspace w = test::opened({files.model, files.cage});
-  w.document.pose.positions[0][0] -= 1;
-  CHECK(has_unsaved_edits(w));
-  REQUIRE(drop(w, {files.pose}));
-  CHECK(has_unsaved_edits(w));
+  for (const bool edited : {false, true}) {
+    Workspace w = test::opened({files.model, files.cage});
+    if (edited) w.document.pose.positions[0][0] -= 1;
+    REQUIRE(drop(w, {files.pose}));
+    CHECK(w.document.model.path == files.model);
+    CHECK(w.document.pose.positions == test::cube(2).positions);
+    CHECK(said(w, "Imported pose.obj as a pose"));
+    CHECK(test::edit_count(w.document.history) == 1);
+    CHECK(has_unsaved_edits(w) == edited);
+  }
 }
 
 TEST_CASE("a_dropped_surface_around_a_model_without_cage_is_its_cage_and_anything_else_a_model") {
@@ -179,23 +163,6 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
   CHECK(said(w, "give the cage as well"));
-}
-
-TEST_CASE("recovered_work_is_unsaved_until_it_is_saved") {
-  const test::CubeFiles files;
-  Workspace w = test::opened({files.model, files.cage});
-  w.document.pose.positions[0][0] -= 1;
-  w.saved.session = files / "mine.viete";
-  test::put_file(files / "r.viete", session_text(session_of(w), files / "r.viete", false));
-  Workspace back;
-  REQUIRE(open_now(back, {What::recovery, {files / "r.viete"}}));
-  CHECK(back.document.pose.positions == w.document.pose.positions);
-  CHECK(has_unsaved_edits(back));
-  CHECK(back.saved.session == fs::canonical(files.path()) / "mine.viete");
-  CHECK(back.recovered_from == files / "r.viete");
-  CHECK(back.preferences.recent.empty());
-  REQUIRE(save_session(back, back.saved.session));
-  CHECK_FALSE(has_unsaved_edits(back));
 }
 
 TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
@@ -370,66 +337,26 @@ TEST_CASE("located_files_take_the_place_of_those_that_a_session_names") {
   }
 }
 
-TEST_CASE("a_cage_opens_without_its_fin_on_request") {
-  const test::CubeFiles files;
-  const mesh::Surface plain = test::cube(1.5);
-  const auto with = [&](std::vector<mesh::Point> points, const std::vector<mesh::Triangle>& more) {
-    std::vector<mesh::Triangle> triangles = plain.triangles;
-    triangles.insert(triangles.end(), more.begin(), more.end());
-    points.insert(points.begin(), plain.positions.begin(), plain.positions.end());
-    return mesh::from_triangles(std::move(points), triangles);
-  };
-  const std::pair<mesh::Surface, std::size_t> cages[] = {
-      {with({{0, 3, 3}}, {{6, 7, 8}}), 1},                         // a protruding triangle
-      {with({{0, 3, 3}, {1, 4, 4}}, {{6, 7, 8}, {7, 9, 8}}), 2},   // two
-      {with({{0, 3, 3}, {0, 3, -3}}, {{6, 7, 8}, {2, 3, 9}}), 2},  // at two edges
-      {with({}, {{0, 1, 6}, {1, 7, 6}}), 2},                       // a wall through the middle
-  };
-  for (const auto& [cage, fins] : cages) {
-    mesh::write(files / "fin.obj", cage);
-    for (const std::vector<fs::path>& paths :
-         {std::vector{files.model, files / "fin.obj"}, {files / "fin.obj"}}) {
-      const What what = paths.size() == 2 ? What::model : What::cage;
-      const Document current = open_document(files.model, {});
-      CHECK_THROWS_AS(open_files({what, paths}, current), FinError);
-      const Opened opened = open_files({what, paths, {}, {}, Fins::removed}, current);
-      CHECK(opened.document->cage->surface.positions == plain.positions);
-      CHECK(opened.document->cage->surface.triangles == plain.triangles);
-      CHECK(opened.document->cage->closed);
-      CHECK(opened.document->cage_file.path.empty());
-      CHECK(test::mentions(
-          opened.warnings.at(0),
-          std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
-    }
-  }
-  CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, Fins::removed}, {})
-            .document->cage_file.path == files.cage);
-}
-
 TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_where_they_are") {
   test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   w.document.selection.select_all(8);
   save_set(w.document);
   keep_pose(w.document, "stand");
-  const auto said = [&](const std::string& words) {
-    return std::ranges::any_of(w.messages.all(),
-                               [&](const Message& m) { return test::mentions(m.text, words); });
-  };
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Selection sets of the previous cage were removed: \"Set 1\"; kept.viete has them"));
-    CHECK(said("Poses of the previous cage were removed: 1 pose; kept.viete has them"));
+    CHECK(said(w, "Selection sets of the previous cage were removed: \"Set 1\"; kept.viete has them"));
+    CHECK(said(w, "Poses of the previous cage were removed: 1 pose; kept.viete has them"));
   }
   SUBCASE("nowhere") {
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said("Poses of the previous cage were removed: 1 pose"));
-    CHECK_FALSE(said("has them"));
+    CHECK(said(w, "Poses of the previous cage were removed: 1 pose"));
+    CHECK_FALSE(said(w, "has them"));
   }
   SUBCASE("another_model_is_no_loss_that_would_have_to_be_told") {
     REQUIRE(open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
-    CHECK_FALSE(said("were removed"));
+    CHECK_FALSE(said(w, "were removed"));
   }
   CHECK(w.document.groups.sets.empty());
 }

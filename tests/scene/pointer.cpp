@@ -282,3 +282,27 @@ TEST_CASE("another_kind_of_element_chosen_between_press_and_drag_ends_it") {
     select_kind(m.w.document, ElementKind::edge);
   }
 }
+
+TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
+  Mouse m;
+  m.w.handling.soft = {.on = true, .radius = 0.1};
+  const auto moved = [&] {
+    const auto &now = m.w.document.pose.positions, &rest = m.w.document.cage->surface.positions;
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < now.size(); ++v) count += now[v] != rest[v];
+    return count;
+  };
+  const auto turn = [&](float steps) {
+    m.input.wheel = steps;
+    m.step();
+  };
+  m.begin(m.vertex(7), m.vertex(7) + glm::vec2(30, -20));
+  CHECK(moved() == 1);
+  for (int i = 0; i < 40; ++i) turn(1);
+  CHECK(m.w.handling.soft.radius > 1);
+  CHECK(moved() > 1);
+  for (int i = 0; i < 60; ++i) turn(-1);
+  CHECK(moved() == 1);
+  m.release();
+  CHECK(test::edit_count(m.w.document.history) == 1);
+}

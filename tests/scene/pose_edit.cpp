@@ -290,11 +290,12 @@ TEST_CASE("a_removed_probe_is_gone_from_every_pose_and_key_and_comes_back_with_u
   std::vector<deform::ProbePose> poses(3);
   for (int i = 0; i < 3; ++i) poses[i].move = {double(i), 0, 0};
   m.poses()[0].pose = whole(turned_cube(90), poses);
-  m.document.timeline.keys = {{1, m.poses()[0].pose}};
+  m.document.timeline.keys = m.document.timeline.unkeyed = {{1, m.poses()[0].pose}};
   m.document.selection = Selection(ElementKind::probe);
   m.document.selection.apply(std::vector<std::uint32_t>{1}, SelectMode::replace);
   remove_probes(m.document);
-  for (const SharedPose& pose : {m.poses()[0].pose, m.document.timeline.keys[0].pose}) {
+  for (const SharedPose& pose :
+       {m.poses()[0].pose, m.document.timeline.keys[0].pose, m.document.timeline.unkeyed[0].pose}) {
     REQUIRE(pose->probes.size() == 2);
     CHECK(pose->probes[1].move == mesh::Vec3{2, 0, 0});
   }
@@ -305,6 +306,7 @@ TEST_CASE("a_removed_probe_is_gone_from_every_pose_and_key_and_comes_back_with_u
 TEST_CASE("an_edited_cage_takes_its_poses_and_keys_along") {
   Mixed m;
   m.document.timeline = test::three_keys();
+  m.document.timeline.unkeyed = {test::key(9, turned_cube(-30))};
   const Document start = m.document;
   m.weigh(1, 0.5);
   begin_cage_editing(m.document);
@@ -314,7 +316,8 @@ TEST_CASE("an_edited_cage_takes_its_poses_and_keys_along") {
   REQUIRE(count > 8);
   CHECK_FALSE(m.document.library.mixes());
   for (const NamedPose& named : m.poses()) CHECK(named.pose->cage.positions.size() == count);
-  for (const PoseKey& key : m.document.timeline.keys) CHECK(key.pose->cage.positions.size() == count);
+  for (const auto* keys : {&m.document.timeline.keys, &m.document.timeline.unkeyed})
+    for (const PoseKey& key : *keys) CHECK(key.pose->cage.positions.size() == count);
   CHECK(m.weigh(0, 0.5));
   CHECK(test::distance(m.positions(), start.pose.positions) > 1);
   m.check_undone(start);
@@ -325,6 +328,7 @@ TEST_CASE("poses_of_a_cage_that_is_replaced_are_gone_and_counted") {
   CHECK(drop_poses(m.document, *m.document.cage) == "2 poses");
   CHECK(drop_poses(m.document, *m.document.cage).empty());
   test::add_two_poses(m.document);
-  m.document.timeline.keys = {test::key(1, turned_cube(0))};
+  m.document.timeline.keys = m.document.timeline.unkeyed = {test::key(1, turned_cube(0))};
   CHECK(drop_poses(m.document, *m.document.cage) == "2 poses and 1 key");
+  CHECK(m.document.timeline.unkeyed.empty());
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mesh/triangulation.h"
+#include "mesh/shapes.h"
 #include "scene/cube.h"
 #include "scene/pictures/picture_view.h"
 
@@ -26,18 +26,6 @@ deform::Pose scaled(const deform::Cage& cage, double factor) {
   for (auto& p : pose.positions)
     for (double& x : p) x *= factor;
   return pose;
-}
-
-const mesh::Surface& unit_cube() {
-  static const mesh::Surface cube = [] {
-    mesh::Surface s;
-    s.positions = test::cube(1).positions;
-    s.corners = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
-    s.polygon_starts = {0, 4, 8, 12, 16, 20, 24};
-    mesh::triangulate(s);
-    return s;
-  }();
-  return cube;
 }
 
 PictureView view_of(const mesh::Surface& surface, scene::PictureAngles angles = {}) {
@@ -81,9 +69,10 @@ TEST_CASE("a_picture_is_kept_while_its_pose_is_in_use") {
 }
 
 TEST_CASE("a_view_fills_its_frame_and_keeps_lengths") {
-  CHECK(view_of(unit_cube()).at({0, 0, 0}) == glm::vec2(100, 50));
-  CHECK(view_of(unit_cube()).at({1, 1, 0}) == glm::vec2(140, 10));  // limited by the height
-  const PictureView view = view_of(unit_cube(), {-30, 25});
+  const mesh::Surface cube = test::cube();
+  CHECK(view_of(cube).at({0, 0, 0}) == glm::vec2(100, 50));
+  CHECK(view_of(cube).at({1, 1, 0}) == glm::vec2(140, 10));  // limited by the height
+  const PictureView view = view_of(cube, {-30, 25});
   for (const mesh::Vec3& p : {mesh::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, -0.2, 0.7}})
     CHECK(mesh::norm(view.seen(p)) == doctest::Approx(mesh::norm(p)));
   CHECK(view.seen({0, 1, 0})[2] > 0);  // from above
@@ -91,7 +80,7 @@ TEST_CASE("a_view_fills_its_frame_and_keeps_lengths") {
 }
 
 TEST_CASE("areas_are_clockwise_and_lit_by_where_they_face") {
-  const mesh::Surface& cube = unit_cube();
+  const mesh::Surface cube = test::cube();
   const auto shapes = scene::lit_model(view_of(cube, {-30, 25}), cube, cube.positions);
   REQUIRE(shapes.size() == 3);
   for (const auto& s : shapes) {

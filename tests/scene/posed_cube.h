@@ -7,6 +7,7 @@
 #include "scene/cube.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
+#include "support/distance.h"
 
 namespace viete::test {
 
@@ -52,10 +53,7 @@ inline void add_two_poses(scene::Document& document) {
 
 /// The largest distance between vertices, in cage diagonals.
 inline double distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
-  double largest = a.size() == b.size() ? 0 : 1e300;
-  for (std::size_t v = 0; v < a.size() && v < b.size(); ++v)
-    largest = std::max(largest, mesh::norm(a[v] - b[v]));
-  return largest / (3 * std::sqrt(3.0));
+  return largest_distance(a, b) / (3 * std::sqrt(3.0));
 }
 
 }  // namespace viete::test

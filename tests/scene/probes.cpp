@@ -256,14 +256,6 @@ TEST_CASE("removing_the_last_probe_is_an_unsaved_edit") {
   CHECK_FALSE(has_unsaved_edits(p.w));
   CHECK(test::run_command(p.w, "remove_probe"));
   CHECK(has_unsaved_edits(p.w));
-  // Recovered work is in none of the user's files.
-  test::put_file(p.files / "kept.viete", session_text(session_of(p.w), p.files / "kept.viete", false));
-  Workspace back;
-  REQUIRE(open_now(back, {OpenRequest::What::recovery, {p.files / "kept.viete"}}));
-  CHECK(back.document.probes.empty());
-  CHECK(has_unsaved_edits(back));
-  REQUIRE(save_session(back, p.files / "b.viete"));
-  CHECK_FALSE(has_unsaved_edits(back));
 }
 
 TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
@@ -290,31 +282,29 @@ TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
   CHECK_FALSE(test::run_command(p.w, "select_all"));  // without a cage
 }
 
-TEST_CASE("probes_come_back_from_a_session_to_the_last_bit") {
+TEST_CASE("probes_and_mask_are_unsaved_until_their_session_is_and_stay_with_another_cage_only") {
   for (const bool cage : {true, false}) {
     Probed p(cage);
-    p.add({0.3, 1.0 / 3, -0.7});
-    p.add({0, 0, 1});
-    CHECK(has_unsaved_edits(p.w));
-    p.probe().turn = {Falloff::sharp, 0.123};
-    p.probe().stretch = {Falloff::none, 1};
-    p.probe().pose = {{9, 1.0 / 7, -3}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, {1e-3, 2, 3}};
-    p.probe(1).locked = true;
-    p.document().probes.mix = deform::ProbeMix::softmax;
-    p.select({1});
-    REQUIRE(save_session(p.w, p.files / "a.viete"));
-    CHECK_FALSE(has_unsaved_edits(p.w));
+    const auto change = [&](auto act) {
+      CHECK_FALSE(has_unsaved_edits(p.w));
+      act();
+      CHECK(has_unsaved_edits(p.w));
+      REQUIRE(save_session(p.w, p.files / "a.viete"));
+    };
+    change([&] { p.add({0.3, 1.0 / 3, -0.7}); });
+    change([&] { set_mask(p.document(), inverted(p.document()), "invert mask"); });
     Workspace back = test::opened({p.files / "a.viete"});
-    CHECK(back.document.probes == p.document().probes);
-    CHECK(back.document.selection == p.document().selection);
+    const auto is_kept = [&] {
+      return back.document.probes == p.document().probes && same_mask(back.document.mask, p.document().mask);
+    };
+    CHECK(is_kept());
     CHECK_FALSE(has_unsaved_edits(back));
-    CHECK(back.messages.all().empty());
-    // Another cage keeps them, unsaved; another model has none.
     REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
-    CHECK(back.document.probes == p.document().probes);
-    CHECK(has_unsaved_edits(back));
+    CHECK(is_kept());
+    CHECK(has_unsaved_edits(back));  // no file contains them together with this cage
     REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
     CHECK(back.document.probes.empty());
+    CHECK_FALSE(back.document.mask);
     CHECK_FALSE(has_unsaved_edits(back));
   }
 }

@@ -48,15 +48,7 @@ struct ShapeFiles : test::TemporaryFolder {
     return test::problem_of([&] { read(name); });
   }
   void write_cache(const std::string& name, const std::vector<Points>& frames) const {
-    mesh::PointCacheHead head{*mesh::point_cache_format(name), frames.front().size(), frames.size(), 1, 1};
-    for (std::size_t i = 0; i < frames.size(); ++i) head.seconds.push_back(static_cast<float>(i));
-    std::vector<float> numbers;
-    mesh::write_point_cache(*this / name, head, [&](std::size_t i) {
-      numbers.clear();
-      for (const mesh::Point& p : frames[i])
-        for (const double x : p) numbers.push_back(static_cast<float>(x));
-      return std::span<const float>(numbers);
-    });
+    test::write_cache(*this / name, frames);
   }
 };
 

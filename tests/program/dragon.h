@@ -1,0 +1,13 @@
+// The bundled model in files.
+#pragma once
+
+#include "support/data.h"
+
+namespace viete::test {
+
+/// The bundled model, and a version with 3,000 vertices for tests without reference pictures.
+inline const std::filesystem::path bundled_dragon = assets_dir() / "dragon" / "dragon.ply",
+                                   dragon = source_dir() / "tests" / "program" / "dragon.ply",
+                                   dragon_cage = assets_dir() / "dragon" / "cage.obj";
+
+}  // namespace viete::test

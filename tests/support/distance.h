@@ -1,0 +1,22 @@
+// How far apart two lists of places are.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/vector.h"
+
+namespace viete::test {
+
+/// NaN stays; lists of different sizes are infinitely far apart.
+inline double largest_distance(std::span<const base::Vec3> a, std::span<const base::Vec3> b) {
+  double largest = a.size() == b.size() ? 0 : HUGE_VAL;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const double d = norm(a[i] - b[i]);
+    largest = d <= largest ? largest : d;
+  }
+  return largest;
+}
+
+}  // namespace viete::test
