@@ -6,7 +6,7 @@
 #include "deform/bound.h"
 #include "deform/independent.h"
 #include "deform/patch_maps.h"
-#include "support/longer.h"
+#include "support/skip.h"
 
 using namespace viete;
 using namespace viete::test;

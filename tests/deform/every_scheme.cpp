@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
-#include "support/longer.h"
+#include "support/skip.h"
 
 using namespace viete;
 using namespace viete::test;

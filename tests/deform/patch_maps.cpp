@@ -99,21 +99,3 @@ TEST_CASE("patches_are_one_ring_on_round_cages_and_grow_on_flat_sides") {
   for (std::size_t v = 0; v < far.surface.positions.size(); ++v)
     CHECK(patches.members(v).size() <= 256 + 800);
 }
-
-TEST_CASE("dragging_a_vertex_updates_its_patches_with_the_bits_of_a_full_frame") {
-  const auto cage = std::make_shared<const Cage>(make_cage(tube(12, 8, 0.5, 3)));
-  CageState dragged(cage, Elements::point, RowForm::maps);
-  Pose pose = rest_pose(*cage);
-  dragged.set_pose(pose);
-  const std::uint32_t vertex[] = {40};
-  dragged.begin_drag(vertex);
-  CHECK(dragged.moving().size() > 6);
-  CHECK(dragged.moving().size() < pose.positions.size() / 3);
-  for (int step = 1; step <= 3; ++step) {
-    pose.positions[40][0] += 0.05;
-    dragged.set_pose(pose);
-  }
-  CageState whole(cage, Elements::point, RowForm::maps);
-  whole.set_pose(pose);
-  CHECK(std::ranges::equal(dragged.rows().values, whole.rows().values));
-}

@@ -149,17 +149,7 @@ TEST_CASE("a_flipped_triangle_rotates_no_others") {
 }
 
 TEST_CASE("flat_models_stay_flat_to_the_bit") {
-  mesh::Surface sheet;
-  const std::uint32_t n = 8;
-  for (std::uint32_t j = 0; j <= n; ++j)
-    for (std::uint32_t i = 0; i <= n; ++i) sheet.positions.push_back({double(i), double(j), 0.1});
-  std::vector<mesh::Triangle> triangles;
-  for (std::uint32_t j = 0; j < n; ++j)
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t a = j * (n + 1) + i, b = a + n + 1;
-      triangles.insert(triangles.end(), {{a, a + 1, b}, {a + 1, b + 1, b}});
-    }
-  Shapes s(mesh::from_triangles(sheet.positions, triangles));
+  Shapes s(mapped(grid(8), scaling(1, {0, 0, 0.1})));
   Points bent = s.rest.positions;
   for (auto& p : bent) {
     const double angle = 0.4 * p[0], r = 10 - p[1];
