@@ -248,15 +248,17 @@ TEST_CASE("models_without_triangles_are_refused_and_solving_can_be_cancelled") {
   CHECK_THROWS_WITH_AS(bind(points, cage, harmonics, pool), doctest::Contains("the model has no triangles"),
                        base::Error);
   CHECK_THROWS_AS(bind_tiles(points, cage, biharmonics, pool), base::Error);
-  base::Progress progress;
-  bind(wavy_sphere(8, 8), cage, harmonics, pool, &progress);
-  CHECK(progress.done() == 1);
-  bind_tiles(wavy_sphere(8, 8), cage, harmonics, pool, usual_tolerance, &progress);
-  CHECK(progress.done() == 1);
-  progress.cancel();
-  CHECK_THROWS_AS(bind(wavy_sphere(8, 8), cage, harmonics, pool, &progress), base::Cancelled);
-  CHECK_THROWS_AS(bind_tiles(wavy_sphere(8, 8), cage, harmonics, pool, usual_tolerance, &progress),
-                  base::Cancelled);
+  for (const auto& weighting : {harmonics, biharmonics}) {
+    base::Progress progress;
+    bind(wavy_sphere(8, 8), cage, weighting, pool, &progress);
+    CHECK(progress.done() == 1);
+    bind_tiles(wavy_sphere(8, 8), cage, weighting, pool, usual_tolerance, &progress);
+    CHECK(progress.done() == 1);
+    progress.cancel();
+    CHECK_THROWS_AS(bind(wavy_sphere(8, 8), cage, weighting, pool, &progress), base::Cancelled);
+    CHECK_THROWS_AS(bind_tiles(wavy_sphere(8, 8), cage, weighting, pool, usual_tolerance, &progress),
+                    base::Cancelled);
+  }
 }
 
 TEST_CASE("bound_rows_sum_to_1_to_the_last_bits_and_clamped_plates_are_not_negative") {
