@@ -9,13 +9,6 @@ using namespace viete::test;
 
 namespace {
 
-template <class Numbers>
-double difference(const Numbers& a, const Numbers& b) {
-  double d = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) d = std::max(d, std::abs(a[i] - b[i]));
-  return d;
-}
-
 using Matrix = viete::sym3::Mat3<double>;
 
 const Matrix unity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -61,7 +54,7 @@ TEST_CASE("a_similarity_is_reproduced_off_the_plane_too") {
   for (const double scale : {1e-3, 1.0, 1e3}) {
     const auto map = similarity({1, -1, 2}, 2.2, scale, {scale, 0, 0});
     for (const auto& m : maps_of(cage, mapped(cage.surface.positions, map))) {
-      CHECK(difference(m.linear, map.linear) < 1e-13 * scale);
+      CHECK(largest_difference(m.linear, map.linear) < 1e-13 * scale);
     }
   }
 }
@@ -73,7 +66,7 @@ TEST_CASE("orientation_of_an_element_does_not_change_its_map") {
   const auto posed = mapped(cage.surface.positions, shear());
   const auto a = maps_of(cage, posed), b = maps_of(turned, posed);
   for (std::size_t e = 0; e < a.size(); ++e) {
-    CHECK(difference(a[e].linear, b[e].linear) < 1e-14);
+    CHECK(largest_difference(a[e].linear, b[e].linear) < 1e-14);
   }
 }
 
@@ -113,9 +106,9 @@ TEST_CASE("splits_in_vector_code_agree_with_singular_values") {
   split_maps(all, first(all.size()), splits);
   for (std::size_t e = 0; e < all.size(); ++e) {
     const Polar expected = polar(all[e].linear);
-    CHECK(difference(splits[e].rotation, expected.rotation) < 1e-14);
-    CHECK(difference(six(splits[e].stretch), six(log_stretch(expected))) < 1e-14);
-    CHECK(difference(splits[e].turn, Vec3(viete::sym3::log_rotation(expected.rotation))) < 1e-12);
+    CHECK(largest_difference(splits[e].rotation, expected.rotation) < 1e-14);
+    CHECK(largest_difference(six(splits[e].stretch), six(log_stretch(expected))) < 1e-14);
+    CHECK(largest_difference(splits[e].turn, Vec3(viete::sym3::log_rotation(expected.rotation))) < 1e-12);
     CHECK(splits[e].least == doctest::Approx(expected.stretches[2]));
     CHECK(splits[e].largest == doctest::Approx(expected.stretches[0]));
   }
@@ -301,8 +294,8 @@ TEST_CASE("rotation_times_stretch_is_the_matrix") {
     for (double& x : m) x = random(-1, 1);
     if (determinant(m) < 0) m = times(m, diagonal({1, 1, -1}));
     const Polar p = polar(m);
-    CHECK(difference(times(p.rotation, stretch(p)), m) < 5e-15);
-    CHECK(difference(times(p.rotation, transposed(p.rotation)), unity) < 5e-15);
+    CHECK(largest_difference(times(p.rotation, stretch(p)), m) < 5e-15);
+    CHECK(largest_difference(times(p.rotation, transposed(p.rotation)), unity) < 5e-15);
     CHECK(determinant(p.rotation) == doctest::Approx(1));
   }
 }
@@ -311,7 +304,7 @@ TEST_CASE("a_similarity_has_its_rotation_and_an_isotropic_log_at_any_scale") {
   for (const double s : {1e-30, 1e-3, 1.0, 1e3, 1e30}) {
     const auto map = similarity({1, 2, 3}, 2.5, s);
     const Polar p = polar(map.linear);
-    CHECK(difference(p.rotation, similarity({1, 2, 3}, 2.5).linear) < 3e-15);
+    CHECK(largest_difference(p.rotation, similarity({1, 2, 3}, 2.5).linear) < 3e-15);
     const auto x = log_stretch(p);
     CHECK(x.xx == doctest::Approx(std::log(s)).epsilon(1e-14));
     CHECK(x.zz == doctest::Approx(std::log(s)).epsilon(1e-14));
@@ -332,10 +325,10 @@ TEST_CASE("singular_and_mirroring_matrices_have_a_proper_rotation") {
   for (const Matrix& m : {diagonal({1, 0, 0}), diagonal({1, 1, 0}), Matrix{1, 2, 3, 2, 4, 6, 3, 6, 9}}) {
     const Polar p = polar(m);
     CHECK(determinant(p.rotation) == doctest::Approx(1));
-    CHECK(difference(times(p.rotation, stretch(p)), m) < 1e-13);
+    CHECK(largest_difference(times(p.rotation, stretch(p)), m) < 1e-13);
   }
   for (const Vec3& d : {Vec3{0, 0, 0}, Vec3{1, 1, 1}}) CHECK(polar(diagonal(d)).rotation == unity);
   CHECK(log_stretch(polar(unity)) == viete::sym3::Sym3<double>{});
-  CHECK(difference(polar(diagonal({3, 2, -1})).rotation, unity) < 1e-15);
+  CHECK(largest_difference(polar(diagonal({3, 2, -1})).rotation, unity) < 1e-15);
   CHECK(determinant(polar(diagonal({-1, -2, -3})).rotation) == doctest::Approx(1));
 }

@@ -50,15 +50,6 @@ std::span<const double> weights_of(const Binding& b, std::size_t vertex) {
   return std::span(b.weights).subspan(vertex * b.handles, b.handles);
 }
 
-double largest_difference(std::span<const double> a, std::span<const double> b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = std::abs(a[i] - b[i]);
-    largest = d <= largest ? largest : d;  // keeps NaN
-  }
-  return largest;
-}
-
 double total_of(std::span<const double> numbers) {
   double sum = 0;
   for (const double x : numbers) sum += x;

@@ -166,6 +166,15 @@ inline double largest_distance(std::span<const mesh::Point> a, std::span<const m
   return largest;
 }
 
+inline double largest_difference(std::span<const double> a, std::span<const double> b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = std::abs(a[i] - b[i]);
+    largest = d <= largest ? largest : d;  // keeps NaN
+  }
+  return largest;
+}
+
 /// The largest ratio of a triangle edge's length to its length at rest; tears increase it.
 inline double largest_edge_stretch(const mesh::Surface& rest, std::span<const mesh::Point> posed) {
   double largest = 0;

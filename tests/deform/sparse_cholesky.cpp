@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 #include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <numeric>
 
 #include "base/error.h"
@@ -161,7 +161,7 @@ Columns as_eigen_columns(std::span<const Vec3> rows) {
 
 }  // namespace
 
-TEST_CASE("three_columns_at_once_equal_single_solutions_of_eigen") {
+TEST_CASE("three_columns_are_solved_at_once_and_in_place") {
   base::WorkerPool pool(1);
   for (const double firmness : {1.0, 1e-3}) {
     const SparseMatrix k = firm_laplacian(tube(40, 31, 0.7, 5), firmness, 7);
@@ -171,12 +171,7 @@ TEST_CASE("three_columns_at_once_equal_single_solutions_of_eigen") {
     SparseCholesky::Workspace work;
     factors.solve(b, x, work);
     const EigensSparse matrix = eigens(k);
-    const Eigen::SimplicialLDLT<EigensSparse> eigen(matrix);
     const Columns right = as_eigen_columns(b), ours = as_eigen_columns(x);
-    for (int c = 0; c < 3; ++c) {
-      const Eigen::VectorXd theirs = eigen.solve(right.col(c));
-      CHECK((ours.col(c) - theirs).norm() < 1e-12 / firmness * theirs.norm());
-    }
     CHECK((matrix * ours - right).norm() < 1e-12 / firmness * right.norm());
     std::vector<Vec3> in_place = b;
     factors.solve(in_place, in_place, work);

@@ -152,14 +152,10 @@ TEST_CASE("log_and_roots_by_jacobi_keep_their_bounds_up_to_condition_1e15") {
 }
 
 TEST_CASE("log_by_jacobi_is_relatively_exact_near_the_identity") {
+  Random random(52);
   for (int digits = 1; digits <= 15; ++digits) {
-    Random random(52);
-    for (int i = 0; i < 50; ++i) {
-      const double size = std::pow(10.0, -digits);
-      Sym3<double> s = with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random);
-      s.xx += 1, s.yy += 1, s.zz += 1;
+    for (const auto& s : near_identity(std::pow(10.0, -digits), 50, random))
       CHECK(error_in_u(by(sym3::log_by_jacobi, s), quad_log(to_quad(s))) <= bound<double>);
-    }
   }
 }
 
