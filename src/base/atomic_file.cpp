@@ -68,8 +68,13 @@ void remove_if_left(const fs::path& part) {
   close(handle);
 }
 
-// Removes stale parts of one target, or of all for an empty name. A process in another container, or on
-// another machine that shares the folder, is not in our process list, but its part is locked.
+// Permission bits kept from an existing file: setuid and setgid programs lose these bits with their content.
+constexpr mode_t kept_mode = 0777;
+
+}  // namespace
+
+// A process in another container, or on another machine that shares the folder, is not in our process list,
+// but its part is locked.
 void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::vector<fs::path> stale;
   std::error_code code;  // an unreadable folder has none
@@ -83,15 +88,9 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::ranges::for_each(stale, remove_if_left);
 }
 
-// Permission bits kept from an existing file: setuid and setgid programs lose these bits with their content.
-constexpr mode_t kept_mode = 0777;
-
-}  // namespace
-
 // Removes the new file unless it was renamed.
-class NewFile {
-public:
-  explicit NewFile(const fs::path& target) : target_(target) {
+struct FilesTogether::File {
+  explicit File(const fs::path& target) : target_(target) {
     remove_stale_parts(target.parent_path(), target.filename().string());
     struct stat existing {};
     const mode_t mode = stat(target.c_str(), &existing) == 0 ? existing.st_mode & kept_mode : 0666;
@@ -104,10 +103,10 @@ public:
     flock(handle_, LOCK_EX | LOCK_NB);  // marks it as in use, if the file system supports locks
   }
 
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
 
-  ~NewFile() {
+  ~File() {
     if (handle_ >= 0) close(handle_);
     if (!path_.empty()) unlink(path_.c_str());
   }
@@ -139,8 +138,6 @@ public:
     path_.clear();
   }
 
-  const fs::path& target() const { return target_; }
-  const std::string& path() const { return path_; }
   fs::path folder() const { return target_.parent_path(); }
 
 private:
@@ -203,13 +200,8 @@ fs::path unused_name(const fs::path& path, const std::function<bool(const fs::pa
   return name;
 }
 
-void remove_stale_parts(const fs::path& folder) {
-  remove_stale_parts(folder, "");
-}
-
 void remove_leftovers_beside(const fs::path& path) {
-  const fs::path target = target_of(path), folder = target.parent_path();
-  remove_stale_parts(folder);
+  remove_stale_parts(target_of(path).parent_path());
 }
 
 void check_replaceable(const fs::path& path) {
@@ -220,7 +212,7 @@ void check_replaceable(const fs::path& path) {
                 "this file has " + std::to_string(existing.st_nlink) +
                     " names (hard links), which replacing it would separate",
                 "choose another name, or remove this one first");
-  NewFile probe(target);  // removed again; never renamed to the target
+  FilesTogether::File probe(target);  // removed again; never renamed to the target
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {
@@ -234,10 +226,6 @@ void replace_file(const fs::path& path, const std::function<void(const ByteSink&
   files.put(path, produce);
   files.replace();
 }
-
-struct FilesTogether::File : NewFile {
-  using NewFile::NewFile;
-};
 
 FilesTogether::FilesTogether(Durability durability) : durability_(durability) {}
 

@@ -48,8 +48,9 @@ public:
   void put(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce);
   void replace();
 
-private:
   struct File;
+
+private:
   std::vector<std::unique_ptr<File>> files_;
   Durability durability_;
 };
@@ -68,8 +69,8 @@ std::filesystem::path unused_name(
 /// Removes parts that killed programs left in the folder of this file; see remove_stale_parts().
 void remove_leftovers_beside(const std::filesystem::path& path);
 
-/// Removes all parts that killed programs left in a folder of our own. Keeps parts of running programs and
-/// other users, and other names. A missing folder counts as empty. Thread-safe.
-void remove_stale_parts(const std::filesystem::path& folder);
+/// Removes the parts that killed programs left in a folder of our own: those of one file, or all. Keeps parts
+/// of running programs and other users, and other names. A missing folder counts as empty. Thread-safe.
+void remove_stale_parts(const std::filesystem::path& folder, const std::string& file = "");
 
 }  // namespace viete::base

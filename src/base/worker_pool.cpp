@@ -28,15 +28,10 @@ struct WorkerPool::State {
   std::size_t count = 0, block = 1;
   const std::function<void(std::size_t, std::size_t)>* body = nullptr;
 
-  // Returns the processor time it took.
+  // Thread t of n takes a contiguous run of blocks, so that adjacent memory stays on one core. Returns the
+  // processor time it took.
   double work(std::size_t t, std::size_t n) {
     const double begun = thread_seconds();
-    work_on_blocks(t, n);
-    return thread_seconds() - begun;
-  }
-
-  // Thread t of n takes a contiguous run of blocks, so that adjacent memory stays on one core.
-  void work_on_blocks(std::size_t t, std::size_t n) {
     const std::size_t blocks = (count + block - 1) / block;
     try {
       for (std::size_t b = blocks * t / n; b < blocks * (t + 1) / n; ++b) {
@@ -46,6 +41,7 @@ struct WorkerPool::State {
       const std::lock_guard lock(mutex);
       if (!error) error = std::current_exception();
     }
+    return thread_seconds() - begun;
   }
 
   void serve(std::size_t index) {

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t block = 8;  // nodes along a side of a block
 
-using Index3 = std::array<std::size_t, 3>;
-
 // The distance to the model and its mirror image.
 class Distances {
 public:
@@ -73,14 +71,12 @@ private:
   }
 
   void fill(const Index3& low, std::size_t size, const Point& middle, double to_middle) {
-    for (std::size_t k = low[2]; k < std::min(low[2] + size, grid_.size[2]); ++k) {
-      for (std::size_t j = low[1]; j < std::min(low[1] + size, grid_.size[1]); ++j) {
-        for (std::size_t i = low[0]; i < std::min(low[0] + size, grid_.size[0]); ++i) {
-          const double away = mesh::norm(grid_.place(i, j, k) - middle);
-          values_[grid_.index(i, j, k)] = static_cast<float>(to_middle - away);
-        }
-      }
-    }
+    Index3 last;
+    for (std::size_t k = 0; k < 3; ++k) last[k] = std::min(low[k] + size, grid_.size[k]) - 1;
+    for_box(low, last, [&](std::size_t i, std::size_t j, std::size_t k) {
+      const double away = mesh::norm(grid_.place(i, j, k) - middle);
+      values_[grid_.index(i, j, k)] = static_cast<float>(to_middle - away);
+    });
   }
 
   const Obstacle& model_;
@@ -307,14 +303,10 @@ Clearance with_balls(const Clearance& clearance, std::span<const Point> centers,
       low[k] = node(p[k] - radius - most);
       high[k] = node(p[k] + radius + most);
     }
-    for (std::size_t k = low[2]; k <= high[2]; ++k) {
-      for (std::size_t j = low[1]; j <= high[1]; ++j) {
-        for (std::size_t i = low[0]; i <= high[0]; ++i) {
-          float& value = values[grid.index(i, j, k)];
-          value = std::min(value, static_cast<float>(mesh::norm(grid.place(i, j, k) - p) - radius));
-        }
-      }
-    }
+    for_box(low, high, [&](std::size_t i, std::size_t j, std::size_t k) {
+      float& value = values[grid.index(i, j, k)];
+      value = std::min(value, static_cast<float>(mesh::norm(grid.place(i, j, k) - p) - radius));
+    });
   }
   return {grid, std::move(values)};
 }

@@ -16,11 +16,23 @@ namespace viete::cages {
 
 using mesh::Point, mesh::Vec3;
 
+using Index3 = std::array<std::size_t, 3>;
+
+/// Calls visit(i, j, k) from low to high, including both.
+template <class Visit>
+void for_box(const Index3& low, const Index3& high, Visit&& visit) {
+  for (std::size_t k = low[2]; k <= high[2]; ++k) {
+    for (std::size_t j = low[1]; j <= high[1]; ++j) {
+      for (std::size_t i = low[0]; i <= high[0]; ++i) visit(i, j, k);
+    }
+  }
+}
+
 /// Nodes of a regular grid. With `mirrored`, nodes i = 0 lie in x = 0 and only x >= 0 is covered.
 struct Grid {
   Point origin{};
   double step = 1;
-  std::array<std::size_t, 3> size{};  ///< nodes along each axis
+  Index3 size{};  ///< nodes along each axis
   bool mirrored = false;
 
   std::size_t node_count() const { return size[0] * size[1] * size[2]; }
@@ -30,7 +42,7 @@ struct Grid {
   Point place(std::size_t i, std::size_t j, std::size_t k) const {
     return origin + step * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
   }
-  std::array<std::size_t, 3> node(std::size_t index) const {
+  Index3 node(std::size_t index) const {
     return {index % size[0], index / size[0] % size[1], index / size[0] / size[1]};
   }
   Point place(std::size_t index) const {

@@ -96,11 +96,8 @@ public:
         vertices_(3 * grid_.node_count(), unmade) {}
 
   Shell run() {
-    for (std::size_t k = 0; k + 1 < grid_.size[2]; ++k) {
-      for (std::size_t j = 0; j + 1 < grid_.size[1]; ++j) {
-        for (std::size_t i = 0; i + 1 < grid_.size[0]; ++i) cell(i, j, k);
-      }
-    }
+    for_box({0, 0, 0}, {grid_.size[0] - 2, grid_.size[1] - 2, grid_.size[2] - 2},
+            [this](std::size_t i, std::size_t j, std::size_t k) { cell(i, j, k); });
     return std::move(shell_);
   }
 

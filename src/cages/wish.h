@@ -48,28 +48,25 @@ struct Entry {
   Value value;
   std::string_view name, sentence;
 };
-inline constexpr Entry<Kind> kinds[] = {
-    {Kind::automatic, "automatic", "encloses the model with the given number of triangles"},
-    {Kind::box, "box", "box of quads, divided into cells"},
-};
-inline constexpr Entry<Symmetry> symmetries[] = {
-    {Symmetry::automatic, "auto", "the model's plane of symmetry, if any"},
-    {Symmetry::none, "none", "no plane"},
-    {Symmetry::x, "x", "across x through the centre of the model's box"},
-    {Symmetry::y, "y", "across y"},
-    {Symmetry::z, "z", "across z"},
-};
 inline std::span<const Entry<Kind>> all_kinds() {
+  static constexpr Entry<Kind> kinds[] = {
+      {Kind::automatic, "automatic", "encloses the model with the given number of triangles"},
+      {Kind::box, "box", "box of quads, divided into cells"},
+  };
   return kinds;
 }
 inline std::span<const Entry<Symmetry>> all_symmetries() {
+  static constexpr Entry<Symmetry> symmetries[] = {
+      {Symmetry::automatic, "auto", "the model's plane of symmetry, if any"},
+      {Symmetry::none, "none", "no plane"},
+      {Symmetry::x, "x", "across x through the centre of the model's box"},
+      {Symmetry::y, "y", "across y"},
+      {Symmetry::z, "z", "across z"},
+  };
   return symmetries;
 }
 inline const Entry<Kind>& entry(Kind kind) {
-  return kinds[static_cast<std::size_t>(kind)];
-}
-inline const Entry<Symmetry>& entry(Symmetry symmetry) {
-  return symmetries[static_cast<std::size_t>(symmetry)];
+  return all_kinds()[static_cast<std::size_t>(kind)];
 }
 
 struct Made {

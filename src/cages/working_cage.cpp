@@ -230,7 +230,7 @@ bool WorkingCage::cross(const Candidate& s, const Candidate& t) {
 template <class Visit>
 void WorkingCage::for_cells(const mesh::Bounds& box, Visit&& visit) const {
   const Grid& grid = clearance_.grid();
-  std::array<std::size_t, 3> low, high;
+  Index3 low, high;
   for (std::size_t k = 0; k < 3; ++k) {
     const double scale = cells_along / (grid.step * static_cast<double>(grid.size[k]));
     const auto cell = [&](double x) {
@@ -240,11 +240,9 @@ void WorkingCage::for_cells(const mesh::Bounds& box, Visit&& visit) const {
     low[k] = cell(box.low[k]);
     high[k] = cell(box.high[k]);
   }
-  for (std::size_t k = low[2]; k <= high[2]; ++k) {
-    for (std::size_t j = low[1]; j <= high[1]; ++j) {
-      for (std::size_t i = low[0]; i <= high[0]; ++i) visit((k * cells_along + j) * cells_along + i);
-    }
-  }
+  for_box(low, high, [&](std::size_t i, std::size_t j, std::size_t k) {
+    visit((k * cells_along + j) * cells_along + i);
+  });
 }
 
 void WorkingCage::place(FaceId f) {

@@ -55,7 +55,6 @@ public:
   const Point& at(std::uint32_t v) const { return positions_[v]; }
   bool mirrored() const { return clearance_.grid().mirrored; }
   double step() const { return clearance_.grid().step; }
-  double margin() const { return margin_; }
   std::size_t vertex_slots() const { return positions_.size(); }
   std::size_t face_count() const { return faces_; }
 

@@ -112,18 +112,6 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs) {
-  std::vector<Vec3> sums(cage.roots.size() + 1, {0, 0, 0});
-  std::vector<std::size_t> counts(cage.roots.size() + 1);
-  for (std::size_t e = 0; e < logs.size(); ++e) {
-    sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
-    ++counts[cage.parts[e]];
-  }
-  sums.pop_back();  // elements without area
-  for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
-  return sums;
-}
-
 // True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, regardless of
 // rounding.
 bool stays(const Vec3& v, const Vec3& reference) {
@@ -148,6 +136,18 @@ bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::
 }
 
 }  // namespace
+
+std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs) {
+  std::vector<Vec3> sums(cage.roots.size() + 1, {0, 0, 0});
+  std::vector<std::size_t> counts(cage.roots.size() + 1);
+  for (std::size_t e = 0; e < logs.size(); ++e) {
+    sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
+    ++counts[cage.parts[e]];
+  }
+  sums.pop_back();  // elements without area
+  for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
+  return sums;
+}
 
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);

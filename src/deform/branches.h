@@ -25,6 +25,9 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges,
                                         std::span<const sym3::Mat3<double>> rotations);
 
+/// The mean log of each part of the cage.
+std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs);
+
 /// Number of whole turns by which the rotation vector `turn` exceeds `least`, the shortest rotation vector of
 /// the same pose.
 double whole_turns(const Vec3& turn, const Vec3& least);

@@ -62,10 +62,6 @@ struct Cage {
   std::size_t element_count() const { return centers.size(); }
 };
 
-/// Mean of the polygon's corners.
-Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
-                    std::span<const mesh::Point> positions);
-
 /// Throws base::Error if the surface has no triangle with area, is closed but squashed flat, or has a fin (an
 /// edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
 Cage make_cage(mesh::Surface surface);

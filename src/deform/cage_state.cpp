@@ -55,12 +55,6 @@ void write_moment_row(const AffineMap& map, const Vec3& rest_center, double leng
   std::ranges::copy(map.center, row.begin() + 12);
 }
 
-std::vector<std::uint32_t> first_numbers(std::size_t count) {
-  std::vector<std::uint32_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0u);
-  return numbers;
-}
-
 MapLog scaled(const MapLog& log, const Amounts& amounts) {
   const auto& x = log.stretch;
   const double s = amounts.stretch;
@@ -74,13 +68,19 @@ AffineMap map_of(const MapLog& log) {
 
 }  // namespace
 
-void check_pose(const Cage& cage, const Pose& pose) {
+void check_pose(const Cage& cage, std::size_t vertices, const std::string& place) {
   const std::size_t expected = cage.surface.positions.size();
-  if (pose.positions.size() == expected) return;
-  throw base::Error("",
-                    "the pose has " + std::to_string(pose.positions.size()) + " vertices, the cage has " +
-                        std::to_string(expected),
-                    "use a pose of this cage");
+  if (vertices == expected) return;
+  throw base::Error(
+      place,
+      "the pose has " + std::to_string(vertices) + " vertices, the cage has " + std::to_string(expected),
+      "choose a pose of this cage");
+}
+
+std::vector<std::uint32_t> first_numbers(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  return numbers;
 }
 
 RowForm row_form(Elements elements, Blend blend) {
@@ -167,7 +167,7 @@ void CageState::end_drag() {
 }
 
 void CageState::set_pose(const Pose& pose) {
-  check_pose(*cage_, pose);
+  check_pose(*cage_, pose.positions.size());
   times_ = {};
   const bool few = posed_ && !moving_.empty();
   const auto& rest = cage_->surface.positions;

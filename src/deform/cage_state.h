@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,11 @@
 
 namespace viete::deform {
 
-/// Throws base::Error unless the pose has one position per cage vertex.
-void check_pose(const Cage& cage, const Pose& pose);
+/// Throws base::Error about a pose from `place` unless it has one position per cage vertex.
+void check_pose(const Cage& cage, std::size_t vertices, const std::string& place = "");
+
+/// 0, 1, ... count - 1.
+std::vector<std::uint32_t> first_numbers(std::size_t count);
 
 /// The row form for these elements and this blend.
 RowForm row_form(Elements elements, Blend blend);

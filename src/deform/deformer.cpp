@@ -8,6 +8,20 @@
 
 namespace viete::deform {
 
+namespace {
+
+template <class Indices>
+std::vector<Vec3> positions_at(std::span<const FrameVertex> vertices, const Indices& indices) {
+  std::vector<Vec3> some;
+  for (const auto i : indices) {
+    const auto& p = vertices[i].position;
+    some.push_back({p[0], p[1], p[2]});
+  }
+  return some;
+}
+
+}  // namespace
+
 Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding,
                    const Scheme& scheme, base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching)
     : cage_(cage),
@@ -99,12 +113,7 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
 
 // Engines skip the layer while no probe moves, so that probes are carried here.
 void Deformer::carry_probes() {
-  std::vector<Vec3> anchors;
-  for (const auto v : layer_.anchors()) {
-    const auto& p = vertices()[v].position;
-    anchors.push_back({p[0], p[1], p[2]});
-  }
-  layer_.carry(anchors, origin());
+  layer_.carry(positions_at(vertices(), layer_.anchors()), origin());
 }
 
 std::span<const FrameVertex> Deformer::vertices() const {
@@ -150,12 +159,7 @@ double Deformer::sampled_error() const {
     return deform::sampled_error(weigher_, *binding_, mask_, shown_ways_, state_.rows(), layer, shown);
   };
   if (ran_ == EngineKind::stitched) return measured(nullptr, stitched_->blended(sample));
-  std::vector<Vec3> shown;
-  for (const auto v : sample) {
-    const auto& p = vertices()[v].position;
-    shown.push_back({p[0], p[1], p[2]});
-  }
-  return measured(&layer_, shown);
+  return measured(&layer_, positions_at(vertices(), sample));
 }
 
 }  // namespace viete::deform

@@ -183,13 +183,9 @@ private:
     for (std::size_t s = 0; s < around.size(); ++s) {
       const std::size_t n = (s + 1) % around.size();
       if (sides_ == 1 && !around[s].forward) continue;
-      pair(half_edge(around[s], true), half_edge(around[n], false));
+      const std::uint32_t h = half_edge(around[s], true), g = half_edge(around[n], false);
+      twin_[h] = g, twin_[g] = h;
     }
-  }
-
-  void pair(std::uint32_t h, std::uint32_t g) {
-    twin_[h] = g;
-    twin_[g] = h;
   }
 
   // Lengths in units of the mean edge.

@@ -6,6 +6,7 @@
 
 #include "deform/maps.h"
 #include "sym3/polar.h"
+#include "sym3/small_matrices.h"
 
 namespace viete::deform {
 
@@ -71,17 +72,13 @@ Moments moments(std::span<const double> weights, const double* table, const Mean
   return sum;
 }
 
-double trace(const MomentMatrix& m) {
-  return m[0] + m[4] + m[8];
-}
-
 // M o.
 Vec3 fitted(RowForm form, const Moments& moments, const Vec3& o, double length) {
   if (form == RowForm::affine_moments) return times(moments.posed, solve(moments.rest, (1 / length) * o));
   const auto [rotation, stretch] = sym3::polar(moments.posed);
   const Vec3 turned = times(rotation, o);
   if (form == RowForm::rigid_moments) return turned;
-  return (stretch.xx + stretch.yy + stretch.zz) / (length * trace(moments.rest)) * turned;
+  return (stretch.xx + stretch.yy + stretch.zz) / (length * sym3::trace(moments.rest)) * turned;
 }
 
 }  // namespace
@@ -108,7 +105,7 @@ RestMoment rest_moment(const MomentMatrix& moments, const Vec3& sum, double weig
   MomentMatrix k = moments;
   const Vec3 off = shift + (1 / weight) * sum;  // m - p0
   add_moment(-1, off, sum, k);
-  return {solve(k, offset), unit / trace(k)};
+  return {solve(k, offset), unit / sym3::trace(k)};
 }
 
 }  // namespace viete::deform

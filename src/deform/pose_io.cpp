@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "deform/cage_state.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/read.h"
 #include "mesh/formats/source.h"
@@ -70,13 +71,6 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
                      "); a minimum stretch is used");
 }
 
-void check_count(std::size_t found, std::size_t expected, const std::string& file) {
-  if (found == expected) return;
-  throw base::Error(
-      file, "the pose has " + std::to_string(found) + " vertices, the cage has " + std::to_string(expected),
-      "choose a pose made from this cage");
-}
-
 // The STL reader welds loose triangles, so vertices are in the order of their first use by faces: the cage's
 // order only if the faces match.
 void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::string& file) {
@@ -104,7 +98,7 @@ Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<
   mesh::ReadResult read = mesh::read(path);
   const std::string file = path.string();
   refuse_permuted(read, cage, file);
-  check_count(read.surface.positions.size(), cage.surface.positions.size(), file);
+  check_pose(cage, read.surface.positions.size(), file);
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
   if (!mesh::same_faces(read.surface, cage.surface)) {
     warnings.push_back(file +
@@ -116,7 +110,7 @@ Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<
 }
 
 void write_pose(const std::filesystem::path& path, const Cage& cage, const Pose& pose) {
-  check_count(pose.positions.size(), cage.surface.positions.size(), path.string());
+  check_pose(cage, pose.positions.size(), path.string());
   mesh::check_keeps_vertices(path);
   std::vector<std::string> comments;
   for (std::size_t part = 0; part < pose.turns.size(); ++part) {

@@ -1,7 +1,5 @@
 #include "deform/pose_space.h"
 
-#include <numeric>
-
 #include "deform/branches.h"
 #include "deform/cage_state.h"
 #include "deform/maps.h"
@@ -26,19 +24,13 @@ PoseSpace::PoseSpace(std::shared_ptr<const Cage> cage) : cage_(std::move(cage)),
 // Extracts whole turns that the logs of a part cannot represent; its logs become those without them.
 std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::span<const MapSplit> splits,
                                          const LogReport& report, std::vector<MapLog>& logs) const {
-  std::vector<Vec3> wholes(report.turns.size()), sums(wholes.size() + 1);
-  std::vector<double> counts(sums.size());
-  for (std::size_t e = 0; e < logs.size(); ++e) {
-    const auto part = cage_->parts[e];
-    sums[part] = sums[part] + logs[e].rotation, counts[part] += 1;
-  }
-  const auto tell = [&](std::size_t part) {
-    return norm(report.turns[part] - (1 / counts[part]) * sums[part]) < tells_turns;
-  };
+  std::vector<Vec3> wholes(report.turns.size()), rotations;
+  for (const MapLog& log : logs) rotations.push_back(log.rotation);
+  const std::vector<Vec3> means = means_of_parts(*cage_, rotations);
   std::vector<MapLog> least(logs.size());
   LogReport of_least;
   for (std::size_t part = 0; part < wholes.size(); ++part) {
-    if (counts[part] == 0 || tell(part)) continue;
+    if (norm(report.turns[part] - means[part]) < tells_turns) continue;
     if (of_least.turns.empty()) log_maps(*cage_, maps, splits, {}, least, of_least);
     const Vec3& turn = report.turns[part];
     const double count = whole_turns(turn, of_least.turns[part]);
@@ -51,9 +43,8 @@ std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::s
 }
 
 LogVector PoseSpace::vector(const Pose& pose, std::span<const Vec3> turns_before) const {
-  check_pose(*cage_, pose);
-  std::vector<std::uint32_t> all(cage_->element_count());
-  std::iota(all.begin(), all.end(), 0u);
+  check_pose(*cage_, pose.positions.size());
+  const auto all = first_numbers(cage_->element_count());
   std::vector<AffineMap> maps(all.size());
   std::vector<MapSplit> splits(all.size());
   std::vector<MapLog> logs(all.size());

@@ -94,7 +94,7 @@ struct Amounts {
   friend bool operator==(const Amounts&, const Amounts&) = default;
 };
 
-/// Additional constraints of a stitched model, see StitchingSettings.
+/// Additional constraints of a stitched model, see stitch().
 struct Holding {
   double radius = 0;  ///< in sizes of the cage
   double weight = 0;  ///< pull of every vertex towards its blended position

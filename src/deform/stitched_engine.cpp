@@ -92,21 +92,18 @@ struct Stitcher::Maps {
 
   // out = stretch in, for all triangles; out and in are x y z. The same for rotations.
   void stretch(const Plane* in, Plane* out, std::size_t count) const {
-    const Plane* s = stretches;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double x = in[0][i], y = in[1][i], z = in[2][i];
-      out[0][i] = s[0][i] * x + s[1][i] * y + s[2][i] * z;
-      out[1][i] = s[1][i] * x + s[3][i] * y + s[4][i] * z;
-      out[2][i] = s[2][i] * x + s[4][i] * y + s[5][i] * z;
-    }
+    multiply<0, 1, 2, 1, 3, 4, 2, 4, 5>(stretches, in, out, count);
   }
   void rotate(const Plane* in, Plane* out, std::size_t count) const {
-    const Plane* r = rotations;
+    multiply<0, 1, 2, 3, 4, 5, 6, 7, 8>(rotations, in, out, count);
+  }
+  template <int... plane>  // of each entry, by rows
+  static void multiply(const Plane* m, const Plane* in, Plane* out, std::size_t count) {
+    constexpr int k[] = {plane...};
     for (std::size_t i = 0; i < count; ++i) {
       const double x = in[0][i], y = in[1][i], z = in[2][i];
-      out[0][i] = r[0][i] * x + r[1][i] * y + r[2][i] * z;
-      out[1][i] = r[3][i] * x + r[4][i] * y + r[5][i] * z;
-      out[2][i] = r[6][i] * x + r[7][i] * y + r[8][i] * z;
+      for (int r = 0; r < 3; ++r)
+        out[r][i] = m[k[3 * r]][i] * x + m[k[3 * r + 1]][i] * y + m[k[3 * r + 2]][i] * z;
     }
   }
 

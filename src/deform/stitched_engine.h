@@ -84,13 +84,10 @@ public:
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
   /// Blended positions of these vertices in the last frame, before stitching; relative to its rows' origin.
-  std::vector<Vec3> blended(std::span<const std::size_t> vertices) const {
-    return blended(vertices, sym3::Method::fast);
-  }
+  std::vector<Vec3> blended(std::span<const std::size_t> vertices,
+                            sym3::Method method = sym3::Method::fast) const;
 
 private:
-  std::vector<Vec3> blended(std::span<const std::size_t> vertices, sym3::Method method) const;
-
   std::shared_ptr<const TiledBinding> binding_;
   std::shared_ptr<const Stitching> stitching_;
   RowForm form_;

@@ -173,7 +173,10 @@ private:
 
   void fill_triangles(Stitching& s) const {
     const auto& p = model_.positions;
-    const std::vector<std::uint32_t> places = order_vertices(s);
+    Leaves leaves = make_leaves(p, std::vector<std::uint32_t>(p.size(), 0));
+    const std::vector<std::uint32_t> places = slots_of(leaves);
+    s.order = std::move(leaves.order);
+    s.order.resize(p.size());  // without padding
     s.triangles = mesh::proper_triangles(model_);
     const auto first_place = [&](const mesh::Triangle& t) {
       return std::min({places[t[0]], places[t[1]], places[t[2]]});
@@ -204,17 +207,6 @@ private:
         for (std::uint32_t k = 0; k < 3; ++k) add(places[s.triangles[t][k]], 3 * t + k);
       }
     });
-  }
-
-  // Fills the order; returns each vertex's position in it.
-  std::vector<std::uint32_t> order_vertices(Stitching& s) const {
-    const std::size_t n = model_.positions.size();
-    Leaves leaves = make_leaves(model_.positions, std::vector<std::uint32_t>(n, 0));
-    leaves.order.resize(n);  // without padding
-    s.order = std::move(leaves.order);
-    std::vector<std::uint32_t> places(n);
-    for (std::uint32_t i = 0; i < n; ++i) places[s.order[i]] = i;
-    return places;
   }
 
   void fill_pinned(Stitching& s) const {

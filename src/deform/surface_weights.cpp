@@ -45,8 +45,7 @@ std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
 std::vector<std::uint32_t> sources(const mesh::Surface& model, const SparseMatrix& stiffness,
                                    const HeldParts& held) {
   const auto n = static_cast<std::uint32_t>(stiffness.size());
-  std::vector<std::uint32_t> source(n), some;
-  std::iota(source.begin(), source.end(), 0u);
+  std::vector<std::uint32_t> source = first_numbers(n), some;
   std::copy_if(source.begin(), source.end(), std::back_inserter(some),
                [&](std::uint32_t v) { return held.holds(v); });
   if (some.size() == n) return source;

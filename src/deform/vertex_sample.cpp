@@ -88,23 +88,27 @@ BoundVertices::BoundVertices(const Weigher& weigher, const Binding& binding, con
     slots_ = slots_of(binding.tiles->leaves);
 }
 
+namespace {
+
+// The points weighed in space or, along the surface, by the weights row(i).
+template <class Row>
+Binding weighed_part(const Weigher& weigher, std::span<const mesh::Point> points, const Row& row) {
+  if (!entry(weigher.weighting().weights).on_surface) return bind_part(weigher, points).binding;
+  Binding part = unweighed_part(weigher, points);
+  for (std::size_t i = 0; i < points.size(); ++i) add_row(weigher, row(i), part);
+  return part;
+}
+
+}  // namespace
+
 Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
-  const auto points = picked(std::span(binding_.rest), vertices);
-  Binding part;
-  if (!entry(binding_.weighting.weights).on_surface) {
-    part = bind_part(weigher_, points).binding;
-  } else {
-    part = unweighed_part(weigher_, points);
-    std::vector<double> row(part.handles);
-    for (const auto v : vertices) {
-      if (slots_.empty()) {
-        std::copy_n(binding_.weights.begin() + std::ptrdiff_t(v * row.size()), row.size(), row.begin());
-      } else {
-        binding_.tiles->kept_row(slots_[v], row);
-      }
-      add_row(weigher_, row, part);
-    }
-  }
+  std::vector<double> kept(weigher_.handles());
+  const auto row = [&](std::size_t i) -> std::span<const double> {
+    if (slots_.empty()) return std::span(binding_.weights).subspan(vertices[i] * kept.size(), kept.size());
+    binding_.tiles->kept_row(slots_[vertices[i]], kept);
+    return kept;
+  };
+  Binding part = weighed_part(weigher_, picked(std::span(binding_.rest), vertices), row);
   part.shares = product(std::move(part.shares), picked(values(mask_), vertices));
   return part;
 }
@@ -126,14 +130,9 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Mask&
                      std::span<const Vec3> shown) {
   const auto vertices = spread_vertices(binding.vertices, error_sample);
   auto exact = picked(std::span(binding.rest), vertices);
-  Binding part;
-  if (!entry(binding.weighting.weights).on_surface) {
-    part = bind_part(weigher, exact).binding;
-  } else {
-    part = unweighed_part(weigher, exact);
-    for (std::size_t i = 0; i < exact.size(); ++i)
-      add_row(weigher, std::span(binding.tiles->sample).subspan(i * part.handles, part.handles), part);
-  }
+  const Binding part = weighed_part(weigher, exact, [&](std::size_t i) {
+    return std::span(binding.tiles->sample).subspan(i * weigher.handles(), weigher.handles());
+  });
   const Shares shares = product(part.shares, picked(values(mask), vertices));
   place_vertices({part, shares, picked(ways, vertices)}, rows, sym3::Method::fast, exact);
   if (layer && layer->moves()) move_by(*layer, vertices, rows.origin, exact);

@@ -1,7 +1,6 @@
 #include "deform/weigher.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/memory.h"
 #include "deform/bind_kernel.h"
@@ -80,8 +79,7 @@ void Weigher::add_views() {
   for (const auto& view : views_) triangles.push_back({view.corner[0], view.corner[1], view.corner[2]});
   const auto table = mesh::half_edges(corners_.size(), triangles);
   // Sorted by first use in triangles, for cache locality.
-  std::vector<std::uint32_t> order(table.edges.size());
-  std::iota(order.begin(), order.end(), 0u);
+  auto order = first_numbers(table.edges.size());
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return table.of(a).front().triangle < table.of(b).front().triangle;
   });

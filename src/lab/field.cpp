@@ -97,9 +97,20 @@ std::vector<double> signed_differences(const FieldInput& in) {
   return values;
 }
 
+// A factor by which something changes.
+constexpr FieldEntry factor(const base::Choice& choice, Source source,
+                            std::vector<double> (*compute)(const FieldInput&)) {
+  return {.choice = choice,
+          .source = source,
+          .scale = Scale::log2,
+          .symmetric = true,
+          .least_range = 0.1,
+          .compute = compute};
+}
+
 // In the order of the enumeration.
 constexpr FieldEntry table[] = {
-    {.choice = {"none", "None", "Show no map."}, .least_range = 1, .compute = nullptr},
+    {.choice = {"none", "None", "Show no map."}},
     {.choice = {"displacement", "Displacement",
                 "Distance of each vertex from rest, in diagonals of the model at rest."},
      .unit = "of the diagonal",
@@ -107,26 +118,14 @@ constexpr FieldEntry table[] = {
      .least_range = 0.01,
      .compute =
          [](const FieldInput& in) { return distances(in.drawn, in.strain->rest(), in.strain->diagonal()); }},
-    {.choice = {"area", "Area change", "Ratio of the surface area around a vertex to its area at rest."},
-     .source = Source::surface,
-     .scale = Scale::log2,
-     .symmetric = true,
-     .least_range = 0.1,
-     .compute = strain_means<area_log>},
-    {.choice = {"larger-stretch", "Larger stretch",
-                "Ratio of lengths in the most stretched direction to lengths at rest."},
-     .source = Source::surface,
-     .scale = Scale::log2,
-     .symmetric = true,
-     .least_range = 0.1,
-     .compute = strain_means<larger_log>},
-    {.choice = {"smaller-stretch", "Smaller stretch",
-                "Ratio of lengths in the least stretched direction to lengths at rest."},
-     .source = Source::surface,
-     .scale = Scale::log2,
-     .symmetric = true,
-     .least_range = 0.1,
-     .compute = strain_means<smaller_log>},
+    factor({"area", "Area change", "Ratio of the surface area around a vertex to its area at rest."},
+           Source::surface, strain_means<area_log>),
+    factor({"larger-stretch", "Larger stretch",
+            "Ratio of lengths in the most stretched direction to lengths at rest."},
+           Source::surface, strain_means<larger_log>),
+    factor({"smaller-stretch", "Smaller stretch",
+            "Ratio of lengths in the least stretched direction to lengths at rest."},
+           Source::surface, strain_means<smaller_log>),
     {.choice = {"shear", "Shear",
                 "Ratio of the larger to the smaller stretch. 1 where angles are preserved."},
      .source = Source::surface,
@@ -144,13 +143,8 @@ constexpr FieldEntry table[] = {
      .least_range = 2,
      .floor = 1e-6,
      .compute = strain_means<energy_of>},
-    {.choice = {"volume", "Volume change",
-                "Volume factor of the blended map at a vertex: det exp S = exp tr S."},
-     .source = Source::matrices,
-     .scale = Scale::log2,
-     .symmetric = true,
-     .least_range = 0.1,
-     .compute = volumes},
+    factor({"volume", "Volume change", "Volume factor of the blended map at a vertex: det exp S = exp tr S."},
+           Source::matrices, volumes),
     {.choice = {"gap", "Eigenvalue gap",
                 "Smallest eigenvalue gap of the blended matrix, relative to the largest eigenvalue. Near 0 "
                 "the published methods switch cases."},

@@ -85,8 +85,6 @@ public:
   /// Draws nothing before set_vertices() or set_positions().
   void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
-  std::size_t triangle_count() const { return triangle_count_; }
-
 private:
   void upload_looks();
   const Program& program_for(const SurfaceStyle& style, bool flat = false) const;

@@ -13,12 +13,12 @@ using namespace viete::test;
 namespace {
 
 mesh::Surface lopsided() {
-  return joined(stretched(cube(), {2, 1, 0.5}), stretched(cube(), {0.3, 0.4, 0.9}, {1.4, 0.5, 0.9}));
+  return both(stretched(cube(), {2, 1, 0.5}), stretched(cube(), {0.3, 0.4, 0.9}, {1.4, 0.5, 0.9}));
 }
 
 mesh::Surface two_sided(const mesh::Surface& half) {
-  return joined(stretched(half, {1, 1, 1}, {3, 0, 0}),
-                stretched(turned_inside_out(half), {-1, 1, 1}, {-3, 0, 0}));
+  return both(stretched(half, {1, 1, 1}, {3, 0, 0}),
+              stretched(turned_inside_out(half), {-1, 1, 1}, {-3, 0, 0}));
 }
 
 }  // namespace

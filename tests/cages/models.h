@@ -16,14 +16,6 @@
 
 namespace viete::test {
 
-inline Surface joined(Surface a, const Surface& b) {
-  auto triangles = a.triangles;
-  const auto first = static_cast<std::uint32_t>(a.positions.size());
-  for (const auto& t : b.triangles) triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  return mesh::from_triangles(a.positions, triangles);
-}
-
 inline Surface stretched(Surface s, const Point& factors, const Point& offset = {0, 0, 0}) {
   for (Point& p : s.positions) {
     for (std::size_t k = 0; k < 3; ++k) p[k] = p[k] * factors[k] + offset[k];
@@ -128,7 +120,7 @@ inline Surface many_spheres(int count) {
   std::uniform_real_distribution<double> at(-5, 5);
   Surface all = sphere(2);
   for (int i = 1; i < count; ++i)
-    all = joined(all, stretched(sphere(2), {0.4, 0.4, 0.4}, {at(engine), at(engine), at(engine)}));
+    all = both(all, stretched(sphere(2), {0.4, 0.4, 0.4}, {at(engine), at(engine), at(engine)}));
   return all;
 }
 
@@ -184,14 +176,14 @@ inline std::vector<NamedModel> generated_models() {
   add("sphere", sphere(4));
   add("torus", torus(40, 20));
   add("open torus", torus(40, 20, true));
-  add("sphere with handles", joined(joined(sphere(3), stretched(torus(30, 10), {0.3, 0.3, 0.3}, {1, 0, 0})),
-                                    turned(stretched(torus(30, 10), {0.25, 0.25, 0.3}, {-0.8, 0.5, 0}), 1)));
-  add("linked rings", joined(torus(40, 12), stretched(turned(torus(40, 12), 1.5), {1, 1, 1}, {2, 0, 0})));
+  add("sphere with handles", both(both(sphere(3), stretched(torus(30, 10), {0.3, 0.3, 0.3}, {1, 0, 0})),
+                                  turned(stretched(torus(30, 10), {0.25, 0.25, 0.3}, {-0.8, 0.5, 0}), 1)));
+  add("linked rings", both(torus(40, 12), stretched(turned(torus(40, 12), 1.5), {1, 1, 1}, {2, 0, 0})));
   add("stool", stool());
   add("sponge", sponge());
   add("plate", stretched(cube(), {1, 1, 1e-3}));
   add("turned plate", turned(stretched(cube(), {1, 0.7, 1e-3}), 0.6));
-  add("two plates", joined(stretched(cube(), {1, 1, 1e-3}), stretched(cube(), {1, 1, 1e-3}, {0, 0, 0.02})));
+  add("two plates", both(stretched(cube(), {1, 1, 1e-3}), stretched(cube(), {1, 1, 1e-3}, {0, 0, 0.02})));
   add("rod", stretched(cube(), {1, 1e-3, 1e-3}));
   add("soup", soup(100, 0.1, 1));
   add("dense soup", soup(3000, 0.3, 2));
@@ -205,9 +197,9 @@ inline std::vector<NamedModel> generated_models() {
   add("triangle", mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0.2, 0.9, 0.4}}, {{0, 1, 2}}));
   add("segment", mesh::from_triangles({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}, {{0, 1, 2}, {0, 2, 1}, {1, 1, 2}}));
   add("inside out", turned_inside_out(sphere(3)));
-  add("every triangle twice", joined(torus(30, 12), torus(30, 12)));
-  add("a part within", joined(sphere(3), stretched(turned_inside_out(sphere(3)), {0.8, 0.8, 0.8})));
-  add("a part far away", joined(sphere(3), stretched(sphere(2), {0.1, 0.1, 0.1}, {60, 20, 10})));
+  add("every triangle twice", both(torus(30, 12), torus(30, 12)));
+  add("a part within", both(sphere(3), stretched(turned_inside_out(sphere(3)), {0.8, 0.8, 0.8})));
+  add("a part far away", both(sphere(3), stretched(sphere(2), {0.1, 0.1, 0.1}, {60, 20, 10})));
   add("unused vertices", [] {
     Surface s = sphere(3);
     s.positions.push_back({50, 40, 30});

@@ -35,6 +35,13 @@ stand_in() {
   chmod +x "$scratch/bin/$1"
 }
 
+# lacks PACKAGES SUDO: a fresh machine without these packages, where sudo does this.
+lacks() {
+  fresh
+  stand_in dpkg-query "case \"\$*\" in $1) ;; *) echo installed ;; esac"
+  [ -z "$2" ] || stand_in sudo "$2"
+}
+
 # run SCRIPT ARGS...: in $scratch/elsewhere; output in $out, exit status in $code.
 run() {
   out=$(cd "$scratch/elsewhere" && PATH=$scratch/bin CDPATH=$scratch:/ sh "$@" 2>&1)
@@ -113,15 +120,12 @@ fresh
 stand_in cmake 'case "$1" in -S) : >"$4/build.ninja" ;; --build) echo "[1/9] a"; echo "a.cpp:1: error: no"; exit 1 ;; esac'
 gives 1 'a.cpp:1: error: no' run
 
-fresh
-stand_in dpkg-query 'case "$*" in *fonts-inter*) ;; *) echo installed ;; esac'
+lacks '*fonts-inter*' ''
 gives 0 'not needed: fonts-inter' build
-stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
+lacks '*libglm-dev*' ''
 gives 1 "su -c '$script deps program'" build
 
-fresh
-stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
-stand_in sudo 'exec "$@"'
+lacks '*libglm-dev*' 'exec "$@"'
 stand_in apt-get 'case "$*" in
   *update*) tries=$(grep -c "apt-get.*update" "'"$calls"'"); [ $tries -gt 2 ] || { echo "E: Could not get lock /var/lib/apt/lists/lock"; exit 100; } ;;
   "-s "*) echo "Need to get 7 MB of archives." ;;
@@ -132,47 +136,35 @@ expect 'packages are installed after waiting' called 'apt-get.* -y install .*lib
 expect 'the download size is shown' says 'Need to get 7 MB'
 expect 'installation progress is shown' says 'installing 100 %'
 
-fresh
-stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
-stand_in sudo 'exec "$@"'
+lacks '*libglm-dev*' 'exec "$@"'
 stand_in apt-get 'case "$*" in *install*) echo "E: no space"; exit 100 ;; esac'
 gives 1 'E: no space' build
 expect 'a failed installation builds nothing' no called '^cmake'
 
-fresh
-stand_in dpkg-query 'case "$*" in *fonts-inter*) ;; *) echo installed ;; esac'
-stand_in sudo 'echo "somebody is not in the sudoers file"; exit 1'
+lacks '*fonts-inter*' 'echo "somebody is not in the sudoers file"; exit 1'
 gives 0 'not needed: fonts-inter' build
 : >"$calls"
 run "$script" build
 expect 'sudo is tried only once' no called '^sudo'
 
-fresh
-stand_in dpkg-query 'case "$*" in *libglm-dev* | *fonts-inter*) ;; *) echo installed ;; esac'
-stand_in sudo 'exec "$@"'
+lacks '*libglm-dev* | *fonts-inter*' 'exec "$@"'
 stand_in apt-get 'case "$*" in *" -y install "*fonts-inter*) echo "E: held broken packages"; exit 100 ;; esac'
 run "$script" build
 expect 'a failed optional package is no error' ended_with 0
 expect 'required packages are installed nevertheless' called ' -y install .*libglm-dev'
 
-fresh
-stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
-stand_in sudo 'exec "$@"'
+lacks '*libglm-dev*' 'exec "$@"'
 run "$script" deps
 expect 'the size query does not install' [ "$(grep -c '^apt-get.* install' "$calls")" -eq 2 ]
 expect 'the size query simulates' called 'apt-get -s .*install .*libglm-dev'
 expect 'exactly one call installs' \
   [ "$(grep '^apt-get.* install' "$calls" | grep -v -c '^apt-get -s ')" -eq 1 ]
 
-fresh
-stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
-stand_in sudo 'echo "somebody is not in the sudoers file"; exit 1'
+lacks '*libglm-dev*' 'echo "somebody is not in the sudoers file"; exit 1'
 gives 1 'missing: libglm-dev' build
 expect 'refused sudo gives the advice for root' says "sudo has refused.*su -c '$script deps program'"
 
-fresh
-stand_in dpkg-query 'case "$*" in *libglm-dev*) ;; *) echo installed ;; esac'
-stand_in sudo 'exec "$@"'
+lacks '*libglm-dev*' 'exec "$@"'
 stand_in apt-get 'case "$*" in
   *update*) echo "W: Failed to fetch http://deb.debian.org/x  Temporary failure resolving" ;;
   *install*) echo "E: Unable to locate package libglm-dev"; exit 100 ;;

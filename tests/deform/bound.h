@@ -71,8 +71,17 @@ struct FusedFrame {
     state.set_pose(pose);
     engine.run(state);
   }
-  std::span<const FrameVertex> vertices() const { return engine.vertices(); }
-  Vec3 origin() const { return state.rows().origin; }
+  std::vector<mesh::Point> positions() const {
+    std::vector<mesh::Point> result;
+    for (const auto& v : engine.vertices())
+      result.push_back(state.rows().origin + Vec3{v.position[0], v.position[1], v.position[2]});
+    return result;
+  }
+  std::vector<mesh::Point> normals() const {
+    std::vector<mesh::Point> result;
+    for (const auto& v : engine.vertices()) result.push_back({v.normal[0], v.normal[1], v.normal[2]});
+    return result;
+  }
 
   CageState state;
   FusedEngine engine;

@@ -29,14 +29,6 @@ TEST_CASE("the_centre_of_each_part_is_its_middle_and_the_lower_of_two") {
   CHECK(two.of == std::vector<std::uint32_t>{0, 0, 0, 2, 1});  // 3 is skipped
 }
 
-TEST_CASE("a_cage_of_40000_triangles_has_its_graph_and_one_centre") {
-  const auto surface = tube(200, 100, 1, 10);
-  const std::vector<std::uint8_t> none(surface.triangles.size(), 0);
-  const auto graph = dual_graph(surface, none);
-  CHECK(graph_parts(surface.triangles.size(), graph.edges, none).centers.size() == 1);
-  CHECK(graph.edges.size() * 2 == surface.triangles.size() * 3);
-}
-
 TEST_CASE("three_triangles_on_an_edge_are_joined_in_a_chain") {
   const auto fan = viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
                                                {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
@@ -93,12 +85,6 @@ TEST_CASE("nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_e
     for (const Vec3& zero : {Vec3{0, 0, 0}, Vec3{1e-15, 0, 0}})
       CHECK(norm(nearest_branch(zero, {0, 0, r * degree}) - expected) < 1e-14);
   }
-}
-
-TEST_CASE("alignment_is_three_for_equal_rotations_and_falls_with_the_angle") {
-  const auto a = similarity({1, 2, 3}, 1).linear;
-  CHECK(alignment(a, a) == doctest::Approx(3));
-  CHECK(alignment(a, similarity({1, 2, 3}, 1 + 120 * degree).linear) == doctest::Approx(0));
 }
 
 TEST_CASE("a_flipped_element_or_root_does_not_rotate_the_others") {

@@ -210,9 +210,3 @@ TEST_CASE("without_logs_turns_of_a_pose_are_passed_on") {
     CHECK(state.report().turns == std::vector<Vec3>{{1, 2, 3}});
   }
 }
-
-TEST_CASE("a_state_refuses_a_pose_with_another_number_of_vertices") {
-  const auto cage = bent_tube();
-  CageState state(cage, Elements::face, Blend::srl);
-  CHECK_THROWS_AS(state.set_pose({{{0, 0, 0}}, {}}), base::Error);
-}

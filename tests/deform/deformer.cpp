@@ -35,14 +35,6 @@ Binding random_binding(std::size_t vertices, std::size_t handles, Random& random
   return b;
 }
 
-Rows rows_of(const std::vector<MapLog>& logs) {
-  return {RowForm::logs, {reinterpret_cast<const double*>(logs.data()), 12 * logs.size()}, {}};
-}
-
-Rows rows_of(const std::vector<Vec3>& positions) {
-  return {RowForm::positions, {positions.data()->data(), 3 * positions.size()}, {}};
-}
-
 }  // namespace
 
 TEST_CASE("blend_is_the_sum_over_handles_in_their_order_to_the_last_bit") {
@@ -56,7 +48,9 @@ TEST_CASE("blend_is_the_sum_over_handles_in_their_order_to_the_last_bit") {
          random.vector(2)};
   }
   std::vector<double> sums(n * log_shape.columns);
-  blend({b}, rows_of(logs), 0, n, sums);
+  const Rows rows{RowForm::logs, {reinterpret_cast<const double*>(logs.data()), 12 * logs.size()}, {}};
+  for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 37u}})
+    blend({b}, rows, begin, end, sums);
   for (std::size_t i = 0; i < n; ++i) {
     double xy = 0, zz = 0;
     Vec3 rotation{0, 0, 0}, center{0, 0, 0};
@@ -72,22 +66,6 @@ TEST_CASE("blend_is_the_sum_over_handles_in_their_order_to_the_last_bit") {
     CHECK(sum[5] == zz);
     CHECK(Vec3{sum[6], sum[7], sum[8]} == rotation);
     CHECK(Vec3{sum[9], sum[10], sum[11]} == center);
-  }
-}
-
-TEST_CASE("blend_over_any_division_into_ranges_has_the_same_bits") {
-  Random random(14);
-  const std::size_t n = 50, k = 31;
-  const Binding b = random_binding(n, k, random);
-  std::vector<MapLog> logs(k);
-  for (auto& l : logs) l = {{random(-1, 1), 0, 0, 0, 0, random(-1, 1)}, random.vector(3), random.vector(2)};
-  const std::vector<Vec3> posed = random.vectors(k, 1);
-  for (const Rows& rows : {rows_of(logs), rows_of(posed)}) {
-    std::vector<double> whole(n * rows.columns()), parts = whole;
-    blend({b}, rows, 0, n, whole);
-    for (const auto& [begin, end] : {std::pair{0u, 1u}, {1u, 4u}, {4u, 11u}, {11u, 50u}})
-      blend({b}, rows, begin, end, parts);
-    CHECK(whole == parts);
   }
 }
 

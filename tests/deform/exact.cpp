@@ -132,14 +132,6 @@ TEST_CASE("errors_of_methods_at_close_eigenvalues_are_reported") {
   CHECK(deform_exactly(b, b.pose(bent_and_stretched), Method::sd).exp_error < 1e-12);
 }
 
-TEST_CASE("exact_deformers_warn_about_weights_like_bindings") {
-  auto t = box().triangles;
-  t.pop_back();
-  const Bound b(cloud(50), mesh::from_triangles(box().positions, t), mean_values);
-  CHECK(b.binding->warnings.size() == 1);
-  CHECK(deform_exactly(b, rest_pose(*b.cage)).warnings == b.binding->warnings);
-}
-
 TEST_CASE("exact_deformers_reject_empty_models_and_other_poses_and_can_be_cancelled") {
   const Bound b(cloud(9000), box());
   base::WorkerPool pool(2);

@@ -26,17 +26,8 @@ struct Fused {
             staged.model, *staged.cage, staged.binding->weighting, pool, tolerance, nullptr, storage))),
         frame(staged.cage, binding, pool, kernel) {}
 
-  std::vector<viete::mesh::Point> positions() const {
-    std::vector<viete::mesh::Point> result;
-    for (const auto& v : frame.vertices())
-      result.push_back(frame.origin() + Vec3{v.position[0], v.position[1], v.position[2]});
-    return result;
-  }
-  std::vector<viete::mesh::Point> normals() const {
-    std::vector<viete::mesh::Point> result;
-    for (const auto& v : frame.vertices()) result.push_back({v.normal[0], v.normal[1], v.normal[2]});
-    return result;
-  }
+  std::vector<viete::mesh::Point> positions() const { return frame.positions(); }
+  std::vector<viete::mesh::Point> normals() const { return frame.normals(); }
 
   // Deforms both, and checks the distance in diagonals of the cage.
   void check(Bound& staged, const Pose& pose, double bound = 1e-6, double normals_bound = 2e-4) {
@@ -59,14 +50,27 @@ viete::mesh::Surface fine_tube() {
   return tube(60, 30, 0.3, 1.5);
 }
 
+// A model of 29 leaves in a cage of 308 triangles.
+Bound with_radius(double radius) {
+  return Bound(tube(240, 60, 0.3, 1.5), tube(14, 11, 0.6, 2), viete::test::cut_off(radius));
+}
+
+Fused listed(const Bound& staged, int threads = 1) {
+  return Fused(staged, threads, viete::sym3::kernel(), 0, Storage::lists);
+}
+
 }  // namespace
 
 TEST_CASE("fused_frame_agrees_with_the_staged_one_within_1e_6_of_the_diagonal") {
   for (const auto c : both) {
     Bound staged(fine_tube(), box({1, 1.3, 1}), c);
-    Fused fused(staged);
+    Fused fused(staged), four(staged, 4);
+    CHECK(fused.binding->weights == four.binding->weights);
     fused.check(staged, rest_pose(*staged.cage));
     fused.check(staged, staged.pose(shear()));
+    four.frame.deform(staged.pose(shear()));
+    CHECK(fused.positions() == four.positions());
+    CHECK(fused.normals() == four.normals());
     for (int angle = 30; angle <= 690; angle += 60) {
       const double half = 0.5 * angle * degree;
       fused.check(staged, staged.pose(Twist{2, {0, 0, 0}, -1, 1, -half, half}));
@@ -88,19 +92,6 @@ TEST_CASE("fused_frame_is_as_exact_far_from_the_origin_and_at_any_size") {
   }
 }
 
-TEST_CASE("fused_frames_have_the_same_bits_for_any_number_of_threads") {
-  for (const auto c : both) {
-    Bound staged(fine_tube(), box(), c);
-    Fused one(staged, 1), four(staged, 4);
-    const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 150 * degree});
-    one.frame.deform(pose);
-    four.frame.deform(pose);
-    CHECK(one.binding->weights == four.binding->weights);
-    CHECK(one.positions() == four.positions());
-    CHECK(one.normals() == four.normals());
-  }
-}
-
 TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set") {
   Bound staged(fine_tube(), box());
   const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 250 * degree});
@@ -114,6 +105,10 @@ TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set")
     fused.check(staged, pose);
     alike.frame.deform(pose);
     CHECK(fused.positions() == alike.positions());
+    const Bound near = with_radius(0.3);
+    Fused dense(near, 1, kernel, 0, Storage::dense), lists(near, 1, kernel, 0, Storage::lists);
+    for (Fused* f : {&dense, &lists}) f->frame.deform(pose);
+    CHECK(lists.positions() == dense.positions());
   }
 }
 
@@ -194,26 +189,12 @@ TEST_CASE("a_drag_that_changes_logs_of_others_is_a_full_frame") {
   }
 }
 
-namespace {
-
-// A model of 29 leaves in a cage of 308 triangles.
-Bound with_radius(double radius) {
-  return Bound(tube(240, 60, 0.3, 1.5), tube(14, 11, 0.6, 2), viete::test::cut_off(radius));
-}
-
-Fused listed(const Bound& staged, int threads = 1) {
-  return Fused(staged, threads, viete::sym3::kernel(), 0, Storage::lists);
-}
-
-}  // namespace
-
 TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_radius_and_storage") {
   for (const double radius : {0.1, 0.2, 0.3, 0.6}) {
     CAPTURE(radius);
     Bound staged = with_radius(radius);
-    Fused dense(staged, 1, viete::sym3::kernel(), 0, Storage::dense),
-        lists(staged, 1, viete::sym3::kernel(), 0, Storage::lists);
-    Fused threaded(staged, 3, viete::sym3::kernel(), 0, Storage::lists);
+    Fused dense(staged, 1, viete::sym3::kernel(), 0, Storage::dense), lists = listed(staged),
+                                                                      threaded = listed(staged, 3);
     Fused factors(staged, 1, viete::sym3::kernel(), usual_tolerance, Storage::factors);
     CHECK(dense.binding->storage() == Storage::dense);
     CHECK(lists.binding->storage() == Storage::lists);
@@ -229,18 +210,6 @@ TEST_CASE("fused_frames_agree_with_the_staged_one_at_every_radius_and_storage") 
       CHECK(lists.normals() == dense.normals());
       CHECK(threaded.positions() == dense.positions());
     }
-  }
-}
-
-TEST_CASE("lists_give_the_same_bits_on_every_instruction_set") {
-  Bound staged = with_radius(0.3);
-  const Pose pose = staged.pose(Twist{2, {0, 0, 0}, -1, 1, 0, 250 * degree});
-  for (const auto& kernel : viete::sym3::kernels()) {
-    CAPTURE(kernel.name);
-    Fused dense(staged, 1, kernel, 0, Storage::dense), lists(staged, 1, kernel, 0, Storage::lists);
-    dense.frame.deform(pose);
-    lists.frame.deform(pose);
-    CHECK(lists.positions() == dense.positions());
   }
 }
 

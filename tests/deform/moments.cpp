@@ -21,20 +21,11 @@ mesh::Surface limb_cage() {
 }
 
 // A square in an oblique plane.
-mesh::Surface sheet(int cells) {
-  std::vector<mesh::Point> p;
-  std::vector<mesh::Triangle> t;
-  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i * (cells + 1) + j); };
-  for (int i = 0; i <= cells; ++i) {
-    for (int j = 0; j <= cells; ++j) {
-      const double u = 2.0 * i / cells - 1, v = 2.0 * j / cells - 1;
-      p.push_back({u, v, 0.3 * u - 0.2 * v});
-      if (i == cells || j == cells) continue;
-      t.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      t.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return mesh::from_triangles(p, t);
+mesh::Surface sheet(std::uint32_t cells) {
+  return mapped(grid(cells), [=](const Vec3& x) {
+    const double u = 2 * x[0] / cells - 1, v = 2 * x[1] / cells - 1;
+    return Vec3{u, v, 0.3 * u - 0.2 * v};
+  });
 }
 
 // Deviation of the fused frame from the mapped model, in diagonals of the posed cage.
@@ -162,10 +153,7 @@ TEST_CASE("fitted_maps_have_the_same_bits_for_every_instruction_set_and_storage"
           bind_tiles(b.model, *b.cage, scheme.weighting, pool, 0, nullptr, storage));
       FusedFrame fused(b.cage, tiles, pool, kernel, fit);
       fused.deform(pose);
-      std::vector<mesh::Point> positions;
-      for (const auto& v : fused.vertices())
-        positions.push_back(fused.origin() + Vec3{v.position[0], v.position[1], v.position[2]});
-      return positions;
+      return fused.positions();
     };
     for (const auto& kernel : sym3::kernels()) {
       CAPTURE(kernel.name);

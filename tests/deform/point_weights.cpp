@@ -204,22 +204,6 @@ TEST_CASE("weights_reproduce_points_inside_and_outside_a_closed_cage") {
   }
 }
 
-TEST_CASE("weights_in_the_middle_of_an_octahedron_are_equal") {
-  const Cage cage = make_cage(viete::mesh::from_triangles(
-      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}));
-  for (const double w : at(cage, {0, 0, 0}).weights) CHECK(w == doctest::Approx(1.0 / 6).epsilon(1e-14));
-}
-
-TEST_CASE("an_inside_out_cage_has_the_same_weights") {
-  auto t = box({1, 2, 3}).triangles;
-  for (auto& x : t) std::swap(x[1], x[2]);
-  const Cage cage = make_cage(box({1, 2, 3})),
-             turned = make_cage(viete::mesh::from_triangles(cage.surface.positions, t));
-  const auto a = at(cage, {0.3, 0.4, 0.5}).weights, b = at(turned, {0.3, 0.4, 0.5}).weights;
-  for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-13));
-}
-
 TEST_CASE("on_a_vertex_weight_one_on_an_edge_linear_on_a_face_barycentric") {
   const Cage cage = make_cage(box());
   const auto& x = cage.surface.positions;

@@ -73,17 +73,6 @@ TEST_CASE("a_pose_comes_back_from_its_vector_even_if_it_collapses_or_mirrors") {
   }
 }
 
-TEST_CASE("shares_of_rotation_and_stretch_are_independent_powers_and_a_negative_one_undoes_them") {
-  const Posed p(tube(9, 7, 0.3, 2));
-  for (const double angle : {0.0, 100.0}) {
-    const auto part = [&](double share) {
-      return similarity({1, 1, 0}, share * angle * degree, std::pow(2, share));
-    };
-    for (const double share : {0.5, 1.0, 1.5, -0.5, -1.0})
-      CHECK(p.error(p.share(p.by(part(1)), share), mapped(p.rest(), part(share))) < 1e-12);
-  }
-}
-
 TEST_CASE("540_degrees_are_three_half_turns") {
   const Posed p(box());
   const double whole = 540 * degree;

@@ -9,8 +9,9 @@
 //  6 Weights on the cage are NaN.
 //  vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme 7 Moving least squares rotate
 //  about the origin. maps_fitted_to_points_are_exact_far_from_the_origin 8 The log of a whole turn has a
-//  wrong length. nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference 9
-//  Branches of rotations depend on earlier frames only.
+//  wrong length.
+//    nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference
+//  9 Branches of rotations depend on earlier frames only.
 //    neighbours_turned_by_179_and_181_degrees_blend_to_180;
 //    logs_without_turns_do_not_depend_on_anything_before
 // 10 Mirroring and flat maps have no rotation. singular_and_mirroring_matrices_have_a_proper_rotation
@@ -47,15 +48,6 @@ std::vector<Weighting> all_weightings() {
 
 std::span<const double> weights_of(const Binding& b, std::size_t vertex) {
   return std::span(b.weights).subspan(vertex * b.handles, b.handles);
-}
-
-double largest_difference(std::span<const double> a, std::span<const double> b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = std::abs(a[i] - b[i]);
-    largest = d <= largest ? largest : d;  // keeps NaN
-  }
-  return largest;
 }
 
 double total_of(std::span<const double> numbers) {

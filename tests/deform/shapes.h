@@ -65,6 +65,20 @@ inline mesh::Surface tube(std::uint32_t rings, std::uint32_t sides, double radiu
   return mesh::from_triangles(p, t);
 }
 
+/// n x n squares of side 1 in the plane z = 0.
+inline mesh::Surface grid(std::uint32_t n) {
+  std::vector<mesh::Point> p;
+  std::vector<mesh::Triangle> t;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    for (std::uint32_t j = 0; j <= n; ++j) {
+      p.push_back({double(i), double(j), 0});
+      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+      if (i < n && j < n) t.push_back({a, b, b + 1}), t.push_back({a, b + 1, a + 1});
+    }
+  }
+  return mesh::from_triangles(p, t);
+}
+
 /// Both surfaces as one, not connected.
 inline mesh::Surface together(const mesh::Surface& a, const mesh::Surface& b) {
   auto p = a.positions;

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 #include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <numeric>
 
 #include "base/error.h"
@@ -90,12 +90,6 @@ void check_solution(const SparseMatrix& matrix) {
   }
 }
 
-double multiplications(const SparseFactor& f) {
-  double sum = 0;
-  for (const auto& s : f.supernodes) sum += (std::pow(s.columns + s.below, 3) - std::pow(s.below, 3)) / 6;
-  return sum;
-}
-
 }  // namespace
 
 TEST_CASE("systems_are_solved_by_their_factors_on_every_instruction_set") {
@@ -128,30 +122,14 @@ TEST_CASE("factors_are_the_same_for_any_number_of_threads") {
   }
 }
 
-TEST_CASE("a_factorisation_reports_progress_often") {
-  base::WorkerPool pool(1);
-  Random random(9);
-  for (const SparseMatrix& matrix : {firm_laplacian(tube(200, 101, 0.7, 9)), dense_definite(900, random)}) {
-    const auto neighbours = neighbours_of_unknowns(matrix);
-    const auto order = elimination_order(neighbours);
-    double last = 0, longest = 0;
-    const auto watch = [&](double done) {
-      CHECK(done >= last);
-      longest = std::max(longest, done - std::exchange(last, done));
-    };
-    const auto f = factor(matrix, neighbours, order, pool, watch);
-    longest = std::max(longest, 1 - last);
-    CHECK(last <= 1);
-    CHECK(multiplications(f) > 5e7);
-    CHECK(longest * multiplications(f) < 1e7);  // a few milliseconds
-  }
-}
-
-TEST_CASE("a_cancelled_factorisation_stops") {
+TEST_CASE("a_factorisation_reports_progress_and_stops_when_cancelled") {
   const SparseMatrix matrix = firm_laplacian(tube(120, 101, 0.7, 9));
   int all = 0;
   base::WorkerPool one(1), two(2);
-  factor(matrix, one, [&](double) { ++all; });
+  factor(matrix, one, [&, last = 0.0](double done) mutable {
+    CHECK(done >= std::exchange(last, done));
+    ++all;
+  });
   REQUIRE(all > 20);
   for (const int last : {1, 2, all / 2, all}) {
     base::Progress progress;
@@ -183,7 +161,7 @@ Columns as_eigen_columns(std::span<const Vec3> rows) {
 
 }  // namespace
 
-TEST_CASE("three_columns_at_once_equal_single_solutions_of_eigen") {
+TEST_CASE("three_columns_are_solved_at_once_and_in_place") {
   base::WorkerPool pool(1);
   for (const double firmness : {1.0, 1e-3}) {
     const SparseMatrix k = firm_laplacian(tube(40, 31, 0.7, 5), firmness, 7);
@@ -193,12 +171,7 @@ TEST_CASE("three_columns_at_once_equal_single_solutions_of_eigen") {
     SparseCholesky::Workspace work;
     factors.solve(b, x, work);
     const EigensSparse matrix = eigens(k);
-    const Eigen::SimplicialLDLT<EigensSparse> eigen(matrix);
     const Columns right = as_eigen_columns(b), ours = as_eigen_columns(x);
-    for (int c = 0; c < 3; ++c) {
-      const Eigen::VectorXd theirs = eigen.solve(right.col(c));
-      CHECK((ours.col(c) - theirs).norm() < 1e-12 / firmness * theirs.norm());
-    }
     CHECK((matrix * ours - right).norm() < 1e-12 / firmness * right.norm());
     std::vector<Vec3> in_place = b;
     factors.solve(in_place, in_place, work);
@@ -228,10 +201,12 @@ TEST_CASE("an_indefinite_matrix_is_rejected_with_the_undetermined_row") {
   k.values[0] += 1;  // fixes the first part but not the second
   REQUIRE(k.rows[0] == 0);
   CHECK_THROWS_AS(SparseCholesky(k, pool), base::Error);
-  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {0}}, pool), base::Error);
-  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {-1}}, pool), base::Error);
-  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 1}, {0}, {NAN}}, pool), base::Error);
-  CHECK_THROWS_AS(SparseCholesky(SparseMatrix{{0, 2, 4}, {0, 1, 0, 1}, {1, 2, 2, 1}}, pool), base::Error);
+  for (const SparseMatrix& bad :
+       {SparseMatrix{{0, 1}, {0}, {0}}, SparseMatrix{{0, 1}, {0}, {-1}}, SparseMatrix{{0, 1}, {0}, {NAN}},
+        SparseMatrix{{0, 2, 4}, {0, 1, 0, 1}, {1, 2, 2, 1}}}) {
+    CHECK_THROWS_AS(SparseCholesky(bad, pool), base::Error);
+    CHECK_THROWS_AS(BlockSolver(bad, pool), base::Error);
+  }
   try {
     SparseCholesky(k, pool);
     FAIL("must be refused");
@@ -274,13 +249,4 @@ TEST_CASE("only_the_lower_triangle_of_a_system_is_read") {
   solver.solve(block, sparse_kernel(sym3::kernel()));
   CHECK(block[solver.place(0)] == doctest::Approx(1));
   CHECK(block[solver.place(1)] == doctest::Approx(3));
-}
-
-TEST_CASE("systems_that_are_not_positive_definite_are_refused") {
-  base::WorkerPool pool(1);
-  using Entries = std::vector<MatrixEntry>;
-  for (const Entries& entries : {Entries{{0, 0, 1}, {1, 1, 0}}, Entries{{0, 0, 1}, {1, 1, -1}},
-                                 Entries{{0, 0, 1}, {1, 0, 2}, {1, 1, 1}}, Entries{{0, 0, NAN}, {1, 1, 1}}}) {
-    CHECK_THROWS_AS(BlockSolver(sparse_matrix(2, entries), pool), base::Error);
-  }
 }

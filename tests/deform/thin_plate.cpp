@@ -93,18 +93,3 @@ TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
     CHECK(worst < 1e-10);
   }
 }
-
-TEST_CASE("plates_report_progress_and_can_be_cancelled") {
-  const auto model = tube(8, 9, 0.5, 2);
-  std::vector<bool> has_spring(model.positions.size(), true);
-  const auto laplacian = intrinsic_laplacian(model);
-  const auto parts = held_parts(laplacian.stiffness, has_spring);
-  const std::vector<double> ones(model.positions.size(), 1);
-  base::WorkerPool pool(1);
-  base::Progress progress;
-  ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress, 0.5);
-  CHECK(progress.done() == 0.5);
-  progress.cancel();
-  CHECK_THROWS_AS(ThinPlate(laplacian, parts, has_spring, ones, {{{3, 1.0}}}, pool, &progress),
-                  base::Cancelled);
-}

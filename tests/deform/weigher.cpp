@@ -88,31 +88,6 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
   }
 }
 
-TEST_CASE("mean_values_of_eight_points_are_those_of_one_and_reproduce_the_points") {
-  for (const auto& surface : {box({1, 2, 3}), tube(7, 9, 0.5, 3)}) {
-    const Cage cage = make_cage(surface);
-    const auto points = points_around(cage);
-    for (const auto& kernel : viete::sym3::kernels()) {
-      CAPTURE(kernel.name);
-      const Weigher weigher(cage, mean_values, kernel);
-      std::vector<double> one(weigher.handles());
-      double worst = 0, missed = 0;
-      for_points(weigher, points, [&](std::size_t i, const auto& weights, double, bool lost) {
-        CHECK_FALSE(lost);
-        mean_value_weights(cage, points[i], one);
-        Vec3 blended{0, 0, 0};
-        for (std::size_t j = 0; j < one.size(); ++j) {
-          worst = std::max(worst, std::abs(weights[j] - one[j]));
-          blended = blended + weights[j] * cage.surface.positions[j];
-        }
-        missed = std::max(missed, norm(blended - points[i]));
-      });
-      CHECK(worst < 1e-7);  // the least certain point lies 1e-9 from a plane
-      CHECK(missed < 1e-13 * cage.diagonal);
-    }
-  }
-}
-
 TEST_CASE("missing_mean_values_are_reported_per_lane") {
   const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   std::array<viete::mesh::Point, bind_lanes> points;

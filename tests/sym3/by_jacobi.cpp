@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "sym3/arranged.h"
@@ -95,23 +96,30 @@ TEST_CASE("jacobi_keeps_blocks_and_extreme_ratios") {
   CHECK(sym3::eigen_by_jacobi<DoubleDouble>({1e280, 1e-100, 0, 1, 0, 1}).values[1].hi == 1);
 }
 
+namespace {
+
+template <class T>
+Sym3<T> by(void (*function)(const std::type_identity_t<T>*, std::type_identity_t<T>*), const Sym3<T>& s) {
+  Sym3<T> out;
+  function(&s.xx, &out.xx);
+  return out;
+}
+
+}  // namespace
+
 TEST_CASE("exp_by_jacobi_is_exact_to_16_u_at_any_spread") {
   for (const double spread : {0.0, 1e-9, 1.0, 30.0, 700.0, 1300.0}) {
     for (const auto& s : spreads<double>(spread, -0.6 * spread, 300)) {
-      const double in[6] = {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
-      double out[6];
-      sym3::exp_by_jacobi(in, out);
-      CHECK(error_in_u(sym3::Sym3<double>{out[0], out[1], out[2], out[3], out[4], out[5]},
-                       quad_exp(to_quad(s))) <= 16);
+      CHECK(error_in_u(by(sym3::exp_by_jacobi, s), quad_exp(to_quad(s))) <= 16);
     }
   }
 }
 
 TEST_CASE("exp_by_jacobi_works_in_place") {
-  double matrix[6] = {1, 2, 3, 4, 5, 6}, copy[6];
-  sym3::exp_by_jacobi(matrix, copy);
-  sym3::exp_by_jacobi(matrix, matrix);
-  for (int i = 0; i < 6; ++i) CHECK(matrix[i] == copy[i]);
+  Sym3<double> s{1, 2, 3, 4, 5, 6};
+  const auto copy = by(sym3::exp_by_jacobi, s);
+  sym3::exp_by_jacobi(&s.xx, &s.xx);
+  CHECK(s == copy);
 }
 
 namespace {
@@ -120,32 +128,10 @@ template <class T>
 constexpr double bound = sizeof(T) == 8 ? 24 : 1.5;
 
 template <class T>
-Sym3<T> by(void (*function)(const T*, T*), const Sym3<T>& s) {
-  Sym3<T> out;
-  function(&s.xx, &out.xx);
-  return out;
-}
-
-template <class T>
-Sym3<T> jacobi_log(const Sym3<T>& s) {
-  return by<T>(sym3::log_by_jacobi, s);
-}
-
-template <class T>
-Sym3<T> jacobi_sqrt(const Sym3<T>& s) {
-  return by<T>(sym3::sqrt_by_jacobi, s);
-}
-
-template <class T>
-Sym3<T> jacobi_inv_sqrt(const Sym3<T>& s) {
-  return by<T>(sym3::inv_sqrt_by_jacobi, s);
-}
-
-template <class T>
 void check(const Sym3<T>& s) {
-  CHECK(error_in_u(jacobi_log(s), quad_log(to_quad(s))) <= bound<T>);
-  CHECK(error_in_u(jacobi_inv_sqrt(s), quad_inv_sqrt(to_quad(s))) <= bound<T>);
-  CHECK(error_in_u(jacobi_sqrt(s), quad_function(to_quad(s), sqrtq)) <= bound<T>);
+  CHECK(error_in_u(by(sym3::log_by_jacobi, s), quad_log(to_quad(s))) <= bound<T>);
+  CHECK(error_in_u(by(sym3::inv_sqrt_by_jacobi, s), quad_inv_sqrt(to_quad(s))) <= bound<T>);
+  CHECK(error_in_u(by(sym3::sqrt_by_jacobi, s), quad_function(to_quad(s), sqrtq)) <= bound<T>);
 }
 
 }  // namespace
@@ -166,14 +152,10 @@ TEST_CASE("log_and_roots_by_jacobi_keep_their_bounds_up_to_condition_1e15") {
 }
 
 TEST_CASE("log_by_jacobi_is_relatively_exact_near_the_identity") {
+  Random random(52);
   for (int digits = 1; digits <= 15; ++digits) {
-    Random random(52);
-    for (int i = 0; i < 50; ++i) {
-      const double size = std::pow(10.0, -digits);
-      Sym3<double> s = with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random);
-      s.xx += 1, s.yy += 1, s.zz += 1;
-      CHECK(error_in_u(jacobi_log(s), quad_log(to_quad(s))) <= bound<double>);
-    }
+    for (const auto& s : near_identity(std::pow(10.0, -digits), 50, random))
+      CHECK(error_in_u(by(sym3::log_by_jacobi, s), quad_log(to_quad(s))) <= bound<double>);
   }
 }
 
@@ -183,13 +165,13 @@ TEST_CASE("log_by_jacobi_keeps_its_bound_across_the_border_of_near_the_identity"
     const double off = uniform(random, 0.05, 0.3), d = std::pow(10.0, uniform(random, -4, -0.5));
     const auto any = [&random](double size) { return uniform(random, -size, size); };
     const Sym3<double> s = {1 + any(d), off, any(off), 1 + any(d), any(off) * (i % 2), 1 + any(d)};
-    CHECK(error_in_u(jacobi_log(s), quad_log(to_quad(s))) <= bound<double>);
+    CHECK(error_in_u(by(sym3::log_by_jacobi, s), quad_log(to_quad(s))) <= bound<double>);
   }
 }
 
 TEST_CASE_TEMPLATE("log_by_jacobi_of_the_identity_is_exactly_zero", T, double, float) {
-  CHECK(jacobi_log(sym3::identity<T>()) == Sym3<T>{});
-  CHECK(jacobi_inv_sqrt(sym3::identity<T>()) == sym3::identity<T>());
+  CHECK(by(sym3::log_by_jacobi, sym3::identity<T>()) == Sym3<T>{});
+  CHECK(by(sym3::inv_sqrt_by_jacobi, sym3::identity<T>()) == sym3::identity<T>());
 }
 
 TEST_CASE_TEMPLATE("by_jacobi_matrices_that_are_not_positive_definite_give_six_nan", T, double, float) {
@@ -197,8 +179,8 @@ TEST_CASE_TEMPLATE("by_jacobi_matrices_that_are_not_positive_definite_give_six_n
   for (const auto& s :
        {Sym3<T>{}, diagonal(T(1), T(1), T(0)), diagonal(T(1), T(-1), T(2)), Sym3<T>{1, 2, 0, 1, 0, 1},
         Sym3<T>{1, 1, 1, 1, 1, 1}, diagonal(T(1), nan, T(1)), diagonal(inf, T(1), T(1))}) {
-    CHECK(all_nan(jacobi_log(s)));
-    CHECK(all_nan(jacobi_inv_sqrt(s)));
+    CHECK(all_nan(by(sym3::log_by_jacobi, s)));
+    CHECK(all_nan(by(sym3::inv_sqrt_by_jacobi, s)));
   }
 }
 
@@ -208,7 +190,8 @@ TEST_CASE("very_large_and_very_small_matrices_keep_the_bounds") {
       for (const auto& s : with_condition<double>(condition, 50, size)) check(s);
     }
   }
-  CHECK(jacobi_inv_sqrt(diagonal(1e300, 1.0, 1e-300)).zz == doctest::Approx(1e150).epsilon(1e-15));
+  CHECK(by(sym3::inv_sqrt_by_jacobi, diagonal(1e300, 1.0, 1e-300)).zz ==
+        doctest::Approx(1e150).epsilon(1e-15));
 }
 
 TEST_CASE_TEMPLATE("logs_and_roots_are_numbers_where_eigenvalues_are_past_the_largest", T, double, float) {

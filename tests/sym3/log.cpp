@@ -130,12 +130,8 @@ TEST_CASE_TEMPLATE("powers_from_minus_100_to_100_keep_their_bound_at_every_condi
 TEST_CASE("log_of_a_batch_is_relatively_exact_near_the_identity") {
   Random random(55);
   for (int digits = 1; digits <= 15; ++digits) {
-    const double size = std::pow(10.0, -digits);
-    std::vector<Sym3<double>> in, out(40);
-    for (int i = 0; i < 40; ++i) {
-      in.push_back(with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random));
-      in[i].xx += 1, in[i].yy += 1, in[i].zz += 1;
-    }
+    const auto in = near_identity(std::pow(10.0, -digits), 40, random);
+    std::vector<Sym3<double>> out(40);
     sym3::log(sym3::packed(in.data()), sym3::packed(out.data()), in.size());
     for (int i = 0; i < 40; ++i) CHECK(error_in_u(out[i], quad_log(to_quad(in[i]))) <= 12);
   }

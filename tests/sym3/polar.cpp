@@ -60,6 +60,15 @@ Mat3<T> with_singular_values(const std::array<double, 3>& s, Random& random) {
 }
 
 template <class T>
+std::vector<Mat3<T>> random_matrices(std::size_t count, unsigned seed) {
+  Random random(seed);
+  std::vector<Mat3<T>> all(count);
+  for (auto& m : all)
+    for (T& x : m) x = T(uniform(random, -1, 1));
+  return all;
+}
+
+template <class T>
 Mat3<T> polar_with(const sym3::Kernel& kernel, const Mat3<T>& m) {
   Mat3<T> r;
   sym3::polar(sym3::MatView<const T>(sym3::Layout::packed, m.data()),
@@ -92,20 +101,14 @@ TEST_CASE_TEMPLATE("polar_keeps_its_bound_for_either_sign_of_the_determinant", T
 }
 
 TEST_CASE_TEMPLATE("polar_keeps_its_bound_on_random_matrices", T, double, float) {
-  Random random(82);
-  for (int i = 0; i < 2000; ++i) {
-    Mat3<T> m;
-    for (T& x : m) x = T(uniform(random, -1, 1));
+  for (const auto& m : random_matrices<T>(2000, 82)) {
     const Truth truth = quad_polar(to_quad(m));
     CHECK(error(sym3::polar(m).rotation, truth) <= 8 * truth.condition);
   }
 }
 
 TEST_CASE_TEMPLATE("stretch_is_symmetric_and_multiplies_back", T, double, float) {
-  Random random(83);
-  for (int i = 0; i < 300; ++i) {
-    Mat3<T> m;
-    for (T& x : m) x = T(uniform(random, -1, 1));
+  for (const auto& m : random_matrices<T>(300, 83)) {
     const auto [r, u] = sym3::polar(m);
     const T s[9] = {u.xx, u.xy, u.xz, u.xy, u.yy, u.yz, u.xz, u.yz, u.zz};
     for (int k = 0; k < 9; ++k) {
@@ -153,11 +156,7 @@ TEST_CASE_TEMPLATE("entries_of_any_size_are_fine_and_nan_or_infinity_gives_nine_
 }
 
 TEST_CASE_TEMPLATE("every_length_of_a_batch_of_polars_gives_the_bits_of_one", T, double, float) {
-  Random random(84);
-  std::vector<Mat3<T>> in(60);
-  for (auto& m : in) {
-    for (T& x : m) x = T(uniform(random, -1, 1));
-  }
+  auto in = random_matrices<T>(60, 84);
   in[20] = {};
   for (const auto& kernel : sym3::kernels()) {
     std::vector<Mat3<T>> expected;
@@ -171,11 +170,7 @@ TEST_CASE_TEMPLATE("every_length_of_a_batch_of_polars_gives_the_bits_of_one", T,
 
 TEST_CASE_TEMPLATE("a_batch_of_polars_with_stretches_gives_the_bits_of_one_in_any_layout_and_in_place", T,
                    double, float) {
-  Random random(85);
-  std::vector<Mat3<T>> in(150);
-  for (auto& m : in) {
-    for (T& x : m) x = T(uniform(random, -1, 1));
-  }
+  auto in = random_matrices<T>(150, 85);
   in[20] = {}, in[77] = {1, 2, 3, 2, 4, 6, -1, -2, -3};
   for (const auto& kernel : sym3::kernels()) {
     const auto run = [&](std::vector<Mat3<T>>& r, const sym3::SymView<T>& u, std::size_t count) {
@@ -219,8 +214,7 @@ TEST_CASE_TEMPLATE("entries_near_the_largest_number_overflow_no_intermediate_ste
       for (int k = 0; k < 6; ++k) CHECK((&p.stretch.xx)[k] == (&q.stretch.xx)[k] / small);
     }
   }
-  for (const T u : {sym3::polar(Mat3<T>{x, x, x, x, x, x, x, x, x}).stretch.xx})
-    CHECK(u == doctest::Approx(x));
+  CHECK(sym3::polar(Mat3<T>{x, x, x, x, x, x, x, x, x}).stretch.xx == doctest::Approx(x));
 }
 
 TEST_CASE_TEMPLATE("subnormal_matrices_have_their_rotation_and_stretch", T, double, float) {

@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <initializer_list>
+
 #include "bench/ensembles.h"
 #include "sym3/sym3.h"
 
@@ -10,6 +13,25 @@ namespace viete::test {
 
 using namespace bench::ensembles;
 using sym3::Sym3;
+
+/// Calls check(spread, lowest) for lowest eigenvalues at which exp neither overflows nor underflows.
+template <class T, class Check>
+void for_spreads(std::initializer_list<double> spreads, const Check& check) {
+  const double least = sizeof(T) == 8 ? -700 : -80, most = sizeof(T) == 8 ? 705 : 87;
+  for (const double spread : spreads) {
+    for (const double lowest : {0.0, -spread / 3, -spread / 2, -spread, sizeof(T) == 8 ? -690.0 : -80.0})
+      if (lowest + spread < most && lowest + spread > least) check(spread, lowest);
+  }
+}
+
+template <class T>
+Sym3<T> any_finite(Random& random) {
+  const auto any = [&] {
+    const double sign = random() % 2 ? 1 : -1;
+    return T(sign * std::exp2(uniform(random, -150, sizeof(T) == 8 ? 1023.9 : 127.9)));
+  };
+  return {any(), any(), any(), any(), any(), any()};
+}
 
 }  // namespace viete::test
 

@@ -21,4 +21,14 @@ std::vector<sym3::Sym3<T>> with_condition(double condition, int count, double si
   });
 }
 
+/// Matrices with eigenvalues up to `size` from 1.
+inline std::vector<Sym3<double>> near_identity(double size, int count, Random& random) {
+  std::vector<Sym3<double>> all;
+  for (int i = 0; i < count; ++i) {
+    auto& s = all.emplace_back(with_eigenvalues<double>({size, uniform(random, -size, size), -size}, random));
+    s.xx += 1, s.yy += 1, s.zz += 1;
+  }
+  return all;
+}
+
 }  // namespace viete::test

@@ -59,8 +59,6 @@ public:
                           const FactorReport& report = {});
 
   std::size_t size() const { return factor_.size(); }
-  /// Entries off the diagonal, including stored zeros.
-  std::size_t entries() const { return factor_.values.size(); }
 
   /// A x = b for three columns at once; b and x may be the same. Sizes: size().
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
