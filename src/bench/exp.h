@@ -1,7 +1,9 @@
-// The methods for exp, and their cost by layout and size, compared with a copy of the same bytes.
+// The methods for exp, and their cost by layout and size, compared with a copy of the same bytes; checks of
+// all bounds of the core.
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -57,5 +59,9 @@ Table layouts_table(const ExpBench& bench);
 void print(const ExpBench& bench);
 nlohmann::json to_json(const ExpBench& bench);
 Plot plot_of(const ExpBench& bench);
+
+/// viete bench sym3: prints speed and error of the core, one line per documented limit. `count`: number of
+/// matrices for runs from memory, 0 for 10,000,000. Throws base::Error.
+void bench_sym3(std::size_t count, const std::filesystem::path& json);
 
 }  // namespace viete::bench

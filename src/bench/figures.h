@@ -1,7 +1,6 @@
 // Measures the figures of a report one after the other: the paper's three and ours.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -35,12 +34,6 @@ struct ReportFiles {
   std::vector<std::filesystem::path> shapes;
 };
 
-/// Dots of a model in a view, centred at 0, y up; lengths in diagonals of the model at rest.
-struct ShapePicture {
-  std::string name;
-  std::vector<std::array<double, 2>> dots;
-};
-
 struct Figures {
   ReportSizes sizes;
   ReportFiles files;
@@ -50,9 +43,8 @@ struct Figures {
   std::vector<FrameTime> deformation;  ///< frames of the model in its cage
   std::vector<FrameTime> frames;       ///< frames in generated cages, by number of triangles
   std::vector<NamedPose> poses;
-  ModeComparison ways;                 ///< named deformers
-  nlohmann::json shapes;               ///< see measure_halfway()
-  std::vector<ShapePicture> pictures;  ///< from rest to the shape that loses most volume on straight lines
+  ModeComparison ways;    ///< named deformers
+  nlohmann::json shapes;  ///< see measure_halfway()
 };
 
 /// Sequential, so that measurements do not disturb each other. Throws base::Error, base::Cancelled.

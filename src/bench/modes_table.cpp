@@ -26,9 +26,7 @@ constexpr Measure measures[] = {{"volume", "volume", &ShapeQuality::volume, "%.4
                                 {"x mvc", "energy_to_mean_value", &ShapeQuality::energy_ratio, "%.3f"},
                                 {"bending", "bending", &ShapeQuality::bending, "%.3g"},
                                 {"x mvc", "bending_to_mean_value", &ShapeQuality::bending_ratio, "%.3f"},
-                                {"gap", "gap", &ShapeQuality::gap, "%.4f"},
-                                {"torn", "torn", &ShapeQuality::torn, "%.2e"},
-                                {"x mvc", "torn_to_mean_value", &ShapeQuality::torn_ratio, "%.2f"}};
+                                {"gap", "gap", &ShapeQuality::gap, "%.4f"}};
 
 /// A column of the summary of all poses.
 struct Summary {
@@ -44,9 +42,7 @@ constexpr Summary summaries[] = {{"volume", &ShapeQuality::volume, &OverPoses::l
                                  {"worst", &ShapeQuality::energy_ratio, &OverPoses::most, "%.3f"},
                                  {"bending", &ShapeQuality::bending_ratio, &OverPoses::middle, "%.3f"},
                                  {"worst", &ShapeQuality::bending_ratio, &OverPoses::most, "%.3f"},
-                                 {"gap", &ShapeQuality::gap, &OverPoses::middle, "%.4f"},
-                                 {"torn", &ShapeQuality::torn, &OverPoses::most, "%.2e"},
-                                 {"x mvc", &ShapeQuality::torn_ratio, &OverPoses::most, "%.2f"}};
+                                 {"gap", &ShapeQuality::gap, &OverPoses::middle, "%.4f"}};
 
 std::string cell(double value, const char* format) {
   char text[32] = "-";
@@ -153,7 +149,7 @@ void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
     });
   if (poses.size() > 1)
     print_modes("all " + std::to_string(poses.size()) +
-                    " poses; energy and bending x mvc: median and worst; gap: median; torn: worst",
+                    " poses; energy and bending x mvc: median and worst; gap: median",
                 columns_of(summaries), compared.modes, [](const Mode& mode) {
                   std::vector<std::string> cells;
                   for (const Summary& s : summaries)

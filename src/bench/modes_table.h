@@ -20,8 +20,6 @@ inline constexpr const char* modes_legend =
     value coordinates
   bending: energy of the changes of angle between triangles (discrete shells); kinks increase it
   gap: mean distance of the surface from the posed nearest point of the cage, in diagonals
-  torn: largest change of distance of vertices within 1 % of the diagonal in different parts, or within
-    0.1 % without a short path of edges between them, in diagonals
 )";
 
 /// Over the poses with a number; NaN if there are none.

@@ -58,13 +58,7 @@ Made made_here(const std::string& command, double seconds) {
 
 namespace {
 
-// Colours of the plots, with their replacements in the dark theme.
-constexpr const char* night[][2] = {{"#ffffff", "none"},    {"#1f2933", "#e3e7ec"}, {"#6b7785", "#9aa5b1"},
-                                    {"#e4e8ec", "#2b333c"}, {"#cfd6dd", "#3b4651"}, {"#9aa5b1", "#6b7785"},
-                                    {"#c77700", "#f0a13a"}, {"#0072b2", "#56b4e9"}, {"#009e73", "#3fc79a"},
-                                    {"#b3589a", "#d98cc4"}, {"#3a3f9e", "#9499f0"}};
-
-constexpr const char* by_day = R"(
+constexpr const char* page_style = R"(
 :root{color-scheme:light;--paper:#fff;--ink:#1f2933;--faint:#5b6673;--rule:#e4e8ec;--wash:#f5f7f9;--ours:#0072b2}
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%}
@@ -90,7 +84,6 @@ dl.glance dd{margin:0;font-size:1.875rem;line-height:1.2;font-weight:650;letter-
 figure{margin:0;max-width:30rem}
 figcaption{font-size:.875rem;font-weight:600;margin:0 0 .75rem}
 svg{display:block;width:100%;height:auto;font-family:inherit;font-variant-numeric:tabular-nums;overflow:visible}
-.plots.small{grid-template-columns:repeat(auto-fit,minmax(9rem,1fr));gap:1.5rem 2rem}
 .wide{overflow-x:auto;margin:1.5rem 0}
 table{border-collapse:collapse;font-size:.875rem;line-height:1.4;font-variant-numeric:tabular-nums}
 th,td{padding:.4rem 1.5rem .4rem 0;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}
@@ -112,10 +105,6 @@ footer{padding-top:3.5rem;padding-bottom:4rem}
 h2,h3,p.origin,p.seen{break-after:avoid}dl.glance{grid-template-columns:repeat(4,1fr);gap:1rem}details .wide{break-inside:auto}pre{background:none;padding:0;white-space:pre-wrap}a{color:inherit;text-decoration:none}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
 )";
-
-constexpr const char* colors_by_night =
-    ":root{color-scheme:dark;--paper:#14181d;--ink:#e3e7ec;--faint:#9aa5b1;--rule:#2b333c;--wash:#1b2127;"
-    "--ours:#56b4e9}\n";
 
 using base::few_digits;
 
@@ -147,7 +136,7 @@ std::string head(const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
          "<meta name=\"generator\" content=\"viete report\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         escaped(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n<style>" + page_style() +
+         escaped(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n<style>" + page_style +
          "</style>\n</head>\n";
 }
 
@@ -191,17 +180,6 @@ std::string footer(const Made& made, const nlohmann::json& json) {
 }
 
 }  // namespace
-
-std::string page_style() {
-  std::string text = by_day;
-  text += "@media screen and (prefers-color-scheme:dark){";
-  text += colors_by_night;
-  for (const auto& [day, dark] : night) {
-    for (const std::string property : {"fill", "stroke"})
-      text += "svg [" + property + "=\"" + day + "\"]{" + property + ":" + dark + "}";
-  }
-  return text + "}\n";
-}
 
 nlohmann::json report_json(const Figures& figures, const Made& made) {
   nlohmann::json json = to_json(figures);

@@ -21,8 +21,6 @@ Made made_here(const std::string& command, double seconds);
 
 /// The raw numbers of the page and of report.json.
 nlohmann::json report_json(const Figures& figures, const Made& made);
-/// CSS for screens in light and dark themes, for phones, and for print.
-std::string page_style();
 /// Well-formed XML. Tables, plots and text are derived from the figures.
 std::string report_page(const Figures& figures, const Made& made);
 

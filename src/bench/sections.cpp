@@ -23,8 +23,8 @@ using sym3::Method;
 
 constexpr Method shown_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
-std::string plots(const std::string& figures, const char* kind = "plots") {
-  return "<div class=\"" + std::string(kind) + "\">" + figures + "</div>\n";
+std::string plots(const std::string& figures) {
+  return "<div class=\"plots\">" + figures + "</div>\n";
 }
 
 std::string details(const std::string& title, const std::string& body) {
@@ -327,16 +327,14 @@ std::string deformers_plot(const char* title, const Modes& modes, double (*value
 }
 
 Table deformers_table(const Modes& modes) {
-  Table table{
-      {"deformer", "energy", "at worst", "bending", "volume", "gap", "torn", "frame, ms", "binding, ms"}, {}};
+  Table table{{"deformer", "energy", "at worst", "bending", "volume", "gap", "frame, ms", "binding, ms"}, {}};
   for (const Mode* m : modes) {
     const auto energies = over_poses(*m, &ShapeQuality::energy_ratio),
                volumes = over_poses(*m, &ShapeQuality::volume);
     table.rows.push_back(
         {label_of(*m), number(energies.middle), number(energies.most), number(bending(*m)),
          std::isnan(volumes.least) ? "" : percent(100 * volumes.least) + " to " + percent(100 * volumes.most),
-         few_digits(100 * over_poses(*m, &ShapeQuality::gap).middle),
-         few_digits(100 * over_poses(*m, &ShapeQuality::torn).most), few_digits(m->frame_ms),
+         few_digits(100 * over_poses(*m, &ShapeQuality::gap).middle), few_digits(m->frame_ms),
          std::to_string(std::lround(m->bind_ms))});
   }
   return table;
@@ -398,8 +396,7 @@ Section deformers_section(const Figures& figures) {
               ". Energy: symmetric Dirichlet energy of the triangles. Bending: energy of the changes of "
               "angle between triangles (discrete shells). Both are medians relative to mean value "
               "coordinates. Volume: relative to rest. Gap: mean distance of the surface from the motion "
-              "of the nearby cage. Torn: largest change of distance between vertices that are close at "
-              "rest. Gap and torn are in % of the diagonal.",
+              "of the nearby cage, in % of the diagonal.",
           "note") +
       details("Description of the deformers", html(meaning_of_deformers(modes)));
   return section;
@@ -422,25 +419,6 @@ Plot volumes_of(const nlohmann::json& row) {
   return plot;
 }
 
-// Draws all at the same scale.
-std::string drawn(const std::vector<ShapePicture>& pictures) {
-  constexpr double width = 200, height = 170, margin = 6;
-  double reach_x = 1e-9, reach_y = 1e-9;
-  for (const ShapePicture& picture : pictures)
-    for (const auto& [x, y] : picture.dots)
-      reach_x = std::max(reach_x, std::abs(x)), reach_y = std::max(reach_y, std::abs(y));
-  const double scale = std::min((width / 2 - margin) / reach_x, (height / 2 - margin) / reach_y);
-  std::string text;
-  for (const ShapePicture& picture : pictures) {
-    std::vector<SvgPoint> dots;
-    for (const auto& [x, y] : picture.dots) dots.push_back({width / 2 + scale * x, height / 2 - scale * y});
-    Svg svg(width, height, "#ffffff");
-    svg.dots(dots, "#1f2933", 0.9);
-    text += figure(picture.name, svg.document());
-  }
-  return text.empty() ? "" : plots(text, "plots small");
-}
-
 Section shapes_section(const Figures& figures) {
   Section section{"shapes", "Ours", "Between shapes", "", "", "", {}};
   Table table{{"halfway to", "volume, log space", "volume, linear", "edges, log space", "edges, linear"}, {}};
@@ -458,7 +436,6 @@ Section shapes_section(const Figures& figures) {
         table.rows.back().push_back(percent(100 * double(row[key][what])));
   }
   section.body =
-      drawn(figures.pictures) +
       plots(curves + figure("deviation of edge lengths halfway, %", draw_bars(edges))) + html(table) +
       paragraph(
           "Volume: relative to the smaller end. Edges: root mean square deviation of the lengths, in "
