@@ -75,8 +75,8 @@ TEST_CASE("comments_and_extra_values_do_not_hide_the_format") {
   const test::TemporaryFolder folder;
   std::string rows;
   for (int i = 0; i < 20; ++i) rows += "v 0 1 " + std::to_string(i) + "\nl 1 2\nvt 0 1\nf -1/1 1//\n";
-  const std::string binary_stl = std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(48, '\0') +
-                                 std::string("\3\0abc", 5) + std::string(50, '\0');
+  const std::string binary_stl =
+      std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(100, '\0') + "tail";
   const std::pair<std::string, const char*> files[] = {
       {"# comment\n\nunknown 1 2\n" + rows, "OBJ"},
       {"v 0 0 0\nv 1 0 \\\n 0 # here\nV 0 1 0 1 0.5 0\ng a b\nusemtl red\nF 1 2 3\n", "OBJ"},

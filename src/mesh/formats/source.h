@@ -33,11 +33,14 @@ struct Source {
   std::string place(std::string_view element, std::size_t index) const;
 };
 
+/// Throws base::Error if the file is missing or not a regular file (a pipe might never end).
+std::size_t regular_file_size(const std::filesystem::path& path);
+
 /// A whole file in memory.
 class FileBytes {
 public:
-  /// Throws base::Error if the file is missing, not a regular file (a pipe might never end), larger than
-  /// `most` bytes, unreadable or larger than memory; throws base::Cancelled.
+  /// Throws base::Error too if the file is larger than `most` bytes, unreadable or larger than memory; throws
+  /// base::Cancelled.
   FileBytes(const std::filesystem::path& path, base::Progress* progress,
             std::size_t most = std::numeric_limits<std::size_t>::max());
 
