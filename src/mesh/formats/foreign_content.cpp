@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "mesh/formats/source.h"
 
 namespace viete::mesh {
 
@@ -86,18 +87,12 @@ constexpr Signature elements[] = {{"<COLLADA"sv, "a COLLADA file"sv, export_it},
                                   {"<html"sv, "a web page"sv, download},
                                   {"<Error"sv, "an error message of a server"sv, download}};
 
-char small(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-}
-
-constexpr auto same_letter = [](char a, char b) { return small(a) == small(b); };
-
 bool begins(std::string_view bytes, std::string_view signature) {
-  return std::ranges::equal(bytes.substr(0, signature.size()), signature, same_letter);
+  return lower_case(bytes.substr(0, signature.size())) == lower_case(signature);
 }
 
 bool holds(std::string_view bytes, std::string_view signature) {
-  return !std::ranges::search(bytes, signature, same_letter).empty();
+  return lower_case(bytes).find(lower_case(signature)) != std::string::npos;
 }
 
 // True if every other byte is 0 and the rest is text.

@@ -92,13 +92,15 @@ Source Beginning::whole_lines() const {
   return {"", "", bytes().substr(0, last)};
 }
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return lower;
+}
+
 std::string extension_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : static_cast<char>(c);
-  });
-  return extension;
+  const std::string extension = path.extension().string();
+  return lower_case(extension.empty() ? extension : extension.substr(1));
 }
 
 fs::path folder_of(const fs::path& file) {

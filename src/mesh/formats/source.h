@@ -68,6 +68,9 @@ private:
   std::uint64_t file_size_ = 0;
 };
 
+/// ASCII letters in lower case.
+std::string lower_case(std::string_view text);
+
 /// The extension in lower case, without the dot.
 std::string extension_of(const std::filesystem::path& path);
 

@@ -22,9 +22,7 @@ constexpr std::size_t head_bytes = 84, triangle_bytes = 50;  // of a binary file
 
 // A keyword in lower case, at most 16 letters.
 std::string lower_stl_word(std::string_view word) {
-  std::string text(word.substr(0, 16));
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return text;
+  return lower_case(word.substr(0, 16));
 }
 
 // Bytes read at a wrong offset give implausible coordinates and normals.

@@ -143,6 +143,15 @@ double TextCursor::unusual_number(const char* from) {
   fail(in_quotes(text) + " is not a number", advice_on(text));
 }
 
+std::size_t TextCursor::numbers(std::span<double> to) {
+  for (std::size_t count = 0; count < to.size(); ++count) {
+    const auto value = at_line_end() ? std::nullopt : number_in(word());
+    if (!value) return count;
+    to[count] = *value;
+  }
+  return to.size();
+}
+
 std::int64_t TextCursor::leading_integer(std::string_view what) {
   if (at_line_end()) {
     const bool vowel = std::string_view("aeiou").find(what[0]) != std::string_view::npos;
