@@ -11,7 +11,6 @@
 #include "bench/halfway.h"
 #include "bench/models.h"
 #include "bench/modes.h"
-#include "bench/modes_table.h"
 
 namespace viete::bench {
 

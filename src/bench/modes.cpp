@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <deque>
 #include <limits>
 #include <memory>
@@ -16,7 +15,6 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "bench/models.h"
-#include "bench/modes_table.h"
 #include "bench/table.h"
 #include "deform/bind.h"
 #include "deform/binding.h"
@@ -375,23 +373,6 @@ std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, 
   for (const auto& file : files)
     poses.push_back({without_prefix(file.stem().string(), "pose_"), deform::read_pose(file, cage, warnings)});
   return poses;
-}
-
-void bench_modes(const ModelOptions& options, ModeSettings settings) {
-  const scene::Document opened = open_model(options.model, options.cage);
-  const mesh::Surface& model = *opened.model.surface;
-  std::vector<std::string> warnings = opened.cage->warnings;
-  const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);
-  std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
-              base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
-              std::string(sym3::name(settings.method)).c_str(), std::string(sym3::kernel_name()).c_str(),
-              processor_name().c_str(), modes_legend);
-  for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
-  base::Progress progress;
-  settings.rounds = options.rounds;
-  const ModeComparison compared = measure_modes(model, opened.cage, poses, settings, progress);
-  print(compared, poses);
-  write_json(options.json, to_json(compared, poses));
 }
 
 }  // namespace viete::bench

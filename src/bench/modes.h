@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -119,7 +120,16 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
 std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
                                   std::vector<std::string>& warnings);
 
-/// Prints the tables. Throws base::Error.
+/// Over the poses with a number; NaN if there are none.
+struct OverPoses {
+  double least, middle, most;
+};
+OverPoses over_poses(const Mode& mode, double ShapeQuality::*value);
+
+nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses);
+
+/// Prints the tables: one of the schemes, one per pose, and a summary if there are several poses. Throws
+/// base::Error.
 void bench_modes(const ModelOptions& options, ModeSettings settings);
 
 }  // namespace viete::bench

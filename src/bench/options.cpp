@@ -10,7 +10,6 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "bench/accuracy.h"
-#include "bench/eigen.h"
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/modes.h"

@@ -13,7 +13,6 @@
 #include "bench/halfway.h"
 #include "bench/html.h"
 #include "bench/plot.h"
-#include "bench/sections.h"
 #include "bench/table.h"
 #include "sym3/kernel.h"
 
@@ -161,7 +160,8 @@ std::string html(const Section& section) {
   if (!section.seen.empty()) text += paragraph(section.seen, "seen");
   if (!section.why.empty()) text += paragraph(section.why, "why");
   text += section.body;
-  for (const std::string& command : section.commands) text += command_line(command);
+  for (const std::string& command : section.commands)
+    text += "<pre class=\"command\"><code>" + escaped(command) + "</code></pre>\n";
   return text + "</section>\n";
 }
 

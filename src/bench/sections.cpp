@@ -1,5 +1,4 @@
-#include "bench/sections.h"
-
+// The sections of the page.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +9,7 @@
 #include "bench/figures.h"
 #include "bench/halfway.h"
 #include "bench/html.h"
-#include "bench/modes_table.h"
+#include "bench/page.h"
 #include "bench/plot.h"
 #include "sym3/exp.h"
 
