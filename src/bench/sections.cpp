@@ -1,7 +1,6 @@
 // The sections of the page.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "base/text.h"
@@ -305,12 +304,6 @@ double frame(const Mode& mode) {
 
 using Modes = std::vector<const Mode*>;
 
-const Mode& least(const Modes& modes, double (*value)(const Mode&)) {
-  return **std::ranges::min_element(modes, {}, [&](const Mode* m) {
-    return std::isnan(value(*m)) ? std::numeric_limits<double>::infinity() : value(*m);
-  });
-}
-
 bool is_default(const Mode& mode) {
   return deform::way_of(mode.scheme) == deform::Way::smooth;
 }
@@ -347,21 +340,12 @@ Table meaning_of_deformers(const Modes& modes) {
   return table;
 }
 
-std::string deformers_seen(const Modes& modes, std::size_t poses) {
-  const auto frame_text = [](const Mode& mode) { return base::milliseconds(mode.frame_ms) + " per frame"; };
-  const Mode &undistorted = least(modes, energy), &unbent = least(modes, bending),
-             &fast = least(modes, frame);
-  std::string text = label_of(undistorted) + " distorts least: " + number(energy(undistorted)) +
-                     " times as much as mean value coordinates" +
-                     (poses > 1 ? " (median of " + std::to_string(poses) + " poses)" : "") + ", at " +
-                     frame_text(undistorted) + ". ";
-  text += &undistorted == &unbent ? "It also bends least. " : label_of(unbent) + " bends least. ";
-  for (const Mode* m : modes)
-    if (m != &undistorted && is_default(*m))
-      text += "Smooth, the default, distorts " + number(energy(*m)) + " times as much, at " + frame_text(*m) +
-              ". ";
-  return text + "The fastest is " + label_of(fast) +
-         (&fast == &undistorted ? "." : ", at " + frame_text(fast) + ".");
+std::string deformers_seen(const Modes& modes) {
+  const auto smooth = std::ranges::find_if(modes, [](const Mode* m) { return is_default(*m); });
+  if (smooth == modes.end()) return "";
+  return "Smooth, the default, distorts " + number(energy(**smooth)) +
+         " times as much as mean value coordinates, at " + base::milliseconds(frame(**smooth)) +
+         " per frame.";
 }
 
 Section deformers_section(const Figures& figures) {
@@ -380,7 +364,7 @@ Section deformers_section(const Figures& figures) {
   for (const NamedPose& pose : figures.poses) poses += (poses.empty() ? "" : ", ") + pose.name;
   section.body = problems;
   if (modes.empty()) return section;
-  section.seen = deformers_seen(modes, figures.poses.size());
+  section.seen = deformers_seen(modes);
   section.why =
       "A deformer is a choice of maps, weights and blend. Low distortion is not the only criterion: Mean "
       "value "

@@ -68,22 +68,21 @@ TEST_CASE("stl_text_may_be_upper_case_have_several_solids_and_names") {
 
 TEST_CASE("stl_errors_name_line_or_triangle") {
   const std::string whole = binary_stl(test::sphere(1), "a");
-  CHECK(holds(test::refusal(whole.substr(0, whole.size() - 10), "stl"),
-              "announces 32 triangles, the file has room for 31"));
-  CHECK(holds(test::refusal(whole.substr(0, 60), "stl"), "a binary STL has at least 84 bytes"));
-  CHECK(holds(test::refusal(binary_stl(Surface{}, "a"), "stl"), "no vertices"));
+  test::check_refusals(
+      "stl", {{whole.substr(0, whole.size() - 10), "announces 32 triangles, the file has room for 31"},
+              {whole.substr(0, 60), "a binary STL has at least 84 bytes"},
+              {binary_stl(Surface{}, "a"), "no vertices"}});
   std::string huge = whole;
   for (int i = 80; i < 84; ++i) huge[i] = '\xff';
   CHECK(holds(test::refusal(huge, "stl"), "announces 4294967295 triangles"));
   Surface infinite = test::sphere(1);
   infinite.positions[infinite.triangles[0][1]][2] = INFINITY;
-  CHECK(holds(test::refusal(binary_stl(infinite, "a"), "stl"),
-              "given.stl: triangle 0: a coordinate is not a finite number"));
-  CHECK(holds(test::refusal("solid a\n" + facet.substr(0, facet.size() - 9), "stl"),
-              "the file ends within a facet"));
-  CHECK(holds(test::refusal("solid a\nvertex 0 0 0\n", "stl"), "given.stl:2: vertex outside of a facet"));
-  CHECK(holds(test::refusal("solid a\nfacet\nendfacet\n", "stl"), "given.stl:3: facet with 0 corners"));
-  CHECK(holds(test::refusal("solid a\nnonsense\n", "stl"), "\"nonsense\" is not a word of STL"));
+  test::check_refusals(
+      "stl", {{binary_stl(infinite, "a"), "given.stl: triangle 0: a coordinate is not a finite number"},
+              {"solid a\n" + facet.substr(0, facet.size() - 9), "the file ends within a facet"},
+              {"solid a\nvertex 0 0 0\n", "given.stl:2: vertex outside of a facet"},
+              {"solid a\nfacet\nendfacet\n", "given.stl:3: facet with 0 corners"},
+              {"solid a\nnonsense\n", "\"nonsense\" is not a word of STL"}});
 }
 
 TEST_CASE("stl_truncation_and_trailing_bytes_cause_warnings") {

@@ -63,6 +63,9 @@ constexpr Signature signatures[] = {
     {"#X3D"sv, "an X3D file"sv, export_it},
     {"# vtk DataFile"sv, "a VTK file"sv, export_it},
     {"$MeshFormat"sv, "a Gmsh file"sv, export_it},
+    {"\x7F"
+     "ELF"sv,
+     "a program (ELF)"sv, "open a model file"sv},
     {"DRACO"sv, "a Draco file"sv, export_it},
     {"POINTCACHE2"sv, "a point cache (PC2), animated positions of a model"sv,
      "open its model first, then import the cache as keys"sv},
