@@ -76,32 +76,6 @@ nlohmann::json to_json(const Figures& f) {
           {"shapes", f.shapes}};
 }
 
-double percent_less(double time, double than) {
-  return 100 * (1 - time / than);
-}
-
-const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {
-  return times.empty() ? nullptr
-                       : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
-}
-
-double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method) {
-  const auto methods = exp_methods();
-  const auto at = std::ranges::find(methods, method, [](const ExpMethod& m) { return std::string(m.name); });
-  double worst = 0;
-  for (const AccuracyTable& table : tables) {
-    if (table.by != "gap") continue;
-    for (const auto& row : table.rows)
-      worst = std::max(worst, row.cells[static_cast<std::size_t>(at - methods.begin())].worst);
-  }
-  return worst;
-}
-
-std::string lost_volume(const nlohmann::json& way) {
-  const double lost = 100 * (1 - double(way["volume"]));
-  return lost < 0.5 ? "nothing" : percent(lost);
-}
-
 std::string shell_word(const std::filesystem::path& path) {
   const std::string text = path.string();
   const bool plain = text.find_first_of(" '\"$&;()<>|*?[]#~`\\!") == std::string::npos;

@@ -52,17 +52,6 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
 /// All measurements, in the format of the benchmarks.
 nlohmann::json to_json(const Figures& figures);
 
-/// Number of cage triangles of the quoted frame times.
-inline constexpr std::size_t usual_faces = 300;
-
-/// Time saved relative to `than`, in percent: 76 for 0.24 and 1.
-double percent_less(double time, double than);
-/// The frame by links, with exp by this method.
-const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method);
-/// Largest error over all gaps of two and three eigenvalues, of the method with this label.
-double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method);
-/// Volume loss of a deformer in a row of measure_halfway(): "27 %", "nothing".
-std::string lost_volume(const nlohmann::json& way);
 /// A path quoted for the shell.
 std::string shell_word(const std::filesystem::path& path);
 

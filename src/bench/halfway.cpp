@@ -103,16 +103,4 @@ nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progr
   return rows;
 }
 
-const nlohmann::json* most_lost(const nlohmann::json& halfway) {
-  const nlohmann::json* most = nullptr;
-  for (const auto& row : halfway) {
-    if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
-  }
-  return most;
-}
-
-std::string name_of_shape(const nlohmann::json& row) {
-  return without_prefix(row["name"], "shape_");
-}
-
 }  // namespace viete::bench

@@ -34,9 +34,4 @@ double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point
 /// encloses none; "volumes": at 21 evenly spaced moments from rest to the shape. Throws base::Cancelled.
 nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress);
 
-/// The row of the shape with the largest volume loss on straight lines; null if there is none.
-const nlohmann::json* most_lost(const nlohmann::json& halfway);
-/// Shape name from its file: "shape_coiled.pc2" is coiled.
-std::string name_of_shape(const nlohmann::json& row);
-
 }  // namespace viete::bench

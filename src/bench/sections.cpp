@@ -21,6 +21,54 @@ using sym3::Method;
 
 constexpr Method shown_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
+// Number of cage triangles of the quoted frame times.
+constexpr std::size_t usual_faces = 300;
+
+// Time saved relative to `than`, in percent: 76 for 0.24 and 1.
+double percent_less(double time, double than) {
+  return 100 * (1 - time / than);
+}
+
+// The frame by links, with exp by this method.
+const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {
+  return times.empty() ? nullptr
+                       : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
+}
+
+// Largest error over all gaps of two and three eigenvalues, of the method with this label.
+double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method) {
+  const auto methods = exp_methods();
+  const auto at = std::ranges::find(methods, method, [](const ExpMethod& m) { return std::string(m.name); });
+  double worst = 0;
+  for (const AccuracyTable& table : tables) {
+    if (table.by != "gap") continue;
+    for (const auto& row : table.rows)
+      worst = std::max(worst, row.cells[static_cast<std::size_t>(at - methods.begin())].worst);
+  }
+  return worst;
+}
+
+// Volume loss of a row of measure_halfway(): "27 %", "nothing".
+std::string lost_volume(const nlohmann::json& way) {
+  const double lost = 100 * (1 - double(way["volume"]));
+  return lost < 0.5 ? "nothing" : percent(lost);
+}
+
+// The row of the shape with the largest volume loss on straight lines; null if there is none.
+const nlohmann::json* most_lost(const nlohmann::json& halfway) {
+  // The row of the shape with the largest volume loss on straight lines; null if there is none.
+  const nlohmann::json* most = nullptr;
+  for (const auto& row : halfway) {
+    if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
+  }
+  return most;
+}
+
+// Shape name from its file: "shape_coiled.pc2" is coiled.
+std::string name_of_shape(const nlohmann::json& row) {
+  return without_prefix(row["name"], "shape_");
+}
+
 std::string plots(const std::string& figures) {
   return "<div class=\"plots\">" + figures + "</div>\n";
 }

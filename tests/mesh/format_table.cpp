@@ -7,7 +7,6 @@
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "support/data.h"
-#include "support/skip.h"
 
 using namespace viete;
 using namespace viete::mesh;
@@ -50,24 +49,6 @@ TEST_CASE("format_rows_describe_what_a_format_keeps") {
       CHECK_THROWS_WITH_AS(check_keeps_vertices(file), doctest::Contains(".obj, .ply or .off"), base::Error);
     }
     CHECK(read({file.string(), "xyz", test::file_bytes(file)}).surface.positions == back.surface.positions);
-  }
-}
-
-TEST_CASE("every_file_is_recognised_by_its_content" * doctest::test_suite(test::if_present)) {
-  const auto all = test::shared_data();
-  if (!std::filesystem::exists(all)) return test::skip(all.string() + " is not here");
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(all)) {
-    const Format* named = find_format(entry.path());
-    if (!entry.is_regular_file() || !named || !named->read) continue;
-    if (entry.path().stem() == "obj_long_comment_line") continue;  // longer than the beginning
-    CAPTURE(entry.path());
-    std::string format;
-    try {
-      format = read(entry.path()).format;
-    } catch (const std::exception&) {
-      continue;
-    }
-    CHECK(name_of_format(entry.path()) == format_of_description(format)->name);
   }
 }
 

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "mesh/formats/foreign_content.h"
-#include "mesh/formats/point_cache.h"
 #include "mesh/formats/write.h"
 #include "mesh/shapes.h"
 #include "support/data.h"
@@ -190,9 +189,4 @@ TEST_CASE("foreign_files_are_rejected_with_their_kind") {
   for (const char* bytes :
        {"v 1 2 3\n", "# version https://git-lfs.github.com/spec/v1\n", "{\"a\": 1}", "solid a\n"})
     CHECK_NOTHROW(refuse_foreign("given", bytes));
-}
-
-TEST_CASE("lfs_pointer_instead_of_a_point_cache_is_reported") {
-  const std::string lfs = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n";
-  CHECK_THROWS_WITH_AS(PointCache("given.mdd", lfs), doctest::Contains("Git LFS pointer"), base::Error);
 }
